@@ -1,0 +1,336 @@
+// The hot loop: motion and forces, row by row, over lanes. One cycle is
+//
+//   motion   v(t+dt/2) = v(t-dt/2) + dt (F + F_damp)/m,   u(t+dt) = u(t) + dt v(t+dt/2)
+//   forces   gap and normal from displacements, increments from velocities, laws, forces and couples on both grains
+//
+// Gap without cancellation, also in single precision: with X the initial branch vector (length d0) and u the relative
+// displacement, q = 2 X.u + u.u, d = sqrt(d0^2 + q), and the stretch d - d0 = q/(d + d0).
+//
+// Time skewing. forces(row) needs the rows `row` and `row - 1` moved in this cycle and not yet in the next. So a sweep
+// over fronts can run several cycles at once, each one row behind the other, while the rows lie in the cache:
+//   for front: for t: row = front - t; move(row); forces(row)
+// Every grain sees the same operations in the same order as without skewing; no bit changes. If a contact joins rows
+// that are not neighbours (fragments), the group runs with skew 1, where any lower row has been moved already.
+//
+// Energy. Local damping F_damp = -alpha |F| sign(v) takes alpha |F| sign(v) (v_old + v_new)/2 dt, which closes the
+// kinetic energy of the leap-frog exactly; per cycle the sum goes to `damping` (times 2/dt), slip work to `slip`.
+// Contributions of lanes in which a contact does nothing are zero and leave every sum unchanged: a lane's bits do not
+// depend on its neighbours.
+#pragma once
+#include "base/pack.hpp"
+#include "engine/view.hpp"
+#include "laws/laws.hpp"
+
+namespace phy {
+inline namespace PHY_ISA {
+
+template <class R>
+R load(const ScalarOf<R>* base, std::size_t i) {
+  R r;
+  __builtin_memcpy(&r, base + i * NumberTraits<R>::width, sizeof r);
+  return r;
+}
+template <class R>
+void store(ScalarOf<R>* base, std::size_t i, const R& r) {
+  __builtin_memcpy(base + i * NumberTraits<R>::width, &r, sizeof r);
+}
+template <class R>
+void add_to(ScalarOf<R>* base, std::size_t i, const R& r) { store(base, i, load<R>(base, i) + r); }
+
+/// Adds a row's lane sums to the specimen's sums in double.
+template <class R>
+void add_sample(double* sample, int field, const R& r) {
+  constexpr int W = NumberTraits<R>::width;
+  for (int l = 0; l < W; ++l) sample[field * W + l] += static_cast<double>(NumberTraits<R>::get(r, l));
+}
+
+/// The loop over one group, with the lane constants at hand.
+template <class R>
+class ForceLoop {
+ public:
+  using T = ScalarOf<R>;
+  static constexpr std::size_t W = NumberTraits<R>::width;
+
+  explicit ForceLoop(GroupView<T>& view) : v(view) {
+    for (int i = 0; i < n_lane_fields; ++i) lane[i] = load<R>(v.lane, i);
+  }
+
+  void advance(int n_steps) {
+    int done = 0;
+    while (done + 1 < n_steps) {
+      const int depth = n_steps - 1 - done < v.skew ? n_steps - 1 - done : v.skew;
+      sweep(done, depth);
+      done += depth;
+    }
+    for (int row = 0; row < v.n_rows; ++row) {
+      move_row(row, done);
+      forces_row<true>(row, done);
+    }
+    sample_grains();
+  }
+
+ private:
+  GroupView<T>& v;
+  R lane[n_lane_fields];
+
+  void sweep(int first, int depth) {
+    for (int front = 0; front < v.n_rows + depth - 1; ++front) {
+      for (int t = 0; t < depth; ++t) {
+        const int row = front - t;
+        if (row < 0 || row >= v.n_rows) continue;
+        move_row(row, first + t);
+        forces_row<false>(row, first + t);
+      }
+    }
+  }
+
+  /// One component of motion; returns the damping work times 2/dt.
+  static R move_component(T* grain, int f, int vel, int u, R scale, R alpha, R dt) {
+    const R force = load<R>(grain, f);
+    const R old = load<R>(grain, vel);
+    const R size = alpha * abs(force);
+    const R brake = select(old > R(0), size, select(old < R(0), -size, R(0)));
+    const R now = old + (force - brake) * scale;
+    store(grain, vel, now);
+    store(grain, u, load<R>(grain, u) + now * dt);
+    store(grain, f, R(0));
+    return brake * (old + now);
+  }
+
+  void move_row(int row, int step) {
+    R work(0);
+    for (std::int32_t g = v.row_grain[row]; g < v.row_grain[row + 1]; ++g) {
+      T* grain = v.grain + static_cast<std::size_t>(g) * n_grain_fields * W;
+      const GrainConst<T>& c = v.grain_const[g];
+      const R linear = lane[l_accel] * R(c.inv_area);
+      const R angular = lane[l_accel] * R(c.inv_inertia);
+      const R alpha = lane[l_damping];
+      work += move_component(grain, g_fx, g_vx, g_ux, linear, alpha, lane[l_dt]);
+      work += move_component(grain, g_fy, g_vy, g_uy, linear, alpha, lane[l_dt]);
+      work += move_component(grain, g_tq, g_w, g_rot, angular, alpha, lane[l_dt]);
+    }
+    add_to(v.damping, step, work);
+  }
+
+  /// What a contact's two grains do, in the frame of the branch vector.
+  struct Kinematics {
+    R nx, ny;            ///< branch normal a -> b
+    R stretch;           ///< d - d0
+    R vx, vy;            ///< velocity of b against a at the contact point
+    R lever_a, lever_b;
+    R rotation;          ///< of b against a
+  };
+
+  static Kinematics kinematics(const ContactConst<T>& c, const T* a, const T* b) {
+    const R dux = load<R>(b, g_ux) - load<R>(a, g_ux);
+    const R duy = load<R>(b, g_uy) - load<R>(a, g_uy);
+    const R q = R(2) * (R(c.X) * dux + R(c.Y) * duy) + (dux * dux + duy * duy);
+    const R d = sqrt(R(c.d0 * c.d0) + q);
+    Kinematics k;
+    const R inv_d = R(1) / d;
+    k.stretch = q / (d + R(c.d0));
+    k.nx = (R(c.X) + dux) * inv_d;
+    k.ny = (R(c.Y) + duy) * inv_d;
+    k.lever_a = R(c.lever_a) + R(T(0.5)) * k.stretch;
+    k.lever_b = R(c.lever_b) + R(T(0.5)) * k.stretch;
+    const R roll = load<R>(a, g_w) * k.lever_a + load<R>(b, g_w) * k.lever_b;
+    k.vx = load<R>(b, g_vx) - load<R>(a, g_vx) + roll * k.ny;
+    k.vy = load<R>(b, g_vy) - load<R>(a, g_vy) - roll * k.nx;
+    k.rotation = load<R>(b, g_rot) - load<R>(a, g_rot);
+    return k;
+  }
+
+  /// Force on grain b and couple on grain b.
+  struct Push {
+    R fx, fy, M;
+  };
+
+  /// Sums of one row.
+  struct RowSums {
+    R slip = R(0), linear = R(0), bond = R(0), joint = R(0), force = R(0), contacts = R(0), overlap = R(0);
+  };
+
+  void record_cracks(const Reaction<R>& r, int step, std::int32_t contact, MaskOf<R> here) {
+    for (int l = 0; l < static_cast<int>(W); ++l) {
+      const bool tension = NumberTraits<R>::test(r.broke_tension & here, l);
+      const bool shear = NumberTraits<R>::test(r.broke_shear & here, l);
+      if (!tension && !shear) continue;
+      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0, static_cast<double>(NumberTraits<R>::get(r.released, l))};
+    }
+  }
+
+  /// Linear contact and parallel bond side by side.
+  template <bool sample>
+  Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
+              RowSums& sums) {
+    const R dt = lane[l_dt];
+    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * dt;
+    const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * dt);
+    const linear::Parameters<R> pl{lane[l_k_n] * R(c.f_lin), lane[l_k_s] * R(c.f_lin),
+                                   lane[l_inv_k_s] * R(c.inv_f_lin), lane[l_mu]};
+    linear::State<R> sl{load<R>(s, c_shear)};
+    const Reaction<R> rl = linear::respond(pl, sl, Motion<R>{-(k.stretch + R(c.gap)), d_closure, d_slide, R(0)});
+    const parallel_bond::Parameters<R> pb{lane[l_kb_n] * R(c.f_bond), lane[l_kb_s] * R(c.f_bond),
+                                          lane[l_kb_m] * R(c.f_bend), lane[l_arm] * R(c.inv_rmin),
+                                          load<R>(s, c_strength),     lane[l_tan_phi],
+                                          lane[l_hold]};
+    parallel_bond::State<R> sb{load<R>(s, c_bond), load<R>(s, c_capacity)};
+    const Reaction<R> rb = parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
+    store(s, c_shear, select(here, sl.F_s, load<R>(s, c_shear)));
+    store(s, c_bond, select(here, sb.F_s, load<R>(s, c_bond)));
+    if (any(broke(rb) & here)) {
+      store(s, c_capacity, select(here, sb.capacity, load<R>(s, c_capacity)));
+      record_cracks(rb, step, i, here);
+    }
+    sums.slip += select(here, rl.dissipated, R(0));
+    const R F_n = rl.F_n + rb.F_n;
+    const R F_s = rl.F_s + rb.F_s;
+    if constexpr (sample) {
+      sums.linear += select(here, linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
+      sums.bond += select(here, parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
+    }
+    return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
+  }
+
+  template <bool sample>
+  Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
+              RowSums& sums) {
+    const T* row = v.joint + static_cast<std::size_t>(c.joint) * n_joint_fields * W;
+    const R side = load<R>(s, c_side);
+    const R nx = side * load<R>(row, j_nx);
+    const R ny = side * load<R>(row, j_ny);
+    const R dt = lane[l_dt];
+    const Motion<R> m{R(0), -((k.vx * nx + k.vy * ny) * dt), (k.vy * nx - k.vx * ny) * dt, R(0)};
+    const R A(c.area);
+    const smooth_joint::Parameters<R> p{load<R>(row, j_k_n) * A,   load<R>(row, j_k_s) * A,
+                                        load<R>(row, j_mu),        load<R>(row, j_S_0) * A,
+                                        load<R>(row, j_tan_phi),   load<R>(row, j_tan_psi), lane[l_hold]};
+    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), load<R>(s, c_capacity), load<R>(s, c_strength)};
+    const Reaction<R> r = smooth_joint::respond(p, st, m);
+    store(s, c_shear, select(here, st.F_s, load<R>(s, c_shear)));
+    store(s, c_bond, select(here, st.closure, load<R>(s, c_bond)));
+    store(s, c_strength, select(here, st.dilation, load<R>(s, c_strength)));
+    if (any(broke(r) & here)) {
+      store(s, c_capacity, select(here, st.capacity, load<R>(s, c_capacity)));
+      record_cracks(r, step, i, here);
+    }
+    sums.slip += select(here, r.dissipated, R(0));
+    if constexpr (sample) sums.joint += select(here, smooth_joint::strain_energy(p, r.F_n, r.F_s), R(0));
+    return {r.F_n * nx - r.F_s * ny, r.F_n * ny + r.F_s * nx, R(0)};
+  }
+
+  template <bool sample>
+  void forces_row(int row, int step) {
+    RowSums sums;
+    if (v.row_wall[row] != 0) platens<sample>(row, step, sums);
+    for (std::int32_t i = v.row_contact[row]; i < v.row_contact[row + 1]; ++i) {
+      const ContactConst<T>& c = v.contact_const[i];
+      T* s = v.contact + static_cast<std::size_t>(i) * n_contact_fields * W;
+      T* a = v.grain + static_cast<std::size_t>(c.a) * n_grain_fields * W;
+      T* b = v.grain + static_cast<std::size_t>(c.b) * n_grain_fields * W;
+      const Kinematics k = kinematics(c, a, b);
+      Push push;
+      if (c.joint < 0) {
+        push = matrix<sample>(c, s, k, R(1) > R(0), i, step, sums);
+      } else {
+        const R side = load<R>(s, c_side);
+        const auto joint = abs(side) > R(0);
+        const Push pm = matrix<sample>(c, s, k, !joint, i, step, sums);
+        const Push pj = smooth<sample>(c, s, k, joint, i, step, sums);
+        push = {select(joint, pj.fx, pm.fx), select(joint, pj.fy, pm.fy), select(joint, R(0), pm.M)};
+      }
+      add_to(b, g_fx, push.fx);
+      add_to(b, g_fy, push.fy);
+      add_to(a, g_fx, -push.fx);
+      add_to(a, g_fy, -push.fy);
+      const R across = push.fy * k.nx - push.fx * k.ny;
+      add_to(a, g_tq, -(k.lever_a * across + push.M));
+      add_to(b, g_tq, push.M - k.lever_b * across);
+      if constexpr (sample) {
+        const R size = sqrt(push.fx * push.fx + push.fy * push.fy);
+        sums.force += size;
+        sums.contacts += select(size > R(0), R(1), R(0));
+        sums.overlap = max(sums.overlap, -k.stretch / R(c.d0));
+      }
+    }
+    add_to(v.slip, step, sums.slip);
+    if constexpr (sample) add_row(sums);
+  }
+
+  void add_row(const RowSums& sums) {
+    add_sample(v.sample, s_strain_linear, sums.linear);
+    add_sample(v.sample, s_strain_bond, sums.bond);
+    add_sample(v.sample, s_strain_joint, sums.joint);
+    add_sample(v.sample, s_contact_force, sums.force);
+    add_sample(v.sample, s_contacts, sums.contacts);
+    for (int l = 0; l < static_cast<int>(W); ++l) {
+      double& worst = v.sample[s_overlap * static_cast<int>(W) + l];
+      const double here = static_cast<double>(NumberTraits<R>::get(sums.overlap, l));
+      worst = here > worst || here != here ? here : worst;
+    }
+  }
+
+  /// Rigid platens against the grains of a row: the linear law with the platen as grain 1.
+  template <bool sample>
+  void platens(int row, int step, RowSums& sums) {
+    for (int wall = 0; wall < 2; ++wall) {
+      if ((v.row_wall[row] & (1 << wall)) == 0) continue;
+      const R up = wall == 0 ? R(1) : R(-1);  // n = (0, up), t = (-up, 0)
+      const R moved = load<R>(v.wall_u, 2 * static_cast<std::size_t>(step) + wall);
+      R force(0), energy(0);
+      for (std::int32_t g = v.row_grain[row]; g < v.row_grain[row + 1]; ++g) {
+        T* grain = v.grain + static_cast<std::size_t>(g) * n_grain_fields * W;
+        const R radius(v.grain_const[g].radius);
+        const R closure = moved - up * load<R>(grain, g_uy) - load<R>(v.wall_gap[wall], g);
+        const R d_slide = (-(up * load<R>(grain, g_vx)) - load<R>(grain, g_w) * radius) * lane[l_dt];
+        const linear::Parameters<R> p{lane[l_wall_kn], lane[l_wall_ks], lane[l_wall_inv_ks], lane[l_wall_mu]};
+        linear::State<R> st{load<R>(v.wall_shear[wall], g)};
+        const Reaction<R> r = linear::respond(p, st, Motion<R>{closure, R(0), d_slide, R(0)});
+        store(v.wall_shear[wall], g, st.F_s);
+        add_to(grain, g_fx, -(up * r.F_s));
+        add_to(grain, g_fy, up * r.F_n);
+        add_to(grain, g_tq, -(radius * r.F_s));
+        force += r.F_n;
+        sums.slip += r.dissipated;
+        if constexpr (sample) energy += linear::strain_energy(p, r.F_n, r.F_s);
+      }
+      add_to(v.wall_force, 2 * static_cast<std::size_t>(step) + wall, force);
+      if constexpr (sample) add_sample(v.sample, s_strain_wall, energy);
+    }
+  }
+
+  /// Unbalanced force, kinetic energy (mean of both half steps) and strain gauges.
+  void sample_grains() {
+    for (int row = 0; row < v.n_rows; ++row) {
+      R unbalanced(0), kinetic(0), axial(0), lateral(0);
+      for (std::int32_t g = v.row_grain[row]; g < v.row_grain[row + 1]; ++g) {
+        const T* grain = v.grain + static_cast<std::size_t>(g) * n_grain_fields * W;
+        const GrainConst<T>& c = v.grain_const[g];
+        const R fx = load<R>(grain, g_fx), fy = load<R>(grain, g_fy);
+        unbalanced += sqrt(fx * fx + fy * fy);
+        kinetic += kinetic_of(grain, g_fx, g_vx, lane[l_accel] * R(c.inv_area)) +
+                   kinetic_of(grain, g_fy, g_vy, lane[l_accel] * R(c.inv_area)) +
+                   kinetic_of(grain, g_tq, g_w, lane[l_accel] * R(c.inv_inertia));
+        axial -= R(c.gauge_y) * load<R>(grain, g_uy);
+        lateral -= R(c.gauge_x) * load<R>(grain, g_ux);
+      }
+      add_sample(v.sample, s_unbalanced, unbalanced);
+      add_sample(v.sample, s_kinetic, kinetic);
+      add_sample(v.sample, s_gauge_axial, axial);
+      add_sample(v.sample, s_gauge_lateral, lateral);
+    }
+  }
+
+  /// (m/4)(v_old^2 + v_new^2), with m = dt / scale.
+  R kinetic_of(const T* grain, int f, int vel, R scale) const {
+    const R old = load<R>(grain, vel);
+    const R force = load<R>(grain, f);
+    const R size = lane[l_damping] * abs(force);
+    const R brake = select(old > R(0), size, select(old < R(0), -size, R(0)));
+    const R now = old + (force - brake) * scale;
+    return R(T(0.25)) * (old * old + now * now) * select(scale > R(0), lane[l_dt] / scale, R(0));
+  }
+};
+
+}  // namespace PHY_ISA
+}  // namespace phy

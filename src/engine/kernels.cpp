@@ -1,0 +1,56 @@
+#include "engine/kernels.hpp"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace phy {
+
+AdvanceBlock<double> double_kernel_sse2(int lanes);
+AdvanceBlock<float> float_kernel_sse2(int lanes);
+AdvanceBlock<double> double_kernel_avx2(int lanes);
+AdvanceBlock<float> float_kernel_avx2(int lanes);
+AdvanceBlock<double> double_kernel_avx512(int lanes);
+AdvanceBlock<float> float_kernel_avx512(int lanes);
+
+const char* to_string(Isa isa) {
+  switch (isa) {
+    case Isa::sse2: return "sse2";
+    case Isa::avx2: return "avx2";
+    case Isa::avx512: return "avx512";
+  }
+  return "unknown";
+}
+
+Isa native_isa() {
+  Isa best = Isa::sse2;
+  if (__builtin_cpu_supports("avx2")) best = Isa::avx2;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512vl"))
+    best = Isa::avx512;
+  const char* wish = std::getenv("PHYLLITE_ISA");
+  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
+    if (wish != nullptr && std::strcmp(wish, to_string(isa)) == 0 && isa < best) best = isa;
+  return best;
+}
+
+template <class T>
+int native_lanes(Isa isa) {
+  return static_cast<int>((isa == Isa::sse2 ? 16 : isa == Isa::avx2 ? 32 : 64) / sizeof(T));
+}
+template int native_lanes<double>(Isa);
+template int native_lanes<float>(Isa);
+
+template <>
+AdvanceBlock<double> kernel<double>(Isa isa, int lanes) {
+  if (lanes == 1) return double_kernel_sse2(1);  // scalar arithmetic is the same in every set
+  if (isa == Isa::avx512) return double_kernel_avx512(lanes);
+  return isa == Isa::avx2 ? double_kernel_avx2(lanes) : double_kernel_sse2(lanes);
+}
+
+template <>
+AdvanceBlock<float> kernel<float>(Isa isa, int lanes) {
+  if (isa == Isa::avx512) return float_kernel_avx512(lanes);
+  return isa == Isa::avx2 ? float_kernel_avx2(lanes) : float_kernel_sse2(lanes);
+}
+
+}  // namespace phy

@@ -1,0 +1,22 @@
+// Which kernels this processor can run.
+#pragma once
+#include <string>
+
+#include "engine/view.hpp"
+
+namespace phy {
+
+/// Instruction sets in rising order; the hot loop is built for each.
+enum class Isa { sse2, avx2, avx512 };
+
+const char* to_string(Isa isa);
+/// The best instruction set of this processor. PHYLLITE_ISA=sse2|avx2|avx512 in the environment lowers it.
+Isa native_isa();
+/// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.
+template <class T>
+int native_lanes(Isa isa);
+/// The kernel, or nullptr when the number of lanes is not built (double: 1, 2, 4, 8; float: 4, 8, 16).
+template <class T>
+AdvanceBlock<T> kernel(Isa isa, int lanes);
+
+}  // namespace phy

@@ -1,0 +1,168 @@
+#include "engine/stable_step.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/exact_math.hpp"
+#include "laws/laws.hpp"
+
+namespace phy {
+namespace {
+
+using Sym3 = std::array<double, 6>;  // xx yy zz xy xz yz
+
+/// Largest eigenvalue of a positive semi-definite matrix, from above: Newton's method on the characteristic polynomial
+/// started at the trace falls monotonically to the largest root.
+double largest_eigenvalue(const Sym3& m) {
+  const double c2 = m[0] + m[1] + m[2];
+  const double c1 = m[0] * m[1] + m[0] * m[2] + m[1] * m[2] - m[3] * m[3] - m[4] * m[4] - m[5] * m[5];
+  const double c0 = m[0] * (m[1] * m[2] - m[5] * m[5]) - m[3] * (m[3] * m[2] - m[5] * m[4]) +
+                    m[4] * (m[3] * m[5] - m[1] * m[4]);
+  double root = c2;
+  for (int i = 0; i < 40; ++i) {
+    const double p = ((root - c2) * root + c1) * root - c0;
+    const double slope = (3.0 * root - 2.0 * c2) * root + c1;
+    if (!(p > 0.0) || !(slope > 0.0)) break;
+    const double next = root - p / slope;
+    if (!(next < root)) break;
+    root = next;
+  }
+  return root * (1.0 + 1e-9);
+}
+
+/// Rows: normal, shear, bending; columns: u_x, u_y, rotation, scaled by 1/sqrt(m), 1/sqrt(I).
+using Gradient = std::array<std::array<double, 3>, 3>;
+
+Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffness& k, double inv_m, double inv_i) {
+  const Vec2 t = tangent(k.normal);
+  return {{{sign * k.normal.x * inv_m, sign * k.normal.y * inv_m, -lever * dot(k.normal, branch_t) * inv_i},
+           {sign * t.x * inv_m, sign * t.y * inv_m, -lever * dot(t, branch_t) * inv_i},
+           {0.0, 0.0, sign * inv_i}}};
+}
+
+std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& b, const ContactStiffness& k) {
+  const std::array<double, 3> d = {k.k_n, k.k_s, k.k_m};
+  std::array<std::array<double, 3>, 3> m{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t q = 0; q < 3; ++q) m[i][j] += a[q][i] * d[q] * b[q][j];
+  return m;
+}
+
+Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return b[0][i] * b[0][j] + b[1][i] * b[1][j] + b[2][i] * b[2][j];
+  };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
+}
+
+}  // namespace
+
+ContactStiffness touching_stiffness(const MatrixRecipe& matrix, const Disc& a, const Disc& b, Vec2 n) {
+  const bool pfc5 = matrix.stiffness_convention == StiffnessConvention::pfc5;
+  const double k_n = matrix.E_c * linear::stiffness_factor(pfc5, a.r, b.r);
+  return {k_n, matrix.ks_over_kn * k_n, 0.0, n, n, 0.0};
+}
+
+ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact) {
+  const Disc& a = specimen.packing->discs[contact.a];
+  const Disc& b = specimen.packing->discs[contact.b];
+  const Vec2 centres{b.x - a.x, b.y - a.y};
+  const double distance = norm(centres);
+  const Vec2 branch = (1.0 / distance) * centres;
+  const double gap = distance - a.r - b.r;
+  if (contact.kind == ContactKind::joint) {
+    const BeddingRecipe& set = specimen.bedding[contact.set];
+    const SinCos sc = sin_cos_degrees(set.theta);
+    const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
+    return {set.k_n * A, set.k_s * A, 0.0, static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos}, branch, gap};
+  }
+  const MatrixRecipe& m = specimen.matrix;
+  ContactStiffness k = touching_stiffness(m, a, b, branch);
+  k.gap = gap;
+  if (contact.kind == ContactKind::bonded) {
+    const parallel_bond::Geometry g = parallel_bond::geometry(m.radius_multiplier, a.r, b.r);
+    k.k_n += m.E_b / g.L * g.A;
+    k.k_s += m.bond_ks_over_kn * m.E_b / g.L * g.A;
+    k.k_m = m.E_b / g.L * g.I;
+  }
+  return k;
+}
+
+FrequencyBound::FrequencyBound(const Specimen& specimen)
+    : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
+  const std::size_t n = packing_->discs.size();
+  std::vector<Sym3> diagonal(n, Sym3{});
+  std::vector<Entry> entries;
+  entries.reserve(specimen.contacts.size());
+  for (const Contact& c : specimen.contacts) {
+    std::array<double, 12> d{};
+    const double norm_ab = block_norm(c.a, c.b, initial_stiffness(specimen, c), d.data(), d.data() + 6);
+    for (std::size_t i = 0; i < 6; ++i) diagonal[c.a][i] += d[i], diagonal[c.b][i] += d[6 + i];
+    entries.push_back({c.a, c.b, norm_ab});
+  }
+  std::vector<double> own(n), next(n);
+  const double k_wall = specimen.matrix.E_c * linear::wall_stiffness_factor;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Disc& disc = packing_->discs[i];
+    const double mass = density_ * pi * disc.r * disc.r;
+    if (disc.y < 2.0 * disc.r || disc.y > packing_->height - 2.0 * disc.r) {
+      diagonal[i][1] += k_wall / mass;
+      diagonal[i][0] += specimen.matrix.ks_over_kn * k_wall / mass;
+      diagonal[i][2] += 2.0 * specimen.matrix.ks_over_kn * k_wall / mass;
+    }
+    own[i] = largest_eigenvalue(diagonal[i]);
+  }
+  x_.assign(n, 1.0);
+  row_.assign(n, 0.0);
+  bound_ = 0.0;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    for (std::size_t i = 0; i < n; ++i) next[i] = own[i] * x_[i];
+    for (const Entry& e : entries) next[e.a] += e.norm * x_[e.b], next[e.b] += e.norm * x_[e.a];
+    double top = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      row_[i] = next[i] / x_[i];
+      top = std::max(top, row_[i]);
+      largest = std::max(largest, next[i]);
+    }
+    if (iteration > 0 && top > 0.999 * bound_ && iteration % 10 == 0) {
+      bound_ = top;
+      break;
+    }
+    bound_ = top;
+    if (iteration + 1 < 100)  // grains far from the hot spot keep a floor, so that later births stay bounded
+      for (std::size_t i = 0; i < n; ++i) x_[i] = std::max(next[i] / largest, 1e-3);
+  }
+}
+
+double FrequencyBound::block_norm(std::uint32_t a, std::uint32_t b, const ContactStiffness& k, double* diag_a,
+                                  double* diag_b) const {
+  const Disc& da = packing_->discs[a];
+  const Disc& db = packing_->discs[b];
+  const Vec2 t = tangent(k.branch);
+  const double inv_ma = 1.0 / std::sqrt(density_ * pi * da.r * da.r);
+  const double inv_mb = 1.0 / std::sqrt(density_ * pi * db.r * db.r);
+  const double root2 = std::sqrt(2.0);
+  const Gradient ga = gradient(-1.0, da.r + 0.5 * k.gap, t, k, inv_ma, inv_ma * root2 / da.r);
+  const Gradient gb = gradient(1.0, db.r + 0.5 * k.gap, t, k, inv_mb, inv_mb * root2 / db.r);
+  const auto put = [](const std::array<std::array<double, 3>, 3>& m, double* out) {
+    out[0] = m[0][0], out[1] = m[1][1], out[2] = m[2][2], out[3] = m[0][1], out[4] = m[0][2], out[5] = m[1][2];
+  };
+  put(product(ga, ga, k), diag_a);
+  put(product(gb, gb, k), diag_b);
+  return std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))));
+}
+
+double FrequencyBound::omega() const { return std::sqrt(bound_); }
+
+void FrequencyBound::add(std::uint32_t a, std::uint32_t b, const ContactStiffness& k) {
+  std::array<double, 12> d{};
+  const double norm_ab = block_norm(a, b, k, d.data(), d.data() + 6);
+  const auto trace = [&](std::size_t at) { return d[at] + d[at + 1] + d[at + 2]; };
+  row_[a] += trace(0) + norm_ab * x_[b] / x_[a];
+  row_[b] += trace(6) + norm_ab * x_[a] / x_[b];
+  bound_ = std::max({bound_, row_[a], row_[b]});
+}
+
+}  // namespace phy

@@ -1,0 +1,52 @@
+// The largest stable time step of a specimen, from a proven upper bound of its highest frequency.
+//
+// Leap-frog with local damping alpha is stable for dt < 2/(omega_max sqrt(1 + alpha)). omega_max^2 is the largest
+// eigenvalue of K = M^-1/2 K M^-1/2 with a 3 x 3 block per pair of grains (u_x, u_y, rotation). A power iteration
+// approaches it from below, which is the unsafe side. Instead: the matrix N of the blocks' spectral norms is
+// non-negative with omega_max^2 <= rho(N) (norm compression), and for every positive x, rho(N) <= max_i (N x)_i/x_i
+// (Collatz 1942, Wielandt 1950). Iterating x <- N x brings the bound down; any iterate is safe. Rejected: Gershgorin's
+// circles (28 % smaller step), PFC's 0.8 min sqrt(m/k) (40 % smaller). Arithmetic in fixed order: dt decides every bit.
+#pragma once
+#include <vector>
+
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// Stiffness of one contact in its own frame.
+struct ContactStiffness {
+  double k_n = 0.0, k_s = 0.0;  ///< along and across `normal` [N/m per m]
+  double k_m = 0.0;             ///< couple per relative rotation [N]
+  Vec2 normal;                  ///< a -> b: branch, or the plane's normal for joints
+  Vec2 branch;                  ///< unit vector from centre a to centre b
+  double gap = 0.0;             ///< between the discs [m]
+};
+/// Stiffness with which a contact starts (linear part closed, bond or joint intact).
+ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact);
+/// Stiffness of a new, unbonded contact between grains a and b with branch normal n.
+ContactStiffness touching_stiffness(const MatrixRecipe& matrix, const Disc& a, const Disc& b, Vec2 n);
+
+/// The bound with its witness x, so that new contacts can be added without starting over.
+class FrequencyBound {
+ public:
+  explicit FrequencyBound(const Specimen& specimen);
+  /// Upper bound of omega_max [1/s].
+  double omega() const;
+  /// A contact is born; broken ones stay counted (they only lower the frequency).
+  void add(std::uint32_t a, std::uint32_t b, const ContactStiffness& k);
+
+ private:
+  struct Entry {
+    std::uint32_t a, b;
+    double norm;
+  };
+  double block_norm(std::uint32_t a, std::uint32_t b, const ContactStiffness& k, double* diag_a, double* diag_b) const;
+
+  const Packing* packing_;
+  double density_;
+  std::vector<double> x_;    // witness, > 0
+  std::vector<double> row_;  // (N x)_i / x_i
+  double bound_ = 0.0;       // max of row_
+};
+
+}  // namespace phy

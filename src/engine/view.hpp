@@ -1,0 +1,103 @@
+// The memory that the force loop works on, and nothing else: plain numbers behind plain pointers, so that the loop can be
+// compiled once per instruction set while everything else is compiled once.
+//
+// Layout. Lane vectors are W numbers side by side, one per specimen. A grain is nine lane vectors, a contact five; what
+// all lanes share (the packing's geometry) is a scalar. Grains are sorted into horizontal rows, and a contact belongs to
+// the row of its upper grain; it joins grains of that row or of the row below (docs/architecture.md, "Life of a step").
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace phy {
+
+/// Lane vectors of a grain, in this order.
+enum GrainField { g_ux, g_uy, g_rot, g_vx, g_vy, g_w, g_fx, g_fy, g_tq, n_grain_fields };
+
+/// Lane vectors of a contact. One memory for two laws: a contact is a smooth joint in a lane or it is not, for ever.
+enum ContactField {
+  c_shear,     ///< linear shear force | joint shear force
+  c_bond,      ///< bond shear force | joint closure
+  c_capacity,  ///< tensile capacity, 0 = broken or never bonded
+  c_strength,  ///< bond shear capacity S_0 | joint dilation
+  c_side,      ///< 0 = linear + parallel bond; +-1 = smooth joint and the side of its grains
+  n_contact_fields
+};
+
+/// Lane constants: micro-parameters and numerics of each specimen.
+enum LaneField {
+  l_k_n, l_k_s, l_inv_k_s, l_mu,                 // linear: k = these times the contact's factor
+  l_kb_n, l_kb_s, l_kb_m, l_arm, l_tan_phi,      // parallel bond
+  l_hold,                                        // added to strengths while breakage is off
+  l_dt, l_accel,                                 // time step; dt / grain density
+  l_damping,                                     // local damping coefficient
+  l_wall_kn, l_wall_ks, l_wall_inv_ks, l_wall_mu,
+  n_lane_fields
+};
+
+/// Lane constants of a bedding set as seen by the lanes (row of the joint table).
+enum JointField { j_nx, j_ny, j_k_n, j_k_s, j_mu, j_tan_phi, j_tan_psi, j_S_0, n_joint_fields };
+
+/// Sums over the specimen at the end of a block, in double.
+enum SampleField {
+  s_strain_linear, s_strain_bond, s_strain_joint, s_strain_wall, s_contact_force, s_contacts, s_unbalanced, s_kinetic,
+  s_gauge_axial, s_gauge_lateral, s_overlap, n_sample_fields
+};
+
+template <class T>
+struct GrainConst {
+  T inv_area;       ///< 1/(pi r^2): acceleration = force / (density area)
+  T inv_inertia;    ///< 2/(pi r^4)
+  T radius;
+  T gauge_x, gauge_y;  ///< weights of the least-squares strain gauge [1/m]
+};
+
+template <class T>
+struct ContactConst {
+  std::int32_t a, b;   ///< sorted grain numbers, row(a) <= row(b)
+  std::int32_t joint;  ///< row of the joint table, -1 when no lane has a joint here
+  T X, Y, d0;          ///< initial branch vector a -> b and its length
+  T gap;               ///< closure needed before the linear part acts
+  T lever_a, lever_b;  ///< R + initial gap / 2
+  T f_lin, inv_f_lin;  ///< linear stiffness factor
+  T f_bond;            ///< 2 r_min/(R1 + R2): kb_n A = E_b lambda f_bond
+  T f_bend;            ///< (2/3) r_min^3/(R1 + R2): kb_n I = E_b lambda^3 f_bend
+  T inv_rmin;
+  T area;              ///< 2 r_min
+};
+
+struct RawCrack {
+  std::int32_t step;     ///< within the block
+  std::int32_t contact, lane;
+  std::int32_t shear;    ///< 0 tension, 1 shear
+  double energy;
+};
+
+template <class T>
+struct GroupView {
+  int n_rows = 0;
+  const std::int32_t* row_grain = nullptr;    ///< first grain of each row, n_rows + 1
+  const std::int32_t* row_contact = nullptr;  ///< first contact of each row, n_rows + 1
+  const std::uint8_t* row_wall = nullptr;     ///< bit 0: near the bottom platen, bit 1: near the top platen
+  const GrainConst<T>* grain_const = nullptr;
+  const ContactConst<T>* contact_const = nullptr;
+  T* grain = nullptr;
+  T* contact = nullptr;
+  const T* lane = nullptr;
+  const T* joint = nullptr;
+  const T* wall_gap[2] = {};   ///< per grain: closure needed before a platen acts
+  T* wall_shear[2] = {};       ///< per grain: shear force on the platen
+  const T* wall_u = nullptr;   ///< per step: displacement of bottom and top platen into the specimen
+  T* wall_force = nullptr;     ///< per step: force of bottom and top platen
+  T* slip = nullptr;           ///< per step: slip work
+  T* damping = nullptr;        ///< per step: 2/dt times the work of local damping
+  double* sample = nullptr;    ///< n_sample_fields lane vectors
+  RawCrack* cracks = nullptr;
+  std::size_t n_cracks = 0;
+  int skew = 4;                ///< cycles per sweep; does not change any bit
+};
+
+/// Runs `n_steps` cycles (motion, then forces) and samples at the end.
+template <class T>
+using AdvanceBlock = void (*)(GroupView<T>&, int n_steps);
+
+}  // namespace phy

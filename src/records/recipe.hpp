@@ -1,0 +1,106 @@
+// The recipe: everything that a run depends on, in SI units and degrees. A recipe is completed (every default filled in)
+// before anything is computed, and the completed recipe is saved beside every result. Keys, units, ranges, defaults and
+// meanings are registered once, in recipe_schema.cpp; the reader, `phyllite recipe --explain` and docs/reference.md
+// come from there. Defaults are the paper's specimen (docs/conventions.md, "The paper's specimen").
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace phy {
+
+enum class RadiusDistribution { by_number, by_area };        ///< radii uniform by number, or by area fraction
+enum class InitialStress { stress_free, isotropic };         ///< overlaps declared stress-free, or a locked-in stress
+enum class StiffnessConvention { pfc31, pfc5 };              ///< laws/linear/README.md
+enum class ShearStrength { constant, cohesion_friction };    ///< laws/parallel_bond/README.md
+enum class BeddingRule { crossing, zone };                   ///< which contacts become smooth joints
+enum class Precision { double_precision, single_precision };
+enum class TestKind { uniaxial };
+
+struct SpecimenSize {
+  double width = 0.038;   ///< [m]
+  double height = 0.076;  ///< [m]
+};
+
+struct PackingRecipe {
+  double radius_min = 0.00025;   ///< [m]
+  double radius_max = 0.000415;  ///< [m]
+  RadiusDistribution distribution = RadiusDistribution::by_number;
+  std::int64_t n_grains = 7481;  ///< 0: the number follows from `porosity`
+  double porosity = 0.0;         ///< 0: the porosity follows from `n_grains`
+  InitialStress initial_stress = InitialStress::stress_free;
+  double isotropic_stress = 0.0;  ///< [Pa] used with `isotropic`
+  std::int64_t seed = 1;
+  std::string file;  ///< CSV of discs to import instead of making a packing
+};
+
+/// Matrix: linear contacts and parallel bonds (paper Table 1).
+struct MatrixRecipe {
+  double density = 2700.0;  ///< grain density [kg/m^3]
+  StiffnessConvention stiffness_convention = StiffnessConvention::pfc31;
+  double E_c = 38e9;            ///< contact modulus [Pa]
+  double ks_over_kn = 0.3;      ///< contact stiffness ratio
+  double mu = 0.8;              ///< friction coefficient
+  double E_b = 38e9;            ///< parallel-bond modulus [Pa]
+  double bond_ks_over_kn = 0.3; ///< parallel-bond stiffness ratio
+  double radius_multiplier = 1.0;
+  double moment_contribution = 1.0;
+  ShearStrength shear_strength = ShearStrength::constant;
+  double sigma_c = 65e6;      ///< bond tensile strength, mean [Pa]
+  double sigma_c_sd = 6.5e6;  ///< its standard deviation [Pa]
+  double tau_c = 65e6;        ///< bond shear strength (cohesion), mean [Pa]
+  double tau_c_sd = 6.5e6;    ///< its standard deviation [Pa]
+  double phi = 0.0;           ///< bond friction angle [deg], only with cohesion_friction
+  double bond_gap = 1e-6;     ///< bonds at gaps up to this fraction of the pair's mean radius
+  std::int64_t bond_seed = 1;
+  bool unbreakable = false;   ///< bonds and joints never break and nothing slips (elastic comparison runs)
+};
+
+/// One set of parallel bedding planes (paper Table 2).
+struct BeddingRecipe {
+  double theta = 0.0;              ///< [deg] plane from +x, anticlockwise, load along y; 0 <= theta < 180
+  double spacing = 0.005;          ///< [m]
+  double zone_thickness = 0.0006;  ///< [m] used by the zone rule
+  double offset = 0.0;             ///< [m] distance of one plane from the specimen's centre, along its normal
+  BeddingRule rule = BeddingRule::zone;
+  double k_n = 3360e9;      ///< normal stiffness [Pa/m]
+  double k_s = 960e9;       ///< shear stiffness [Pa/m]
+  double mu = 0.4;          ///< friction coefficient of the broken joint
+  double sigma_n = 10e6;    ///< bonded tensile strength [Pa]
+  double cohesion = 30e6;   ///< bonded cohesion [Pa]
+  double phi = 0.0;         ///< bonded friction angle [deg]
+  double psi = 0.0;         ///< dilation angle [deg]; tan psi <= mu
+  double radius_multiplier = 1.0;
+};
+
+struct TestRecipe {
+  TestKind kind = TestKind::uniaxial;
+  std::vector<double> angles;   ///< [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
+  bool intact = false;          ///< also a specimen without bedding
+  double platen_speed = 0.05;   ///< [m/s] of each platen
+  double ramp_strain = 2e-5;    ///< axial strain over which the speed rises from 0
+  double platen_friction = 0.0;
+  double stop_at = 0.6;         ///< stop when the stress falls to this fraction of the peak
+  double max_strain = 0.01;     ///< stop (not peaked) at this axial strain
+  std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
+  std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
+  double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start
+};
+
+struct EngineRecipe {
+  Precision precision = Precision::double_precision;
+  double damping = 0.7;       ///< local damping coefficient alpha
+  double step_safety = 0.92;  ///< fraction of the stable step 2/(omega_max sqrt(1 + alpha))
+};
+
+struct Recipe {
+  std::string name = "paper";
+  SpecimenSize specimen;
+  PackingRecipe packing;
+  MatrixRecipe matrix;
+  std::vector<BeddingRecipe> bedding;
+  TestRecipe test;
+  EngineRecipe engine;
+};
+
+}  // namespace phy

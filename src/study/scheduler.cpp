@@ -1,0 +1,147 @@
+#include "study/scheduler.hpp"
+
+#include <ctime>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "base/check.hpp"
+#include "lab/uniaxial.hpp"
+
+namespace phy {
+namespace {
+
+double thread_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// What the workers share.
+struct Desk {
+  const std::vector<std::shared_ptr<const Specimen>>& specimens;
+  const Recipe& recipe;
+  const ScheduleHooks& hooks;
+  std::vector<TestResult> results;
+  std::mutex mutex;
+  std::size_t next = 0;
+  Progress progress;
+  std::exception_ptr error;
+
+  bool stopped() const { return hooks.stop != nullptr && hooks.stop->load(); }
+  std::optional<std::size_t> take() {
+    const std::lock_guard lock(mutex);
+    if (stopped() || error || next == specimens.size()) return std::nullopt;
+    return next++;
+  }
+  void deliver(std::size_t index, TestResult result) {
+    const std::lock_guard lock(mutex);
+    results[index] = std::move(result);
+    ++progress.n_done;
+    if (hooks.on_result) hooks.on_result(index, results[index]);
+  }
+  void report(double steps) {
+    const std::lock_guard lock(mutex);
+    progress.steps_done += steps;
+    if (hooks.on_progress) hooks.on_progress(progress);
+  }
+};
+
+/// A test in a lane.
+struct Seat {
+  std::optional<UniaxialTest> test;
+  std::size_t index = 0;
+  double seconds = 0.0;
+};
+
+void fill_seat(Desk& desk, LaneGroup& group, Seat& seat, int lane) {
+  seat.test.reset();
+  if (const auto index = desk.take()) {
+    seat.index = *index;
+    seat.seconds = 0.0;
+    seat.test.emplace(desk.specimens[*index], desk.recipe, group, lane);
+  } else {
+    group.clear(lane);
+  }
+}
+
+void close_seat(Desk& desk, Seat& seat) {
+  TestResult result = seat.test->take_result();
+  result.seconds = seat.seconds;
+  desk.deliver(seat.index, std::move(result));
+}
+
+void work(Desk& desk, const GroupOptions& options) {
+  const std::unique_ptr<LaneGroup> group = make_group(desk.specimens.front()->packing, options);
+  std::vector<Seat> seats(static_cast<std::size_t>(options.lanes));
+  for (int lane = 0; lane < options.lanes; ++lane) fill_seat(desk, *group, seats[static_cast<std::size_t>(lane)], lane);
+  for (;;) {
+    int busy = 0;
+    for (const Seat& seat : seats) busy += seat.test ? 1 : 0;
+    if (busy == 0) return;
+    const double before = thread_seconds();
+    group->advance();
+    const double share = (thread_seconds() - before) / busy;
+    desk.report(static_cast<double>(busy) * options.interval);
+    for (int lane = 0; lane < options.lanes; ++lane) {
+      Seat& seat = seats[static_cast<std::size_t>(lane)];
+      if (!seat.test) continue;
+      seat.seconds += share;
+      bool over = seat.test->after_block();
+      if (!over && desk.stopped()) seat.test->interrupt(), over = true;
+      if (!over) continue;
+      close_seat(desk, seat);
+      fill_seat(desk, *group, seat, lane);
+    }
+  }
+}
+
+}  // namespace
+
+int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine) {
+  const bool single = precision == Precision::single_precision;
+  if (machine.lanes > 0) return machine.lanes;
+  const int widest = single ? native_lanes<float>(machine.isa) : native_lanes<double>(machine.isa);
+  const auto per_thread = static_cast<int>((n_specimens + static_cast<std::size_t>(machine.threads) - 1) /
+                                           static_cast<std::size_t>(machine.threads));
+  int lanes = single ? 4 : 1;
+  while (lanes < per_thread && lanes < widest) lanes *= 2;
+  return lanes;
+}
+
+std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens, const Recipe& recipe,
+                                  const MachineOptions& machine, const ScheduleHooks& hooks) {
+  PHY_CHECK(machine.threads > 0, "at least one worker");
+  Desk desk{specimens, recipe, hooks, std::vector<TestResult>(specimens.size()), {}, 0, {}, nullptr};
+  if (specimens.empty()) return {};
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    desk.results[i].name = specimens[i]->name;
+    desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
+  }
+  desk.progress.n_total = specimens.size();
+  GroupOptions options;
+  options.isa = machine.isa;
+  options.precision = recipe.engine.precision;
+  options.lanes = lanes_for(specimens.size(), recipe.engine.precision, machine);
+  options.skew = machine.skew;
+  options.interval = static_cast<int>(recipe.test.history_interval);
+  const std::size_t n_groups = (specimens.size() + static_cast<std::size_t>(options.lanes) - 1) /
+                               static_cast<std::size_t>(options.lanes);
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t i = 0; i < std::min(n_groups, static_cast<std::size_t>(machine.threads)); ++i)
+      workers.emplace_back([&desk, &options] {
+        try {
+          work(desk, options);
+        } catch (...) {
+          const std::lock_guard lock(desk.mutex);
+          if (!desk.error) desk.error = std::current_exception();
+        }
+      });
+  }
+  if (desk.error) std::rethrow_exception(desk.error);
+  return std::move(desk.results);
+}
+
+}  // namespace phy
