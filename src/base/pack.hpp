@@ -21,6 +21,10 @@
 #ifndef PHY_ISA
 #define PHY_ISA portable
 #endif
+// The body of the loop over contacts must be one piece of straight code: what is called for every contact is inlined
+// whatever its size, and what happens to few contacts is kept out of it (g++ 12 otherwise spills half the registers).
+#define PHY_HOT __attribute__((always_inline))
+#define PHY_RARE __attribute__((noinline))
 
 namespace phy {
 inline namespace PHY_ISA {

@@ -121,7 +121,7 @@ class ForceLoop {
     R rotation;          ///< of b against a
   };
 
-  static Kinematics kinematics(const ContactConst<T>& c, const T* a, const T* b) {
+  PHY_HOT static Kinematics kinematics(const ContactConst<T>& c, const T* a, const T* b) {
     const R dux = load<R>(b, g_ux) - load<R>(a, g_ux);
     const R duy = load<R>(b, g_uy) - load<R>(a, g_uy);
     const R q = R(2) * (R(c.X) * dux + R(c.Y) * duy) + (dux * dux + duy * duy);
@@ -148,24 +148,28 @@ class ForceLoop {
   /// Sums of one row.
   struct RowSums {
     R slip = R(0), linear = R(0), bond = R(0), joint = R(0), force = R(0), contacts = R(0), overlap = R(0);
+    void add(const RowSums& p) { slip += p.slip, linear += p.linear, bond += p.bond, joint += p.joint; }
   };
 
-  void record_cracks(const Reaction<R>& r, int step, std::int32_t contact, MaskOf<R> here) {
+  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step, std::int32_t contact) {
     for (int l = 0; l < static_cast<int>(W); ++l) {
-      const bool tension = NumberTraits<R>::test(r.broke_tension & here, l);
-      const bool shear = NumberTraits<R>::test(r.broke_shear & here, l);
+      const bool tension = NumberTraits<R>::test(in_tension, l);
+      const bool shear = NumberTraits<R>::test(in_shear, l);
       if (!tension && !shear) continue;
-      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0, static_cast<double>(NumberTraits<R>::get(r.released, l))};
+      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0, static_cast<double>(NumberTraits<R>::get(released, l))};
     }
   }
 
-  /// Linear contact and parallel bond side by side.
-  template <bool sample>
-  Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
-              RowSums& sums) {
-    const R dt = lane[l_dt];
-    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * dt;
-    const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * dt);
+  /// Linear contact and parallel bond side by side. `everywhere`: in all lanes, so nothing is masked.
+  template <bool sample, bool everywhere>
+  PHY_HOT Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
+                      RowSums& sums) {
+    const auto only_here = [here](R now, R before) {
+      if constexpr (everywhere) return now;
+      return select(here, now, before);
+    };
+    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * lane[l_dt];
+    const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * lane[l_dt]);
     const linear::Parameters<R> pl{lane[l_k_n] * R(c.f_lin), lane[l_k_s] * R(c.f_lin),
                                    lane[l_inv_k_s] * R(c.inv_f_lin), lane[l_mu]};
     linear::State<R> sl{load<R>(s, c_shear)};
@@ -176,24 +180,24 @@ class ForceLoop {
                                           lane[l_hold]};
     parallel_bond::State<R> sb{load<R>(s, c_bond), load<R>(s, c_capacity)};
     const Reaction<R> rb = parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
-    store(s, c_shear, select(here, sl.F_s, load<R>(s, c_shear)));
-    store(s, c_bond, select(here, sb.F_s, load<R>(s, c_bond)));
+    store(s, c_shear, only_here(sl.F_s, load<R>(s, c_shear)));
+    store(s, c_bond, only_here(sb.F_s, load<R>(s, c_bond)));
     if (any(broke(rb) & here)) {
-      store(s, c_capacity, select(here, sb.capacity, load<R>(s, c_capacity)));
-      record_cracks(rb, step, i, here);
+      store(s, c_capacity, only_here(sb.capacity, load<R>(s, c_capacity)));
+      record_cracks(rb.broke_tension & here, rb.broke_shear & here, rb.released, step, i);
     }
-    sums.slip += select(here, rl.dissipated, R(0));
+    sums.slip += only_here(rl.dissipated, R(0));
     const R F_n = rl.F_n + rb.F_n;
     const R F_s = rl.F_s + rb.F_s;
     if constexpr (sample) {
-      sums.linear += select(here, linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
-      sums.bond += select(here, parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
+      sums.linear += only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
+      sums.bond += only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
   }
 
   template <bool sample>
-  Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
+  PHY_HOT Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
               RowSums& sums) {
     const T* row = v.joint + static_cast<std::size_t>(c.joint) * n_joint_fields * W;
     const R side = load<R>(s, c_side);
@@ -212,45 +216,59 @@ class ForceLoop {
     store(s, c_strength, select(here, st.dilation, load<R>(s, c_strength)));
     if (any(broke(r) & here)) {
       store(s, c_capacity, select(here, st.capacity, load<R>(s, c_capacity)));
-      record_cracks(r, step, i, here);
+      record_cracks(r.broke_tension & here, r.broke_shear & here, r.released, step, i);
     }
     sums.slip += select(here, r.dissipated, R(0));
     if constexpr (sample) sums.joint += select(here, smooth_joint::strain_energy(p, r.F_n, r.F_s), R(0));
     return {r.F_n * nx - r.F_s * ny, r.F_n * ny + r.F_s * nx, R(0)};
   }
 
+  /// A contact that is a smooth joint in some lanes: both laws, blended lane by lane.
+  template <bool sample>
+  PHY_RARE Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step, RowSums& sums) {
+    const auto joint = abs(load<R>(s, c_side)) > R(0);
+    const Push m = matrix<sample, false>(c, s, k, !joint, i, step, sums);
+    const Push j = smooth<sample>(c, s, k, joint, i, step, sums);
+    return {select(joint, j.fx, m.fx), select(joint, j.fy, m.fy), select(joint, R(0), m.M)};
+  }
+
+  /// Forces and couples on both grains of a contact.
+  template <bool sample>
+  PHY_HOT void apply(const ContactConst<T>& c, const Kinematics& k, const Push& push, T* a, T* b, RowSums& sums) {
+    add_to(b, g_fx, push.fx);
+    add_to(b, g_fy, push.fy);
+    add_to(a, g_fx, -push.fx);
+    add_to(a, g_fy, -push.fy);
+    const R across = push.fy * k.nx - push.fx * k.ny;
+    add_to(a, g_tq, -(k.lever_a * across + push.M));
+    add_to(b, g_tq, push.M - k.lever_b * across);
+    if constexpr (sample) {
+      const R size = sqrt(push.fx * push.fx + push.fy * push.fy);
+      sums.force += size;
+      sums.contacts += select(size > R(0), R(1), R(0));
+      sums.overlap = max(sums.overlap, -k.stretch / R(c.d0));
+    }
+  }
+
   template <bool sample>
   void forces_row(int row, int step) {
-    RowSums sums;
-    if (v.row_wall[row] != 0) platens<sample>(row, step, sums);
+    RowSums walls;
+    if (v.row_wall[row] != 0) platens<sample>(row, step, walls);
+    RowSums sums = walls;  // a copy whose address no call takes stays in registers
     for (std::int32_t i = v.row_contact[row]; i < v.row_contact[row + 1]; ++i) {
       const ContactConst<T>& c = v.contact_const[i];
       T* s = v.contact + static_cast<std::size_t>(i) * n_contact_fields * W;
       T* a = v.grain + static_cast<std::size_t>(c.a) * n_grain_fields * W;
       T* b = v.grain + static_cast<std::size_t>(c.b) * n_grain_fields * W;
       const Kinematics k = kinematics(c, a, b);
-      Push push;
       if (c.joint < 0) {
-        push = matrix<sample>(c, s, k, R(1) > R(0), i, step, sums);
+        const Push push = matrix<sample, true>(c, s, k, R(1) > R(0), i, step, sums);
+        apply<sample>(c, k, push, a, b, sums);
       } else {
-        const R side = load<R>(s, c_side);
-        const auto joint = abs(side) > R(0);
-        const Push pm = matrix<sample>(c, s, k, !joint, i, step, sums);
-        const Push pj = smooth<sample>(c, s, k, joint, i, step, sums);
-        push = {select(joint, pj.fx, pm.fx), select(joint, pj.fy, pm.fy), select(joint, R(0), pm.M)};
-      }
-      add_to(b, g_fx, push.fx);
-      add_to(b, g_fy, push.fy);
-      add_to(a, g_fx, -push.fx);
-      add_to(a, g_fy, -push.fy);
-      const R across = push.fy * k.nx - push.fx * k.ny;
-      add_to(a, g_tq, -(k.lever_a * across + push.M));
-      add_to(b, g_tq, push.M - k.lever_b * across);
-      if constexpr (sample) {
-        const R size = sqrt(push.fx * push.fx + push.fy * push.fy);
-        sums.force += size;
-        sums.contacts += select(size > R(0), R(1), R(0));
-        sums.overlap = max(sums.overlap, -k.stretch / R(c.d0));
+        RowSums part;
+        const Push push = mixed<sample>(c, s, k, i, step, part);
+        apply<sample>(c, k, push, a, b, sums);
+        sums.add(part);
       }
     }
     add_to(v.slip, step, sums.slip);
@@ -272,7 +290,7 @@ class ForceLoop {
 
   /// Rigid platens against the grains of a row: the linear law with the platen as grain 1.
   template <bool sample>
-  void platens(int row, int step, RowSums& sums) {
+  PHY_RARE void platens(int row, int step, RowSums& sums) {
     for (int wall = 0; wall < 2; ++wall) {
       if ((v.row_wall[row] & (1 << wall)) == 0) continue;
       const R up = wall == 0 ? R(1) : R(-1);  // n = (0, up), t = (-up, 0)

@@ -30,7 +30,7 @@ struct State {
 };
 
 template <class R>
-Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
+PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
   const R F_n = p.k_n * max0(m.closure);
   const R trial = s.F_s - p.k_s * m.d_slide;
   const R F_s = clip(trial, p.mu * F_n);

@@ -42,7 +42,7 @@ R strain_energy(const Parameters<R>& p, R F_n, R F_s, R M) {
 }
 
 template <class R>
-Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
+PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
   const auto bonded = s.capacity > R(0);
   const R F_n = select(bonded, p.k_n * m.closure, R(0));
   const R F_s = select(bonded, s.F_s - p.k_s * m.d_slide, R(0));

@@ -48,7 +48,7 @@ R strain_energy(const Parameters<R>& p, R F_n, R F_s) { return R(0.5) * (F_n * F
 namespace detail {
 /// Coulomb slip with implicit dilation from the trial state (F_n, trial); returns F_n, F_s and adds to the dilation.
 template <class R>
-void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R& dilation) {
+PHY_HOT inline void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R& dilation) {
   const R excess = abs(trial) - p.mu * F_n;
   const auto slips = unbonded & (F_n > R(0)) & (excess > R(0));
   const R slope = p.k_n / p.k_s * p.tan_psi;
@@ -60,7 +60,7 @@ void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R
 }  // namespace detail
 
 template <class R>
-Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
+PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Motion<R>& m) {
   const auto bonded = s.capacity > R(0);
   const R closure = s.closure + m.d_closure;
   const R g = closure + s.dilation;
