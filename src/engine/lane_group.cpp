@@ -93,6 +93,7 @@ class Group final : public LaneGroup {
   void drive_platens(int lane, bool on) override { at(lane).driving = on; }
   void jump(int lane, double axial_strain) override;
   bool at_strength(int lane) const override;
+  void set_motion(int lane, std::uint32_t id, const GrainState& at, Vec2 velocity, double spin) override;
   void advance() override;
 
   const HistoryRow& row(int lane) const override { return at(lane).row; }
@@ -348,6 +349,18 @@ bool Group<T>::at_strength(int lane) const {
     if (arm * M - F_n >= capacity || std::fabs(contact(c, c_bond, l)) >= S) return true;
   }
   return false;
+}
+
+template <class T>
+void Group<T>::set_motion(int lane, std::uint32_t id, const GrainState& state, Vec2 velocity, double spin) {
+  const auto g = static_cast<std::size_t>(layout_.rank[id]);
+  const auto l = static_cast<std::size_t>(lane);
+  grain(g, g_ux, l) = T(state.ux);
+  grain(g, g_uy, l) = T(state.uy);
+  grain(g, g_rot, l) = T(state.rotation);
+  grain(g, g_vx, l) = T(velocity.x);
+  grain(g, g_vy, l) = T(velocity.y);
+  grain(g, g_w, l) = T(spin);
 }
 
 // --- the list of near pairs -----------------------------------------------------------------------------------------

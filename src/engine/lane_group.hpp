@@ -60,6 +60,8 @@ class LaneGroup {
   virtual void jump(int lane, double axial_strain) = 0;
   /// True when a bond or joint carries its strength or more: it would break the moment breakage is allowed.
   virtual bool at_strength(int lane) const = 0;
+  /// Gives a grain (packing number) a displacement [m, rad], a velocity [m/s] and a spin [rad/s].
+  virtual void set_motion(int lane, std::uint32_t grain, const GrainState& at, Vec2 velocity, double spin) = 0;
   /// One block of `interval` cycles for all lanes.
   virtual void advance() = 0;
 

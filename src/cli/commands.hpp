@@ -1,0 +1,22 @@
+// The verbs of `phyllite`. Each file registers one and returns its exit code through `exit_code`:
+// 0 all well; 1 a test did not succeed (Outcome); 2 the input cannot be used; 3 a file; 4 our own bug.
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace phy {
+
+/// State shared by the verbs of one call.
+struct Session {
+  int exit_code = 0;
+  int threads = 0;          ///< 0: all cores
+  int terminal_width = 100;  ///< columns of the terminal, or 100 when the output is no terminal
+};
+
+void add_run_command(CLI::App& app, Session& session);
+void add_specimen_command(CLI::App& app, Session& session);
+void add_verify_command(CLI::App& app, Session& session);
+
+/// Cores that this process may use.
+int available_cores();
+
+}  // namespace phy

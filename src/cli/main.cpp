@@ -1,0 +1,75 @@
+// `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit codes.
+#include <fmt/format.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <new>
+
+#include "base/check.hpp"
+#include "cli/commands.hpp"
+#include "cli/contact_command.hpp"
+#include "cli/elastic_command.hpp"
+#include "cli/recipe_command.hpp"
+
+namespace phy {
+
+int available_cores() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+  return std::max(1, CPU_COUNT(&set));
+}
+
+}  // namespace phy
+
+namespace {
+
+int terminal_width() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 160;
+  return size.ws_col;
+}
+
+int run(int argc, char** argv) {
+  phy::Session session;
+  session.terminal_width = terminal_width();
+  CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions."};
+  app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
+  app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));
+  app.require_subcommand(1);
+  app.fallthrough();
+  phy::add_run_command(app, session);
+  phy::add_specimen_command(app, session);
+  phy::add_verify_command(app, session);
+  phy::add_recipe_command(app);
+  phy::add_contact_command(app);
+  phy::add_elastic_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  return session.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const phy::InputError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 2;
+  } catch (const phy::IoError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 3;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "not enough memory; use fewer grains, or fewer lanes (--lanes)\n");
+    return 4;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "internal error, please report it: {}\n", e.what());
+    return 4;
+  }
+}

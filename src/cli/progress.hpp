@@ -1,0 +1,26 @@
+// One line of progress on a terminal; plain lines, and few of them, elsewhere. Written to standard error.
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "study/scheduler.hpp"
+
+namespace phy {
+
+class ProgressLine {
+ public:
+  ProgressLine(bool terminal, int width) : terminal_(terminal), width_(width), start_(Clock::now()), shown_(start_) {}
+  void update(const Progress& progress);
+  /// A message that stays.
+  void note(const std::string& text);
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void clear();
+  bool terminal_;
+  int width_;
+  Clock::time_point start_, shown_;
+};
+
+}  // namespace phy

@@ -1,0 +1,158 @@
+// `phyllite run RECIPE...`: packing, specimens, tests, results on disk, one table.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "genesis/cache.hpp"
+#include "genesis/specimen.hpp"
+#include "io/store.hpp"
+#include "io/toml_in.hpp"
+#include "report/tables.hpp"
+#include "study/scheduler.hpp"
+
+namespace phy {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+void on_interrupt(int) {
+  stop_requested = true;
+  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends at once; finished results are on disk already
+}
+
+struct RunArguments {
+  std::vector<std::string> recipes;
+  std::string out = "results";
+  int lanes = 0;
+  int skew = 4;
+  bool no_cache = false;
+};
+
+std::string file_name(const std::string& specimen) {
+  std::string name;
+  for (const char c : specimen) name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+  return name;
+}
+
+void print_packing(const Packing& p, double seconds, bool cached) {
+  const PackingReport& r = p.report;
+  fmt::print("packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, floaters {}\n",
+             p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_floaters);
+  fmt::print("          {}, mean overlap {:.2e} of the radius, unbalanced {:.1e}; {} in {:.2f} s\n",
+             p.stress_free ? "overlaps stress-free" : fmt::format("locked-in stress {:.3f} MPa", r.stress_left * 1e-6),
+             r.mean_overlap, r.unbalanced, cached ? "from the cache" : "made", seconds);
+}
+
+void print_bedding(const Specimen& s) {
+  for (std::size_t i = 0; i < s.bedding.size(); ++i) {
+    const BeddingReport& b = s.bedding_report[i];
+    fmt::print("bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane {:.1f} %\n",
+               i + 1, s.bedding[i].theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing",
+               b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction);
+  }
+}
+
+struct Made {
+  std::shared_ptr<const Packing> packing;
+  std::vector<std::shared_ptr<const Specimen>> specimens;
+};
+
+Made make_all(const Recipe& recipe, bool no_cache) {
+  const auto start = std::chrono::steady_clock::now();
+  bool cached = false;
+  Made made;
+  made.packing = no_cache ? std::make_shared<const Packing>(make_packing(recipe))
+                          : std::make_shared<const Packing>(cached_packing(recipe, &cached));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  print_packing(*made.packing, seconds, cached);
+  for (Specimen& s : make_specimens(made.packing, recipe))
+    made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  if (!made.specimens.empty()) print_bedding(*made.specimens.front());
+  return made;
+}
+
+int run_one(const std::string& path, const RunArguments& args, const Session& session, bool several) {
+  const Recipe recipe = read_recipe(path);
+  const std::string folder =
+      several ? (std::filesystem::path(args.out) / std::filesystem::path(path).stem()).string() : args.out;
+  check_writable(folder);
+  const auto start = std::chrono::steady_clock::now();
+  fmt::print("recipe    {} ({})\n", recipe.name, path);
+  const Made made = make_all(recipe, args.no_cache);
+  MachineOptions machine;
+  machine.isa = native_isa();
+  machine.threads = session.threads > 0 ? session.threads : available_cores();
+  machine.lanes = args.lanes;
+  machine.skew = args.skew;
+  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lanes of {}, {} thread(s)\n",
+             made.specimens.size(), recipe.test.platen_speed,
+             recipe.engine.precision == Precision::double_precision ? "double" : "single",
+             lanes_for(made.specimens.size(), recipe.engine.precision, machine), to_string(machine.isa),
+             machine.threads);
+  std::fflush(stdout);
+  ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  ScheduleHooks hooks;
+  hooks.stop = &stop_requested;
+  hooks.on_progress = [&](const Progress& p) { line.update(p); };
+  hooks.on_result = [&](std::size_t i, const TestResult& result) {
+    if (result.outcome.status == Status::interrupted) return;
+    write_result((std::filesystem::path(folder) / file_name(result.name)).string(), recipe, PHY_VERSION,
+                 *made.specimens[i], result);
+    line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
+  };
+  const std::vector<TestResult> results = run_tests(made.specimens, recipe, machine, hooks);
+  line.finish();
+  fmt::print("\n{}\n", press_table(results, session.terminal_width));
+  const std::string trouble = outcome_lines(results);
+  if (!trouble.empty()) fmt::print("{}\n", trouble);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{:.1f} s in all; results in {}\n", seconds, folder);
+  for (const TestResult& r : results)
+    if (r.outcome.status != Status::peaked) return 1;
+  return 0;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<RunArguments>();
+  CLI::App* run = app.add_subcommand("run", "run the laboratory test of one or more recipes");
+  run->add_option("recipe", args->recipes, "recipe files (TOML)")->required();
+  run->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  run->add_option("--lanes", args->lanes, "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
+      ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}));
+  run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
+  run->add_flag("--no-cache", args->no_cache, "make the packing anew");
+  run->callback([args, &session] {
+    std::signal(SIGINT, on_interrupt);
+    for (const std::string& path : args->recipes)
+      session.exit_code = std::max(session.exit_code, run_one(path, *args, session, args->recipes.size() > 1));
+  });
+}
+
+void add_specimen_command(CLI::App& app, Session& session) {
+  auto path = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("specimen", "make the packing and bedding of a recipe and report on them");
+  verb->add_option("recipe", *path, "recipe file (TOML)")->required();
+  verb->add_option("--out", *out, "folder for discs.csv and contacts.csv");
+  verb->callback([path, out, &session] {
+    session.exit_code = 0;
+    const Recipe recipe = read_recipe(*path);
+    if (!out->empty()) check_writable(*out);
+    const Made made = make_all(recipe, false);
+    for (std::size_t i = 1; i < made.specimens.size(); ++i) print_bedding(*made.specimens[i]);
+    if (!out->empty()) {
+      export_specimens(*out, *made.packing, made.specimens);
+      fmt::print("discs and contacts in {}\n", *out);
+    }
+  });
+}
+
+}  // namespace phy

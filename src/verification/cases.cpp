@@ -1,0 +1,22 @@
+#include "verification/cases.hpp"
+
+#include <cmath>
+
+namespace phy {
+
+bool Check::passed() const {
+  const double scale = expected == 0.0 ? 1.0 : std::fabs(expected);
+  return std::fabs(measured - expected) <= tolerance * scale;
+}
+
+const std::vector<VerificationCase>& verification_cases() {
+  static const std::vector<VerificationCase> cases = [] {
+    std::vector<VerificationCase> all;
+    for (const auto& part : {static_cases(), dynamics_cases(), law_cases(), specimen_cases()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return cases;
+}
+
+}  // namespace phy

@@ -1,0 +1,36 @@
+// Verification: closed forms on one side, the program on the other. `phyllite verify` and tests/verification run the
+// same list. This is the only room that sees both theory and engine.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace phy {
+
+/// One comparison of a case.
+struct Check {
+  std::string what;       ///< quantity with unit
+  double expected = 0.0;  ///< closed form
+  double measured = 0.0;
+  double tolerance = 0.0;  ///< relative to |expected|, or absolute where expected is 0
+  bool passed() const;
+};
+
+struct VerificationCase {
+  std::string id;      ///< "V6"
+  std::string claim;
+  std::string source;
+  std::string why;     ///< why this tolerance
+  std::function<std::vector<Check>()> run;
+};
+
+/// THE list.
+const std::vector<VerificationCase>& verification_cases();
+
+// The cases by theme.
+std::vector<VerificationCase> dynamics_cases();  ///< V0, V6-V8, V15, V17, V19: the engine
+std::vector<VerificationCase> law_cases();       ///< V9-V12: contact laws
+std::vector<VerificationCase> specimen_cases();  ///< V16, V18: genesis
+std::vector<VerificationCase> static_cases();    ///< V1-V5, V13, V14: statics and theory
+
+}  // namespace phy

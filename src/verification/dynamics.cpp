@@ -1,0 +1,252 @@
+// The engine against closed forms of vibration, waves, damping and energy. All cases run the engine that users run, in
+// double precision and one lane; that other lanes and sets give the same bits is proved in tests/determinism.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/exact_math.hpp"
+#include "engine/lane_group.hpp"
+#include "engine/stable_step.hpp"
+#include "verification/assembly.hpp"
+#include "verification/cases.hpp"
+
+namespace phy {
+namespace {
+
+/// One specimen in one lane, stepped one cycle at a time.
+struct Bench {
+  std::shared_ptr<const Specimen> specimen;
+  std::unique_ptr<LaneGroup> group;
+  Bench(Specimen s, double damping, int interval = 1, double safety = 0.5) {
+    specimen = std::make_shared<const Specimen>(std::move(s));
+    GroupOptions options;
+    options.isa = native_isa();
+    options.interval = interval;
+    group = make_group(specimen->packing, options);
+    LaneSetup setup;
+    setup.damping = damping;
+    setup.step_safety = safety;
+    group->load(0, specimen, setup);
+  }
+  double dt() const { return group->time_step(0); }
+  GrainState grain(std::size_t i) const { return group->snapshot(0).grains[i]; }
+};
+
+double mass(const Specimen& s, std::size_t i) {
+  const double r = s.packing->discs[i].r;
+  return s.matrix.density * pi * r * r;
+}
+
+/// Undamped frequency from three successive values of a free oscillation of the leap-frog:
+/// u(n+1) + u(n-1) = 2 cos(w dt) u(n), and (2/dt) sin(w dt/2) is the frequency of the springs and masses.
+template <class Read>
+double frequency(Bench& b, const Read& read, int cycles) {
+  std::vector<double> u{0.0};
+  for (int i = 0; i < cycles; ++i) {
+    b.group->advance();
+    u.push_back(read(b));
+  }
+  double num = 0.0, den = 0.0;  // least squares over the whole record
+  for (std::size_t i = 1; i + 1 < u.size(); ++i) num += (u[i + 1] + u[i - 1]) * u[i], den += u[i] * u[i];
+  const double cosine = 0.5 * num / den;
+  return std::sqrt(2.0 - 2.0 * cosine) / b.dt();
+}
+
+constexpr double R = 1e-3;
+
+Specimen bonded_pair() {
+  Specimen s = assembly({{0.0, 0.0, R}, {2.0 * R, 0.0, R}}, soft_contact());
+  bond_touching(s);
+  return s;
+}
+
+std::vector<Check> rigid_motion() {
+  Specimen s = assembly(hexagonal(7, 7, R), soft_contact());
+  bond_touching(s);
+  const double w0 = std::sqrt(s.matrix.E_b / mass(s, 0));
+  const double spin = 1e-6 * w0;
+  Bench b(std::move(s), 0.0, 100);
+  const auto& discs = b.specimen->packing->discs;
+  for (std::uint32_t i = 0; i < discs.size(); ++i)
+    b.group->set_motion(0, i, {}, {1.0 - spin * discs[i].y, 0.5 + spin * discs[i].x}, spin);
+  for (int i = 0; i < 50; ++i) b.group->advance();
+  const HistoryRow& row = b.group->row(0);
+  return {{"strain energy / kinetic energy after moving as a rigid body [-]", 0.0, row.strain_bond / row.kinetic, 1e-10}};
+}
+
+std::vector<Check> chain() {
+  constexpr int n = 40;
+  std::vector<Check> checks;
+  for (const int mode : {1, 7, 20, 39}) {
+    std::vector<Disc> discs;
+    for (int i = 0; i < n; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+    Specimen s = assembly(discs, soft_contact());
+    bond_touching(s);
+    const double K = s.matrix.E_b / (2.0 * R) * 2.0 * R, m = mass(s, 0);
+    Bench b(std::move(s), 0.0);
+    for (std::uint32_t i = 0; i < n; ++i)
+      b.group->set_motion(0, i, {}, {1e-6 * std::cos(mode * pi * (i + 0.5) / n), 0.0}, 0.0);
+    const double w = frequency(b, [](const Bench& x) { return x.grain(0).ux; }, 200);
+    checks.push_back({"angular frequency of mode " + std::to_string(mode) + " of a free chain of 40 discs [1/s]",
+                      2.0 * std::sqrt(K / m) * std::sin(mode * pi / (2.0 * n)), w, 1e-6});
+  }
+  return checks;
+}
+
+std::vector<Check> pair_vibration() {
+  const auto run = [](Vec2 va, double wa, Vec2 vb, double wb, auto read) {
+    Bench b(bonded_pair(), 0.0);
+    b.group->set_motion(0, 0, {}, va, wa);
+    b.group->set_motion(0, 1, {}, vb, wb);
+    return frequency(b, read, 400);
+  };
+  const Specimen s = bonded_pair();
+  const double A = 2.0 * R, I = 2.0 / 3.0 * R * R * R, kb = s.matrix.E_b / (2.0 * R);
+  const double m = mass(s, 0), J = 0.5 * m * R * R;
+  const double Kn = kb * A, Ks = s.matrix.bond_ks_over_kn * Kn;
+  const double v = 1e-6;
+  const double axial = run({-v, 0}, 0, {v, 0}, 0, [](const Bench& b) { return b.grain(0).ux; });
+  const double bending = run({0, 0}, -v / R, {0, 0}, v / R, [](const Bench& b) { return b.grain(0).rotation; });
+  // shear mode: both discs turn alike while they move apart across; m u R-amplitudes follow from K_s(2/m + 2 R^2/J)
+  const double shear = run({0, -v}, -2.0 * v / R, {0, v}, -2.0 * v / R, [](const Bench& b) { return b.grain(0).uy; });
+  return {{"axial [1/s]", std::sqrt(2.0 * Kn / m), axial, 1e-6},
+          {"bending [1/s]", std::sqrt(2.0 * kb * I / J), bending, 1e-6},
+          {"shear [1/s]", std::sqrt(6.0 * Ks / m), shear, 1e-6}};
+}
+
+std::vector<Check> damped_oscillator() {
+  constexpr double alpha = 0.7;
+  Bench b(bonded_pair(), alpha, 1, 2e-4);
+  b.group->set_motion(0, 0, {}, {-1e-6, 0}, 0);
+  b.group->set_motion(0, 1, {}, {1e-6, 0}, 0);
+  std::vector<double> extreme, when;
+  double before = 0.0, last = 0.0;
+  for (int i = 1; extreme.size() < 4; ++i) {
+    b.group->advance();
+    const double u = b.grain(1).ux;
+    if (i > 2 && (last - before) * (u - last) < 0.0) {  // parabola through three points
+      const double curve = u - 2.0 * last + before;
+      const double shift = 0.5 * (before - u) / curve;
+      extreme.push_back(std::fabs(last - 0.25 * (before - u) * shift));
+      when.push_back((i - 1 + shift) * b.dt());
+    }
+    before = last, last = u;
+  }
+  const double w = std::sqrt(2.0 * b.specimen->matrix.E_b / mass(*b.specimen, 0));
+  const double half = pi / (2.0 * w) * (1.0 / std::sqrt(1.0 - alpha) + 1.0 / std::sqrt(1.0 + alpha));
+  const double ratio = std::sqrt((1.0 - alpha) / (1.0 + alpha));
+  return {{"amplitude ratio per half cycle [-]", ratio, extreme[2] / extreme[1], 2e-4},
+          {"amplitude ratio, next half cycle [-]", ratio, extreme[3] / extreme[2], 2e-4},
+          {"half period [s]", half, when[2] - when[1], 2e-4}};
+}
+
+// A wave packet meets one smooth joint in a long chain. The system is linear, so the packet's component of wave number q
+// before and after gives |T(q)| itself, whatever the packet's width.
+std::vector<Check> wave_through_joint() {
+  constexpr int n = 1200, at = 600;
+  constexpr double q = 0.10, centre = 300.0, width = 40.0;  // phase per disc; disc numbers
+  std::vector<Disc> discs;
+  for (int i = 0; i < n; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+  Specimen s = assembly(discs, soft_contact());
+  BeddingRecipe set;
+  set.theta = 90.0;  // plane across the chain
+  set.k_n = 0.05 * s.matrix.E_b / (2.0 * R);
+  set.k_s = set.k_n;
+  set.sigma_n = set.cohesion = 1e30;
+  s.bedding = {set};
+  s.plane_label.assign(n, 0);
+  bond_touching(s);
+  for (Contact& c : s.contacts)
+    if (c.b == at) c.kind = ContactKind::joint, c.side = -1;  // n_j = (-1, 0) against the branch (1, 0)
+  const double K = s.matrix.E_b, m = mass(s, 0), k_j = set.k_n * 2.0 * R;
+  Bench b(std::move(s), 0.0, 50, 0.25);
+  const double w = 2.0 / b.dt() * std::asin(b.dt() * std::sqrt(K / m) * std::sin(0.5 * q));
+  const double speed = std::sqrt(K / m) * std::cos(0.5 * q);
+  const auto wave = [&](double x, double t) {
+    const double y = (x - centre - speed * t) / width;
+    return 1e-6 * std::exp(-0.5 * y * y) * std::cos(q * (x - centre) - w * t);
+  };
+  double re = 0.0, im = 0.0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double u = wave(i, 0.0), v = (u - wave(i, -b.dt())) / b.dt();
+    b.group->set_motion(0, i, {u, 0.0, 0.0}, {v, 0.0}, 0.0);
+    re += u * std::cos(q * i), im += u * std::sin(q * i);
+  }
+  const double came = std::sqrt(re * re + im * im);
+  const int blocks = static_cast<int>(2.0 * (at - centre) / (speed * b.dt() * 50));
+  for (int i = 0; i < blocks; ++i) b.group->advance();
+  re = im = 0.0;
+  const Snapshot shot = b.group->snapshot(0);
+  for (int i = at; i < n; ++i) {
+    const double u = shot.grains[static_cast<std::size_t>(i)].ux;
+    re += u * std::cos(q * i), im += u * std::sin(q * i);
+  }
+  const double Z = std::sqrt(K * m), x = 0.5 * (2.0 * std::sqrt(K / m) * std::sin(0.5 * q)) * Z * (1.0 / k_j - 1.0 / K);
+  return {{"|T| at a phase of 0.1 per disc [-]", 1.0 / std::sqrt(1.0 + x * x), std::sqrt(re * re + im * im) / came, 3e-3}};
+}
+
+/// A small bonded block with one inclined joint set under the press until something has broken.
+std::vector<Check> energy_balance() {
+  MatrixRecipe m;
+  m.sigma_c = m.tau_c = 20e6;
+  Specimen s = assembly(hexagonal(16, 30, 3e-4), m);
+  BeddingRecipe set;
+  set.theta = 30.0;
+  s.bedding = {set};
+  bond_touching(s);
+  joint_crossing(s);
+  Bench b(std::move(s), 0.7, 100, 0.92);
+  b.group->place_platens(0);
+  b.group->drive_platens(0, true);
+  double worst = 0.0;
+  std::size_t n = 0;
+  for (int i = 0; i < 400 && n < 60; ++i) {
+    b.group->advance();
+    n = b.group->cracks(0).size();
+    if (i > 20) worst = std::max(worst, std::fabs(b.group->row(0).energy_error));
+  }
+  return {{"work not accounted for / boundary work, largest, through breakage [-]", 0.0, worst, 1e-3},
+          {"something broke (1 = yes)", 1.0, n > 0 ? 1.0 : 0.0, 0.0}};
+}
+
+// Largest frequency by power iteration on the engine itself would be circular; a chain and a lattice have closed forms.
+std::vector<Check> stable_step() {
+  const auto ratio = [](Specimen s, double exact) { return FrequencyBound(s).omega() / exact; };
+  Specimen pair = bonded_pair();
+  const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
+  const double Ks = pair.matrix.bond_ks_over_kn * pair.matrix.E_b + pair.matrix.ks_over_kn * pair.matrix.E_c;
+  const double highest = std::sqrt(std::max(2.0 * Kn, 6.0 * Ks) / m);
+  std::vector<Disc> discs;
+  for (int i = 0; i < 200; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+  Specimen line = assembly(discs, soft_contact());
+  bond_touching(line);
+  // alternating spins: shear and bending act together, w^2 = (2/J)(2 K_s R^2 + 2 k_m), against 4 K_n/m along the chain
+  const double J = 0.5 * m * R * R, k_m = line.matrix.E_b / A * (2.0 / 3.0 * R * R * R);
+  const double top = std::sqrt(std::max(4.0 * Kn / m, std::max(4.0 * k_m / J, 12.0 * Ks / m)));
+  return {{"bound / exact highest frequency of a pair, 1 to 1.2 [-]", 1.1, ratio(pair, highest), 1.0 / 11.0},
+          {"bound / exact highest frequency of a chain, 1 to 1.2 [-]", 1.1, ratio(line, top), 1.0 / 11.0}};
+}
+
+}  // namespace
+
+std::vector<VerificationCase> dynamics_cases() {
+  return {
+      {"V0", "A bonded patch that moves and turns as a rigid body stays unstressed", "kinematics",
+       "the spin is 1e-6 of the lattice frequency, so centrifugal strain energy is about 1e-12 of the kinetic energy",
+       rigid_motion},
+      {"V6", "Standing waves of a bonded chain: w = 2 sqrt(K/m) sin(p pi/2N)", "lattice dynamics, closed form",
+       "leap-frog frequency corrected exactly; the linear part of 1e-9 of the bond remains", chain},
+      {"V7", "Transmission of a wave through one smooth joint", "|T| = [1 + (w Z/2 (1/k_j - 1/K))^2]^-1/2, Z = sqrt(K m)",
+       "the closed form holds for long waves; at a phase of 0.1 its error is about 1e-3", wave_through_joint},
+      {"V8", "Local damping: amplitude sqrt((1-a)/(1+a)) per half cycle, and its half period", "Cundall damping, closed form",
+       "the closed form is for continuous time; some 10,000 cycles per half period are used", damped_oscillator},
+      {"V15", "Free vibration of two bonded discs: axial, bending, shear", "closed form",
+       "leap-frog frequency corrected exactly", pair_vibration},
+      {"V17", "Energy balance of a press run through breakage", "first law",
+       "the books are kept per cycle; breakage is booked with the forces of the breaking cycle", energy_balance},
+      {"V19", "The bound of the highest frequency is above it, and close", "Collatz-Wielandt bound",
+       "a bound must never be below; how far above is a matter of speed", stable_step},
+  };
+}
+
+}  // namespace phy
