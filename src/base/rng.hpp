@@ -28,8 +28,9 @@ constexpr PhiloxBlock philox4x32(PhiloxBlock counter, std::array<std::uint32_t, 
 enum class Stream : std::uint32_t { radius = 1, position = 2, bond_tension = 3, bond_shear = 4, test = 99 };
 
 /// Uniform in the open interval (0, 1), with 53 random bits.
-inline double uniform(std::uint32_t seed, Stream stream, std::uint32_t a, std::uint32_t b = 0) {
-  const PhiloxBlock r = philox4x32({a, b, 0, 0}, {seed, static_cast<std::uint32_t>(stream)});
+inline double uniform(std::uint32_t seed, Stream stream, std::uint32_t a, std::uint32_t b = 0,
+                      std::uint32_t c = 0) {
+  const PhiloxBlock r = philox4x32({a, b, c, 0}, {seed, static_cast<std::uint32_t>(stream)});
   const std::uint64_t bits = (static_cast<std::uint64_t>(r[0]) << 21U) ^ (r[1] >> 11U);
   return (static_cast<double>(bits) + 0.5) * 0x1.0p-53;
 }
@@ -71,8 +72,9 @@ inline double normal_quantile(double p) {
 }
 
 /// A standard normal number keyed like `uniform`.
-inline double normal(std::uint32_t seed, Stream stream, std::uint32_t a, std::uint32_t b = 0) {
-  return normal_quantile(uniform(seed, stream, a, b));
+inline double normal(std::uint32_t seed, Stream stream, std::uint32_t a, std::uint32_t b = 0,
+                     std::uint32_t c = 0) {
+  return normal_quantile(uniform(seed, stream, a, b, c));
 }
 
 }  // namespace phy

@@ -148,7 +148,10 @@ class ForceLoop {
   /// Sums of one row.
   struct RowSums {
     R slip = R(0), linear = R(0), bond = R(0), joint = R(0), force = R(0), contacts = R(0), overlap = R(0);
-    void add(const RowSums& p) { slip += p.slip, linear += p.linear, bond += p.bond, joint += p.joint; }
+    void add(const RowSums& p) {
+      slip += p.slip, linear += p.linear, bond += p.bond, joint += p.joint;
+      overlap = max(overlap, p.overlap);
+    }
   };
 
   PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step, std::int32_t contact) {
@@ -192,6 +195,7 @@ class ForceLoop {
     if constexpr (sample) {
       sums.linear += only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
       sums.bond += only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
+      sums.overlap = max(sums.overlap, only_here(-k.stretch / R(c.d0), R(0)));  // joints may pass each other
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
   }
@@ -246,7 +250,6 @@ class ForceLoop {
       const R size = sqrt(push.fx * push.fx + push.fy * push.fy);
       sums.force += size;
       sums.contacts += select(size > R(0), R(1), R(0));
-      sums.overlap = max(sums.overlap, -k.stretch / R(c.d0));
     }
   }
 

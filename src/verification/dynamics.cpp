@@ -7,7 +7,7 @@
 #include "base/exact_math.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/stable_step.hpp"
-#include "verification/assembly.hpp"
+#include "records/assembly.hpp"
 #include "verification/cases.hpp"
 
 namespace phy {

@@ -1,0 +1,74 @@
+// Nanoseconds per contact, step and specimen of the press with everything of a normal run switched on: energy books,
+// cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at the start.
+// Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
+#include <benchmark/benchmark.h>
+
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "lab/uniaxial.hpp"
+#include "study/scheduler.hpp"
+
+namespace {
+
+using namespace phy;
+
+const std::vector<std::shared_ptr<const Specimen>>& paper_specimens() {
+  static const std::vector<std::shared_ptr<const Specimen>> all = [] {
+    Recipe r;
+    r.bedding = {BeddingRecipe{}};
+    r.test.angles = {0, 15, 30, 45, 60, 75, 90};
+    const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+    std::vector<std::shared_ptr<const Specimen>> list;
+    for (Specimen& s : make_specimens(packing, r)) list.push_back(std::make_shared<const Specimen>(std::move(s)));
+    return list;
+  }();
+  return all;
+}
+
+/// One group: `angles` = 1: all lanes at 45 degrees; 7: the lanes take the seven angles in turn.
+void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std::size_t angles) {
+  if (isa > native_isa()) {
+    state.SkipWithError("not measured: instruction set absent");
+    return;
+  }
+  Recipe recipe;
+  recipe.engine.precision = precision;
+  const auto& specimens = paper_specimens();
+  GroupOptions options;
+  options.isa = isa;
+  options.precision = precision;
+  options.lanes = lanes;
+  const auto group = make_group(specimens.front()->packing, options);
+  std::vector<UniaxialTest> tests;
+  for (int l = 0; l < lanes; ++l)
+    tests.emplace_back(specimens[angles == 1 ? 3 : static_cast<std::size_t>(l) % 7], recipe, *group, l);
+  const auto block = [&] {
+    group->advance();
+    for (UniaxialTest& t : tests) t.after_block();
+  };
+  for (int i = 0; i < 60; ++i) block();  // into the elastic range
+  for (auto _ : state) block();
+  const double updates = static_cast<double>(state.iterations()) * options.interval * lanes *
+                         static_cast<double>(group->n_contacts(0));
+  state.counters["per_contact_step"] =
+      benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+#define PRESS(name, isa, precision, lanes, angles)                                          \
+  BENCHMARK_CAPTURE(press, name, Isa::isa, Precision::precision##_precision, lanes, angles) \
+      ->Unit(benchmark::kMillisecond)                                                        \
+      ->MeasureProcessCPUTime()
+
+PRESS(one_angle_float16_avx512, avx512, single, 16, 1);
+PRESS(seven_angles_float16_avx512, avx512, single, 16, 7);
+PRESS(one_angle_double8_avx512, avx512, double, 8, 1);
+PRESS(seven_angles_double8_avx512, avx512, double, 8, 7);
+PRESS(one_angle_float8_avx2, avx2, single, 8, 1);
+PRESS(seven_angles_float8_avx2, avx2, single, 8, 7);
+PRESS(one_angle_double4_avx2, avx2, double, 4, 1);
+PRESS(one_angle_float4_sse2, sse2, single, 4, 1);
+PRESS(one_angle_double1_scalar, sse2, double, 1, 1);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,55 @@
+// `phyllite verify`: closed forms beside the program's numbers, so that nobody has to believe us.
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "cli/commands.hpp"
+#include "verification/cases.hpp"
+
+namespace phy {
+namespace {
+
+void print_plain(const VerificationCase& c, const std::vector<Check>& checks) {
+  fmt::print("{:4} {}\n     source: {}\n     tolerance: {}\n", c.id, c.claim, c.source, c.why);
+  for (const Check& k : checks)
+    fmt::print("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", k.passed() ? "ok  " : "FAIL",
+               k.expected, k.measured, k.tolerance, k.what);
+}
+
+void print_markdown(const VerificationCase& c, const std::vector<Check>& checks) {
+  fmt::print("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
+  fmt::print("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
+  for (const Check& k : checks)
+    fmt::print("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
+               k.passed() ? "ok" : "FAIL");
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, Session& session) {
+  auto markdown = std::make_shared<bool>(false);
+  auto only = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("verify", "compare the program with closed forms");
+  verb->add_flag("--markdown", *markdown, "write the page docs/verification.md");
+  verb->add_option("case", *only, "run one case only, for example V6");
+  verb->callback([markdown, only, &session] {
+    int n_failed = 0, n_checks = 0;
+    if (*markdown)
+      fmt::print("# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
+                 "program that users run.\nA tolerance is relative; where the expected value is 0 it is absolute.\n");
+    for (const VerificationCase& c : verification_cases()) {
+      if (!only->empty() && c.id != *only) continue;
+      const std::vector<Check> checks = c.run();
+      for (const Check& k : checks) n_failed += k.passed() ? 0 : 1, ++n_checks;
+      if (*markdown)
+        print_markdown(c, checks);
+      else
+        print_plain(c, checks);
+    }
+    if (n_checks == 0)
+      throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6", "run `phyllite verify` to see all"});
+    fmt::print("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
+    session.exit_code = n_failed == 0 ? 0 : 1;
+  });
+}
+
+}  // namespace phy

@@ -1,0 +1,163 @@
+#include "genesis/cache.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "base/hash.hpp"
+#include "genesis/packing.hpp"
+
+namespace phy {
+namespace {
+
+constexpr const char* first_line = "phyllite packing, format 1";
+constexpr std::string_view last_line = "end ";  // and the fingerprint of all text before it
+
+/// Hexadecimal and exact, the same in every locale.
+std::string hex(double x) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex).ptr;
+  return {text.data(), end};
+}
+
+bool read_hex(std::istream& in, double& x) {
+  std::string word;
+  if (!(in >> word)) return false;
+  const char* end = word.data() + word.size();
+  const auto r = std::from_chars(word.data(), end, x, std::chars_format::hex);
+  return r.ec == std::errc{} && r.ptr == end;
+}
+
+std::array<double*, 6> numbers_of(PackingReport& r) {
+  return {&r.porosity, &r.coordination, &r.fabric, &r.stress_left, &r.mean_overlap, &r.unbalanced};
+}
+
+std::string fingerprint(std::string_view text) {
+  Hash h;
+  h.add(text);
+  return h.text();
+}
+
+/// True if nothing was lost or changed since to_text.
+bool is_whole(std::string_view text) {
+  const std::size_t end = text.rfind(last_line);
+  if (end == text.npos) return false;
+  return text.substr(end) == std::string(last_line) + fingerprint(text.substr(0, end)) + "\n";
+}
+
+std::string to_text(const std::string& key, const Packing& p) {
+  std::string text = std::string(first_line) + "\n" + key + "\n";
+  text += hex(p.width) + " " + hex(p.height) + " " + (p.stress_free ? "1" : "0") + " " + p.hash + "\n";
+  PackingReport report = p.report;
+  for (const double* number : numbers_of(report)) text += hex(*number) + " ";
+  text += std::to_string(report.n_floaters) + "\n" + std::to_string(p.discs.size()) + "\n";
+  for (const Disc& d : p.discs) text += hex(d.x) + " " + hex(d.y) + " " + hex(d.r) + "\n";
+  return text + std::string(last_line) + fingerprint(text) + "\n";
+}
+
+std::optional<Packing> from_text(const std::string& text, const std::string& key) {
+  if (!is_whole(text)) return {};
+  std::istringstream in(text);
+  std::string line;
+  if (!std::getline(in, line) || line != first_line) return {};
+  if (!std::getline(in, line) || line != key) return {};
+  Packing p;
+  if (!read_hex(in, p.width) || !read_hex(in, p.height) || !(in >> p.stress_free >> p.hash)) return {};
+  for (double* number : numbers_of(p.report))
+    if (!read_hex(in, *number)) return {};
+  std::size_t n = 0;
+  if (!(in >> p.report.n_floaters >> n)) return {};
+  p.discs.resize(n);
+  for (Disc& d : p.discs)
+    if (!read_hex(in, d.x) || !read_hex(in, d.y) || !read_hex(in, d.r)) return {};
+  return p;
+}
+
+/// True if everything reached the disk under a name of its own, `temporary`.
+bool write_synced(const std::filesystem::path& temporary, const std::string& text) {
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (file < 0) return false;
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t n = ::write(file, text.data() + done, text.size() - done);
+    if (n <= 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  const bool synced = done == text.size() && ::fsync(file) == 0;
+  return ::close(file) == 0 && synced;
+}
+
+void store(const std::filesystem::path& file, const std::string& text) {
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  std::filesystem::path temporary = file;
+  temporary += "." + std::to_string(::getpid()) + ".part";
+  if (write_synced(temporary, text)) std::filesystem::rename(temporary, file, ignored);
+  std::filesystem::remove(temporary, ignored);
+}
+
+}  // namespace
+
+std::filesystem::path default_cache_folder() {
+  const auto variable = [](const char* name) -> std::string {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+  };
+  // The XDG base directory specification: a relative path is invalid and to be ignored.
+  const std::filesystem::path cache = variable("XDG_CACHE_HOME");
+  if (cache.is_absolute()) return cache / "phyllite";
+  const std::filesystem::path home = variable("HOME");
+  return home.empty() ? home : home / ".cache" / "phyllite";
+}
+
+std::string packing_key(const SpecimenSize& size, const PackingRecipe& r, const MatrixRecipe& matrix) {
+  std::string key = "generation=" + std::to_string(packing_generation);
+  const auto add = [&](const char* name, const std::string& value) {
+    key += std::string(" ") + name + "=" + value;
+  };
+  add("width", hex(size.width));
+  add("height", hex(size.height));
+  add("radius_min", hex(r.radius_min));
+  add("radius_max", hex(r.radius_max));
+  add("distribution", r.distribution == RadiusDistribution::by_number ? "by_number" : "by_area");
+  if (r.n_grains > 0)
+    add("n_grains", std::to_string(r.n_grains));
+  else
+    add("porosity", hex(r.porosity));
+  add("seed", std::to_string(r.seed));
+  if (r.initial_stress == InitialStress::isotropic) {
+    add("isotropic_stress", hex(r.isotropic_stress));
+    add("E_c", hex(matrix.E_c));
+    add("stiffness", matrix.stiffness_convention == StiffnessConvention::pfc31 ? "pfc31" : "pfc5");
+  }
+  return key;
+}
+
+std::filesystem::path cache_file(const std::filesystem::path& folder, const std::string& key) {
+  return folder / ("packing-" + fingerprint(key) + ".txt");
+}
+
+std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
+                                              const MatrixRecipe& matrix,
+                                              const std::filesystem::path& folder) {
+  if (folder.empty()) return std::make_shared<Packing>(make_packing(size, recipe, matrix));
+  const std::string key = packing_key(size, recipe, matrix);
+  const std::filesystem::path file = cache_file(folder, key);
+  if (std::ifstream in(file); in) {
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (std::optional<Packing> p = from_text(text, key)) return std::make_shared<Packing>(std::move(*p));
+  }
+  auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix));
+  store(file, to_text(key, *packing));
+  return packing;
+}
+
+}  // namespace phy

@@ -1,0 +1,27 @@
+// Which discs are near each other: a cell grid, searched once, gives a list sorted by (a, b).
+//
+// The order of the list is the order of every sum over contacts, so it depends on the discs alone and not on
+// how the grid was walked. Rejected: a tree (the radii differ by less than a factor two, so a grid wastes
+// nothing).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// Two discs, a < b.
+struct Pair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
+
+/// All pairs whose gap |x_b - x_a| - r_a - r_b is at most `reach` [m], sorted by (a, b). The discs may lie
+/// anywhere.
+std::vector<Pair> near_pairs(const std::vector<Disc>& discs, double reach);
+
+/// Gap between two discs [m]; negative where they overlap.
+double gap(const Disc& a, const Disc& b);
+
+}  // namespace phy

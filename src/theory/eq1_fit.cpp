@@ -1,0 +1,267 @@
+#include "theory/eq1_fit.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "base/exact_math.hpp"
+#include "theory/angles.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double same_angle = 1e-6;  // [deg] readings closer than this are repeats of one angle
+
+std::string text(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", x);
+  return buffer;
+}
+
+Eq1Fit refused(Eq1Fit fit, Eq1Status status, std::string reason) {
+  fit.status = status;
+  fit.reason = std::move(reason);
+  return fit;
+}
+
+// The problem in numbers near 1: moduli are divided by `scale`, the columns of `terms` multiply e, a, b.
+struct Setup {
+  double scale = 1.0;
+  Eigen::MatrixXd terms;  // n x 3: 1, cos^4, sin^2 cos^2
+  Eigen::VectorXd compliance;
+  bool free_E = false;
+  double e = 0.0;  // fixed 1/E when not free
+  std::vector<bool> takes_part;
+};
+
+std::string check_readings(const std::vector<ModulusReading>& readings, const Eq1Options& options) {
+  for (const ModulusReading& r : readings)
+    if (!std::isfinite(r.theta) || !std::isfinite(r.E) || r.E <= 0.0)
+      return "E = " + text(r.E) + " Pa at theta = " + text(r.theta) +
+             " deg: give a positive modulus and an angle";
+  if (options.reference == Eq1Reference::given && !(std::isfinite(options.E) && options.E > 0.0))
+    return "E of the intact rock = " + text(options.E) +
+           " Pa: give a positive modulus or choose another reference";
+  return {};
+}
+
+int n_distinct_angles(const std::vector<ModulusReading>& readings) {
+  std::vector<double> seen;
+  for (const ModulusReading& r : readings) {
+    const double theta = folded_theta(r.theta);
+    bool is_new = true;
+    for (double s : seen) is_new = is_new && std::abs(s - theta) > same_angle;
+    if (is_new) seen.push_back(theta);
+  }
+  return static_cast<int>(seen.size());
+}
+
+bool has_oblique_angle(const std::vector<ModulusReading>& readings) {
+  for (const ModulusReading& r : readings) {
+    const double theta = folded_theta(r.theta);
+    if (theta > 20.0 && theta < 70.0) return true;
+  }
+  return false;
+}
+
+bool is_at_90(const ModulusReading& r) { return std::abs(folded_theta(r.theta) - 90.0) <= same_angle; }
+
+// Mean modulus of the readings at 90 degrees, 0 when there are none.
+double mean_at_90(const std::vector<ModulusReading>& readings) {
+  double sum = 0.0;
+  int n = 0;
+  for (const ModulusReading& r : readings)
+    if (is_at_90(r)) {
+      sum += r.E;
+      ++n;
+    }
+  return n == 0 ? 0.0 : sum / n;
+}
+
+Setup set_up(const std::vector<ModulusReading>& readings, const Eq1Options& options, double E_reference) {
+  Setup p;
+  const auto n = static_cast<Eigen::Index>(readings.size());
+  p.terms.resize(n, 3);
+  p.compliance.resize(n);
+  p.free_E = options.reference == Eq1Reference::free;
+  for (const ModulusReading& r : readings) p.scale += r.E;
+  p.scale = (p.scale - 1.0) / static_cast<double>(n);
+  p.e = p.free_E ? 0.0 : p.scale / E_reference;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ModulusReading& r = readings[static_cast<std::size_t>(i)];
+    const SinCos angle = sin_cos_degrees(folded_theta(r.theta));
+    const double c2 = angle.cos * angle.cos;
+    p.terms.row(i) << 1.0, c2 * c2, angle.sin * angle.sin * c2;
+    p.compliance[i] = p.scale / r.E;
+    // The readings that *are* the reference cannot also be evidence about the joints.
+    p.takes_part.push_back(!(options.reference == Eq1Reference::measured_90 && is_at_90(r)));
+  }
+  return p;
+}
+
+struct Solution {
+  bool converged = true;
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();           // e, a, b (scaled)
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // times the residual variance
+  double sum_of_squares = 0.0;
+};
+
+int n_parameters(const Setup& p) { return p.free_E ? 3 : 2; }
+
+// Least squares of weight_i (y_i - terms_i x) over the free parameters.
+Solution solve_linear(const Setup& p, const Eigen::VectorXd& y, const Eigen::VectorXd& weight) {
+  const Eigen::Index m = n_parameters(p);
+  Eigen::MatrixXd J = p.terms.rightCols(m);
+  Eigen::VectorXd rhs = p.free_E ? y : Eigen::VectorXd(y.array() - p.e);
+  for (Eigen::Index i = 0; i < J.rows(); ++i) {
+    const double w = p.takes_part[static_cast<std::size_t>(i)] ? weight[i] : 0.0;
+    J.row(i) *= w;
+    rhs[i] *= w;
+  }
+  Solution s;
+  s.x[0] = p.e;
+  s.x.tail(m) = J.colPivHouseholderQr().solve(rhs);
+  s.covariance.bottomRightCorner(m, m) = (J.transpose() * J).inverse();
+  s.sum_of_squares = (rhs - J * s.x.tail(m)).squaredNorm();
+  return s;
+}
+
+// Gauss-Newton for sum (E_i - 1/c_i)^2. Linearising 1/c about the present compliance c0 gives a linear
+// problem with weight E0^2 = 1/c0^2 and right-hand side c0 + (1/c0 - E_i) c0^2; steps are halved until the
+// sum of squares falls.
+Solution solve_modulus(const Setup& p) {
+  const Eigen::VectorXd E = p.compliance.cwiseInverse();
+  Solution now = solve_linear(p, p.compliance, E.array().square());
+  const auto misfit = [&](const Eigen::Vector3d& x) {
+    double sum = 0.0;
+    const Eigen::VectorXd c = p.terms * x;
+    for (Eigen::Index i = 0; i < c.size(); ++i) {
+      if (c[i] <= 0.0) return std::numeric_limits<double>::infinity();
+      if (p.takes_part[static_cast<std::size_t>(i)]) sum += (E[i] - 1.0 / c[i]) * (E[i] - 1.0 / c[i]);
+    }
+    return sum;
+  };
+  double best = misfit(now.x);
+  now.converged = false;
+  for (int step = 0; step < 200 && std::isfinite(best) && !now.converged; ++step) {
+    const Eigen::ArrayXd c = (p.terms * now.x).array();
+    const Eigen::VectorXd target = c + (c.inverse() - E.array()) * c.square();
+    Solution next = solve_linear(p, target, c.square().inverse());
+    const Eigen::Vector3d change = next.x - now.x;
+    double fraction = 1.0;
+    while (fraction > 1e-10 && misfit(now.x + fraction * change) > best) fraction *= 0.5;
+    if (fraction > 1e-10) {
+      next.x = now.x + fraction * change;
+      best = misfit(next.x);
+    } else {
+      next.x = now.x;  // no step of any length helps: this is the minimum to rounding
+    }
+    next.converged = fraction <= 1e-10 || (fraction * change).norm() <= 1e-14 * next.x.norm();
+    next.sum_of_squares = best;
+    now = next;
+  }
+  return now;
+}
+
+void fill_quality(Eq1Fit& fit, const std::vector<ModulusReading>& readings) {
+  double mean = 0.0;
+  for (const ModulusReading& r : readings) mean += r.E / static_cast<double>(readings.size());
+  double about_mean = 0.0;
+  double about_fit = 0.0;
+  for (const ModulusReading& r : readings) {
+    const double residual = r.E - goodman_E(fit.rock, folded_theta(r.theta));
+    fit.residual.push_back(residual);
+    about_fit += residual * residual;
+    about_mean += (r.E - mean) * (r.E - mean);
+  }
+  fit.R2 = about_mean > 0.0 ? 1.0 - about_fit / about_mean : std::numeric_limits<double>::quiet_NaN();
+}
+
+void fill_errors(Eq1Fit& fit, const Solution& s, const Setup& p) {
+  int n = 0;
+  for (bool takes_part : p.takes_part) n += takes_part ? 1 : 0;
+  fit.degrees_of_freedom = n - n_parameters(p);
+  const double variance = fit.degrees_of_freedom > 0 ? s.sum_of_squares / fit.degrees_of_freedom
+                                                     : std::numeric_limits<double>::quiet_NaN();
+  const auto error_of_inverse = [&](Eigen::Index i) {
+    return p.scale * std::sqrt(variance * s.covariance(i, i)) / (s.x[i] * s.x[i]);
+  };
+  fit.se_E = p.free_E ? error_of_inverse(0) : 0.0;
+  fit.se_K_n_delta = error_of_inverse(1);
+  fit.se_K_s_delta = error_of_inverse(2);
+}
+
+std::string note_for(Eq1Reference reference) {
+  switch (reference) {
+    case Eq1Reference::free:
+      return "E is free: Eq. 1 is then the general orthotropic law in two dimensions, and a good R2 says "
+             "nothing about "
+             "joint mechanics";
+    case Eq1Reference::measured_90:
+      return "E is the mean modulus measured at 90 degrees; those readings are not evidence about the "
+             "joints, and the "
+             "standard errors take E as exact";
+    default: return "E is the given modulus of the intact rock; the standard errors take it as exact";
+  }
+}
+
+Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p,
+                const std::vector<ModulusReading>& readings) {
+  fit.e = s.x[0] / p.scale;
+  fit.a = s.x[1] / p.scale;
+  fit.b = s.x[2] / p.scale;
+  if (!s.converged || s.x[0] <= 0.0)
+    return refused(fit, Eq1Status::not_converged,
+                   "the least-squares search did not settle at positive moduli; try the "
+                   "compliance loss or look for an outlier");
+  const double nothing = 1e-9 * s.x[0];  // a joint that adds less than this is no joint
+  if (s.x[1] <= nothing)
+    return refused(fit, Eq1Status::K_n_not_positive,
+                   "1/(K_n delta) = " + text(fit.a) +
+                       " 1/Pa: across its planes the rock is no softer than the "
+                       "reference E = " +
+                       text(1.0 / fit.e) +
+                       " Pa; check E and the angle convention (0 = planes across "
+                       "the load)");
+  if (s.x[2] <= nothing)
+    return refused(fit, Eq1Status::K_s_not_positive,
+                   "1/(K_s delta) = " + text(fit.b) +
+                       " 1/Pa: at oblique angles the rock is stiffer than any jointed "
+                       "rock with this K_n and E; check the moduli between 20 and 70 degrees");
+  fit.rock = {1.0 / fit.e, 1.0 / fit.a, 1.0 / fit.b, 0.0};
+  fit.shape = goodman_shape(fit.rock);
+  fill_errors(fit, s, p);
+  fill_quality(fit, readings);
+  return fit;
+}
+
+}  // namespace
+
+Eq1Fit fit_eq1(const std::vector<ModulusReading>& readings, const Eq1Options& options) {
+  Eq1Fit fit;
+  fit.note = note_for(options.reference);
+  if (const std::string wrong = check_readings(readings, options); !wrong.empty())
+    return refused(fit, Eq1Status::bad_reading, wrong);
+  if (const int n = n_distinct_angles(readings); n < 3)
+    return refused(fit, Eq1Status::too_few_angles,
+                   std::to_string(n) +
+                       " distinct angle(s): Eq. 1 needs at least three (theta and 180 - theta count as "
+                       "one)");
+  if (!has_oblique_angle(readings))
+    return refused(
+        fit, Eq1Status::no_oblique_angle,
+        "no angle strictly between 20 and 70 degrees: K_s acts only at oblique angles; test one near 45");
+  const bool measured = options.reference == Eq1Reference::measured_90;
+  const double E_reference = measured ? mean_at_90(readings) : options.E;
+  if (measured && E_reference == 0.0)
+    return refused(fit, Eq1Status::no_reading_at_90, "no reading at 90 degrees to take E from");
+  const Setup p = set_up(readings, options, E_reference);
+  const Solution s = options.loss == Eq1Loss::modulus
+                         ? solve_modulus(p)
+                         : solve_linear(p, p.compliance, Eigen::VectorXd::Ones(p.compliance.size()));
+  return conclude(fit, s, p, readings);
+}
+
+}  // namespace phy

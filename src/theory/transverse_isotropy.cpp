@@ -1,0 +1,141 @@
+#include "theory/transverse_isotropy.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/exact_math.hpp"
+
+namespace phy {
+
+bool is_admissible(const TransverseIsotropy& m) {
+  return m.E > 0.0 && m.E_n > 0.0 && m.G_n > 0.0 && std::abs(m.nu) < 1.0 &&
+         1.0 - m.nu - 2.0 * m.nu_n * m.nu_n * m.E / m.E_n > 0.0;
+}
+
+double ti_E(const TransverseIsotropy& m, double theta) {
+  const SinCos a = sin_cos_degrees(theta);
+  const double c2 = a.cos * a.cos;
+  const double s2 = a.sin * a.sin;
+  return 1.0 / (c2 * c2 / m.E_n + s2 * s2 / m.E + s2 * c2 * (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n));
+}
+
+double ti_nu(const TransverseIsotropy& m, double theta) {
+  const SinCos a = sin_cos_degrees(theta);
+  const double c2 = a.cos * a.cos;
+  const double s2 = a.sin * a.sin;
+  return ti_E(m, theta) *
+         (m.nu_n / m.E_n * (c2 * c2 + s2 * s2) - s2 * c2 * (1.0 / m.E + 1.0 / m.E_n - 1.0 / m.G_n));
+}
+
+double saint_venant_G(double E, double E_n, double nu_n) {
+  return 1.0 / (1.0 / E + 1.0 / E_n + 2.0 * nu_n / E_n);
+}
+
+double saint_venant_E(double E, double E_n, double theta) {
+  const SinCos a = sin_cos_degrees(theta);
+  return 1.0 / (a.cos * a.cos / E_n + a.sin * a.sin / E);
+}
+
+TransverseIsotropy ti_from_three_tests(double E_0, double E_45, double E_90, double nu_0, double nu) {
+  TransverseIsotropy m;
+  m.E = E_90;
+  m.E_n = E_0;
+  m.nu = nu;
+  m.nu_n = nu_0;
+  m.G_n = 1.0 / (4.0 / E_45 - 1.0 / E_90 - 1.0 / E_0 + 2.0 * nu_0 / E_0);
+  return m;
+}
+
+TransverseIsotropy ti_from_goodman(const JointedRock& rock) {
+  TransverseIsotropy m;
+  m.E = rock.E;
+  m.E_n = 1.0 / (1.0 / rock.E + 1.0 / rock.K_n_delta);
+  m.nu = rock.nu;
+  m.nu_n = rock.nu * m.E_n / rock.E;
+  m.G_n = 1.0 / (2.0 * (1.0 + rock.nu) / rock.E + 1.0 / rock.K_s_delta);
+  return m;
+}
+
+JointedRock goodman_from_ti(const TransverseIsotropy& m) {
+  JointedRock rock;
+  rock.E = m.E;
+  rock.nu = m.nu_n * m.E / m.E_n;
+  rock.K_n_delta = 1.0 / (1.0 / m.E_n - 1.0 / m.E);
+  rock.K_s_delta = 1.0 / (1.0 / m.G_n - 2.0 * m.nu_n / m.E_n - 2.0 / m.E);
+  return rock;
+}
+
+PlaneCompliance plane_compliance(const TransverseIsotropy& m, PlaneState state) {
+  PlaneCompliance S;
+  S.S_xx = 1.0 / m.E;
+  S.S_yy = 1.0 / m.E_n;
+  S.S_xy = -m.nu_n / m.E_n;
+  S.S_ss = 1.0 / m.G_n;
+  if (state == PlaneState::strain) {  // sigma_33 = nu sigma_11 + nu' (E/E') sigma_22 keeps eps_33 at zero
+    const double p = m.nu;
+    const double q = m.nu_n * m.E / m.E_n;
+    S.S_xx -= p * p / m.E;
+    S.S_xy -= p * q / m.E;
+    S.S_yy -= q * q / m.E;
+  }
+  return S;
+}
+
+PlaneCompliance rotated(const PlaneCompliance& S, double theta) {
+  using Matrix = std::array<std::array<double, 3>, 3>;
+  const SinCos a = sin_cos_degrees(theta);
+  const double c = a.cos;
+  const double s = a.sin;
+  const Matrix Q = {
+      {{c * c, s * s, 2.0 * s * c}, {s * s, c * c, -2.0 * s * c}, {-s * c, s * c, c * c - s * s}}};
+  const Matrix body = {{{S.S_xx, S.S_xy, S.S_xs}, {S.S_xy, S.S_yy, S.S_ys}, {S.S_xs, S.S_ys, S.S_ss}}};
+  Matrix fixed{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t l = 0; l < 3; ++l) fixed[i][j] += Q[k][i] * body[k][l] * Q[l][j];
+  return {fixed[0][0], fixed[1][1], fixed[0][1], fixed[0][2], fixed[1][2], fixed[2][2]};
+}
+
+PlaneConstants seen_in_plane_strain(const PlaneConstants& body) {
+  return {body.E / (1.0 - body.nu * body.nu), body.nu / (1.0 - body.nu)};
+}
+
+PlaneConstants body_from_plane_strain(const PlaneConstants& seen) {
+  const double nu = seen.nu / (1.0 + seen.nu);
+  return {seen.E * (1.0 - nu * nu), nu};
+}
+
+TransverseIsotropy ti_from_stiffness(const TiStiffness& C) {
+  const double b = C.C_11 * C.C_33 - C.C_13 * C.C_13;
+  TransverseIsotropy m;
+  m.E = 4.0 * C.C_66 * (b - C.C_66 * C.C_33) / b;
+  m.E_n = C.C_33 - C.C_13 * C.C_13 / (C.C_11 - C.C_66);
+  m.nu = (b - 2.0 * C.C_66 * C.C_33) / b;
+  m.nu_n = C.C_13 / (2.0 * (C.C_11 - C.C_66));
+  m.G_n = C.C_44;
+  return m;
+}
+
+TiStiffness stiffness_from_ti(const TransverseIsotropy& m) {
+  const double q = m.nu_n * m.nu_n * m.E / m.E_n;
+  const double b = 1.0 - m.nu - 2.0 * q;
+  PHY_CHECK(b > 0.0, "constants with positive strain energy");
+  TiStiffness C;
+  C.C_11 = m.E * (1.0 - q) / ((1.0 + m.nu) * b);
+  C.C_33 = m.E_n * (1.0 - m.nu) / b;
+  C.C_13 = m.nu_n * m.E / b;
+  C.C_44 = m.G_n;
+  C.C_66 = m.E / (2.0 * (1.0 + m.nu));
+  return C;
+}
+
+TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, double gamma, double delta) {
+  const double d = C_33 - C_44;
+  const double square = 2.0 * delta * C_33 * d + d * d;
+  PHY_CHECK(C_44 > 0.0 && d > 0.0 && square >= 0.0, "Thomsen parameters of an elastic body");
+  return {C_33 * (1.0 + 2.0 * epsilon), C_33, C_44, C_44 * (1.0 + 2.0 * gamma), std::sqrt(square) - C_44};
+}
+
+}  // namespace phy
