@@ -99,7 +99,7 @@ void store(const std::filesystem::path& file, const std::string& text) {
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
   std::filesystem::path temporary = file;
-  temporary += "." + std::to_string(::getpid()) + ".part";
+  temporary += std::string(".").append(std::to_string(::getpid())).append(".part");
   if (write_synced(temporary, text)) std::filesystem::rename(temporary, file, ignored);
   std::filesystem::remove(temporary, ignored);
 }

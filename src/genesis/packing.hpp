@@ -4,16 +4,16 @@
 //   2. placement  at random in the box, overlapping as it comes
 //   3. settling   frictionless, to balanced forces (settle.hpp)
 //   4. stress     only `isotropic`: radii times 1 + alpha, settled again, until the mean stress is right
-//   5. floaters   discs with fewer than three contacts are grown into their cages (floaters.hpp), then 3, 4 again
+//   5. floaters   discs with fewer than three contacts grow into their cages (floaters.hpp); then 3, 4 again
 //
 // Source of the procedure: Potyondy & Cundall 2004, specimen genesis. Differences, and why: discs start at
 // full size (the energy minimisation copes with any overlap); the stress is reached by radii alone, walls
 // never move, so that the specimen has exactly the size of the recipe. Radii drawn lie in the stated range;
-// steps 4 and 5 change them after that (step 4 by some 0.1 %, step 5 a few discs by up to 30 %).
+// steps 4 and 5 change them after that (step 4 by some 0.3 %, step 5 a few discs by up to 30 %).
 //
 // Two ways to say how much rock there is: `n_grains`, or `porosity`. With n_grains = 0 discs are drawn until
 // the porosity before step 3 is nearest to the stated one. The paper's 7481 discs of 0.25-0.415 mm in 38 x 76
-// mm have a porosity of 0.083 if uniform by number, which is over-compressed (mean overlap 3 % of the
+// mm have a porosity of 0.08 if uniform by number, which is over-compressed (mean overlap 3 % of the
 // diameter); it is used `stress_free`: the overlaps are declared to be the undeformed state. Uniform by area
 // they have 0.156, a packing that just holds, which can carry a small isotropic stress.
 #pragma once

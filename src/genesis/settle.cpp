@@ -126,32 +126,37 @@ class Fire {
     return e;
   }
 
-  void step() {
-    double power = 0.0, f2 = 0.0, v2 = 0.0;
+  /// Steers by the power force.velocity: downhill faster and faster, uphill a half step back and from rest.
+  void steer() {
+    double power = 0.0;
     for (std::size_t i = 0; i < force_.size(); ++i) power += dot(force_[i], velocity_[i]);
-    const bool uphill = power <= 0.0;
-    if (uphill) {
-      for (std::size_t i = 0; i < force_.size(); ++i) {  // back by half a step, then from rest
-        discs_[i].x -= 0.5 * dt_ * velocity_[i].x;
-        discs_[i].y -= 0.5 * dt_ * velocity_[i].y;
-        velocity_[i] = {};
-      }
-      dt_ = std::max(step_min, step_cut * dt_);
-      mixing_ = mixing_start;
-      n_downhill_ = 0;
-    } else if (++n_downhill_ > steps_before_growth) {
+    if (power > 0.0) {
+      if (++n_downhill_ <= steps_before_growth) return;
       dt_ = std::min(step_max, step_growth * dt_);
       mixing_ *= mixing_decay;
+      return;
     }
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      discs_[i].x -= 0.5 * dt_ * velocity_[i].x;
+      discs_[i].y -= 0.5 * dt_ * velocity_[i].y;
+      velocity_[i] = {};
+    }
+    dt_ = std::max(step_min, step_cut * dt_);
+    mixing_ = mixing_start;
+    n_downhill_ = 0;
+  }
+
+  void step() {
+    steer();
+    double f2 = 0.0, v2 = 0.0, travel2 = 0.0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
       velocity_[i] = velocity_[i] + dt_ * force_[i];
       f2 += dot(force_[i], force_[i]);
       v2 += dot(velocity_[i], velocity_[i]);
     }
-    const double steer = f2 > 0.0 ? mixing_ * std::sqrt(v2 / f2) : 0.0;
-    double travel2 = 0.0;
+    const double turn = f2 > 0.0 ? mixing_ * std::sqrt(v2 / f2) : 0.0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
-      velocity_[i] = (1.0 - mixing_) * velocity_[i] + steer * force_[i];
+      velocity_[i] = (1.0 - mixing_) * velocity_[i] + turn * force_[i];
       discs_[i].x += dt_ * velocity_[i].x;
       discs_[i].y += dt_ * velocity_[i].y;
       const Vec2 u{discs_[i].x - at_search_[i].x, discs_[i].y - at_search_[i].y};

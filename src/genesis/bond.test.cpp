@@ -1,0 +1,98 @@
+// Are the right pairs bonded, and do their strengths have the stated distribution, whatever the order?
+#include "genesis/bond.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace phy {
+namespace {
+
+constexpr std::uint32_t n_draws = 20000;
+
+struct Moments {
+  double mean = 0.0, sd = 0.0;
+};
+
+Moments sample(double mean, double sd, Stream stream) {
+  double sum = 0.0, sum2 = 0.0;
+  for (std::uint32_t i = 0; i < n_draws; ++i) {
+    const double s = draw_strength(mean, sd, 11, stream, i, i + 1 + i % 7);
+    EXPECT_LE(std::abs(s - mean), 3.0 * sd);
+    sum += s;
+    sum2 += (s - mean) * (s - mean);
+  }
+  const double m = sum / n_draws;
+  return {m, std::sqrt(sum2 / n_draws - (m - mean) * (m - mean))};
+}
+
+TEST(Strength, HasMeanAndDeviationOfTheTruncatedNormal) {
+  // SD of a normal cut at 3 SD: sqrt(1 - 2 * 3 * phi(3)/(2 Phi(3) - 1)) = 0.98658.
+  const double bound = 3.0 * 6.5e6 / std::sqrt(static_cast<double>(n_draws));
+  for (const Stream stream : {Stream::bond_tension, Stream::bond_shear}) {
+    const Moments m = sample(65e6, 6.5e6, stream);
+    EXPECT_NEAR(m.mean, 65e6, bound);
+    EXPECT_NEAR(m.sd, 0.98658 * 6.5e6, bound / std::sqrt(2.0));
+  }
+}
+
+TEST(Strength, WithoutScatterIsTheMeanExactly) {
+  EXPECT_EQ(draw_strength(0.1, 0.0, 1, Stream::bond_shear, 3, 4), 0.1);
+}
+
+TEST(Strength, IsNeverZeroOrNegative) {
+  for (std::uint32_t i = 0; i < n_draws; ++i)
+    EXPECT_GT(draw_strength(1.0, 1.0, 5, Stream::bond_tension, i, i + 1), 0.0);
+}
+
+TEST(Strength, IsKeyedByThePairAloneAndTheSeed) {
+  const auto draw = [](std::int64_t seed, Stream s, std::uint32_t a, std::uint32_t b) {
+    return draw_strength(65e6, 6.5e6, seed, s, a, b);
+  };
+  const double s = draw(1, Stream::bond_tension, 3, 9);
+  EXPECT_EQ(s, draw(1, Stream::bond_tension, 9, 3));
+  EXPECT_NE(s, draw(2, Stream::bond_tension, 3, 9));
+  EXPECT_NE(s, draw(1, Stream::bond_shear, 3, 9));
+  EXPECT_NE(s, draw(1, Stream::bond_tension, 3, 10));
+}
+
+TEST(Strength, TensionAndShearAreUncorrelated) {
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < n_draws; ++i)
+    sum += (draw_strength(65.0, 6.5, 1, Stream::bond_tension, i, i + 1) - 65.0) *
+           (draw_strength(65.0, 6.5, 1, Stream::bond_shear, i, i + 1) - 65.0);
+  EXPECT_LT(std::abs(sum / n_draws / (6.5 * 6.5)), 3.0 / std::sqrt(static_cast<double>(n_draws)));
+}
+
+/// A row of discs of radius 1 with the given gaps.
+Packing row(const std::vector<double>& gaps) {
+  Packing p;
+  p.width = 100.0;
+  p.height = 2.0;
+  double x = 1.0;
+  p.discs.push_back({x, 1.0, 1.0});
+  for (const double g : gaps) p.discs.push_back({x += 2.0 + g, 1.0, 1.0});
+  return p;
+}
+
+TEST(Bond, JoinsPairsUpToTheGap) {
+  const std::vector<Contact> contacts = bond(row({0.9e-6, 1.1e-6, -0.01, 0.5}), MatrixRecipe{});
+  ASSERT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(contacts[0].a, 0U);
+  EXPECT_EQ(contacts[0].b, 1U);
+  EXPECT_EQ(contacts[1].a, 2U);
+  EXPECT_EQ(contacts[1].b, 3U);
+  EXPECT_EQ(contacts[0].kind, ContactKind::bonded);
+}
+
+TEST(Bond, StrengthsDoNotDependOnOtherBonds) {
+  const std::vector<Contact> all = bond(row({0.0, 0.0, 0.0, 0.0}), MatrixRecipe{});
+  const std::vector<Contact> few = bond(row({0.5, 0.0, 0.5, 0.0}), MatrixRecipe{});
+  ASSERT_EQ(all.size(), 4U);
+  ASSERT_EQ(few.size(), 2U);
+  EXPECT_EQ(few[0].sigma_c, all[1].sigma_c);
+  EXPECT_EQ(few[1].tau_c, all[3].tau_c);
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,132 @@
+// Is a packing read back bit by bit, and is nothing else ever taken for it?
+#include "genesis/cache.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "base/hash.hpp"
+#include "genesis/packing.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+class Cache : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder = fs::path(testing::TempDir()) / ("phyllite-cache-" + test + std::to_string(::getpid()));
+    fs::remove_all(folder);
+    recipe.specimen = {0.005, 0.006};
+    recipe.packing.n_grains = 80;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::shared_ptr<const Packing> get() const {
+    return cached_packing(recipe.specimen, recipe.packing, recipe.matrix, folder);
+  }
+  std::string key() const { return packing_key(recipe.specimen, recipe.packing, recipe.matrix); }
+  fs::path file() const { return cache_file(folder, key()); }
+
+  Recipe recipe;
+  fs::path folder;
+};
+
+TEST_F(Cache, GivesBackTheSameBits) {
+  const auto made = get(), kept = get();
+  EXPECT_NE(made, kept);
+  EXPECT_EQ(kept->hash, made->hash);
+  EXPECT_EQ(packing_hash(kept->discs), made->hash);
+  EXPECT_EQ(kept->width, made->width);
+  EXPECT_EQ(kept->height, made->height);
+  EXPECT_EQ(kept->stress_free, made->stress_free);
+  EXPECT_EQ(kept->report.porosity, made->report.porosity);
+  EXPECT_EQ(kept->report.coordination, made->report.coordination);
+  EXPECT_EQ(kept->report.fabric, made->report.fabric);
+  EXPECT_EQ(kept->report.n_floaters, made->report.n_floaters);
+  EXPECT_EQ(kept->report.unbalanced, made->report.unbalanced);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);  // no temporary file left
+}
+
+TEST_F(Cache, IsReallyRead) {
+  get();
+  // Another specimen height, with a fitting fingerprint: only reading can tell.
+  std::string text = read(file());
+  text.resize(text.rfind("end "));
+  const std::size_t line = text.find('\n', text.find('\n') + 1) + 1;
+  const std::size_t height = text.find(' ', line) + 1;
+  text.replace(height, text.find(' ', height) - height, "1p+3");
+  Hash h;
+  h.add(std::string_view(text));
+  write(file(), text + "end " + h.text() + "\n");
+  EXPECT_EQ(get()->height, 8.0);
+}
+
+TEST_F(Cache, MakesADamagedFileAnew) {
+  const std::string hash = get()->hash, whole = read(file());
+  std::string flipped = whole;
+  flipped[whole.size() / 2] = flipped[whole.size() / 2] == '1' ? '2' : '1';
+  for (const std::string& damaged : {std::string(), whole.substr(0, whole.size() / 2), flipped}) {
+    write(file(), damaged);
+    EXPECT_EQ(get()->hash, hash);
+    EXPECT_EQ(read(file()), whole);
+  }
+}
+
+TEST_F(Cache, DoesNotTakeAnotherKeysFile) {
+  const std::string first_hash = get()->hash;
+  const fs::path first = file();
+  recipe.packing.seed = 2;
+  const std::string second_hash = get()->hash;
+  ASSERT_NE(first_hash, second_hash);
+  fs::copy_file(first, file(), fs::copy_options::overwrite_existing);
+  EXPECT_EQ(get()->hash, second_hash);
+}
+
+TEST_F(Cache, UnwritableFolderIsNoError) {
+  write(folder, "a file where the folder should be");
+  const auto p = get();
+  EXPECT_EQ(p->discs.size(), 80U);
+  EXPECT_TRUE(fs::is_regular_file(folder));
+  EXPECT_EQ(cached_packing(recipe.specimen, recipe.packing, recipe.matrix, {})->hash, p->hash);
+}
+
+TEST_F(Cache, KeyHoldsWhatTheDiscsDependOn) {
+  const std::string stress_free = key();
+  recipe.matrix.E_c *= 2.0;
+  EXPECT_EQ(key(), stress_free);  // does not move stress-free discs
+  recipe.packing.initial_stress = InitialStress::isotropic;
+  recipe.packing.isotropic_stress = 1e6;
+  const std::string stressed = key();
+  EXPECT_NE(stressed, stress_free);
+  recipe.matrix.E_c *= 2.0;
+  EXPECT_NE(key(), stressed);
+  const std::string before = key();
+  recipe.packing.radius_max *= 1.0 + 1e-15;
+  EXPECT_NE(key(), before);
+}
+
+TEST(CacheFolder, FollowsTheEnvironment) {
+  ::setenv("XDG_CACHE_HOME", "/somewhere", 1);
+  EXPECT_EQ(default_cache_folder(), "/somewhere/phyllite");
+  ::setenv("XDG_CACHE_HOME", "not/absolute", 1);
+  ::setenv("HOME", "/home/geo", 1);
+  EXPECT_EQ(default_cache_folder(), "/home/geo/.cache/phyllite");
+  ::unsetenv("HOME");
+  EXPECT_TRUE(default_cache_folder().empty());
+}
+
+}  // namespace
+}  // namespace phy
