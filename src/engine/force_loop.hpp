@@ -121,7 +121,11 @@ class ForceLoop {
     R rotation;          ///< of b against a
   };
 
-  PHY_HOT static Kinematics kinematics(const ContactConst<T>& c, const T* a, const T* b) {
+  T* grain_at(std::int32_t g) const { return v.grain + static_cast<std::size_t>(g) * n_grain_fields * W; }
+
+  PHY_HOT Kinematics kinematics(const ContactConst<T>& c) const {
+    const T* a = grain_at(c.a);
+    const T* b = grain_at(c.b);
     const R dux = load<R>(b, g_ux) - load<R>(a, g_ux);
     const R duy = load<R>(b, g_uy) - load<R>(a, g_uy);
     const R q = R(2) * (R(c.X) * dux + R(c.Y) * duy) + (dux * dux + duy * duy);
@@ -231,6 +235,7 @@ class ForceLoop {
   template <bool sample>
   PHY_RARE Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step, RowSums& sums) {
     const auto joint = abs(load<R>(s, c_side)) > R(0);
+    if (!any(!joint)) return smooth<sample>(c, s, k, joint, i, step, sums);
     const Push m = matrix<sample, false>(c, s, k, !joint, i, step, sums);
     const Push j = smooth<sample>(c, s, k, joint, i, step, sums);
     return {select(joint, j.fx, m.fx), select(joint, j.fy, m.fy), select(joint, R(0), m.M)};
@@ -238,7 +243,9 @@ class ForceLoop {
 
   /// Forces and couples on both grains of a contact.
   template <bool sample>
-  PHY_HOT void apply(const ContactConst<T>& c, const Kinematics& k, const Push& push, T* a, T* b, RowSums& sums) {
+  PHY_HOT void apply(const ContactConst<T>& c, const Kinematics& k, const Push& push, RowSums& sums) {
+    T* a = grain_at(c.a);
+    T* b = grain_at(c.b);
     add_to(b, g_fx, push.fx);
     add_to(b, g_fy, push.fy);
     add_to(a, g_fx, -push.fx);
@@ -258,19 +265,22 @@ class ForceLoop {
     RowSums walls;
     if (v.row_wall[row] != 0) platens<sample>(row, step, walls);
     RowSums sums = walls;  // a copy whose address no call takes stays in registers
-    for (std::int32_t i = v.row_contact[row]; i < v.row_contact[row + 1]; ++i) {
+    const std::int32_t end = v.row_contact[row + 1];
+    // The next contact's square root and divisions run while this contact's law is evaluated: one contact is a chain of
+    // some 150 cycles, longer than what the processor looks ahead.
+    Kinematics ahead = v.row_contact[row] < end ? kinematics(v.contact_const[v.row_contact[row]]) : Kinematics{};
+    for (std::int32_t i = v.row_contact[row]; i < end; ++i) {
+      const Kinematics k = ahead;
+      ahead = kinematics(v.contact_const[i + 1 < end ? i + 1 : i]);
       const ContactConst<T>& c = v.contact_const[i];
       T* s = v.contact + static_cast<std::size_t>(i) * n_contact_fields * W;
-      T* a = v.grain + static_cast<std::size_t>(c.a) * n_grain_fields * W;
-      T* b = v.grain + static_cast<std::size_t>(c.b) * n_grain_fields * W;
-      const Kinematics k = kinematics(c, a, b);
       if (c.joint < 0) {
         const Push push = matrix<sample, true>(c, s, k, R(1) > R(0), i, step, sums);
-        apply<sample>(c, k, push, a, b, sums);
+        apply<sample>(c, k, push, sums);
       } else {
         RowSums part;
         const Push push = mixed<sample>(c, s, k, i, step, part);
-        apply<sample>(c, k, push, a, b, sums);
+        apply<sample>(c, k, push, sums);
         sums.add(part);
       }
     }

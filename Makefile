@@ -1,0 +1,48 @@
+# make deps   install what is missing (Debian packages)      make demo   crush the paper's specimen at seven angles
+# make test   build and run all tests                         make bench  measure the speed of the press
+BUILD := build/release
+JOBS := $(shell nproc)
+PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
+            nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+
+.PHONY: deps build demo demo-press test bench lint docs clean soak
+
+deps:
+	@missing=""; for p in $(PACKAGES); do \
+	  dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
+	if [ -z "$$missing" ]; then echo "deps: nothing is missing"; else \
+	  echo "deps: installing$$missing"; \
+	  $(SUDO) apt-get update -qq && DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
+
+build:
+	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS)
+
+demo: deps build demo-press
+
+demo-press: build
+	$(BUILD)/phyllite run examples/paper/press.toml --out results/paper
+
+test: build
+	@python3 tools/check_floors.py
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
+
+soak: build
+	@ctest --test-dir $(BUILD) --output-on-failure -L soak
+
+bench: build
+	$(BUILD)/bench_engine
+
+lint:
+	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror
+	@python3 tools/check_floors.py
+
+tidy: build
+	@git ls-files 'src/*.cpp' | grep -v test | xargs clang-tidy -p $(BUILD) --quiet
+
+docs: build
+	$(BUILD)/phyllite recipe --reference > docs/reference.md
+	$(BUILD)/phyllite verify --markdown > docs/verification.md
+
+clean:
+	rm -rf build results

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Checks that the floors hold: every include in src/ points to the same floor or a lower one.
+
+Also: theory never meets engine, analysis never meets engine, a law never meets another law, rooms do not include each
+other in circles, and no line is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
+"""
+import pathlib
+import re
+import sys
+
+FLOORS = {
+    "base": 0,
+    "records": 1, "theory": 1, "laws": 1,
+    "engine": 2, "analysis": 2, "io": 2,
+    "genesis": 3, "lab": 3, "statics": 3,
+    "study": 4, "report": 4,
+    "calibrate": 5, "verification": 5,
+    "cli": 6,
+}
+NEVER = {("theory", "engine"), ("analysis", "engine"), ("analysis", "genesis"), ("theory", "laws"), ("engine", "theory")}
+MAX_LINE = 110
+root = pathlib.Path(__file__).resolve().parent.parent / "src"
+problems = []
+edges = {}
+
+
+def room_of(path):
+    return path.parts[0]
+
+
+def check_include(file, number, target):
+    room, other = room_of(file), target.split("/")[0]
+    where = f"src/{file}:{number}"
+    if other not in FLOORS:
+        return
+    if FLOORS[other] > FLOORS[room]:
+        problems.append(f"{where}: {room} (floor {FLOORS[room]}) includes {target} (floor {FLOORS[other]})")
+    if (room, other) in NEVER:
+        problems.append(f"{where}: {room} must never meet {other} ({target})")
+    if room == other == "laws" and len(file.parts) == 3 and ".test." not in file.name:
+        if "/" in target[5:] and target.split("/")[1] != file.parts[1]:
+            problems.append(f"{where}: a law must never meet another law ({target})")
+    if room != other and ".test." not in file.name:
+        edges.setdefault(room, {}).setdefault(other, where)
+
+
+def check_circles():
+    def visit(room, path):
+        for other in edges.get(room, {}):
+            if other in path:
+                circle = path[path.index(other):] + [other]
+                problems.append("rooms include each other in a circle: " + " -> ".join(circle))
+                return
+            visit(other, path + [other])
+
+    for room in edges:
+        visit(room, [room])
+
+
+for file in sorted(root.rglob("*.[ch]pp")):
+    relative = file.relative_to(root)
+    if room_of(relative) not in FLOORS:
+        problems.append(f"src/{relative}: room {room_of(relative)} has no floor; add it to tools/check_floors.py")
+        continue
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        if len(line) > MAX_LINE:
+            problems.append(f"src/{relative}:{number}: {len(line)} characters, at most {MAX_LINE}")
+        include = re.match(r'\s*#include "([^"]+)"', line)
+        if include:
+            check_include(relative, number, include.group(1))
+check_circles()
+print("\n".join(sorted(set(problems))) or "floors hold")
+sys.exit(1 if problems else 0)
