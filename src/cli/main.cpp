@@ -9,9 +9,6 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
-#include "cli/contact_command.hpp"
-#include "cli/elastic_command.hpp"
-#include "cli/recipe_command.hpp"
 
 namespace phy {
 
@@ -43,9 +40,7 @@ int run(int argc, char** argv) {
   phy::add_run_command(app, session);
   phy::add_specimen_command(app, session);
   phy::add_verify_command(app, session);
-  phy::add_recipe_command(app);
-  phy::add_contact_command(app);
-  phy::add_elastic_command(app);
+  phy::add_recipe_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

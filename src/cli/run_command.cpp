@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "genesis/cache.hpp"
+#include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
@@ -63,12 +64,21 @@ struct Made {
   std::vector<std::shared_ptr<const Specimen>> specimens;
 };
 
+std::shared_ptr<const Packing> find_packing(const Recipe& r, bool no_cache, bool& cached) {
+  cached = false;
+  if (!r.packing.file.empty())
+    return std::make_shared<const Packing>(adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
+  if (no_cache) return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const auto folder = default_cache_folder();
+  cached = std::filesystem::exists(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)));
+  return cached_packing(r.specimen, r.packing, r.matrix, folder);
+}
+
 Made make_all(const Recipe& recipe, bool no_cache) {
   const auto start = std::chrono::steady_clock::now();
   bool cached = false;
   Made made;
-  made.packing = no_cache ? std::make_shared<const Packing>(make_packing(recipe))
-                          : std::make_shared<const Packing>(cached_packing(recipe, &cached));
+  made.packing = find_packing(recipe, no_cache, cached);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   print_packing(*made.packing, seconds, cached);
   for (Specimen& s : make_specimens(made.packing, recipe))
@@ -149,7 +159,10 @@ void add_specimen_command(CLI::App& app, Session& session) {
     const Made made = make_all(recipe, false);
     for (std::size_t i = 1; i < made.specimens.size(); ++i) print_bedding(*made.specimens[i]);
     if (!out->empty()) {
-      export_specimens(*out, *made.packing, made.specimens);
+      const std::filesystem::path folder(*out);
+      write_file((folder / "discs.csv").string(), discs_csv(*made.packing));
+      for (const auto& s : made.specimens)
+        write_file((folder / ("contacts_" + file_name(s->name) + ".csv")).string(), contacts_csv(*s));
       fmt::print("discs and contacts in {}\n", *out);
     }
   });

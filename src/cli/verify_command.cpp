@@ -47,6 +47,9 @@ void add_verify_command(CLI::App& app, Session& session) {
     }
     if (n_checks == 0)
       throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6", "run `phyllite verify` to see all"});
+    if (only->empty())
+      fmt::print("{}Not yet present: V1-V5, V13 (direct elastic solution, tension), V9 (dashpots), V14 (theory has it as a "
+                 "unit test), V16 (unit test of genesis), V20 (direct shear).\n", *markdown ? "\n" : "");
     fmt::print("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
     session.exit_code = n_failed == 0 ? 0 : 1;
   });

@@ -32,8 +32,9 @@ TEST(Layout, RowsAreContiguousAndSortedByX) {
     for (std::int32_t g = layout.row_grain[row]; g < layout.row_grain[row + 1]; ++g) {
       EXPECT_EQ(layout.row_of[g], row);
       EXPECT_EQ(layout.rank[layout.order[g]], g);
-      if (g > layout.row_grain[row])
+      if (g > layout.row_grain[row]) {
         EXPECT_LE(s.packing->discs[layout.order[g - 1]].x, s.packing->discs[layout.order[g]].x);
+      }
     }
   }
 }
@@ -44,8 +45,9 @@ TEST(Layout, ContactsJoinARowWithItselfOrItsNeighbour) {
   for (std::size_t a = 0; a < 500; ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const Disc p = s.packing->discs[a], q = s.packing->discs[b];
-      if (norm(Vec2{p.x - q.x, p.y - q.y}) < p.r + q.r + 0.1)
+      if (norm(Vec2{p.x - q.x, p.y - q.y}) < p.r + q.r + 0.1) {
         EXPECT_LE(std::abs(layout.row_of[layout.rank[a]] - layout.row_of[layout.rank[b]]), 1);
+      }
     }
 }
 

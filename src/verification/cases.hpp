@@ -29,8 +29,7 @@ const std::vector<VerificationCase>& verification_cases();
 
 // The cases by theme.
 std::vector<VerificationCase> dynamics_cases();  ///< V0, V6-V8, V15, V17, V19: the engine
-std::vector<VerificationCase> law_cases();       ///< V9-V12: contact laws
-std::vector<VerificationCase> specimen_cases();  ///< V16, V18: genesis
-std::vector<VerificationCase> static_cases();    ///< V1-V5, V13, V14: statics and theory
+std::vector<VerificationCase> law_cases();       ///< V10-V12: contact laws
+std::vector<VerificationCase> specimen_cases();  ///< V18: genesis
 
 }  // namespace phy

@@ -91,8 +91,8 @@ TEST_P(OneHash, IsTheRecordedOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, OneHash, testing::Values(Precision::double_precision, Precision::single_precision),
-                         [](const auto& info) {
-                           return info.param == Precision::double_precision ? "double_lanes" : "float_lanes";
+                         [](const auto& which) {
+                           return which.param == Precision::double_precision ? "double_lanes" : "float_lanes";
                          });
 
 }  // namespace

@@ -1,0 +1,19 @@
+// Recipes as TOML files. All problems of a file are told at once.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "records/recipe.hpp"
+
+namespace phy {
+
+/// Reads, checks and completes a recipe. Throws IoError (unreadable) or InputError with every problem found.
+Recipe read_recipe(const std::string& path);
+/// The same from text; `where` names the source in messages.
+Recipe parse_recipe(std::string_view text, const std::string& where);
+/// The completed recipe: every key with its value, in units that read back to the same bits.
+std::string write_recipe(const Recipe& recipe);
+/// As write_recipe, with meaning and range of every key as a comment.
+std::string commented_recipe(const Recipe& recipe);
+
+}  // namespace phy

@@ -1,0 +1,20 @@
+// Files for ParaView, written without the VTK library: .vtp (XML with raw appended data) and .pvd (time series).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/result.hpp"
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// Grains as points: radius, displacement, rotation.
+std::string grains_vtp(const Packing& packing, const Snapshot& shot);
+/// Contacts as lines between centres: F_n, F_s, kind, broken.
+std::string contacts_vtp(const Packing& packing, const Snapshot& shot);
+/// Cracks as segments across their normal: mode, place, strain, energy.
+std::string cracks_vtp(const std::vector<CrackEvent>& cracks);
+/// Collection of files over axial strain.
+std::string collection_pvd(const std::vector<std::pair<double, std::string>>& files);
+
+}  // namespace phy

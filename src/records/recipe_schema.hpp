@@ -1,0 +1,48 @@
+// THE list of recipe keys. The reader, the writer, `phyllite recipe --explain`, the template and docs/reference.md all
+// come from it: a key that is not here does not exist.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "records/recipe.hpp"
+
+namespace phy {
+
+enum class FieldKind { quantity, number, integer, boolean, choice, text, quantities };
+
+/// One key. Numbers, integers, booleans (0, 1) and choices (their place in the list) all travel as double.
+struct Field {
+  std::string table;  ///< "" = top level, "bedding" = [[bedding]]
+  std::string key;
+  FieldKind kind = FieldKind::number;
+  Dimension dimension = Dimension::none;
+  double min = 0.0, max = 0.0;
+  bool above_min = false;  ///< the lower bound itself is excluded
+  bool below_max = false;  ///< the upper bound itself is excluded
+  std::vector<std::string> choices;
+  std::string meaning;
+  std::string pfc_name;
+  std::function<double(const Recipe&, std::size_t)> get;
+  std::function<void(Recipe&, std::size_t, double)> set;
+  std::function<std::string(const Recipe&)> get_text;
+  std::function<void(Recipe&, const std::string&)> set_text;
+  std::function<std::vector<double>&(Recipe&)> list;
+
+  std::string path() const { return table.empty() ? key : table + "." + key; }
+};
+
+const std::vector<Field>& recipe_fields();
+
+/// "0 deg <= value < 180 deg", "one of zone, crossing", ...
+std::string range_text(const Field& field);
+/// A value as it is written in a file.
+std::string print_field(const Field& field, const Recipe& recipe, std::size_t index);
+/// Problems between keys (thickness against spacing, ...). `where(path)` tells file and line of a key.
+std::vector<Problem> cross_checks(const Recipe& recipe, const std::function<std::string(const std::string&)>& where);
+/// The candidate nearest in spelling, or an empty string when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace phy
