@@ -199,7 +199,7 @@ class ForceLoop {
     if constexpr (sample) {
       sums.linear += only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
       sums.bond += only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
-      sums.overlap = max(sums.overlap, only_here(-k.stretch / R(c.d0), R(0)));  // joints may pass each other
+      sums.overlap = max(sums.overlap, only_here(-(k.stretch + R(c.gap)) * R(c.inv_rmin), R(0)));  // not joints
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
   }

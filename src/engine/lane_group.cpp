@@ -20,7 +20,7 @@ namespace {
 constexpr double skin_factor = 0.25;    // near pairs are listed up to a gap of skin_factor * r_min
 constexpr double birth_factor = 0.02;   // a pair across a plane becomes a joint below a gap of birth_factor * r_min
 constexpr double hold_force = 1e30;     // N/m: no strength is reached while breakage is off
-constexpr double worst_overlap = 0.5;   // of the initial distance: beyond it the state is nonsense
+constexpr double worst_overlap = 1.0;   // of the smaller radius: beyond it the state is nonsense
 constexpr double worst_energy = 0.2;    // of the boundary work: beyond it the step was unstable
 constexpr std::uint8_t no_set = 255;
 
@@ -768,7 +768,7 @@ void Group<T>::watch(std::size_t l) {
   if (!std::isfinite(sum))
     lane.health = {false, when + "the energy or the platen force is no longer a number"};
   else if (!(overlap < worst_overlap))
-    lane.health = {false, when + "two grains overlap by " + std::to_string(overlap) + " of their distance"};
+    lane.health = {false, when + "two grains overlap by " + std::to_string(overlap) + " of the smaller radius"};
   else if (lane.platens && r.axial_strain > 1e-4 && std::fabs(r.energy_error) > worst_energy)
     lane.health = {false, when + "the energy balance is off by " + std::to_string(r.energy_error) + " of the work"};
 }

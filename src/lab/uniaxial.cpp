@@ -108,6 +108,12 @@ bool UniaxialTest::check_stop() {
                fmt::format("peak {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", peak_ * 1e-6,
                            peak_strain_ * 100.0, recipe_.test.stop_at * 100.0),
                "");
+  if (recipe_.test.post_peak > 0.0 && row.axial_strain > first_stop_strain &&
+      row.axial_strain > (1.0 + recipe_.test.post_peak) * peak_strain_)
+    return end(Status::peaked,
+               fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %", peak_ * 1e-6,
+                           peak_strain_ * 100.0, 100.0 * row.axial_stress / peak_, row.axial_strain * 100.0),
+               "");
   if (row.axial_strain >= recipe_.test.max_strain)
     return end(Status::not_peaked,
                fmt::format("no drop to {:.0f} % of the largest stress ({:.2f} MPa) up to strain {:.3f} %",

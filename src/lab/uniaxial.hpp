@@ -6,7 +6,8 @@
 //   jump       only with test.jump_strain > 0: affine strain with breakage off, damped cycles; if a bond or joint is then
 //              at its strength the specimen starts again without the jump
 //   load       both platens close at test.platen_speed after a short ramp; a history row every test.history_interval
-//              cycles; ends when the stress has fallen to test.stop_at of the peak, at test.max_strain (not peaked), when
+//              cycles; ends when the stress has fallen to test.stop_at of the peak, when the strain has exceeded that of
+//              the peak by test.post_peak without a new one, at test.max_strain (not peaked), when
 //              the watchdog objects (unstable) or when the user stops (interrupted)
 // The test reads rows and decides; the group computes. Strains count from the moment the platens touch.
 #pragma once

@@ -155,6 +155,7 @@ void add_test(List& l) {
   l.number("test", "ramp_strain", 0, 0.01, "", "axial strain while the speed rises from 0", part, &T::ramp_strain);
   l.number("test", "platen_friction", 0, 10, "wall fric", "friction coefficient of the platens", part, &T::platen_friction);
   l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak", part, &T::stop_at);
+  l.number("test", "post_peak", 0, 10, "", "the test ends when the strain exceeds that of the peak by this fraction; 0: no such limit", part, &T::post_peak);
   l.number("test", "max_strain", 1e-5, 0.2, "", "the test ends at this axial strain at the latest", part, &T::max_strain);
   l.integer("test", "history_interval", 10, 10000, "steps between history rows, and between all checks", part, &T::history_interval);
   l.integer("test", "n_snapshots", 0, 200, "stored states of grains and contacts (up to twice as many); 0: only the last", part, &T::n_snapshots);
