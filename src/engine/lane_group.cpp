@@ -6,7 +6,6 @@
 #include <map>
 #include <new>
 #include <optional>
-#include <set>
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
@@ -53,7 +52,7 @@ struct Lane {
   bool fresh = false;  // loaded, states not yet filled in
   bool hold = false, driving = false, platens = false;
   std::optional<FrequencyBound> bound;
-  std::set<PairKey> counted;  // births already in the bound
+  std::map<PairKey, ContactStiffness> born;  // contacts that the bound counts beyond those of the start
   double dt = 0.0, time = 0.0, drive_time = 0.0;
   std::int64_t step = 0;
   double wall[2] = {}, last_force[2] = {};
@@ -162,6 +161,10 @@ class Group final : public LaneGroup {
   void mark_walls();
   void births();
   bool birth_of_joint(std::size_t c, std::size_t lane, double gap);
+  void tighten_bound(std::size_t lane);
+  static void renew_step(Lane& lane) {
+    lane.dt = lane.setup.step_safety * 2.0 / (lane.bound->omega() * std::sqrt(1.0 + lane.setup.damping));
+  }
   void fill_lane_table();
   void fill_joint_row(std::size_t row, const std::string& sets);
   void plan_platens();
@@ -226,15 +229,15 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   l.setup = setup;
   l.fresh = true;
   l.hold = specimen->matrix.unbreakable;
-  l.bound.emplace(*specimen);
+  l.bound.emplace(*specimen, initial_stiffnesses(*specimen));
   for (const Contact& c : specimen->contacts) {
     const Disc& a = packing_->discs[c.a];
     const Disc& b = packing_->discs[c.b];
     const bool touches = norm(Vec2{b.x - a.x, b.y - a.y}) <= a.r + b.r;
     l.n_contacts += c.kind != ContactKind::touching || touches ? 1 : 0;
   }
-  l.dt = setup.step_safety * 2.0 / (l.bound->omega() * std::sqrt(1.0 + setup.damping));
   l.specimen = std::move(specimen);
+  renew_step(l);
 }
 
 // Grains whose packing overlaps the platen's line touch it from the start, stress-free; the others keep their gap.
@@ -565,8 +568,7 @@ void Group<T>::births() {
       const double gap = norm(d) - radius_[a] - radius_[b];
       if (gap >= birth_factor * r_min_) continue;
       const std::uint32_t pa = packing_id(contact_const_[c].a), pb = packing_id(contact_const_[c].b);
-      ContactStiffness k = touching_stiffness(lane.specimen->matrix, packing_->discs[pa], packing_->discs[pb],
-                                              (1.0 / norm(d)) * d);
+      ContactStiffness k = touching_stiffness(*lane.specimen, pa, pb, (1.0 / norm(d)) * d);
       if (birth_of_joint(c, l, gap)) {
         const BeddingRecipe& set = lane.specimen->bedding[set_[c * W_ + l]];
         const SinCos sc = sin_cos_degrees(set.theta);
@@ -575,12 +577,30 @@ void Group<T>::births() {
         k.k_n = set.k_n * A, k.k_s = set.k_s * A, k.normal = {-sc.sin * side, sc.cos * side};
         joints = true;
       }
-      if (!lane.counted.insert(pairs_[c]).second) continue;
-      lane.bound->add(pa, pb, k);
-      lane.dt = lane.setup.step_safety * 2.0 / (lane.bound->omega() * std::sqrt(1.0 + lane.setup.damping));
+      if (lane.born.try_emplace(pairs_[c], k).second) lane.bound->add(k);
     }
   }
   if (joints) assign_joints();
+  for (std::size_t l = 0; l < W_; ++l) {
+    if (!lanes_[l].specimen || lanes_[l].fresh) continue;
+    if (lanes_[l].bound->loose()) tighten_bound(l);
+    renew_step(lanes_[l]);
+  }
+}
+
+/// The bound anew, from the contacts that are there: broken bonds have left only their linear part.
+template <class T>
+void Group<T>::tighten_bound(std::size_t l) {
+  Lane& lane = lanes_[l];
+  std::vector<ContactStiffness> contacts = initial_stiffnesses(*lane.specimen);
+  for (ContactStiffness& k : contacts) {
+    const PairKey key = pair_key(static_cast<std::uint32_t>(layout_.rank[k.a]), static_cast<std::uint32_t>(layout_.rank[k.b]));
+    const auto c = static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
+    const bool bond_broken = contact(c, c_side, l) == T(0) && !(contact(c, c_capacity, l) > T(0));
+    if (bond_broken) k = touching_stiffness(*lane.specimen, k.a, k.b, k.branch);
+  }
+  for (const auto& [key, k] : lane.born) contacts.push_back(k);
+  lane.bound.emplace(*lane.specimen, contacts);
 }
 
 // --- one block ------------------------------------------------------------------------------------------------------

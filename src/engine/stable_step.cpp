@@ -59,10 +59,17 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 
 }  // namespace
 
-ContactStiffness touching_stiffness(const MatrixRecipe& matrix, const Disc& a, const Disc& b, Vec2 n) {
-  const bool pfc5 = matrix.stiffness_convention == StiffnessConvention::pfc5;
-  const double k_n = matrix.E_c * linear::stiffness_factor(pfc5, a.r, b.r);
-  return {k_n, matrix.ks_over_kn * k_n, 0.0, n, n, 0.0};
+ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n) {
+  const MatrixRecipe& m = specimen.matrix;
+  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
+  const double k_n = m.E_c * linear::stiffness_factor(pfc5, specimen.packing->discs[a].r, specimen.packing->discs[b].r);
+  return {a, b, k_n, m.ks_over_kn * k_n, 0.0, n, n, 0.0};
+}
+
+std::vector<ContactStiffness> initial_stiffnesses(const Specimen& specimen) {
+  std::vector<ContactStiffness> all;
+  for (const Contact& c : specimen.contacts) all.push_back(initial_stiffness(specimen, c));
+  return all;
 }
 
 ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact) {
@@ -76,10 +83,10 @@ ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& cont
     const BeddingRecipe& set = specimen.bedding[contact.set];
     const SinCos sc = sin_cos_degrees(set.theta);
     const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
-    return {set.k_n * A, set.k_s * A, 0.0, static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos}, branch, gap};
+    return {contact.a, contact.b, set.k_n * A, set.k_s * A, 0.0, static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos}, branch, gap};
   }
   const MatrixRecipe& m = specimen.matrix;
-  ContactStiffness k = touching_stiffness(m, a, b, branch);
+  ContactStiffness k = touching_stiffness(specimen, contact.a, contact.b, branch);
   k.gap = gap;
   if (contact.kind == ContactKind::bonded) {
     const parallel_bond::Geometry g = parallel_bond::geometry(m.radius_multiplier, a.r, b.r);
@@ -90,15 +97,15 @@ ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& cont
   return k;
 }
 
-FrequencyBound::FrequencyBound(const Specimen& specimen)
+FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts)
     : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
   const std::size_t n = packing_->discs.size();
   std::vector<Sym3> diagonal(n, Sym3{});
   std::vector<Entry> entries;
-  entries.reserve(specimen.contacts.size());
-  for (const Contact& c : specimen.contacts) {
+  entries.reserve(contacts.size());
+  for (const ContactStiffness& c : contacts) {
     std::array<double, 12> d{};
-    const double norm_ab = block_norm(c.a, c.b, initial_stiffness(specimen, c), d.data(), d.data() + 6);
+    const double norm_ab = block_norm(c, d.data(), d.data() + 6);
     for (std::size_t i = 0; i < 6; ++i) diagonal[c.a][i] += d[i], diagonal[c.b][i] += d[6 + i];
     entries.push_back({c.a, c.b, norm_ab});
   }
@@ -134,12 +141,12 @@ FrequencyBound::FrequencyBound(const Specimen& specimen)
     if (iteration + 1 < 100)  // grains far from the hot spot keep a floor, so that later births stay bounded
       for (std::size_t i = 0; i < n; ++i) x_[i] = std::max(next[i] / largest, 1e-3);
   }
+  tight_ = bound_;
 }
 
-double FrequencyBound::block_norm(std::uint32_t a, std::uint32_t b, const ContactStiffness& k, double* diag_a,
-                                  double* diag_b) const {
-  const Disc& da = packing_->discs[a];
-  const Disc& db = packing_->discs[b];
+double FrequencyBound::block_norm(const ContactStiffness& k, double* diag_a, double* diag_b) const {
+  const Disc& da = packing_->discs[k.a];
+  const Disc& db = packing_->discs[k.b];
   const Vec2 t = tangent(k.branch);
   const double inv_ma = 1.0 / std::sqrt(density_ * pi * da.r * da.r);
   const double inv_mb = 1.0 / std::sqrt(density_ * pi * db.r * db.r);
@@ -156,9 +163,10 @@ double FrequencyBound::block_norm(std::uint32_t a, std::uint32_t b, const Contac
 
 double FrequencyBound::omega() const { return std::sqrt(bound_); }
 
-void FrequencyBound::add(std::uint32_t a, std::uint32_t b, const ContactStiffness& k) {
+void FrequencyBound::add(const ContactStiffness& k) {
   std::array<double, 12> d{};
-  const double norm_ab = block_norm(a, b, k, d.data(), d.data() + 6);
+  const double norm_ab = block_norm(k, d.data(), d.data() + 6);
+  const std::uint32_t a = k.a, b = k.b;
   const auto trace = [&](std::size_t at) { return d[at] + d[at + 1] + d[at + 2]; };
   row_[a] += trace(0) + norm_ab * x_[b] / x_[a];
   row_[b] += trace(6) + norm_ab * x_[a] / x_[b];

@@ -13,8 +13,9 @@
 
 namespace phy {
 
-/// Stiffness of one contact in its own frame.
+/// Stiffness of one contact between grains a and b (packing numbers) in its own frame.
 struct ContactStiffness {
+  std::uint32_t a = 0, b = 0;
   double k_n = 0.0, k_s = 0.0;  ///< along and across `normal` [N/m per m]
   double k_m = 0.0;             ///< couple per relative rotation [N]
   Vec2 normal;                  ///< a -> b: branch, or the plane's normal for joints
@@ -23,30 +24,36 @@ struct ContactStiffness {
 };
 /// Stiffness with which a contact starts (linear part closed, bond or joint intact).
 ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact);
-/// Stiffness of a new, unbonded contact between grains a and b with branch normal n.
-ContactStiffness touching_stiffness(const MatrixRecipe& matrix, const Disc& a, const Disc& b, Vec2 n);
+/// Stiffness of an unbonded contact between grains a and b with branch normal n.
+ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n);
+/// All contacts of a specimen as it starts.
+std::vector<ContactStiffness> initial_stiffnesses(const Specimen& specimen);
 
 /// The bound with its witness x, so that new contacts can be added without starting over.
 class FrequencyBound {
  public:
-  explicit FrequencyBound(const Specimen& specimen);
+  FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts);
   /// Upper bound of omega_max [1/s].
   double omega() const;
-  /// A contact is born; broken ones stay counted (they only lower the frequency).
-  void add(std::uint32_t a, std::uint32_t b, const ContactStiffness& k);
+  /// A contact is born: the bound rises by what its row of N can at most become. Breakage only lowers the frequency and
+  /// is left in. Both loosen the bound; `loose()` says when it pays to start over.
+  void add(const ContactStiffness& k);
+  /// The additions have raised the bound by more than 3 %.
+  bool loose() const { return bound_ > 1.06 * tight_; }
 
  private:
   struct Entry {
     std::uint32_t a, b;
     double norm;
   };
-  double block_norm(std::uint32_t a, std::uint32_t b, const ContactStiffness& k, double* diag_a, double* diag_b) const;
+  double block_norm(const ContactStiffness& k, double* diag_a, double* diag_b) const;
 
   const Packing* packing_;
   double density_;
   std::vector<double> x_;    // witness, > 0
   std::vector<double> row_;  // (N x)_i / x_i
   double bound_ = 0.0;       // max of row_
+  double tight_ = 0.0;       // the same before any addition
 };
 
 }  // namespace phy

@@ -34,6 +34,15 @@ struct Reaction {
   MaskOf<R> broke_shear;
 };
 
+/// Stiffness of a law against small motions from where it is: dF_n = k_n d_closure, dF_s = -k_s d_slide,
+/// dM = -k_m d_rotation. The direct elastic solution is built from it.
+template <class R>
+struct Tangent {
+  R k_n;  ///< [N/m per m]
+  R k_s;  ///< [N/m per m]
+  R k_m;  ///< [N]
+};
+
 template <class R>
 MaskOf<R> broke(const Reaction<R>& r) { return r.broke_tension | r.broke_shear; }
 inline bool broke(const Reaction<double>& r) { return r.broke_tension || r.broke_shear; }

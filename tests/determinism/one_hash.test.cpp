@@ -37,10 +37,7 @@ std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& r) {
 std::vector<std::string> hashes(const Recipe& r, const std::vector<std::shared_ptr<const Specimen>>& specimens,
                                 const MachineOptions& machine) {
   std::vector<std::string> h;
-  for (const TestResult& result : run_tests(specimens, r, machine)) {
-    EXPECT_GT(result.cracks.size(), 10U) << result.name << ": nothing broke, the test would prove little";
-    h.push_back(result.hash);
-  }
+  for (const TestResult& result : run_tests(specimens, r, machine)) h.push_back(result.hash);
   return h;
 }
 
@@ -78,6 +75,15 @@ TEST_P(OneHash, ForASpecimenAlone) {
   }
 }
 
+TEST_P(OneHash, CoversBreakage) {
+  const Recipe r = small_recipe(GetParam());
+  MachineOptions machine;
+  machine.isa = native_isa();
+  std::size_t n_cracks = 0;
+  for (const TestResult& result : run_tests(specimens_of(r), r, machine)) n_cracks += result.cracks.size();
+  EXPECT_GT(n_cracks, 200U);
+}
+
 // Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
 TEST_P(OneHash, IsTheRecordedOne) {
   const Recipe r = small_recipe(GetParam());
@@ -85,8 +91,8 @@ TEST_P(OneHash, IsTheRecordedOne) {
   machine.isa = native_isa();
   machine.lanes = 4;
   const auto h = hashes(r, specimens_of(r), machine);
-  const std::map<Precision, std::string> golden = {{Precision::double_precision, "GOLDEN_DOUBLE"},
-                                                   {Precision::single_precision, "GOLDEN_SINGLE"}};
+  const std::map<Precision, std::string> golden = {{Precision::double_precision, "5df70aca0a0d0231"},
+                                                   {Precision::single_precision, "fbd6450241e9c676"}};
   EXPECT_EQ(h[1], golden.at(GetParam()));
 }
 

@@ -40,6 +40,10 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
   return {F_n, F_s, R(0), dissipated, R(0), never, never};
 }
 
+/// Tangent stiffness of a closed contact that sticks; an open one has none.
+template <class R>
+Tangent<R> tangent(const Parameters<R>& p) { return {p.k_n, p.k_s, R(0)}; }
+
 /// Strain energy held [J/m].
 template <class R>
 R strain_energy(const Parameters<R>& p, R F_n, R F_s) { return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s * p.inv_k_s); }

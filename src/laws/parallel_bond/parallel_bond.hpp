@@ -34,6 +34,10 @@ struct State {
   R capacity;  ///< tensile capacity sigma_c A [N/m]; 0 = no bond (broken, or never bonded)
 };
 
+/// Tangent stiffness of an unbroken bond; a broken one has none.
+template <class R>
+Tangent<R> tangent(const Parameters<R>& p) { return {p.k_n, p.k_s, p.k_m}; }
+
 /// Strain energy held [J/m].
 template <class R>
 R strain_energy(const Parameters<R>& p, R F_n, R F_s, R M) {

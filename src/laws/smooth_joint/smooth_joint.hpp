@@ -42,6 +42,10 @@ struct State {
   R dilation;  ///< opening pushed by dilation so far [m]
 };
 
+/// Tangent stiffness along the plane's n and t of a bonded joint, or of a broken one that is closed and sticks.
+template <class R>
+Tangent<R> tangent(const Parameters<R>& p) { return {p.k_n, p.k_s, R(0)}; }
+
 template <class R>
 R strain_energy(const Parameters<R>& p, R F_n, R F_s) { return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s / p.k_s); }
 
