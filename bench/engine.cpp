@@ -1,6 +1,6 @@
-// Nanoseconds per contact, step and specimen of the press with everything of a normal run switched on: energy books,
-// cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at the start.
-// Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
+// Nanoseconds per contact, step and specimen of the press with everything of a normal run switched on: energy
+// books, cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at
+// the start. Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
 #include <benchmark/benchmark.h>
 
 #include "genesis/packing.hpp"
@@ -19,7 +19,8 @@ const std::vector<std::shared_ptr<const Specimen>>& paper_specimens() {
     r.test.angles = {0, 15, 30, 45, 60, 75, 90};
     const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
     std::vector<std::shared_ptr<const Specimen>> list;
-    for (Specimen& s : make_specimens(packing, r)) list.push_back(std::make_shared<const Specimen>(std::move(s)));
+    for (Specimen& s : make_specimens(packing, r))
+      list.push_back(std::make_shared<const Specimen>(std::move(s)));
     return list;
   }();
   return all;
@@ -56,7 +57,7 @@ void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std
 
 #define PRESS(name, isa, precision, lanes, angles)                                          \
   BENCHMARK_CAPTURE(press, name, Isa::isa, Precision::precision##_precision, lanes, angles) \
-      ->Unit(benchmark::kMillisecond)                                                        \
+      ->Unit(benchmark::kMillisecond)                                                       \
       ->MeasureProcessCPUTime()
 
 PRESS(one_angle_float16_avx512, avx512, single, 16, 1);

@@ -48,7 +48,8 @@ Number fitted(const Loading& test, std::string name, std::string unit, std::stri
     return n;
   }
   std::vector<double> xs, ys;
-  for (std::size_t i = first; i < last; ++i) xs.push_back(test.rows[i].*x), ys.push_back(sign * (test.rows[i].*y));
+  for (std::size_t i = first; i < last; ++i)
+    xs.push_back(test.rows[i].*x), ys.push_back(sign * (test.rows[i].*y));
   const LineFit fit = fit_line(xs, ys);
   n.value = fit.slope;
   if (!std::isfinite(n.value)) n.note = "the strain does not change in the interval";
@@ -80,8 +81,8 @@ double stress_at(const Rows& rows, double strain) {
   return rows.empty() ? nan : rows.back().axial_stress;
 }
 
-void crack_stresses(const Loading& test, const std::vector<CrackEvent>& cracks, const AnalysisOptions& options,
-                    std::vector<Number>& out) {
+void crack_stresses(const Loading& test, const std::vector<CrackEvent>& cracks,
+                    const AnalysisOptions& options, std::vector<Number>& out) {
   Number first{"sigma_first_crack", nan, "Pa", "axial stress at the first crack", ""};
   Number ci{"sigma_ci", nan, "Pa",
             "axial stress when the number of cracks reaches max(3, 1 % of the cracks at the peak)", ""};
@@ -107,7 +108,8 @@ void crack_stresses(const Loading& test, const std::vector<CrackEvent>& cracks, 
 }
 
 Number crack_damage(const Loading& test) {
-  Number n{"sigma_cd", nan, "Pa", "axial stress where the volumetric strain (gauge) is largest, before the peak", ""};
+  Number n{"sigma_cd", nan, "Pa",
+           "axial stress where the volumetric strain (gauge) is largest, before the peak", ""};
   std::size_t best = 0;
   double largest = 0.0;
   for (std::size_t i = 0; i < test.n_rows; ++i) {
@@ -130,8 +132,10 @@ void crack_counts(const Loading& test, const std::vector<CrackEvent>& cracks, st
         });
         const std::string what = std::string(mode == CrackMode::tension ? "tension" : "shear") + "_" +
                                  (place == CrackPlace::matrix ? "matrix" : "bedding");
-        out.push_back({"cracks_" + what + (at_peak ? "_at_peak" : ""), static_cast<double>(count), "1",
-                       std::string("bonds broken in ") + what + (at_peak ? " up to the peak" : " in the whole test"), ""});
+        out.push_back(
+            {"cracks_" + what + (at_peak ? "_at_peak" : ""), static_cast<double>(count), "1",
+             std::string("bonds broken in ") + what + (at_peak ? " up to the peak" : " in the whole test"),
+             ""});
       }
     }
   }
@@ -148,9 +152,11 @@ void checks(const Loading& test, std::vector<Number>& out) {
   if (!differences.empty()) platens = differences.back();
   const double usual = differences.empty() ? nan : differences[differences.size() * 95 / 100];
   out.push_back({"energy_error", work > 0.0 ? error / work : nan, "1",
-                 "largest energy not accounted for / total boundary work", work > 0.0 ? "" : "no work was done"});
+                 "largest energy not accounted for / total boundary work",
+                 work > 0.0 ? "" : "no work was done"});
   out.push_back({"platen_difference", differences.empty() ? nan : platens, "1",
-                 "largest |top - bottom platen stress| / ucs before the peak", differences.empty() ? "no peak" : ""});
+                 "largest |top - bottom platen stress| / ucs before the peak",
+                 differences.empty() ? "no peak" : ""});
   out.push_back({"platen_difference_95", usual, "1",
                  "|top - bottom platen stress| / ucs not exceeded by 95 % of the rows before the peak",
                  differences.empty() ? "no peak" : ""});
@@ -173,17 +179,21 @@ std::vector<Number> analyse(const History& history, const std::vector<CrackEvent
   const auto stress = &HistoryRow::axial_stress;
   const auto lateral = &HistoryRow::lateral_strain_gauge;
   std::vector<Number> out;
-  out.push_back({"ucs", test.ucs, "Pa", "largest axial stress (mean of both platens over the initial width)", no_peak});
+  out.push_back(
+      {"ucs", test.ucs, "Pa", "largest axial stress (mean of both platens over the initial width)", no_peak});
   out.push_back({"peak_strain", test.peak_strain, "1", "axial platen strain at the largest stress", no_peak});
-  out.push_back(fitted(test, "E_tangent", "Pa", "slope of stress over gauge strain, 40-60 % of ucs, least squares", gauge,
-                       stress, 1.0, 0.4, 0.6));
+  out.push_back(fitted(test, "E_tangent", "Pa",
+                       "slope of stress over gauge strain, 40-60 % of ucs, least squares", gauge, stress, 1.0,
+                       0.4, 0.6));
   out.push_back(secant(test, "E_secant", "stress over gauge strain at 50 % of ucs", gauge));
-  out.push_back(fitted(test, "nu", "1", "-slope of lateral over axial gauge strain, 40-60 % of ucs, least squares", gauge,
+  out.push_back(fitted(test, "nu", "1",
+                       "-slope of lateral over axial gauge strain, 40-60 % of ucs, least squares", gauge,
                        lateral, -1.0, 0.4, 0.6));
-  out.push_back(fitted(test, "E_small", "Pa", "slope of stress over gauge strain, 5-15 % of ucs, least squares", gauge,
-                       stress, 1.0, 0.05, 0.15));
-  out.push_back(fitted(test, "E_tangent_platen", "Pa", "slope of stress over platen strain, 40-60 % of ucs", platen, stress,
-                       1.0, 0.4, 0.6));
+  out.push_back(fitted(test, "E_small", "Pa",
+                       "slope of stress over gauge strain, 5-15 % of ucs, least squares", gauge, stress, 1.0,
+                       0.05, 0.15));
+  out.push_back(fitted(test, "E_tangent_platen", "Pa", "slope of stress over platen strain, 40-60 % of ucs",
+                       platen, stress, 1.0, 0.4, 0.6));
   out.push_back(secant(test, "E_secant_platen", "stress over platen strain at 50 % of ucs", platen));
   crack_stresses(test, cracks, options, out);
   out.push_back(crack_damage(test));

@@ -83,7 +83,8 @@ TEST(Analyse, CracksAreCountedByModeAndPlace) {
 
 TEST(Analyse, VolumeReversal) {
   History h = straight(50e9, 0.25, 100e6, 200);
-  for (std::size_t i = 150; i < h.rows.size(); ++i) h.rows[i].lateral_strain_gauge -= 2e-5 * static_cast<double>(i - 149);
+  for (std::size_t i = 150; i < h.rows.size(); ++i)
+    h.rows[i].lateral_strain_gauge -= 2e-5 * static_cast<double>(i - 149);
   EXPECT_NEAR(value(analyse(h, {}), "sigma_cd"), h.rows[149].axial_stress, 1.0);
   EXPECT_TRUE(std::isnan(value(analyse(straight(50e9, 0.25, 100e6, 200), {}), "sigma_cd")));
 }
@@ -93,7 +94,8 @@ TEST(Analyse, RowsAfterThePeakChangeNothingBeforeIt) {
   const auto with = analyse(h, {});
   h.rows.resize(200);
   const auto without = analyse(h, {});
-  for (const char* name : {"ucs", "E_tangent", "E_secant", "nu"}) EXPECT_EQ(value(with, name), value(without, name));
+  for (const char* name : {"ucs", "E_tangent", "E_secant", "nu"})
+    EXPECT_EQ(value(with, name), value(without, name));
 }
 
 TEST(Analyse, NoHistoryGivesNotesNotCrashes) {

@@ -1,7 +1,7 @@
 // The three ways in which this library says that something is wrong (docs/architecture.md, "Errors").
-//   InputError   what the user gave cannot be used; carries every problem found, not only the first     -> exit 2
-//   IoError      a file could not be read or written                                                   -> exit 3
-//   PHY_CHECK    we made a mistake: a condition that the program itself should have guaranteed          -> exit 4
+//   InputError   what the user gave cannot be used; carries every problem found, not only the first     ->
+//   exit 2 IoError      a file could not be read or written -> exit 3 PHY_CHECK    we made a mistake: a
+//   condition that the program itself should have guaranteed          -> exit 4
 // Physics that does not succeed (never peaked, unstable) is no error: it is an Outcome in the result.
 #pragma once
 #include <stdexcept>
@@ -62,9 +62,9 @@ class InternalError : public std::logic_error {
 }  // namespace phy
 
 /// Always on; for cold code. `message` says what was promised.
-#define PHY_CHECK(condition, message)                                                                   \
-  do {                                                                                                  \
-    if (!(condition))                                                                                   \
-      throw ::phy::InternalError(std::string(__FILE__) + ":" + std::to_string(__LINE__) + ": " #condition \
-                                 ": " + (message));                                                     \
+#define PHY_CHECK(condition, message)                                                     \
+  do {                                                                                    \
+    if (!(condition))                                                                     \
+      throw ::phy::InternalError(std::string(__FILE__) + ":" + std::to_string(__LINE__) + \
+                                 ": " #condition ": " + (message));                       \
   } while (false)

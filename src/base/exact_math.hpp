@@ -1,9 +1,10 @@
 // Elementary functions with the same bits on every machine.
 //
-// Whatever feeds the time step, the bedding angles or the random strengths must not depend on the C library or on the
-// instruction set: a last-bit difference in one bond strength gives another crack sequence. The functions below use
-// only +, -, *, / and sqrt (exactly rounded by IEEE 754) in a fixed order. They are accurate to a few units in the
-// last place, which exact_math.test.cpp measures against the C library. Rejected: libm (bits differ between versions).
+// Whatever feeds the time step, the bedding angles or the random strengths must not depend on the C library
+// or on the instruction set: a last-bit difference in one bond strength gives another crack sequence. The
+// functions below use only +, -, *, / and sqrt (exactly rounded by IEEE 754) in a fixed order. They are
+// accurate to a few units in the last place, which exact_math.test.cpp measures against the C library.
+// Rejected: libm (bits differ between versions).
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace phy {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Natural logarithm of x > 0 (normal numbers). log(m 2^k) = k log 2 + 2 atanh((m-1)/(m+1)), m in [sqrt(1/2), sqrt 2).
+/// Natural logarithm of x > 0 (normal numbers). log(m 2^k) = k log 2 + 2 atanh((m-1)/(m+1)), m in [sqrt(1/2),
+/// sqrt 2).
 inline double exact_log(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);

@@ -1,5 +1,5 @@
-// One 64-bit fingerprint for "the same to the last bit": FNV-1a (Fowler, Noll, Vo) over bytes, with the values laid out
-// little-endian. It tells equal from unequal results; it is no protection against forgery.
+// One 64-bit fingerprint for "the same to the last bit": FNV-1a (Fowler, Noll, Vo) over bytes, with the
+// values laid out little-endian. It tells equal from unequal results; it is no protection against forgery.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -16,7 +16,7 @@ class Hash {
     for (std::size_t i = 0; i < n; ++i) value_ = (value_ ^ p[i]) * 0x100000001b3ULL;
   }
   template <class T>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   void add(T x) { bytes(&x, sizeof x); }
   void add(std::string_view s) {
     add(static_cast<std::uint64_t>(s.size()));

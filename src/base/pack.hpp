@@ -1,13 +1,15 @@
-// Numbers that are one lane wide or many: the laws and the force loop are written once, over the number type R.
+// Numbers that are one lane wide or many: the laws and the force loop are written once, over the number type
+// R.
 //
 //   R = double              one specimen: the reference, easy to step through in a debugger
 //   R = Pack<double, W>     W specimens of one packing side by side in a SIMD register
 //   R = Pack<float, W>      the same in single precision
 //
-// A comparison gives a mask (bool, or a vector of all-ones/all-zeros integers); select(mask, a, b) replaces branches, so
-// that every lane does the same operations and a lane's bits never depend on its neighbours. Built on the vector types
-// of GCC and Clang; only the square root needs an intrinsic. Rejected: a SIMD library (the ten functions below are all
-// that is used) and gathers inside one specimen (three times slower per contact, docs/decisions/0001).
+// A comparison gives a mask (bool, or a vector of all-ones/all-zeros integers); select(mask, a, b) replaces
+// branches, so that every lane does the same operations and a lane's bits never depend on its neighbours.
+// Built on the vector types of GCC and Clang; only the square root needs an intrinsic. Rejected: a SIMD
+// library (the ten functions below are all that is used) and gathers inside one specimen (three times slower
+// per contact, docs/decisions/0001).
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -16,13 +18,14 @@
 #include <immintrin.h>
 #endif
 
-// The force loop is compiled once per instruction set. Each build lives in an inline namespace of its own, or the linker
-// would keep one copy of equally named templates, perhaps one that this processor cannot run.
+// The force loop is compiled once per instruction set. Each build lives in an inline namespace of its own, or
+// the linker would keep one copy of equally named templates, perhaps one that this processor cannot run.
 #ifndef PHY_ISA
 #define PHY_ISA portable
 #endif
-// The body of the loop over contacts must be one piece of straight code: what is called for every contact is inlined
-// whatever its size, and what happens to few contacts is kept out of it (g++ 12 otherwise spills half the registers).
+// The body of the loop over contacts must be one piece of straight code: what is called for every contact is
+// inlined whatever its size, and what happens to few contacts is kept out of it (g++ 12 otherwise spills half
+// the registers).
 #define PHY_HOT __attribute__((always_inline))
 #define PHY_RARE __attribute__((noinline))
 
@@ -71,21 +74,29 @@ struct Pack {
 };
 
 template <class T, int W>
-Pack<T, W> select(Mask<T, W> m, Pack<T, W> a, Pack<T, W> b) { return Pack<T, W>::of(m.bits ? a.v : b.v); }
+Pack<T, W> select(Mask<T, W> m, Pack<T, W> a, Pack<T, W> b) {
+  return Pack<T, W>::of(m.bits ? a.v : b.v);
+}
 
 template <class T, int W>
 Pack<T, W> sqrt(Pack<T, W> a) {
 #if defined(__AVX512F__)
-  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 4) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_ps((__m512)a.v));
-  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 8) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_pd((__m512d)a.v));
+  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 4)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_ps((__m512)a.v));
+  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 8)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_pd((__m512d)a.v));
 #endif
 #if defined(__AVX__)
-  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 4) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_ps((__m256)a.v));
-  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 8) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_pd((__m256d)a.v));
+  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 4)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_ps((__m256)a.v));
+  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 8)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_pd((__m256d)a.v));
 #endif
 #if defined(__SSE2__)
-  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 4) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_ps((__m128)a.v));
-  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 8) return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_pd((__m128d)a.v));
+  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 4)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_ps((__m128)a.v));
+  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 8)
+    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_pd((__m128d)a.v));
 #endif
   Pack<T, W> r = a;
   for (int i = 0; i < W; ++i) r.v[i] = std::sqrt(a.v[i]);
@@ -147,17 +158,27 @@ template <class R>
 using ScalarOf = typename NumberTraits<R>::Scalar;
 
 template <class R>
-R max0(R a) { return select(a > R(0), a, R(0)); }
+R max0(R a) {
+  return select(a > R(0), a, R(0));
+}
 template <class R>
-R min(R a, R b) { return select(a < b, a, b); }
+R min(R a, R b) {
+  return select(a < b, a, b);
+}
 template <class R>
-R max(R a, R b) { return select(a > b, a, b); }
+R max(R a, R b) {
+  return select(a > b, a, b);
+}
 /// a limited to [-limit, limit], limit >= 0.
 template <class R>
-R clip(R a, R limit) { return max(min(a, limit), -limit); }
+R clip(R a, R limit) {
+  return max(min(a, limit), -limit);
+}
 /// -1, 0 or +1.
 template <class R>
-R sign(R a) { return select(a > R(0), R(1), select(a < R(0), R(-1), R(0))); }
+R sign(R a) {
+  return select(a > R(0), R(1), select(a < R(0), R(-1), R(0)));
+}
 
 }  // namespace PHY_ISA
 }  // namespace phy

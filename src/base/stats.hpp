@@ -1,31 +1,37 @@
 // Small statistics for reported numbers. They decide no trajectory, so the C library may be used.
 #pragma once
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 
 namespace phy {
 
-/// y = intercept + slope x by least squares.
+/// A sample: mean, scatter, and how well the mean is known. NaN where the sample is too small to tell.
+struct Summary {
+  std::size_t n = 0;
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double sd = std::numeric_limits<double>::quiet_NaN();          ///< sample standard deviation (n - 1); n >= 2
+  double half_width = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval = mean +- half_width; n >= 2
+};
+
+/// Mean, standard deviation and 95 % interval of the mean (Student) of normally distributed values.
+Summary summarise(std::span<const double> values);
+
+/// The value that |t| of `degrees` >= 1 degrees of freedom exceeds with a probability of 5 %; relative error < 1e-9.
+/// NaN for 0. Source: Abramowitz & Stegun 1964, 26.7.3 and 26.7.4 (exact sums), 26.7.5 (series for large degrees).
+double student_t_95(std::size_t degrees);
+
+/// y = intercept + slope x by least squares. NaN where the points do not determine it.
 struct LineFit {
+  std::size_t n = 0;
   double slope = std::numeric_limits<double>::quiet_NaN();
   double intercept = std::numeric_limits<double>::quiet_NaN();
-  double R2 = std::numeric_limits<double>::quiet_NaN();  ///< share of the variance of y explained
+  double R2 = std::numeric_limits<double>::quiet_NaN();  ///< share of the variance of y explained; 1 if y is constant
+  double slope_se = std::numeric_limits<double>::quiet_NaN();      ///< standard error, independent residuals; n >= 3
+  double intercept_se = std::numeric_limits<double>::quiet_NaN();  ///< standard error; n >= 3
 };
-inline LineFit fit_line(std::span<const double> x, std::span<const double> y) {
-  const auto n = static_cast<double>(x.size());
-  double mx = 0.0, my = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) mx += x[i] / n, my += y[i] / n;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mx) * (x[i] - mx), xy += (x[i] - mx) * (y[i] - my), yy += (y[i] - my) * (y[i] - my);
-  }
-  LineFit fit;
-  if (!(xx > 0.0)) return fit;
-  fit.slope = xy / xx;
-  fit.intercept = my - fit.slope * mx;
-  fit.R2 = yy > 0.0 ? xy * xy / (xx * yy) : 1.0;
-  return fit;
-}
+
+/// Fits the pairs x[i], y[i]; the longer list is cut to the length of the shorter.
+LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
 }  // namespace phy

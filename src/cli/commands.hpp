@@ -8,7 +8,7 @@ namespace phy {
 /// State shared by the verbs of one call.
 struct Session {
   int exit_code = 0;
-  int threads = 0;          ///< 0: all cores
+  int threads = 0;           ///< 0: all cores
   int terminal_width = 100;  ///< columns of the terminal, or 100 when the output is no terminal
 };
 

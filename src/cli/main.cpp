@@ -1,4 +1,5 @@
-// `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit codes.
+// `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit
+// codes.
 #include <fmt/format.h>
 #include <sched.h>
 #include <sys/ioctl.h>
@@ -25,7 +26,8 @@ namespace {
 
 int terminal_width() {
   winsize size{};
-  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 160;
+  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+    return 160;
   return size.ws_col;
 }
 

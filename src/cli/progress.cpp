@@ -6,7 +6,8 @@
 
 namespace phy {
 
-// A test's length is not known before its peak, so the remaining time is estimated from finished specimens only.
+// A test's length is not known before its peak, so the remaining time is estimated from finished specimens
+// only.
 void ProgressLine::update(const Progress& p) {
   const auto now = Clock::now();
   if (std::chrono::duration<double>(now - shown_).count() < (terminal_ ? 0.2 : 10.0)) return;
@@ -14,7 +15,8 @@ void ProgressLine::update(const Progress& p) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   std::string left = "remaining time unknown until the first specimen ends";
   if (p.n_done > 0)
-    left = fmt::format("about {:.0f} s left", seconds / static_cast<double>(p.n_done) * static_cast<double>(p.n_total - p.n_done));
+    left = fmt::format("about {:.0f} s left",
+                       seconds / static_cast<double>(p.n_done) * static_cast<double>(p.n_total - p.n_done));
   std::string text = fmt::format("{}/{} specimens, {:.0f} cycles/s, {:.0f} s, {}", p.n_done, p.n_total,
                                  p.steps_done / seconds, seconds, left);
   if (terminal_) {

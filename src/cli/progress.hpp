@@ -9,7 +9,8 @@ namespace phy {
 
 class ProgressLine {
  public:
-  ProgressLine(bool terminal, int width) : terminal_(terminal), width_(width), start_(Clock::now()), shown_(start_) {}
+  ProgressLine(bool terminal, int width)
+      : terminal_(terminal), width_(width), start_(Clock::now()), shown_(start_) {}
   void update(const Progress& progress);
   /// A message that stays.
   void note(const std::string& text);

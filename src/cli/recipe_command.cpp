@@ -20,6 +20,7 @@ void explain(const std::string& key) {
   bool found = false;
   for (const Field& f : recipe_fields()) {
     known.push_back(f.path());
+    known.push_back(f.key);
     if (f.path() != key && f.key != key) continue;
     found = true;
     fmt::print("{}\n  meaning   {}\n  allowed   {}\n  default   {}\n", f.path(), f.meaning, range_text(f),
@@ -29,22 +30,27 @@ void explain(const std::string& key) {
   }
   if (found) return;
   const std::string near = nearest(key, known);
-  throw InputError(Problem{"command line", "--explain", key, "a key of the recipe",
-                           near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
+  throw InputError(
+      Problem{"command line", "--explain", key, "a key of the recipe",
+              near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
 }
 
 void reference() {
-  fmt::print("# Keys of a recipe\n\nWritten by `phyllite recipe --reference`. Every quantity carries its unit; a key that "
-             "is left out has its default.\n");
+  fmt::print(
+      "# Keys of a recipe\n\nWritten by `phyllite recipe --reference`. Every quantity carries its unit; a "
+      "key that "
+      "is left out has its default.\n");
   std::string table = "-";
   for (const Field& f : recipe_fields()) {
     if (f.table != table) {
       table = f.table;
       fmt::print("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
-                 table.empty() ? "top level" : table == "bedding" ? "[[bedding]]" : "[" + table + "]");
+                 table.empty()        ? "top level"
+                 : table == "bedding" ? "[[bedding]]"
+                                      : "[" + table + "]");
     }
-    fmt::print("| `{}` | `{}` | {} | {} | {} |\n", f.key, print_field(f, with_one_set(), 0), range_text(f), f.meaning,
-               f.pfc_name);
+    fmt::print("| `{}` | `{}` | {} | {} | {} |\n", f.key, print_field(f, with_one_set(), 0), range_text(f),
+               f.meaning, f.pfc_name);
   }
 }
 
@@ -67,7 +73,8 @@ void add_recipe_command(CLI::App& app, Session& session) {
     if (args->reference) return reference();
     if (args->print_template) return fmt::print("{}", commented_recipe(with_one_set()));
     if (args->file.empty())
-      throw InputError(Problem{"command line", "recipe", "", "a file, --explain KEY, --reference or --template", ""});
+      throw InputError(
+          Problem{"command line", "recipe", "", "a file, --explain KEY, --reference or --template", ""});
     fmt::print("{}", write_recipe(read_recipe(args->file)));
   });
 }

@@ -37,25 +37,30 @@ struct RunArguments {
 
 std::string file_name(const std::string& specimen) {
   std::string name;
-  for (const char c : specimen) name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+  for (const char c : specimen)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
   return name;
 }
 
 void print_packing(const Packing& p, double seconds, bool cached) {
   const PackingReport& r = p.report;
-  fmt::print("packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, floaters {}\n",
-             p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_floaters);
+  fmt::print(
+      "packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, floaters {}\n",
+      p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_floaters);
   fmt::print("          {}, mean overlap {:.2e} of the radius, unbalanced {:.1e}; {} in {:.2f} s\n",
-             p.stress_free ? "overlaps stress-free" : fmt::format("locked-in stress {:.3f} MPa", r.stress_left * 1e-6),
+             p.stress_free ? "overlaps stress-free"
+                           : fmt::format("locked-in stress {:.3f} MPa", r.stress_left * 1e-6),
              r.mean_overlap, r.unbalanced, cached ? "from the cache" : "made", seconds);
 }
 
 void print_bedding(const Specimen& s) {
   for (std::size_t i = 0; i < s.bedding.size(); ++i) {
     const BeddingReport& b = s.bedding_report[i];
-    fmt::print("bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane {:.1f} %\n",
-               i + 1, s.bedding[i].theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing",
-               b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction);
+    fmt::print(
+        "bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane "
+        "{:.1f} %\n",
+        i + 1, s.bedding[i].theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing",
+        b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction);
   }
 }
 
@@ -67,7 +72,8 @@ struct Made {
 std::shared_ptr<const Packing> find_packing(const Recipe& r, bool no_cache, bool& cached) {
   cached = false;
   if (!r.packing.file.empty())
-    return std::make_shared<const Packing>(adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
+    return std::make_shared<const Packing>(
+        adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
   if (no_cache) return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
   const auto folder = default_cache_folder();
   cached = std::filesystem::exists(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)));
@@ -135,21 +141,24 @@ void add_run_command(CLI::App& app, Session& session) {
   CLI::App* run = app.add_subcommand("run", "run the laboratory test of one or more recipes");
   run->add_option("recipe", args->recipes, "recipe files (TOML)")->required();
   run->add_option("--out", args->out, "folder for the results")->capture_default_str();
-  run->add_option("--lanes", args->lanes, "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
+  run->add_option("--lanes", args->lanes,
+                  "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
       ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}));
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
   run->add_flag("--no-cache", args->no_cache, "make the packing anew");
   run->callback([args, &session] {
     std::signal(SIGINT, on_interrupt);
     for (const std::string& path : args->recipes)
-      session.exit_code = std::max(session.exit_code, run_one(path, *args, session, args->recipes.size() > 1));
+      session.exit_code =
+          std::max(session.exit_code, run_one(path, *args, session, args->recipes.size() > 1));
   });
 }
 
 void add_specimen_command(CLI::App& app, Session& session) {
   auto path = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
-  CLI::App* verb = app.add_subcommand("specimen", "make the packing and bedding of a recipe and report on them");
+  CLI::App* verb =
+      app.add_subcommand("specimen", "make the packing and bedding of a recipe and report on them");
   verb->add_option("recipe", *path, "recipe file (TOML)")->required();
   verb->add_option("--out", *out, "folder for discs.csv and contacts.csv");
   verb->callback([path, out, &session] {

@@ -11,8 +11,8 @@ namespace {
 void print_plain(const VerificationCase& c, const std::vector<Check>& checks) {
   fmt::print("{:4} {}\n     source: {}\n     tolerance: {}\n", c.id, c.claim, c.source, c.why);
   for (const Check& k : checks)
-    fmt::print("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", k.passed() ? "ok  " : "FAIL",
-               k.expected, k.measured, k.tolerance, k.what);
+    fmt::print("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n",
+               k.passed() ? "ok  " : "FAIL", k.expected, k.measured, k.tolerance, k.what);
 }
 
 void print_markdown(const VerificationCase& c, const std::vector<Check>& checks) {
@@ -34,8 +34,10 @@ void add_verify_command(CLI::App& app, Session& session) {
   verb->callback([markdown, only, &session] {
     int n_failed = 0, n_checks = 0;
     if (*markdown)
-      fmt::print("# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
-                 "program that users run.\nA tolerance is relative; where the expected value is 0 it is absolute.\n");
+      fmt::print(
+          "# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
+          "program that users run.\nA tolerance is relative; where the expected value is 0 it is "
+          "absolute.\n");
     for (const VerificationCase& c : verification_cases()) {
       if (!only->empty() && c.id != *only) continue;
       const std::vector<Check> checks = c.run();
@@ -46,10 +48,14 @@ void add_verify_command(CLI::App& app, Session& session) {
         print_plain(c, checks);
     }
     if (n_checks == 0)
-      throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6", "run `phyllite verify` to see all"});
+      throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6",
+                               "run `phyllite verify` to see all"});
     if (only->empty())
-      fmt::print("{}Not yet present: V1-V5, V13 (direct elastic solution, tension), V9 (dashpots), V14 (theory has it as a "
-                 "unit test), V16 (unit test of genesis), V20 (direct shear).\n", *markdown ? "\n" : "");
+      fmt::print(
+          "{}Not yet present: V1-V5, V13 (direct elastic solution, tension), V9 (dashpots), V14 (theory has "
+          "it as a "
+          "unit test), V16 (unit test of genesis), V20 (direct shear).\n",
+          *markdown ? "\n" : "");
     fmt::print("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
     session.exit_code = n_failed == 0 ? 0 : 1;
   });

@@ -1,4 +1,5 @@
-// The parts of the engine that are not covered by closed forms: order of grains, near pairs, the frequency bound.
+// The parts of the engine that are not covered by closed forms: order of grains, near pairs, the frequency
+// bound.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,8 +81,8 @@ TEST(GaugeWeights, ReadAnAffineFieldExactly) {
   EXPECT_NEAR(yy, 0.03, 1e-12);
 }
 
-// The bound is compared with the frequency that the engine itself shows at the edge of stability: a step a little below
-// 2/omega_max keeps the energy bounded, which a bound on the unsafe side would not.
+// The bound is compared with the frequency that the engine itself shows at the edge of stability: a step a
+// little below 2/omega_max keeps the energy bounded, which a bound on the unsafe side would not.
 TEST(FrequencyBound, FullStepIsStable) {
   Specimen s = assembly(hexagonal(12, 12, 3e-4), soft_contact());
   bond_touching(s);

@@ -1,21 +1,24 @@
 // The hot loop: motion and forces, row by row, over lanes. One cycle is
 //
 //   motion   v(t+dt/2) = v(t-dt/2) + dt (F + F_damp)/m,   u(t+dt) = u(t) + dt v(t+dt/2)
-//   forces   gap and normal from displacements, increments from velocities, laws, forces and couples on both grains
+//   forces   gap and normal from displacements, increments from velocities, laws, forces and couples on both
+//   grains
 //
-// Gap without cancellation, also in single precision: with X the initial branch vector (length d0) and u the relative
-// displacement, q = 2 X.u + u.u, d = sqrt(d0^2 + q), and the stretch d - d0 = q/(d + d0).
+// Gap without cancellation, also in single precision: with X the initial branch vector (length d0) and u the
+// relative displacement, q = 2 X.u + u.u, d = sqrt(d0^2 + q), and the stretch d - d0 = q/(d + d0).
 //
-// Time skewing. forces(row) needs the rows `row` and `row - 1` moved in this cycle and not yet in the next. So a sweep
-// over fronts can run several cycles at once, each one row behind the other, while the rows lie in the cache:
+// Time skewing. forces(row) needs the rows `row` and `row - 1` moved in this cycle and not yet in the next.
+// So a sweep over fronts can run several cycles at once, each one row behind the other, while the rows lie in
+// the cache:
 //   for front: for t: row = front - t; move(row); forces(row)
-// Every grain sees the same operations in the same order as without skewing; no bit changes. If a contact joins rows
-// that are not neighbours (fragments), the group runs with skew 1, where any lower row has been moved already.
+// Every grain sees the same operations in the same order as without skewing; no bit changes. If a contact
+// joins rows that are not neighbours (fragments), the group runs with skew 1, where any lower row has been
+// moved already.
 //
-// Energy. Local damping F_damp = -alpha |F| sign(v) takes alpha |F| sign(v) (v_old + v_new)/2 dt, which closes the
-// kinetic energy of the leap-frog exactly; per cycle the sum goes to `damping` (times 2/dt), slip work to `slip`.
-// Contributions of lanes in which a contact does nothing are zero and leave every sum unchanged: a lane's bits do not
-// depend on its neighbours.
+// Energy. Local damping F_damp = -alpha |F| sign(v) takes alpha |F| sign(v) (v_old + v_new)/2 dt, which
+// closes the kinetic energy of the leap-frog exactly; per cycle the sum goes to `damping` (times 2/dt), slip
+// work to `slip`. Contributions of lanes in which a contact does nothing are zero and leave every sum
+// unchanged: a lane's bits do not depend on its neighbours.
 #pragma once
 #include "base/pack.hpp"
 #include "engine/view.hpp"
@@ -35,7 +38,9 @@ void store(ScalarOf<R>* base, std::size_t i, const R& r) {
   __builtin_memcpy(base + i * NumberTraits<R>::width, &r, sizeof r);
 }
 template <class R>
-void add_to(ScalarOf<R>* base, std::size_t i, const R& r) { store(base, i, load<R>(base, i) + r); }
+void add_to(ScalarOf<R>* base, std::size_t i, const R& r) {
+  store(base, i, load<R>(base, i) + r);
+}
 
 /// Adds a row's lane sums to the specimen's sums in double.
 template <class R>
@@ -114,11 +119,11 @@ class ForceLoop {
 
   /// What a contact's two grains do, in the frame of the branch vector.
   struct Kinematics {
-    R nx, ny;            ///< branch normal a -> b
-    R stretch;           ///< d - d0
-    R vx, vy;            ///< velocity of b against a at the contact point
+    R nx, ny;   ///< branch normal a -> b
+    R stretch;  ///< d - d0
+    R vx, vy;   ///< velocity of b against a at the contact point
     R lever_a, lever_b;
-    R rotation;          ///< of b against a
+    R rotation;  ///< of b against a
   };
 
   T* grain_at(std::int32_t g) const { return v.grain + static_cast<std::size_t>(g) * n_grain_fields * W; }
@@ -158,19 +163,21 @@ class ForceLoop {
     }
   };
 
-  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step, std::int32_t contact) {
+  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step,
+                              std::int32_t contact) {
     for (int l = 0; l < static_cast<int>(W); ++l) {
       const bool tension = NumberTraits<R>::test(in_tension, l);
       const bool shear = NumberTraits<R>::test(in_shear, l);
       if (!tension && !shear) continue;
-      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0, static_cast<double>(NumberTraits<R>::get(released, l))};
+      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0,
+                                static_cast<double>(NumberTraits<R>::get(released, l))};
     }
   }
 
   /// Linear contact and parallel bond side by side. `everywhere`: in all lanes, so nothing is masked.
   template <bool sample, bool everywhere>
-  PHY_HOT Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
-                      RowSums& sums) {
+  PHY_HOT Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i,
+                      int step, RowSums& sums) {
     const auto only_here = [here](R now, R before) {
       if constexpr (everywhere) return now;
       return select(here, now, before);
@@ -180,13 +187,18 @@ class ForceLoop {
     const linear::Parameters<R> pl{lane[l_k_n] * R(c.f_lin), lane[l_k_s] * R(c.f_lin),
                                    lane[l_inv_k_s] * R(c.inv_f_lin), lane[l_mu]};
     linear::State<R> sl{load<R>(s, c_shear)};
-    const Reaction<R> rl = linear::respond(pl, sl, Motion<R>{-(k.stretch + R(c.gap)), d_closure, d_slide, R(0)});
-    const parallel_bond::Parameters<R> pb{lane[l_kb_n] * R(c.f_bond), lane[l_kb_s] * R(c.f_bond),
-                                          lane[l_kb_m] * R(c.f_bend), lane[l_arm] * R(c.inv_rmin),
-                                          load<R>(s, c_strength),     lane[l_tan_phi],
+    const Reaction<R> rl =
+        linear::respond(pl, sl, Motion<R>{-(k.stretch + R(c.gap)), d_closure, d_slide, R(0)});
+    const parallel_bond::Parameters<R> pb{lane[l_kb_n] * R(c.f_bond),
+                                          lane[l_kb_s] * R(c.f_bond),
+                                          lane[l_kb_m] * R(c.f_bend),
+                                          lane[l_arm] * R(c.inv_rmin),
+                                          load<R>(s, c_strength),
+                                          lane[l_tan_phi],
                                           lane[l_hold]};
     parallel_bond::State<R> sb{load<R>(s, c_bond), load<R>(s, c_capacity)};
-    const Reaction<R> rb = parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
+    const Reaction<R> rb =
+        parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
     store(s, c_shear, only_here(sl.F_s, load<R>(s, c_shear)));
     store(s, c_bond, only_here(sb.F_s, load<R>(s, c_bond)));
     if (any(broke(rb) & here)) {
@@ -199,14 +211,15 @@ class ForceLoop {
     if constexpr (sample) {
       sums.linear += only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
       sums.bond += only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
-      sums.overlap = max(sums.overlap, only_here(-(k.stretch + R(c.gap)) * R(c.inv_rmin), R(0)));  // not joints
+      sums.overlap =
+          max(sums.overlap, only_here(-(k.stretch + R(c.gap)) * R(c.inv_rmin), R(0)));  // not joints
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
   }
 
   template <bool sample>
-  PHY_HOT Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
-              RowSums& sums) {
+  PHY_HOT Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i,
+                      int step, RowSums& sums) {
     const T* row = v.joint + static_cast<std::size_t>(c.joint) * n_joint_fields * W;
     const R side = load<R>(s, c_side);
     const R nx = side * load<R>(row, j_nx);
@@ -214,10 +227,11 @@ class ForceLoop {
     const R dt = lane[l_dt];
     const Motion<R> m{R(0), -((k.vx * nx + k.vy * ny) * dt), (k.vy * nx - k.vx * ny) * dt, R(0)};
     const R A(c.area);
-    const smooth_joint::Parameters<R> p{load<R>(row, j_k_n) * A,   load<R>(row, j_k_s) * A,
-                                        load<R>(row, j_mu),        load<R>(row, j_S_0) * A,
-                                        load<R>(row, j_tan_phi),   load<R>(row, j_tan_psi), lane[l_hold]};
-    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), load<R>(s, c_capacity), load<R>(s, c_strength)};
+    const smooth_joint::Parameters<R> p{
+        load<R>(row, j_k_n) * A, load<R>(row, j_k_s) * A, load<R>(row, j_mu), load<R>(row, j_S_0) * A,
+        load<R>(row, j_tan_phi), load<R>(row, j_tan_psi), lane[l_hold]};
+    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), load<R>(s, c_capacity),
+                              load<R>(s, c_strength)};
     const Reaction<R> r = smooth_joint::respond(p, st, m);
     store(s, c_shear, select(here, st.F_s, load<R>(s, c_shear)));
     store(s, c_bond, select(here, st.closure, load<R>(s, c_bond)));
@@ -233,7 +247,8 @@ class ForceLoop {
 
   /// A contact that is a smooth joint in some lanes: both laws, blended lane by lane.
   template <bool sample>
-  PHY_RARE Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step, RowSums& sums) {
+  PHY_RARE Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step,
+                      RowSums& sums) {
     const auto joint = abs(load<R>(s, c_side)) > R(0);
     if (!any(!joint)) return smooth<sample>(c, s, k, joint, i, step, sums);
     const Push m = matrix<sample, false>(c, s, k, !joint, i, step, sums);
@@ -266,9 +281,10 @@ class ForceLoop {
     if (v.row_wall[row] != 0) platens<sample>(row, step, walls);
     RowSums sums = walls;  // a copy whose address no call takes stays in registers
     const std::int32_t end = v.row_contact[row + 1];
-    // The next contact's square root and divisions run while this contact's law is evaluated: one contact is a chain of
-    // some 150 cycles, longer than what the processor looks ahead.
-    Kinematics ahead = v.row_contact[row] < end ? kinematics(v.contact_const[v.row_contact[row]]) : Kinematics{};
+    // The next contact's square root and divisions run while this contact's law is evaluated: one contact is
+    // a chain of some 150 cycles, longer than what the processor looks ahead.
+    Kinematics ahead =
+        v.row_contact[row] < end ? kinematics(v.contact_const[v.row_contact[row]]) : Kinematics{};
     for (std::int32_t i = v.row_contact[row]; i < end; ++i) {
       const Kinematics k = ahead;
       ahead = kinematics(v.contact_const[i + 1 < end ? i + 1 : i]);

@@ -1,4 +1,5 @@
-// Compiled once per instruction set (CMakeLists.txt): the kernels of that set, by precision and number of lanes.
+// Compiled once per instruction set (CMakeLists.txt): the kernels of that set, by precision and number of
+// lanes.
 #include "engine/force_loop.hpp"
 #include "engine/kernels.hpp"
 

@@ -24,8 +24,8 @@ const char* to_string(Isa isa) {
 Isa native_isa() {
   Isa best = Isa::sse2;
   if (__builtin_cpu_supports("avx2")) best = Isa::avx2;
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-      __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
     best = Isa::avx512;
   const char* wish = std::getenv("PHYLLITE_ISA");
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})

@@ -16,11 +16,12 @@
 namespace phy {
 namespace {
 
-constexpr double skin_factor = 0.25;    // near pairs are listed up to a gap of skin_factor * r_min
-constexpr double birth_factor = 0.02;   // a pair across a plane becomes a joint below a gap of birth_factor * r_min
-constexpr double hold_force = 1e30;     // N/m: no strength is reached while breakage is off
-constexpr double worst_overlap = 1.0;   // of the smaller radius: beyond it the state is nonsense
-constexpr double worst_energy = 0.2;    // of the boundary work: beyond it the step was unstable
+constexpr double skin_factor = 0.25;  // near pairs are listed up to a gap of skin_factor * r_min
+constexpr double birth_factor =
+    0.02;  // a pair across a plane becomes a joint below a gap of birth_factor * r_min
+constexpr double hold_force = 1e30;    // N/m: no strength is reached while breakage is off
+constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
+constexpr double worst_energy = 0.2;   // of the boundary work: beyond it the step was unstable
 constexpr std::uint8_t no_set = 255;
 
 /// Zeroed memory aligned to a cache line.
@@ -69,8 +70,11 @@ template <class T>
 class Group final : public LaneGroup {
  public:
   Group(std::shared_ptr<const Packing> packing, const GroupOptions& options)
-      : packing_(std::move(packing)), options_(options), W_(static_cast<std::size_t>(options.lanes)),
-        kernel_(kernel<T>(options.isa, options.lanes)), lanes_(W_) {
+      : packing_(std::move(packing)),
+        options_(options),
+        W_(static_cast<std::size_t>(options.lanes)),
+        kernel_(kernel<T>(options.isa, options.lanes)),
+        lanes_(W_) {
     PHY_CHECK(kernel_ != nullptr, "no kernel is built for this number of lanes");
     PHY_CHECK(!packing_->discs.empty(), "a packing has grains");
     for (const Disc& d : packing_->discs) r_min_ = r_min_ > 0.0 ? std::min(r_min_, d.r) : d.r;
@@ -125,7 +129,7 @@ class Group final : public LaneGroup {
   Buffer<T> wall_u_, wall_force_, slip_, damping_;
   Buffer<double> sample_, wall_du_;
   std::vector<RawCrack> raw_cracks_;
-  std::vector<Vec2> built_at_;     // per grain and lane: displacement when the list was built
+  std::vector<Vec2> built_at_;  // per grain and lane: displacement when the list was built
   bool dirty_ = true;
   bool far_rows_ = false;
   std::int64_t n_rebuilds_ = 0;
@@ -143,9 +147,12 @@ class Group final : public LaneGroup {
     return contact_[(c * n_contact_fields + static_cast<std::size_t>(field)) * W_ + lane];
   }
   double contact(std::size_t c, int field, std::size_t lane) const {
-    return static_cast<double>(contact_[(c * n_contact_fields + static_cast<std::size_t>(field)) * W_ + lane]);
+    return static_cast<double>(
+        contact_[(c * n_contact_fields + static_cast<std::size_t>(field)) * W_ + lane]);
   }
-  Vec2 displacement(std::size_t g, std::size_t lane) const { return {grain(g, g_ux, lane), grain(g, g_uy, lane)}; }
+  Vec2 displacement(std::size_t g, std::size_t lane) const {
+    return {grain(g, g_ux, lane), grain(g, g_uy, lane)};
+  }
   std::uint32_t packing_id(std::int32_t sorted) const {
     return static_cast<std::uint32_t>(layout_.order[static_cast<std::size_t>(sorted)]);
   }
@@ -172,7 +179,9 @@ class Group final : public LaneGroup {
   void write_row(std::size_t lane);
   void watch(std::size_t lane);
   void watch_motion();
-  double sample(int field, std::size_t lane) const { return sample_[static_cast<std::size_t>(field) * W_ + lane]; }
+  double sample(int field, std::size_t lane) const {
+    return sample_[static_cast<std::size_t>(field) * W_ + lane];
+  }
   ContactState contact_state(std::size_t c, std::size_t lane) const;
 };
 
@@ -197,8 +206,8 @@ void Group<T>::allocate() {
   for (std::size_t g = 0; g < n_grains(); ++g) {
     const auto i = static_cast<std::size_t>(layout_.order[g]);
     const double area = pi * radius_[g] * radius_[g];
-    grain_const_.push_back({T(1.0 / area), T(2.0 / (area * radius_[g] * radius_[g])), T(radius_[g]), T(gauge.x[i]),
-                            T(gauge.y[i])});
+    grain_const_.push_back({T(1.0 / area), T(2.0 / (area * radius_[g] * radius_[g])), T(radius_[g]),
+                            T(gauge.x[i]), T(gauge.y[i])});
   }
 }
 
@@ -240,7 +249,8 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   renew_step(l);
 }
 
-// Grains whose packing overlaps the platen's line touch it from the start, stress-free; the others keep their gap.
+// Grains whose packing overlaps the platen's line touch it from the start, stress-free; the others keep their
+// gap.
 template <class T>
 void Group<T>::place_platens(int lane) {
   const auto l = static_cast<std::size_t>(lane);
@@ -281,9 +291,11 @@ void Group<T>::jump(int lane, double axial_strain) {
   if (dirty_) rebuild();
   const auto l = static_cast<std::size_t>(lane);
   Lane& info = at(lane);
-  constexpr double lateral = 0.25;  // a first guess of Poisson's ratio; the damped cycles that follow correct it
+  constexpr double lateral =
+      0.25;  // a first guess of Poisson's ratio; the damped cycles that follow correct it
   const auto field = [&](Vec2 x) {
-    return Vec2{lateral * axial_strain * (x.x - 0.5 * packing_->width), -axial_strain * (x.y - 0.5 * packing_->height)};
+    return Vec2{lateral * axial_strain * (x.x - 0.5 * packing_->width),
+                -axial_strain * (x.y - 0.5 * packing_->height)};
   };
   for (std::size_t g = 0; g < n_grains(); ++g) {
     const Vec2 u = field(x0_[g]);
@@ -366,7 +378,8 @@ void Group<T>::set_motion(int lane, std::uint32_t id, const GrainState& state, V
   grain(g, g_w, l) = T(spin);
 }
 
-// --- the list of near pairs -----------------------------------------------------------------------------------------
+// --- the list of near pairs
+// -----------------------------------------------------------------------------------------
 
 template <class T>
 void Group<T>::collect_pairs(std::vector<PairKey>& pairs) const {
@@ -424,7 +437,8 @@ void Group<T>::fill_lane(std::size_t l) {
     if (k.kind == ContactKind::touching) continue;
     const std::int32_t ra = layout_.rank[k.a], rb = layout_.rank[k.b];
     const PairKey key = pair_key(static_cast<std::uint32_t>(ra), static_cast<std::uint32_t>(rb));
-    const auto c = static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
+    const auto c =
+        static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
     const double r1 = packing_->discs[k.a].r, r2 = packing_->discs[k.b].r;
     tag_[c * W_ + l] = 1;
     if (k.kind == ContactKind::joint) {
@@ -459,8 +473,9 @@ void Group<T>::make_constants() {
     const double r_min = std::min(radius_[a], radius_[b]), length = radius_[a] + radius_[b];
     const double factor = linear::stiffness_factor(pfc5, radius_[a], radius_[b]);
     const double gap = gap0 > 0.0 || !packing_->stress_free ? gap0 : 0.0;
-    contact_const_.push_back({key_a(key), key_b(key), -1, T(d.x), T(d.y), T(d0), T(gap), T(radius_[a] + 0.5 * gap0),
-                              T(radius_[b] + 0.5 * gap0), T(factor), T(1.0 / factor), T(2.0 * r_min / length),
+    contact_const_.push_back({key_a(key), key_b(key), -1, T(d.x), T(d.y), T(d0), T(gap),
+                              T(radius_[a] + 0.5 * gap0), T(radius_[b] + 0.5 * gap0), T(factor),
+                              T(1.0 / factor), T(2.0 * r_min / length),
                               T(2.0 / 3.0 * r_min * r_min * r_min / length), T(1.0 / r_min), T(2.0 * r_min)});
     const std::int32_t row = layout_.row_of[b];
     while (static_cast<std::int32_t>(row_contact_.size()) <= row)
@@ -474,7 +489,9 @@ void Group<T>::make_constants() {
 template <class T>
 void Group<T>::fill_joint_row(std::size_t row, const std::string& sets) {
   for (std::size_t l = 0; l < W_; ++l) {
-    const auto put = [&](int field, double value) { joint_table_[(row * n_joint_fields + static_cast<std::size_t>(field)) * W_ + l] = T(value); };
+    const auto put = [&](int field, double value) {
+      joint_table_[(row * n_joint_fields + static_cast<std::size_t>(field)) * W_ + l] = T(value);
+    };
     const auto number = static_cast<std::uint8_t>(sets[l]);
     if (number == no_set) {  // no joint in this lane: harmless numbers, masked out
       put(j_nx, 0.0), put(j_ny, 1.0), put(j_k_n, 1.0), put(j_k_s, 1.0);
@@ -497,7 +514,8 @@ void Group<T>::assign_joints() {
   std::map<std::string, std::int32_t> rows;
   for (std::size_t c = 0; c < pairs_.size(); ++c) {
     const std::string sets(reinterpret_cast<const char*>(set_.data()) + c * W_, W_);
-    const bool any_joint = std::any_of(sets.begin(), sets.end(), [](char s) { return static_cast<std::uint8_t>(s) != no_set; });
+    const bool any_joint =
+        std::any_of(sets.begin(), sets.end(), [](char s) { return static_cast<std::uint8_t>(s) != no_set; });
     contact_const_[c].joint =
         any_joint ? rows.try_emplace(sets, static_cast<std::int32_t>(rows.size())).first->second : -1;
   }
@@ -513,8 +531,10 @@ void Group<T>::mark_walls() {
     for (std::size_t g = 0; g < n_grains(); ++g) {
       for (int wall = 0; wall < 2; ++wall) {
         const double up = wall == 0 ? 1.0 : -1.0;
-        const double closure = lanes_[l].wall[wall] - up * grain(g, g_uy, l) - static_cast<double>(wall_gap_[wall][g * W_ + l]);
-        if (closure > -skin_) row_wall_[static_cast<std::size_t>(layout_.row_of[g])] |= static_cast<std::uint8_t>(1 << wall);
+        const double closure =
+            lanes_[l].wall[wall] - up * grain(g, g_uy, l) - static_cast<double>(wall_gap_[wall][g * W_ + l]);
+        if (closure > -skin_)
+          row_wall_[static_cast<std::size_t>(layout_.row_of[g])] |= static_cast<std::uint8_t>(1 << wall);
       }
     }
   }
@@ -539,7 +559,8 @@ void Group<T>::rebuild() {
   ++n_rebuilds_;
 }
 
-/// A pair that was never bonded and whose grains lie on different sides of a plane meets as a broken smooth joint.
+/// A pair that was never bonded and whose grains lie on different sides of a plane meets as a broken smooth
+/// joint.
 template <class T>
 bool Group<T>::birth_of_joint(std::size_t c, std::size_t l, double gap) {
   const Specimen& s = *lanes_[l].specimen;
@@ -560,7 +581,8 @@ template <class T>
 void Group<T>::births() {
   bool joints = false;
   for (std::size_t c = 0; c < pairs_.size(); ++c) {
-    const auto a = static_cast<std::size_t>(contact_const_[c].a), b = static_cast<std::size_t>(contact_const_[c].b);
+    const auto a = static_cast<std::size_t>(contact_const_[c].a),
+               b = static_cast<std::size_t>(contact_const_[c].b);
     for (std::size_t l = 0; l < W_; ++l) {
       Lane& lane = lanes_[l];
       if (tag_[c * W_ + l] != 0 || !lane.specimen || lane.fresh || contact(c, c_side, l) != T(0)) continue;
@@ -594,8 +616,10 @@ void Group<T>::tighten_bound(std::size_t l) {
   Lane& lane = lanes_[l];
   std::vector<ContactStiffness> contacts = initial_stiffnesses(*lane.specimen);
   for (ContactStiffness& k : contacts) {
-    const PairKey key = pair_key(static_cast<std::uint32_t>(layout_.rank[k.a]), static_cast<std::uint32_t>(layout_.rank[k.b]));
-    const auto c = static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
+    const PairKey key = pair_key(static_cast<std::uint32_t>(layout_.rank[k.a]),
+                                 static_cast<std::uint32_t>(layout_.rank[k.b]));
+    const auto c =
+        static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
     const bool bond_broken = contact(c, c_side, l) == T(0) && !(contact(c, c_capacity, l) > T(0));
     if (bond_broken) k = touching_stiffness(*lane.specimen, k.a, k.b, k.branch);
   }
@@ -603,12 +627,15 @@ void Group<T>::tighten_bound(std::size_t l) {
   lane.bound.emplace(*lane.specimen, contacts);
 }
 
-// --- one block ------------------------------------------------------------------------------------------------------
+// --- one block
+// ------------------------------------------------------------------------------------------------------
 
 template <class T>
 void Group<T>::fill_lane_table() {
   for (std::size_t l = 0; l < W_; ++l) {
-    const auto put = [&](int field, double value) { lane_table_[static_cast<std::size_t>(field) * W_ + l] = T(value); };
+    const auto put = [&](int field, double value) {
+      lane_table_[static_cast<std::size_t>(field) * W_ + l] = T(value);
+    };
     for (int f = 0; f < n_lane_fields; ++f) put(f, 0.0);
     const Lane& lane = lanes_[l];
     const MatrixRecipe m = lane.specimen ? lane.specimen->matrix : MatrixRecipe{};
@@ -620,7 +647,8 @@ void Group<T>::fill_lane_table() {
     put(l_kb_m, m.E_b * lambda * lambda * lambda), put(l_arm, 3.0 * m.moment_contribution / lambda);
     put(l_tan_phi, m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi));
     put(l_hold, lane.hold ? hold_force : 0.0);
-    put(l_wall_kn, k_wall), put(l_wall_ks, m.ks_over_kn * k_wall), put(l_wall_inv_ks, 1.0 / (m.ks_over_kn * k_wall));
+    put(l_wall_kn, k_wall), put(l_wall_ks, m.ks_over_kn * k_wall),
+        put(l_wall_inv_ks, 1.0 / (m.ks_over_kn * k_wall));
     put(l_wall_mu, lane.setup.platen_friction);
     if (!lane.specimen) continue;
     put(l_dt, lane.dt), put(l_accel, lane.dt / m.density), put(l_damping, lane.setup.damping);
@@ -670,7 +698,8 @@ void Group<T>::advance() {
   view.contact = contact_.get();
   view.lane = lane_table_.get();
   view.joint = joint_table_.get();
-  for (int wall = 0; wall < 2; ++wall) view.wall_gap[wall] = wall_gap_[wall].get(), view.wall_shear[wall] = wall_shear_[wall].get();
+  for (int wall = 0; wall < 2; ++wall)
+    view.wall_gap[wall] = wall_gap_[wall].get(), view.wall_shear[wall] = wall_shear_[wall].get();
   view.wall_u = wall_u_.get();
   view.wall_force = wall_force_.get();
   view.slip = slip_.get();
@@ -681,7 +710,9 @@ void Group<T>::advance() {
   kernel_(view, options_.interval);
   std::sort(raw_cracks_.begin(), raw_cracks_.begin() + static_cast<std::ptrdiff_t>(view.n_cracks),
             [](const RawCrack& p, const RawCrack& q) {
-              return p.step != q.step ? p.step < q.step : p.contact != q.contact ? p.contact < q.contact : p.lane < q.lane;
+              return p.step != q.step         ? p.step < q.step
+                     : p.contact != q.contact ? p.contact < q.contact
+                                              : p.lane < q.lane;
             });
   raw_cracks_.resize(view.n_cracks);
   for (std::size_t l = 0; l < W_; ++l) {
@@ -766,7 +797,8 @@ void Group<T>::write_row(std::size_t l) {
   r.slip = lane.slip;
   r.damping = lane.damping;
   r.released = lane.released;
-  const double held = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.strain_wall - lane.base_energy;
+  const double held =
+      r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.strain_wall - lane.base_energy;
   const double spent = held + r.slip + r.damping + r.released;
   if (lane.settle_books) {
     lane.work = spent;
@@ -775,26 +807,30 @@ void Group<T>::write_row(std::size_t l) {
   r.boundary_work = lane.work;
   r.energy_error = lane.work > 0.0 ? (lane.work - spent) / lane.work : 0.0;
   const double contacts = sample(s_contacts, l), force = sample(s_contact_force, l);
-  r.unbalanced = force > 0.0 ? sample(s_unbalanced, l) / static_cast<double>(n_grains()) / (force / contacts) : 0.0;
+  r.unbalanced =
+      force > 0.0 ? sample(s_unbalanced, l) / static_cast<double>(n_grains()) / (force / contacts) : 0.0;
 }
 
 template <class T>
 void Group<T>::watch(std::size_t l) {
   Lane& lane = lanes_[l];
   const HistoryRow& r = lane.row;
-  const double sum = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.axial_stress + r.damping;
+  const double sum =
+      r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.axial_stress + r.damping;
   const double overlap = sample(s_overlap, l);
   const std::string when = "at step " + std::to_string(lane.step) + " ";
   if (!std::isfinite(sum))
     lane.health = {false, when + "the energy or the platen force is no longer a number"};
   else if (!(overlap < worst_overlap))
-    lane.health = {false, when + "two grains overlap by " + std::to_string(overlap) + " of the smaller radius"};
+    lane.health = {false,
+                   when + "two grains overlap by " + std::to_string(overlap) + " of the smaller radius"};
   else if (lane.platens && r.axial_strain > 1e-4 && std::fabs(r.energy_error) > worst_energy)
-    lane.health = {false, when + "the energy balance is off by " + std::to_string(r.energy_error) + " of the work"};
+    lane.health = {false,
+                   when + "the energy balance is off by " + std::to_string(r.energy_error) + " of the work"};
 }
 
-// A list is renewed before any pair outside it can touch: when twice the largest motion since it was built, plus what
-// the fastest grain can do in the next block, exceeds the skin.
+// A list is renewed before any pair outside it can touch: when twice the largest motion since it was built,
+// plus what the fastest grain can do in the next block, exceeds the skin.
 template <class T>
 void Group<T>::watch_motion() {
   for (std::size_t l = 0; l < W_ && !dirty_; ++l) {

@@ -18,7 +18,8 @@ Layout make_layout(const Packing& packing, double skin) {
   std::iota(layout.order.begin(), layout.order.end(), 0);
   std::sort(layout.order.begin(), layout.order.end(), [&](std::int32_t a, std::int32_t b) {
     if (row(a) != row(b)) return row(a) < row(b);
-    const double xa = packing.discs[static_cast<std::size_t>(a)].x, xb = packing.discs[static_cast<std::size_t>(b)].x;
+    const double xa = packing.discs[static_cast<std::size_t>(a)].x,
+                 xb = packing.discs[static_cast<std::size_t>(b)].x;
     return xa != xb ? xa < xb : a < b;
   });
   layout.rank.resize(layout.order.size());
@@ -33,7 +34,8 @@ Layout make_layout(const Packing& packing, double skin) {
   return layout;
 }
 
-void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach, std::vector<PairKey>& pairs) {
+void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach,
+                std::vector<PairKey>& pairs) {
   if (x.empty()) return;
   Vec2 lo = x[0], hi = x[0];
   double r_max = 0.0;
@@ -50,7 +52,8 @@ void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach
   const auto ny = static_cast<std::int64_t>((hi.y - lo.y) / cell) + 1;
   std::vector<std::int32_t> first(static_cast<std::size_t>(nx * ny), -1), next(x.size(), -1);
   const auto cell_of = [&](Vec2 p) {
-    return static_cast<std::int64_t>((p.y - lo.y) / cell) * nx + static_cast<std::int64_t>((p.x - lo.x) / cell);
+    return static_cast<std::int64_t>((p.y - lo.y) / cell) * nx +
+           static_cast<std::int64_t>((p.x - lo.x) / cell);
   };
   for (std::size_t i = 0; i < x.size(); ++i) {
     const auto c = static_cast<std::size_t>(cell_of(x[i]));
@@ -68,7 +71,8 @@ void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach
   };
   for (std::int64_t cy = 0; cy < ny; ++cy) {
     for (std::int64_t cx = 0; cx < nx; ++cx) {
-      for (std::int32_t i = first[static_cast<std::size_t>(cy * nx + cx)]; i >= 0; i = next[static_cast<std::size_t>(i)]) {
+      for (std::int32_t i = first[static_cast<std::size_t>(cy * nx + cx)]; i >= 0;
+           i = next[static_cast<std::size_t>(i)]) {
         const auto a = static_cast<std::size_t>(i);
         match(a, next[a]);
         if (cx + 1 < nx) match(a, first[static_cast<std::size_t>(cy * nx + cx + 1)]);

@@ -1,4 +1,5 @@
-// Order of the grains in memory, and pairs of neighbours. Both depend on the packing alone where bits depend on them.
+// Order of the grains in memory, and pairs of neighbours. Both depend on the packing alone where bits depend
+// on them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,8 +10,8 @@
 
 namespace phy {
 
-/// Grains sorted into horizontal rows (bottom to top), by x within a row. A row is a little higher than the largest
-/// grain, so that contacts join a row with itself or its neighbour.
+/// Grains sorted into horizontal rows (bottom to top), by x within a row. A row is a little higher than the
+/// largest grain, so that contacts join a row with itself or its neighbour.
 struct Layout {
   std::vector<std::int32_t> order;      ///< sorted -> packing
   std::vector<std::int32_t> rank;       ///< packing -> sorted
@@ -29,10 +30,11 @@ constexpr std::int32_t key_a(PairKey k) { return static_cast<std::int32_t>(k & 0
 constexpr std::int32_t key_b(PairKey k) { return static_cast<std::int32_t>(k >> 32U); }
 
 /// Appends all pairs whose gap is below `reach`, for centres `x` and radii `r`. Cell grid, O(n).
-void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach, std::vector<PairKey>& pairs);
+void near_pairs(std::span<const Vec2> x, std::span<const double> r, double reach,
+                std::vector<PairKey>& pairs);
 
-/// Weights of the least-squares fit u = a + b x + c y over the grains with centres in the middle 60 % of the height:
-/// du_x/dx = sum(weight_x u_x), du_y/dy = sum(weight_y u_y).
+/// Weights of the least-squares fit u = a + b x + c y over the grains with centres in the middle 60 % of the
+/// height: du_x/dx = sum(weight_x u_x), du_y/dy = sum(weight_y u_y).
 struct GaugeWeights {
   std::vector<double> x, y;  ///< per packing grain [1/m], 0 outside the gauge
 };

@@ -12,8 +12,8 @@ namespace {
 
 using Sym3 = std::array<double, 6>;  // xx yy zz xy xz yz
 
-/// Largest eigenvalue of a positive semi-definite matrix, from above: Newton's method on the characteristic polynomial
-/// started at the trace falls monotonically to the largest root.
+/// Largest eigenvalue of a positive semi-definite matrix, from above: Newton's method on the characteristic
+/// polynomial started at the trace falls monotonically to the largest root.
 double largest_eigenvalue(const Sym3& m) {
   const double c2 = m[0] + m[1] + m[2];
   const double c1 = m[0] * m[1] + m[0] * m[2] + m[1] * m[2] - m[3] * m[3] - m[4] * m[4] - m[5] * m[5];
@@ -34,14 +34,16 @@ double largest_eigenvalue(const Sym3& m) {
 /// Rows: normal, shear, bending; columns: u_x, u_y, rotation, scaled by 1/sqrt(m), 1/sqrt(I).
 using Gradient = std::array<std::array<double, 3>, 3>;
 
-Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffness& k, double inv_m, double inv_i) {
+Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffness& k, double inv_m,
+                  double inv_i) {
   const Vec2 t = tangent(k.normal);
   return {{{sign * k.normal.x * inv_m, sign * k.normal.y * inv_m, -lever * dot(k.normal, branch_t) * inv_i},
            {sign * t.x * inv_m, sign * t.y * inv_m, -lever * dot(t, branch_t) * inv_i},
            {0.0, 0.0, sign * inv_i}}};
 }
 
-std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& b, const ContactStiffness& k) {
+std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& b,
+                                             const ContactStiffness& k) {
   const std::array<double, 3> d = {k.k_n, k.k_s, k.k_m};
   std::array<std::array<double, 3>, 3> m{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -62,7 +64,8 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n) {
   const MatrixRecipe& m = specimen.matrix;
   const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
-  const double k_n = m.E_c * linear::stiffness_factor(pfc5, specimen.packing->discs[a].r, specimen.packing->discs[b].r);
+  const double k_n =
+      m.E_c * linear::stiffness_factor(pfc5, specimen.packing->discs[a].r, specimen.packing->discs[b].r);
   return {a, b, k_n, m.ks_over_kn * k_n, 0.0, n, n, 0.0};
 }
 
@@ -83,7 +86,9 @@ ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& cont
     const BeddingRecipe& set = specimen.bedding[contact.set];
     const SinCos sc = sin_cos_degrees(set.theta);
     const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
-    return {contact.a, contact.b, set.k_n * A, set.k_s * A, 0.0, static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos}, branch, gap};
+    return {contact.a,   contact.b, set.k_n * A,
+            set.k_s * A, 0.0,       static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos},
+            branch,      gap};
   }
   const MatrixRecipe& m = specimen.matrix;
   ContactStiffness k = touching_stiffness(specimen, contact.a, contact.b, branch);
@@ -154,7 +159,8 @@ double FrequencyBound::block_norm(const ContactStiffness& k, double* diag_a, dou
   const Gradient ga = gradient(-1.0, da.r + 0.5 * k.gap, t, k, inv_ma, inv_ma * root2 / da.r);
   const Gradient gb = gradient(1.0, db.r + 0.5 * k.gap, t, k, inv_mb, inv_mb * root2 / db.r);
   const auto put = [](const std::array<std::array<double, 3>, 3>& m, double* out) {
-    out[0] = m[0][0], out[1] = m[1][1], out[2] = m[2][2], out[3] = m[0][1], out[4] = m[0][2], out[5] = m[1][2];
+    out[0] = m[0][0], out[1] = m[1][1], out[2] = m[2][2], out[3] = m[0][1], out[4] = m[0][2],
+    out[5] = m[1][2];
   };
   put(product(ga, ga, k), diag_a);
   put(product(gb, gb, k), diag_b);

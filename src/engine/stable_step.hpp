@@ -1,11 +1,12 @@
 // The largest stable time step of a specimen, from a proven upper bound of its highest frequency.
 //
-// Leap-frog with local damping alpha is stable for dt < 2/(omega_max sqrt(1 + alpha)). omega_max^2 is the largest
-// eigenvalue of K = M^-1/2 K M^-1/2 with a 3 x 3 block per pair of grains (u_x, u_y, rotation). A power iteration
-// approaches it from below, which is the unsafe side. Instead: the matrix N of the blocks' spectral norms is
-// non-negative with omega_max^2 <= rho(N) (norm compression), and for every positive x, rho(N) <= max_i (N x)_i/x_i
-// (Collatz 1942, Wielandt 1950). Iterating x <- N x brings the bound down; any iterate is safe. Rejected: Gershgorin's
-// circles (28 % smaller step), PFC's 0.8 min sqrt(m/k) (40 % smaller). Arithmetic in fixed order: dt decides every bit.
+// Leap-frog with local damping alpha is stable for dt < 2/(omega_max sqrt(1 + alpha)). omega_max^2 is the
+// largest eigenvalue of K = M^-1/2 K M^-1/2 with a 3 x 3 block per pair of grains (u_x, u_y, rotation). A
+// power iteration approaches it from below, which is the unsafe side. Instead: the matrix N of the blocks'
+// spectral norms is non-negative with omega_max^2 <= rho(N) (norm compression), and for every positive x,
+// rho(N) <= max_i (N x)_i/x_i (Collatz 1942, Wielandt 1950). Iterating x <- N x brings the bound down; any
+// iterate is safe. Rejected: Gershgorin's circles (28 % smaller step), PFC's 0.8 min sqrt(m/k) (40 %
+// smaller). Arithmetic in fixed order: dt decides every bit.
 #pragma once
 #include <vector>
 
@@ -35,8 +36,8 @@ class FrequencyBound {
   FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts);
   /// Upper bound of omega_max [1/s].
   double omega() const;
-  /// A contact is born: the bound rises by what its row of N can at most become. Breakage only lowers the frequency and
-  /// is left in. Both loosen the bound; `loose()` says when it pays to start over.
+  /// A contact is born: the bound rises by what its row of N can at most become. Breakage only lowers the
+  /// frequency and is left in. Both loosen the bound; `loose()` says when it pays to start over.
   void add(const ContactStiffness& k);
   /// The additions have raised the bound by more than 3 %.
   bool loose() const { return bound_ > 1.06 * tight_; }

@@ -1,9 +1,10 @@
-// The memory that the force loop works on, and nothing else: plain numbers behind plain pointers, so that the loop can be
-// compiled once per instruction set while everything else is compiled once.
+// The memory that the force loop works on, and nothing else: plain numbers behind plain pointers, so that the
+// loop can be compiled once per instruction set while everything else is compiled once.
 //
-// Layout. Lane vectors are W numbers side by side, one per specimen. A grain is nine lane vectors, a contact five; what
-// all lanes share (the packing's geometry) is a scalar. Grains are sorted into horizontal rows, and a contact belongs to
-// the row of its upper grain; it joins grains of that row or of the row below (docs/architecture.md, "Life of a step").
+// Layout. Lane vectors are W numbers side by side, one per specimen. A grain is nine lane vectors, a contact
+// five; what all lanes share (the packing's geometry) is a scalar. Grains are sorted into horizontal rows,
+// and a contact belongs to the row of its upper grain; it joins grains of that row or of the row below
+// (docs/architecture.md, "Life of a step").
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace phy {
 /// Lane vectors of a grain, in this order.
 enum GrainField { g_ux, g_uy, g_rot, g_vx, g_vy, g_w, g_fx, g_fy, g_tq, n_grain_fields };
 
-/// Lane vectors of a contact. One memory for two laws: a contact is a smooth joint in a lane or it is not, for ever.
+/// Lane vectors of a contact. One memory for two laws: a contact is a smooth joint in a lane or it is not,
+/// for ever.
 enum ContactField {
   c_shear,     ///< linear shear force | joint shear force
   c_bond,      ///< bond shear force | joint closure
@@ -25,12 +27,23 @@ enum ContactField {
 
 /// Lane constants: micro-parameters and numerics of each specimen.
 enum LaneField {
-  l_k_n, l_k_s, l_inv_k_s, l_mu,                 // linear: k = these times the contact's factor
-  l_kb_n, l_kb_s, l_kb_m, l_arm, l_tan_phi,      // parallel bond
-  l_hold,                                        // added to strengths while breakage is off
-  l_dt, l_accel,                                 // time step; dt / grain density
-  l_damping,                                     // local damping coefficient
-  l_wall_kn, l_wall_ks, l_wall_inv_ks, l_wall_mu,
+  l_k_n,
+  l_k_s,
+  l_inv_k_s,
+  l_mu,  // linear: k = these times the contact's factor
+  l_kb_n,
+  l_kb_s,
+  l_kb_m,
+  l_arm,
+  l_tan_phi,  // parallel bond
+  l_hold,     // added to strengths while breakage is off
+  l_dt,
+  l_accel,    // time step; dt / grain density
+  l_damping,  // local damping coefficient
+  l_wall_kn,
+  l_wall_ks,
+  l_wall_inv_ks,
+  l_wall_mu,
   n_lane_fields
 };
 
@@ -39,14 +52,24 @@ enum JointField { j_nx, j_ny, j_k_n, j_k_s, j_mu, j_tan_phi, j_tan_psi, j_S_0, n
 
 /// Sums over the specimen at the end of a block, in double.
 enum SampleField {
-  s_strain_linear, s_strain_bond, s_strain_joint, s_strain_wall, s_contact_force, s_contacts, s_unbalanced, s_kinetic,
-  s_gauge_axial, s_gauge_lateral, s_overlap, n_sample_fields
+  s_strain_linear,
+  s_strain_bond,
+  s_strain_joint,
+  s_strain_wall,
+  s_contact_force,
+  s_contacts,
+  s_unbalanced,
+  s_kinetic,
+  s_gauge_axial,
+  s_gauge_lateral,
+  s_overlap,
+  n_sample_fields
 };
 
 template <class T>
 struct GrainConst {
-  T inv_area;       ///< 1/(pi r^2): acceleration = force / (density area)
-  T inv_inertia;    ///< 2/(pi r^4)
+  T inv_area;     ///< 1/(pi r^2): acceleration = force / (density area)
+  T inv_inertia;  ///< 2/(pi r^4)
   T radius;
   T gauge_x, gauge_y;  ///< weights of the least-squares strain gauge [1/m]
 };
@@ -62,13 +85,13 @@ struct ContactConst {
   T f_bond;            ///< 2 r_min/(R1 + R2): kb_n A = E_b lambda f_bond
   T f_bend;            ///< (2/3) r_min^3/(R1 + R2): kb_n I = E_b lambda^3 f_bend
   T inv_rmin;
-  T area;              ///< 2 r_min
+  T area;  ///< 2 r_min
 };
 
 struct RawCrack {
-  std::int32_t step;     ///< within the block
+  std::int32_t step;  ///< within the block
   std::int32_t contact, lane;
-  std::int32_t shear;    ///< 0 tension, 1 shear
+  std::int32_t shear;  ///< 0 tension, 1 shear
   double energy;
 };
 
@@ -84,16 +107,16 @@ struct GroupView {
   T* contact = nullptr;
   const T* lane = nullptr;
   const T* joint = nullptr;
-  const T* wall_gap[2] = {};   ///< per grain: closure needed before a platen acts
-  T* wall_shear[2] = {};       ///< per grain: shear force on the platen
-  const T* wall_u = nullptr;   ///< per step: displacement of bottom and top platen into the specimen
-  T* wall_force = nullptr;     ///< per step: force of bottom and top platen
-  T* slip = nullptr;           ///< per step: slip work
-  T* damping = nullptr;        ///< per step: 2/dt times the work of local damping
-  double* sample = nullptr;    ///< n_sample_fields lane vectors
+  const T* wall_gap[2] = {};  ///< per grain: closure needed before a platen acts
+  T* wall_shear[2] = {};      ///< per grain: shear force on the platen
+  const T* wall_u = nullptr;  ///< per step: displacement of bottom and top platen into the specimen
+  T* wall_force = nullptr;    ///< per step: force of bottom and top platen
+  T* slip = nullptr;          ///< per step: slip work
+  T* damping = nullptr;       ///< per step: 2/dt times the work of local damping
+  double* sample = nullptr;   ///< n_sample_fields lane vectors
   RawCrack* cracks = nullptr;
   std::size_t n_cracks = 0;
-  int skew = 4;                ///< cycles per sweep; does not change any bit
+  int skew = 4;  ///< cycles per sweep; does not change any bit
 };
 
 /// Runs `n_steps` cycles (motion, then forces) and samples at the end.

@@ -21,7 +21,7 @@ constexpr double loose_growth = 2e-3;      // radii, when nothing touches yet
 constexpr double loose_overlap = 1e-9;     // of the mean radius: no force
 constexpr long max_iterations = 200000;
 constexpr int max_stress_steps = 200;
-constexpr int max_floater_passes = 3;      // two thirds are gone then; further passes gain little
+constexpr int max_floater_passes = 3;  // two thirds are gone then; further passes gain little
 
 double draw_radius(const PackingRecipe& r, std::uint32_t i) {
   const double u = uniform(static_cast<std::uint32_t>(r.seed), Stream::radius, i);
@@ -153,8 +153,8 @@ void check_input(const SpecimenSize& size, const PackingRecipe& r) {
     problems.push_back({"", "packing.porosity", number(r.porosity), "0 < porosity < 1 where n_grains is 0",
                         "give packing.n_grains or packing.porosity"});
   else if (r.n_grains > 0 ? r.n_grains < 2 : draw_radii(size, r).size() < 2)
-    problems.push_back({"", "packing.n_grains", std::to_string(r.n_grains), "at least 2 discs",
-                        "choose smaller discs"});
+    problems.push_back(
+        {"", "packing.n_grains", std::to_string(r.n_grains), "at least 2 discs", "choose smaller discs"});
   if (r.initial_stress == InitialStress::isotropic && !(r.isotropic_stress > 0.0))
     problems.push_back({"", "packing.isotropic_stress", number(r.isotropic_stress) + " Pa", "> 0 Pa",
                         "give a stress, or initial_stress = \"stress_free\""});

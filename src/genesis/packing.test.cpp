@@ -23,8 +23,8 @@ Recipe small(std::int64_t seed) {
 Packing make(const Recipe& r) { return make_packing(r.specimen, r.packing, r.matrix); }
 
 struct Balance {
-  double unbalanced = 0.0;  // mean over discs / mean over contacts
-  double wall_stress = 0.0; // mean of sigma_xx and sigma_yy, from the forces on the walls / E_c
+  double unbalanced = 0.0;   // mean over discs / mean over contacts
+  double wall_stress = 0.0;  // mean of sigma_xx and sigma_yy, from the forces on the walls / E_c
 };
 
 /// Forces summed again by a double loop, springs of stiffness 1, walls 2.

@@ -32,7 +32,7 @@ struct Equilibrium {
   double mean_overlap = 0.0;  ///< over contacts between discs [m]
   long n_contacts = 0;        ///< between discs
   long n_iterations = 0;
-  bool loose = false;         ///< forces have vanished: the discs do not fill the box
+  bool loose = false;  ///< forces have vanished: the discs do not fill the box
 };
 
 /// Moves the discs (never their radii) until `unbalanced` <= tolerance, the forces vanish (mean contact force

@@ -70,8 +70,7 @@ TEST(Floaters, AreGrownUntilTheyTouch) {
   EXPECT_EQ(grow_floaters(box, discs, 1e-3), 1);
   EXPECT_TRUE(find_floaters(box, discs).empty());
   EXPECT_NEAR(discs[12].r, 1.0, 5e-3);
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    EXPECT_EQ(discs[i].r, i == 12 ? discs[12].r : before[i].r);
+  for (std::size_t i = 0; i < discs.size(); ++i) EXPECT_EQ(discs[i].r, i == 12 ? discs[12].r : before[i].r);
 }
 
 TEST(Floaters, InTooLargeACageStayAsTheyWere) {

@@ -53,7 +53,7 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
   const std::vector<BeddingRecipe>& bedding = recipe.bedding;
   if (bedding.empty() && !recipe.test.angles.empty())
     throw InputError(Problem{"", "test.angles", std::to_string(recipe.test.angles.size()) + " angles",
-                      "angles of a bedding", "add a [[bedding]] set or leave the angles out"});
+                             "angles of a bedding", "add a [[bedding]] set or leave the angles out"});
   std::vector<Specimen> specimens;
   for (const double theta : recipe.test.angles)
     specimens.push_back(make_specimen(packing, recipe.matrix, turned(bedding, theta), name_of(theta)));

@@ -80,32 +80,33 @@ TEST_P(BadRecipe, SaysWhatIsWrong) { EXPECT_THAT(problems_of(GetParam().text), H
 
 INSTANTIATE_TEST_SUITE_P(
     Messages, BadRecipe,
-    testing::Values(
-        Bad{"misspelt", "[specimen]\nwidht = \"38 mm\"\n", "did you mean \"width\"?"},
-        Bad{"unknown_table", "[specimn]\nwidth = \"38 mm\"\n", "did you mean \"specimen\"?"},
-        Bad{"no_number", "[specimen]\nwidth = \"wide\"\n", "does not start with a number"},
-        Bad{"no_table", "specimen = 3\n", "write [specimen] on a line of its own"},
-        Bad{"bedding_no_list", "[bedding]\ntheta = \"0 deg\"\n", "write [[bedding]]"},
-        Bad{"negative_thickness", bedding + "zone_thickness = \"-1 mm\"\n", "0 mm < value"},
-        Bad{"thick_zone", bedding + "zone_thickness = \"6 mm\"\n", "below the spacing of 5 mm"},
-        Bad{"narrow_spacing", bedding + "spacing = \"0.7 mm\"\n", "largest grain diameter, 0.83 mm"},
-        Bad{"dilation", bedding + "psi = \"35 deg\"\n", "tan(psi) <= mu"},
-        Bad{"radii", "[packing]\nradius_min = \"0.5 mm\"\n", "exchange the two"},
-        Bad{"both_sizes", "[packing]\nn_grains = 7481\nporosity = 0.1\n", "exactly one of n_grains and porosity"},
-        Bad{"no_stress", "[packing]\ninitial_stress = \"isotropic\"\n", "above 0 with isotropic"},
-        Bad{"big_grains", "[specimen]\nwidth = \"3 mm\"\n", "a tenth of the specimen"},
-        Bad{"wrong_count", "[packing]\nn_grains = 500\n", "fills the specimen"},
-        Bad{"angles_only", "[test]\nangles = [\"0 deg\"]\n", "add [[bedding]]"},
-        Bad{"angle_no_list", bedding + "[test]\nangles = \"0 deg\"\n", "write a list"},
-        Bad{"planned_test", "[test]\nkind = \"brazilian\"\n", "planned, but not in this version"},
-        Bad{"unknown_choice", bedding + "rule = \"zones\"\n", "did you mean \"zone\"?"},
-        Bad{"fraction", "[test]\nhistory_interval = 12.5\n", "write a whole number"},
-        Bad{"no_boolean", "[test]\nintact = 1\n", "true or false"},
-        Bad{"no_text", "name = 3\n", "text in quotes"},
-        Bad{"infinite", "[matrix]\nmu = inf\n", "0 <= value <= 10"},
-        Bad{"half_header", "[matrix", "r.toml:1"},
-        Bad{"odd_byte", "[matr\xC3\xAFx]\n", "plain ASCII"},
-        Bad{"twice", "name = \"a\"\nname = \"b\"\n", "r.toml:2"}),
+    testing::Values(Bad{"misspelt", "[specimen]\nwidht = \"38 mm\"\n", "did you mean \"width\"?"},
+                    Bad{"unknown_table", "[specimn]\nwidth = \"38 mm\"\n", "did you mean \"specimen\"?"},
+                    Bad{"no_number", "[specimen]\nwidth = \"wide\"\n", "does not start with a number"},
+                    Bad{"no_table", "specimen = 3\n", "write [specimen] on a line of its own"},
+                    Bad{"bedding_no_list", "[bedding]\ntheta = \"0 deg\"\n", "write [[bedding]]"},
+                    Bad{"negative_thickness", bedding + "zone_thickness = \"-1 mm\"\n", "0 mm < value"},
+                    Bad{"thick_zone", bedding + "zone_thickness = \"6 mm\"\n", "below the spacing of 5 mm"},
+                    Bad{"narrow_spacing", bedding + "spacing = \"0.7 mm\"\n",
+                        "largest grain diameter, 0.83 mm"},
+                    Bad{"dilation", bedding + "psi = \"35 deg\"\n", "tan(psi) <= mu"},
+                    Bad{"radii", "[packing]\nradius_min = \"0.5 mm\"\n", "exchange the two"},
+                    Bad{"both_sizes", "[packing]\nn_grains = 7481\nporosity = 0.1\n",
+                        "exactly one of n_grains and porosity"},
+                    Bad{"no_stress", "[packing]\ninitial_stress = \"isotropic\"\n", "above 0 with isotropic"},
+                    Bad{"big_grains", "[specimen]\nwidth = \"3 mm\"\n", "a tenth of the specimen"},
+                    Bad{"wrong_count", "[packing]\nn_grains = 500\n", "fills the specimen"},
+                    Bad{"angles_only", "[test]\nangles = [\"0 deg\"]\n", "add [[bedding]]"},
+                    Bad{"angle_no_list", bedding + "[test]\nangles = \"0 deg\"\n", "write a list"},
+                    Bad{"planned_test", "[test]\nkind = \"brazilian\"\n", "planned, but not in this version"},
+                    Bad{"unknown_choice", bedding + "rule = \"zones\"\n", "did you mean \"zone\"?"},
+                    Bad{"fraction", "[test]\nhistory_interval = 12.5\n", "write a whole number"},
+                    Bad{"no_boolean", "[test]\nintact = 1\n", "true or false"},
+                    Bad{"no_text", "name = 3\n", "text in quotes"},
+                    Bad{"infinite", "[matrix]\nmu = inf\n", "0 <= value <= 10"},
+                    Bad{"half_header", "[matrix", "r.toml:1"},
+                    Bad{"odd_byte", "[matr\xC3\xAFx]\n", "plain ASCII"},
+                    Bad{"twice", "name = \"a\"\nname = \"b\"\n", "r.toml:2"}),
     [](const auto& which) { return std::string(which.param.name); });
 
 TEST(Recipe, ReadingAMissingFileIsAnIoError) { EXPECT_THROW(read_recipe("/nonexistent/r.toml"), IoError); }
@@ -119,10 +120,14 @@ TEST(Recipe, DamagedTextIsReadOrRefused) {
   for (std::uint32_t i = 0; i < 3000; ++i) {
     std::string text = good;
     for (std::uint32_t k = 0; k < 1 + i % 4; ++k) {
-      const auto at = static_cast<std::size_t>(uniform(5, Stream::test, i, 2 * k) * static_cast<double>(text.size()));
-      const char c = "[]\"'=.{}#\n x9-"[static_cast<std::size_t>(uniform(5, Stream::test, i, 2 * k + 1) * 14.0)];
-      if (i % 3 == 0) text.erase(at, 1 + i % 7);
-      else text[at] = c;
+      const auto at =
+          static_cast<std::size_t>(uniform(5, Stream::test, i, 2 * k) * static_cast<double>(text.size()));
+      const char c =
+          "[]\"'=.{}#\n x9-"[static_cast<std::size_t>(uniform(5, Stream::test, i, 2 * k + 1) * 14.0)];
+      if (i % 3 == 0)
+        text.erase(at, 1 + i % 7);
+      else
+        text[at] = c;
     }
     refused += problems_of(text) == "no problem" ? 0 : 1;
   }

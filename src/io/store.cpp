@@ -28,8 +28,10 @@ using Json = nlohmann::ordered_json;
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   std::string remedy;
   if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
-  if (error == EACCES || error == EROFS || error == EPERM) remedy = "; choose a folder you may write to with --out";
-  if (error == EEXIST || error == ENOTDIR) remedy = "; a file of that name is in the way: move it, or use another --out";
+  if (error == EACCES || error == EROFS || error == EPERM)
+    remedy = "; choose a folder you may write to with --out";
+  if (error == EEXIST || error == ENOTDIR)
+    remedy = "; a file of that name is in the way: move it, or use another --out";
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 
@@ -41,8 +43,10 @@ void write_synced(const fs::path& path, const std::string& content) {
   int error = 0;
   while (done < content.size() && error == 0) {
     const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
-    if (n >= 0) done += static_cast<std::size_t>(n);
-    else if (errno != EINTR) error = errno;
+    if (n >= 0)
+      done += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      error = errno;
   }
   if (error == 0 && ::fsync(fd) != 0) error = errno;
   if (::close(fd) != 0 && error == 0) error = errno;
@@ -62,9 +66,16 @@ Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr
 
 Json packing_json(const Packing& p) {
   const PackingReport& r = p.report;
-  return {{"hash", p.hash}, {"n_grains", p.discs.size()}, {"porosity", r.porosity}, {"coordination", r.coordination},
-          {"fabric", r.fabric}, {"stress_left [Pa]", r.stress_left}, {"n_floaters", r.n_floaters},
-          {"mean_overlap", r.mean_overlap}, {"unbalanced", r.unbalanced}, {"stress_free", p.stress_free}};
+  return {{"hash", p.hash},
+          {"n_grains", p.discs.size()},
+          {"porosity", r.porosity},
+          {"coordination", r.coordination},
+          {"fabric", r.fabric},
+          {"stress_left [Pa]", r.stress_left},
+          {"n_floaters", r.n_floaters},
+          {"mean_overlap", r.mean_overlap},
+          {"unbalanced", r.unbalanced},
+          {"stress_free", p.stress_free}};
 }
 
 std::string result_json(const Recipe& recipe, const std::string& version, const Specimen& specimen,
@@ -74,7 +85,8 @@ std::string result_json(const Recipe& recipe, const std::string& version, const 
   j["program"] = "phyllite " + version;
   j["specimen"] = result.name;
   if (!result.intact) j["theta [deg]"] = result.theta;
-  j["outcome"] = {{"status", to_string(result.outcome.status)}, {"reason", result.outcome.reason},
+  j["outcome"] = {{"status", to_string(result.outcome.status)},
+                  {"reason", result.outcome.reason},
                   {"advice", result.outcome.advice}};
   for (const Number& n : result.numbers) {
     Json entry = {{"value", number_or_null(n.value)}, {"unit", n.unit}, {"definition", n.definition}};
@@ -85,11 +97,16 @@ std::string result_json(const Recipe& recipe, const std::string& version, const 
   j["bedding"] = Json::array();
   for (std::size_t i = 0; i < specimen.bedding.size(); ++i) {
     const BeddingReport& b = specimen.bedding_report[i];
-    j["bedding"].push_back({{"theta [deg]", specimen.bedding[i].theta}, {"overlap_ratio", b.overlap_ratio},
-                            {"bridge_fraction", b.bridge_fraction}, {"non_crossing_fraction", b.non_crossing_fraction}});
+    j["bedding"].push_back({{"theta [deg]", specimen.bedding[i].theta},
+                            {"overlap_ratio", b.overlap_ratio},
+                            {"bridge_fraction", b.bridge_fraction},
+                            {"non_crossing_fraction", b.non_crossing_fraction}});
   }
-  j["run"] = {{"dt [s]", result.dt}, {"n_steps", result.n_steps}, {"n_contacts", result.n_contacts},
-              {"n_cracks", result.cracks.size()}, {"cpu_seconds", result.seconds},
+  j["run"] = {{"dt [s]", result.dt},
+              {"n_steps", result.n_steps},
+              {"n_contacts", result.n_contacts},
+              {"n_cracks", result.cracks.size()},
+              {"cpu_seconds", result.seconds},
               {"platen_speed [m/s]", recipe.test.platen_speed}};
   j["result_hash"] = result.hash;
   j["recipe"] = write_recipe(recipe);
@@ -114,11 +131,13 @@ std::string history_csv(const History& history) {
 
 std::string cracks_csv(const std::vector<CrackEvent>& cracks) {
   std::string text =
-      "step [1],time [s],axial_strain [1],grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],energy [J/m]\n";
+      "step [1],time [s],axial_strain [1],grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size "
+      "[m],energy [J/m]\n";
   for (const CrackEvent& c : cracks) {
     text += std::to_string(c.step) + "," + print_number(c.time) + "," + print_number(c.strain) + "," +
-            std::to_string(c.a) + "," + std::to_string(c.b) + "," + (c.mode == CrackMode::tension ? "tension" : "shear") +
-            "," + (c.place == CrackPlace::matrix ? "matrix" : "bedding");
+            std::to_string(c.a) + "," + std::to_string(c.b) + "," +
+            (c.mode == CrackMode::tension ? "tension" : "shear") + "," +
+            (c.place == CrackPlace::matrix ? "matrix" : "bedding");
     for (const double v : {c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
       text += "," + print_number(v);
     text += "\n";
@@ -189,8 +208,8 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
 }
 
 std::string discs_csv(const Packing& packing) {
-  std::string text = "# width [m] = " + print_number(packing.width) + ", height [m] = " + print_number(packing.height) +
-                     "\nx [m],y [m],r [m]\n";
+  std::string text = "# width [m] = " + print_number(packing.width) +
+                     ", height [m] = " + print_number(packing.height) + "\nx [m],y [m],r [m]\n";
   for (const Disc& d : packing.discs)
     text += print_number(d.x) + "," + print_number(d.y) + "," + print_number(d.r) + "\n";
   return text;
@@ -210,7 +229,8 @@ std::vector<Disc> read_discs(const std::string& path) {
     if (header) {
       header = false;
       if (line != "x [m],y [m],r [m]")
-        throw InputError(Problem{where, "header", line, "x [m],y [m],r [m]", "name the columns so, in this order"});
+        throw InputError(
+            Problem{where, "header", line, "x [m],y [m],r [m]", "name the columns so, in this order"});
       continue;
     }
     double v[3] = {};
@@ -219,11 +239,11 @@ std::vector<Disc> read_discs(const std::string& path) {
     bool ok = true;
     for (int i = 0; i < 3 && ok; ++i) {
       const auto [next, error] = std::from_chars(p, end, v[i]);
-      ok = error == std::errc() && std::isfinite(v[i]) && (i == 2 ? next == end : next != end && *next == ',');
+      ok =
+          error == std::errc() && std::isfinite(v[i]) && (i == 2 ? next == end : next != end && *next == ',');
       p = next + 1;
     }
-    if (!ok || !(v[2] > 0.0))
-      problems.push_back({where, "disc", line, "three numbers x,y,r with r > 0", ""});
+    if (!ok || !(v[2] > 0.0)) problems.push_back({where, "disc", line, "three numbers x,y,r with r > 0", ""});
     discs.push_back({v[0], v[1], v[2]});
   }
   if (problems.size() > 20) {
@@ -237,7 +257,8 @@ std::vector<Disc> read_discs(const std::string& path) {
 
 std::string contacts_csv(const Specimen& s) {
   std::string text =
-      "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],sigma_c [Pa],tau_c [Pa]\n";
+      "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],sigma_c [Pa],tau_c "
+      "[Pa]\n";
   const bool pfc5 = s.matrix.stiffness_convention == StiffnessConvention::pfc5;
   for (const Contact& c : s.contacts) {
     const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
@@ -259,7 +280,8 @@ std::string contacts_csv(const Specimen& s) {
       kind = "joint";
     }
     text += std::to_string(c.a) + "," + std::to_string(c.b) + "," + kind + "," + std::to_string(c.set);
-    for (const double v : {n.x, n.y, distance - a.r - b.r, k_n, k_s, c.sigma_c, c.tau_c}) text += "," + print_number(v);
+    for (const double v : {n.x, n.y, distance - a.r - b.r, k_n, k_s, c.sigma_c, c.tau_c})
+      text += "," + print_number(v);
     text += "\n";
   }
   return text;

@@ -1,5 +1,5 @@
-// Results on disk (docs/formats.md). A result is a folder that appears complete or not at all: it is written under a
-// temporary name beside its place, synced, and renamed.
+// Results on disk (docs/formats.md). A result is a folder that appears complete or not at all: it is written
+// under a temporary name beside its place, synced, and renamed.
 #pragma once
 #include <string>
 #include <vector>

@@ -65,7 +65,8 @@ TEST_F(Store, ResultFolderHoldsEverything) {
   EXPECT_EQ(j["outcome"]["status"], "peaked");
   EXPECT_EQ(write_recipe(parse_recipe(j["recipe"].get<std::string>(), "json")), write_recipe(Recipe{}));
   EXPECT_THAT(read(place / "history.csv"), testing::HasSubstr("axial_stress [Pa]"));
-  for (const char* name : {"cracks.csv", "recipe.toml", "grains.pvd", "snapshots/grains_0.vtp", "snapshots/cracks.vtp"})
+  for (const char* name :
+       {"cracks.csv", "recipe.toml", "grains.pvd", "snapshots/grains_0.vtp", "snapshots/cracks.vtp"})
     EXPECT_TRUE(fs::exists(place / name)) << name;
 }
 

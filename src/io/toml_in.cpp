@@ -1,7 +1,7 @@
 #include "io/toml_in.hpp"
 
-// toml++ 3.3 asserts on some half-written headers and misreads some non-ASCII keys (upstream issue 294): its assertions
-// are made harmless here, and the scan below refuses such bytes before the parser sees them.
+// toml++ 3.3 asserts on some half-written headers and misreads some non-ASCII keys (upstream issue 294): its
+// assertions are made harmless here, and the scan below refuses such bytes before the parser sees them.
 #undef NDEBUG
 #define TOML_ASSERT(x) static_assert(true)
 #define TOML_EXCEPTIONS 0
@@ -39,10 +39,14 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
       return;
     }
     if (comment) continue;
-    if (quote == '"' && c == '\\') ++i;
-    else if (quote != 0) quote = c == quote ? char{0} : quote;
-    else if (c == '"' || c == '\'') quote = c;
-    else if (c == '#') comment = true;
+    if (quote == '"' && c == '\\')
+      ++i;
+    else if (quote != 0)
+      quote = c == quote ? char{0} : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == '#')
+      comment = true;
   }
 }
 
@@ -55,7 +59,8 @@ class Reader {
     find_unknown();
     count_bedding();
     for (const Field& f : recipe_fields()) {
-      if (f.table != "bedding") read_field(f, table_of(f.table), f.path(), 0);
+      if (f.table != "bedding")
+        read_field(f, table_of(f.table), f.path(), 0);
       else
         for (std::size_t i = 0; i < recipe_.bedding.size(); ++i)
           read_field(f, bedding_[i], "bedding[" + std::to_string(i) + "]." + f.key, i);
@@ -75,7 +80,9 @@ class Reader {
   std::vector<const toml::table*> bedding_;
   std::map<std::string, std::string> places_;
 
-  std::string at(const toml::node& node) const { return where_ + ":" + std::to_string(node.source().begin.line); }
+  std::string at(const toml::node& node) const {
+    return where_ + ":" + std::to_string(node.source().begin.line);
+  }
   std::string place(const std::string& path) const {
     const auto it = places_.find(path);
     return it == places_.end() ? where_ : it->second;
@@ -87,14 +94,20 @@ class Reader {
   }
   static std::string as_written(const toml::node& node) {
     std::ostringstream s;
-    if (const auto* v = node.as_string()) s << '"' << v->get() << '"';
-    else if (const auto* n = node.as_integer()) s << n->get();
-    else if (const auto* d = node.as_floating_point()) s << print_number(d->get());
-    else if (const auto* b = node.as_boolean()) s << (b->get() ? "true" : "false");
-    else s << (node.is_array() ? "a list" : node.is_table() ? "a table" : "a date");
+    if (const auto* v = node.as_string())
+      s << '"' << v->get() << '"';
+    else if (const auto* n = node.as_integer())
+      s << n->get();
+    else if (const auto* d = node.as_floating_point())
+      s << print_number(d->get());
+    else if (const auto* b = node.as_boolean())
+      s << (b->get() ? "true" : "false");
+    else
+      s << (node.is_array() ? "a list" : node.is_table() ? "a table" : "a date");
     return s.str();
   }
-  void tell(const toml::node& node, const std::string& path, const std::string& expected, const std::string& remedy) {
+  void tell(const toml::node& node, const std::string& path, const std::string& expected,
+            const std::string& remedy) {
     problems.push_back({at(node), path, as_written(node), expected, remedy});
   }
 
@@ -102,13 +115,15 @@ class Reader {
     std::vector<std::string> known;
     for (const Field& f : recipe_fields())
       if (f.table == name) known.push_back(f.key);
-    if (name.empty()) known.insert(known.end(), {"specimen", "packing", "matrix", "bedding", "test", "engine"});
+    if (name.empty())
+      known.insert(known.end(), {"specimen", "packing", "matrix", "bedding", "test", "engine"});
     for (const auto& [key, node] : table) {
       const std::string word(key.str());
       if (std::find(known.begin(), known.end(), word) != known.end()) continue;
       const std::string near = nearest(word, known);
-      problems.push_back({where_ + ":" + std::to_string(key.source().begin.line), path + word, "", "a known key",
-                          near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
+      problems.push_back(
+          {where_ + ":" + std::to_string(key.source().begin.line), path + word, "", "a known key",
+           near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
     }
   }
   void find_unknown() {
@@ -116,8 +131,10 @@ class Reader {
     for (const char* name : {"specimen", "packing", "matrix", "test", "engine"}) {
       const toml::node* node = root_.get(name);
       if (node == nullptr) continue;
-      if (const toml::table* t = node->as_table()) check_keys(*t, name, std::string(name) + ".");
-      else tell(*node, name, "a table", "write [" + std::string(name) + "] on a line of its own");
+      if (const toml::table* t = node->as_table())
+        check_keys(*t, name, std::string(name) + ".");
+      else
+        tell(*node, name, "a table", "write [" + std::string(name) + "] on a line of its own");
     }
   }
   void count_bedding() {
@@ -141,12 +158,16 @@ class Reader {
     places_[path] = at(*node);
     switch (f.kind) {
       case FieldKind::text:
-        if (const auto* s = node->as_string()) f.set_text(recipe_, s->get());
-        else tell(*node, path, "text in quotes", "");
+        if (const auto* s = node->as_string())
+          f.set_text(recipe_, s->get());
+        else
+          tell(*node, path, "text in quotes", "");
         return;
       case FieldKind::boolean:
-        if (const auto* b = node->as_boolean()) f.set(recipe_, index, b->get() ? 1.0 : 0.0);
-        else tell(*node, path, "true or false", "");
+        if (const auto* b = node->as_boolean())
+          f.set(recipe_, index, b->get() ? 1.0 : 0.0);
+        else
+          tell(*node, path, "true or false", "");
         return;
       case FieldKind::choice: return read_choice(f, *node, path, index);
       case FieldKind::quantities: return read_list(f, *node, path);
@@ -164,11 +185,13 @@ class Reader {
     const std::string near = nearest(word, f.choices);
     tell(node, path, range_text(f),
          planned.contains(word) ? "this test is planned, but not in this version"
-                                : near.empty() ? "" : "did you mean \"" + near + "\"?");
+         : near.empty()         ? ""
+                                : "did you mean \"" + near + "\"?");
   }
   void read_list(const Field& f, const toml::node& node, const std::string& path) {
     const toml::array* list = node.as_array();
-    if (list == nullptr) return tell(node, path, range_text(f), "write a list, for example [\"0 deg\", \"30 deg\"]");
+    if (list == nullptr)
+      return tell(node, path, range_text(f), "write a list, for example [\"0 deg\", \"30 deg\"]");
     for (const toml::node& item : *list) {
       double value = 0.0;
       if (read_value(f, item, path, value)) f.list(recipe_).push_back(value);
@@ -187,7 +210,8 @@ class Reader {
     } else if (const auto* d = node.as_floating_point(); d != nullptr && f.kind == FieldKind::number) {
       value = d->get();
     } else {
-      return tell(node, path, range_text(f), f.kind == FieldKind::integer ? "write a whole number" : "write a bare number"),
+      return tell(node, path, range_text(f),
+                  f.kind == FieldKind::integer ? "write a whole number" : "write a bare number"),
              false;
     }
     const bool low = f.above_min ? !(value > f.min) : !(value >= f.min);
@@ -198,7 +222,8 @@ class Reader {
   /// The defaults give a number of grains; a file that gives a porosity means it instead.
   void choose_number_or_porosity() {
     const toml::table* packing = table_of("packing");
-    if (packing != nullptr && packing->contains("porosity") && !packing->contains("n_grains")) recipe_.packing.n_grains = 0;
+    if (packing != nullptr && packing->contains("porosity") && !packing->contains("n_grains"))
+      recipe_.packing.n_grains = 0;
   }
 };
 

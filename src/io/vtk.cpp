@@ -8,7 +8,8 @@
 namespace phy {
 namespace {
 
-/// Collects arrays and renders one PolyData file. Raw appended data: each block is its length, then its bytes.
+/// Collects arrays and renders one PolyData file. Raw appended data: each block is its length, then its
+/// bytes.
 class PolyData {
  public:
   explicit PolyData(std::size_t n_points, std::size_t n_lines = 0, std::size_t n_verts = 0)
@@ -18,8 +19,8 @@ class PolyData {
   std::string array(const std::string& name, int components, const std::vector<T>& values) {
     const std::string type = sizeof(T) == 8 ? (std::is_floating_point_v<T> ? "Float64" : "Int64") : "Float32";
     std::string tag = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-                      std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(raw_.size()) +
-                      "\"/>\n";
+                      std::to_string(components) + "\" format=\"appended\" offset=\"" +
+                      std::to_string(raw_.size()) + "\"/>\n";
     const std::uint64_t bytes = values.size() * sizeof(T);
     append(&bytes, sizeof bytes);
     append(values.data(), bytes);
@@ -28,11 +29,13 @@ class PolyData {
   std::string render(const std::string& points, const std::string& verts, const std::string& lines,
                      const std::string& point_data, const std::string& cell_data) const {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-           "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" + std::to_string(n_points_) +
-           "\" NumberOfVerts=\"" + std::to_string(n_verts_) + "\" NumberOfLines=\"" + std::to_string(n_lines_) +
-           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n" + point_data + "</PointData>\n<CellData>\n" +
-           cell_data + "</CellData>\n<Points>\n" + points + "</Points>\n<Verts>\n" + verts + "</Verts>\n<Lines>\n" +
-           lines + "</Lines>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + raw_ +
+           "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
+           std::to_string(n_points_) + "\" NumberOfVerts=\"" + std::to_string(n_verts_) +
+           "\" NumberOfLines=\"" + std::to_string(n_lines_) +
+           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n" + point_data +
+           "</PointData>\n<CellData>\n" + cell_data + "</CellData>\n<Points>\n" + points +
+           "</Points>\n<Verts>\n" + verts + "</Verts>\n<Lines>\n" + lines +
+           "</Lines>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + raw_ +
            "\n</AppendedData>\n</VTKFile>\n";
   }
 
@@ -47,7 +50,8 @@ class PolyData {
 };
 
 /// connectivity 0 1 2 ... and offsets step, 2 step, ...
-std::string cells(PolyData& file, std::size_t n_cells, std::int64_t step, const std::vector<std::int64_t>& connectivity) {
+std::string cells(PolyData& file, std::size_t n_cells, std::int64_t step,
+                  const std::vector<std::int64_t>& connectivity) {
   std::vector<std::int64_t> offsets;
   for (std::size_t i = 1; i <= n_cells; ++i) offsets.push_back(static_cast<std::int64_t>(i) * step);
   return file.array("connectivity", 1, connectivity) + file.array("offsets", 1, offsets);
@@ -83,7 +87,8 @@ std::string grains_vtp(const Packing& packing, const Snapshot& shot) {
   const std::string points = file.array("points", 3, grain_points(packing, shot));
   const std::string verts = cells(file, n, 1, counting(n));
   const std::string lines = cells(file, 0, 2, {});
-  const std::string data = file.array("radius [m]", 1, radius) + file.array("displacement [m]", 3, displacement) +
+  const std::string data = file.array("radius [m]", 1, radius) +
+                           file.array("displacement [m]", 3, displacement) +
                            file.array("rotation [rad]", 1, rotation);
   return file.render(points, verts, lines, data, "");
 }

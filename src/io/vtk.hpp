@@ -1,4 +1,5 @@
-// Files for ParaView, written without the VTK library: .vtp (XML with raw appended data) and .pvd (time series).
+// Files for ParaView, written without the VTK library: .vtp (XML with raw appended data) and .pvd (time
+// series).
 #pragma once
 #include <string>
 #include <vector>

@@ -9,15 +9,20 @@
 namespace phy {
 namespace {
 
-constexpr double settled = 1e-3;              // mean unbalanced force / mean contact force
+constexpr double settled = 1e-3;               // mean unbalanced force / mean contact force
 constexpr std::int64_t settle_cycles = 40000;  // give up after
 constexpr std::int64_t jump_cycles = 3000;     // damped cycles after the affine strain
-constexpr double first_stop_strain = 2e-4;     // the stop rule sleeps while the first wave runs through the specimen
+constexpr double first_stop_strain =
+    2e-4;  // the stop rule sleeps while the first wave runs through the specimen
 
 }  // namespace
 
-UniaxialTest::UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane)
-    : specimen_(std::move(specimen)), recipe_(recipe), group_(group), lane_(lane),
+UniaxialTest::UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
+                           int lane)
+    : specimen_(std::move(specimen)),
+      recipe_(recipe),
+      group_(group),
+      lane_(lane),
       may_jump_(recipe.test.jump_strain > 0.0) {
   result_.name = specimen_->name;
   result_.intact = specimen_->bedding.empty();
@@ -70,14 +75,16 @@ bool UniaxialTest::after_block() {
   ++blocks_;
   const HistoryRow& row = group_.row(lane_);
   if (const LaneHealth& health = group_.health(lane_); !health.ok)
-    return end(Status::unstable, health.reason, "lower engine.step_safety, or look for extreme stiffness ratios");
+    return end(Status::unstable, health.reason,
+               "lower engine.step_safety, or look for extreme stiffness ratios");
   const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
   if (phase_ == Phase::settle) {
     if (row.unbalanced > settled && cycles < settle_cycles) return false;
     if (row.unbalanced > settled)
-      return end(Status::not_settled,
-                 fmt::format("unbalanced force {:.1e} of the contact force after {} cycles", row.unbalanced, cycles),
-                 "lower packing.isotropic_stress, or raise engine.damping");
+      return end(
+          Status::not_settled,
+          fmt::format("unbalanced force {:.1e} of the contact force after {} cycles", row.unbalanced, cycles),
+          "lower packing.isotropic_stress, or raise engine.damping");
     start_loading();
     return false;
   }
@@ -111,8 +118,9 @@ bool UniaxialTest::check_stop() {
   if (recipe_.test.post_peak > 0.0 && row.axial_strain > first_stop_strain &&
       row.axial_strain > (1.0 + recipe_.test.post_peak) * peak_strain_)
     return end(Status::peaked,
-               fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %", peak_ * 1e-6,
-                           peak_strain_ * 100.0, 100.0 * row.axial_stress / peak_, row.axial_strain * 100.0),
+               fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
+                           peak_ * 1e-6, peak_strain_ * 100.0, 100.0 * row.axial_stress / peak_,
+                           row.axial_strain * 100.0),
                "");
   if (row.axial_strain >= recipe_.test.max_strain)
     return end(Status::not_peaked,
@@ -122,27 +130,31 @@ bool UniaxialTest::check_stop() {
   return false;
 }
 
-// Snapshots at equal strain steps, not knowing where the test will end: when twice as many as wanted are stored, every
-// second one goes and the step doubles. So between n and 2 n remain, whatever the length of the test.
+// Snapshots at equal strain steps, not knowing where the test will end: when twice as many as wanted are
+// stored, every second one goes and the step doubles. So between n and 2 n remain, whatever the length of the
+// test.
 void UniaxialTest::keep_snapshot() {
   const auto n_rows = static_cast<std::int64_t>(result_.history.rows.size());
   if (recipe_.test.n_snapshots == 0 || (n_rows - 1) % snapshot_every_ != 0) return;
   result_.snapshots.push_back(group_.snapshot(lane_));
   if (static_cast<std::int64_t>(result_.snapshots.size()) <= 2 * recipe_.test.n_snapshots) return;
   std::vector<Snapshot> kept;
-  for (std::size_t i = 0; i < result_.snapshots.size(); i += 2) kept.push_back(std::move(result_.snapshots[i]));
+  for (std::size_t i = 0; i < result_.snapshots.size(); i += 2)
+    kept.push_back(std::move(result_.snapshots[i]));
   result_.snapshots = std::move(kept);
   snapshot_every_ *= 2;
 }
 
 void UniaxialTest::interrupt() {
   if (phase_ != Phase::over)
-    end(Status::interrupted, fmt::format("stopped by the user at strain {:.4f} %", group_.row(lane_).axial_strain * 100.0),
+    end(Status::interrupted,
+        fmt::format("stopped by the user at strain {:.4f} %", group_.row(lane_).axial_strain * 100.0),
         "run the same recipe again");
 }
 
 double UniaxialTest::progress() const {
-  return phase_ == Phase::load ? std::min(1.0, group_.row(lane_).axial_strain / recipe_.test.max_strain) : 0.0;
+  return phase_ == Phase::load ? std::min(1.0, group_.row(lane_).axial_strain / recipe_.test.max_strain)
+                               : 0.0;
 }
 
 TestResult UniaxialTest::take_result() {
@@ -151,7 +163,8 @@ TestResult UniaxialTest::take_result() {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
   });
   const Snapshot last = group_.snapshot(lane_);
-  if (result_.snapshots.empty() || result_.snapshots.back().step != last.step) result_.snapshots.push_back(last);
+  if (result_.snapshots.empty() || result_.snapshots.back().step != last.step)
+    result_.snapshots.push_back(last);
   result_.n_steps = static_cast<std::int64_t>(group_.row(lane_).step);
   AnalysisOptions options;
   options.jump_strain = may_jump_ ? 0.0 : recipe_.test.jump_strain;

@@ -1,14 +1,18 @@
 // Uniaxial compression between two rigid platens, as a rock laboratory does it, for one lane of a group.
 //
 // Phases of a test
-//   settle     only for packings with a locked-in stress: breakage off, no platens, damped cycles until the mean
-//              unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have gone)
-//   jump       only with test.jump_strain > 0: affine strain with breakage off, damped cycles; if a bond or joint is then
+//   settle     only for packings with a locked-in stress: breakage off, no platens, damped cycles until the
+//   mean
+//              unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have
+//              gone)
+//   jump       only with test.jump_strain > 0: affine strain with breakage off, damped cycles; if a bond or
+//   joint is then
 //              at its strength the specimen starts again without the jump
-//   load       both platens close at test.platen_speed after a short ramp; a history row every test.history_interval
-//              cycles; ends when the stress has fallen to test.stop_at of the peak, when the strain has exceeded that of
-//              the peak by test.post_peak without a new one, at test.max_strain (not peaked), when
-//              the watchdog objects (unstable) or when the user stops (interrupted)
+//   load       both platens close at test.platen_speed after a short ramp; a history row every
+//   test.history_interval
+//              cycles; ends when the stress has fallen to test.stop_at of the peak, when the strain has
+//              exceeded that of the peak by test.post_peak without a new one, at test.max_strain (not
+//              peaked), when the watchdog objects (unstable) or when the user stops (interrupted)
 // The test reads rows and decides; the group computes. Strains count from the moment the platens touch.
 #pragma once
 #include <memory>
@@ -47,7 +51,7 @@ class UniaxialTest {
   int lane_;
   Phase phase_ = Phase::settle;
   bool may_jump_;
-  std::int64_t blocks_ = 0;         // in this phase
+  std::int64_t blocks_ = 0;          // in this phase
   std::int64_t snapshot_every_ = 1;  // rows between kept snapshots
   double peak_ = 0.0, peak_strain_ = 0.0;
   TestResult result_;

@@ -16,8 +16,10 @@ struct LawInfo {
 
 inline constexpr LawInfo laws[] = {
     {"linear", "springs that push and slip", linear::schema},
-    {"parallel_bond", "cement that carries tension, shear and bending until it breaks", parallel_bond::schema},
-    {"smooth_joint", "a bedding plane: bonded, then sliding with friction and dilation", smooth_joint::schema},
+    {"parallel_bond", "cement that carries tension, shear and bending until it breaks",
+     parallel_bond::schema},
+    {"smooth_joint", "a bedding plane: bonded, then sliding with friction and dilation",
+     smooth_joint::schema},
 };
 
 }  // namespace phy

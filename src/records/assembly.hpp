@@ -63,7 +63,8 @@ inline void joint_crossing(Specimen& s) {
   const SinCos sc = sin_cos_degrees(set.theta);
   const auto& d = s.packing->discs;
   for (const Disc& disc : d)
-    s.plane_label.push_back(static_cast<std::int32_t>(std::floor((-sc.sin * disc.x + sc.cos * disc.y) / set.spacing)));
+    s.plane_label.push_back(
+        static_cast<std::int32_t>(std::floor((-sc.sin * disc.x + sc.cos * disc.y) / set.spacing)));
   for (Contact& c : s.contacts) {
     const std::int32_t a = s.plane_label[c.a], b = s.plane_label[c.b];
     if (a == b) continue;

@@ -1,7 +1,8 @@
-// The recipe: everything that a run depends on, in SI units and degrees. A recipe is completed (every default filled in)
-// before anything is computed, and the completed recipe is saved beside every result. Keys, units, ranges, defaults and
-// meanings are registered once, in recipe_schema.cpp; the reader, `phyllite recipe --explain` and docs/reference.md
-// come from there. Defaults are the paper's specimen (docs/conventions.md, "The paper's specimen").
+// The recipe: everything that a run depends on, in SI units and degrees. A recipe is completed (every default
+// filled in) before anything is computed, and the completed recipe is saved beside every result. Keys, units,
+// ranges, defaults and meanings are registered once, in recipe_schema.cpp; the reader, `phyllite recipe
+// --explain` and docs/reference.md come from there. Defaults are the paper's specimen (docs/conventions.md,
+// "The paper's specimen").
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,11 +10,14 @@
 
 namespace phy {
 
-enum class RadiusDistribution { by_number, by_area };        ///< radii uniform by number, or by area fraction
-enum class InitialStress { stress_free, isotropic };         ///< overlaps declared stress-free, or a locked-in stress
-enum class StiffnessConvention { pfc31, pfc5 };              ///< laws/linear/README.md
-enum class ShearStrength { constant, cohesion_friction };    ///< laws/parallel_bond/README.md
-enum class BeddingRule { crossing, zone };                   ///< which contacts become smooth joints
+enum class RadiusDistribution { by_number, by_area };  ///< radii uniform by number, or by area fraction
+enum class InitialStress {
+  stress_free,
+  isotropic
+};                                               ///< overlaps declared stress-free, or a locked-in stress
+enum class StiffnessConvention { pfc31, pfc5 };  ///< laws/linear/README.md
+enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
+enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
 enum class TestKind { uniaxial };
 
@@ -38,11 +42,11 @@ struct PackingRecipe {
 struct MatrixRecipe {
   double density = 2700.0;  ///< grain density [kg/m^3]
   StiffnessConvention stiffness_convention = StiffnessConvention::pfc31;
-  double E_c = 38e9;            ///< contact modulus [Pa]
-  double ks_over_kn = 0.3;      ///< contact stiffness ratio
-  double mu = 0.8;              ///< friction coefficient
-  double E_b = 38e9;            ///< parallel-bond modulus [Pa]
-  double bond_ks_over_kn = 0.3; ///< parallel-bond stiffness ratio
+  double E_c = 38e9;             ///< contact modulus [Pa]
+  double ks_over_kn = 0.3;       ///< contact stiffness ratio
+  double mu = 0.8;               ///< friction coefficient
+  double E_b = 38e9;             ///< parallel-bond modulus [Pa]
+  double bond_ks_over_kn = 0.3;  ///< parallel-bond stiffness ratio
   double radius_multiplier = 1.0;
   double moment_contribution = 1.0;
   ShearStrength shear_strength = ShearStrength::constant;
@@ -53,7 +57,7 @@ struct MatrixRecipe {
   double phi = 0.0;           ///< bond friction angle [deg], only with cohesion_friction
   double bond_gap = 1e-6;     ///< bonds at gaps up to this fraction of the pair's mean radius
   std::int64_t bond_seed = 1;
-  bool unbreakable = false;   ///< bonds and joints never break and nothing slips (elastic comparison runs)
+  bool unbreakable = false;  ///< bonds and joints never break and nothing slips (elastic comparison runs)
 };
 
 /// One set of parallel bedding planes (paper Table 2).
@@ -63,26 +67,27 @@ struct BeddingRecipe {
   double zone_thickness = 0.0006;  ///< [m] used by the zone rule
   double offset = 0.0;             ///< [m] distance of one plane from the specimen's centre, along its normal
   BeddingRule rule = BeddingRule::zone;
-  double k_n = 3360e9;      ///< normal stiffness [Pa/m]
-  double k_s = 960e9;       ///< shear stiffness [Pa/m]
-  double mu = 0.4;          ///< friction coefficient of the broken joint
-  double sigma_n = 10e6;    ///< bonded tensile strength [Pa]
-  double cohesion = 30e6;   ///< bonded cohesion [Pa]
-  double phi = 0.0;         ///< bonded friction angle [deg]
-  double psi = 0.0;         ///< dilation angle [deg]; tan psi <= mu
+  double k_n = 3360e9;     ///< normal stiffness [Pa/m]
+  double k_s = 960e9;      ///< shear stiffness [Pa/m]
+  double mu = 0.4;         ///< friction coefficient of the broken joint
+  double sigma_n = 10e6;   ///< bonded tensile strength [Pa]
+  double cohesion = 30e6;  ///< bonded cohesion [Pa]
+  double phi = 0.0;        ///< bonded friction angle [deg]
+  double psi = 0.0;        ///< dilation angle [deg]; tan psi <= mu
   double radius_multiplier = 1.0;
 };
 
 struct TestRecipe {
   TestKind kind = TestKind::uniaxial;
-  std::vector<double> angles;   ///< [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
-  bool intact = false;          ///< also a specimen without bedding
-  double platen_speed = 0.05;   ///< [m/s] of each platen
-  double ramp_strain = 2e-5;    ///< axial strain over which the speed rises from 0
+  std::vector<double>
+      angles;           ///< [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
+  bool intact = false;  ///< also a specimen without bedding
+  double platen_speed = 0.05;  ///< [m/s] of each platen
+  double ramp_strain = 2e-5;   ///< axial strain over which the speed rises from 0
   double platen_friction = 0.0;
-  double stop_at = 0.6;         ///< stop when the stress falls to this fraction of the peak
-  double post_peak = 0.3;       ///< stop when the strain exceeds that of the peak by this fraction
-  double max_strain = 0.01;     ///< stop (not peaked) at this axial strain
+  double stop_at = 0.6;                 ///< stop when the stress falls to this fraction of the peak
+  double post_peak = 0.3;               ///< stop when the strain exceeds that of the peak by this fraction
+  double max_strain = 0.01;             ///< stop (not peaked) at this axial strain
   std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
   double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start

@@ -33,12 +33,13 @@ class List {
     return add(FieldKind::quantity, table, key, d, min, max, pfc, meaning, access...);
   }
   template <class... Access>
-  Field& number(const char* table, const char* key, double min, double max, const char* pfc, const char* meaning,
-                Access... access) {
+  Field& number(const char* table, const char* key, double min, double max, const char* pfc,
+                const char* meaning, Access... access) {
     return add(FieldKind::number, table, key, Dimension::none, min, max, pfc, meaning, access...);
   }
   template <class... Access>
-  Field& integer(const char* table, const char* key, double min, double max, const char* meaning, Access... access) {
+  Field& integer(const char* table, const char* key, double min, double max, const char* meaning,
+                 Access... access) {
     return add(FieldKind::integer, table, key, Dimension::none, min, max, "", meaning, access...);
   }
   template <class... Access>
@@ -55,8 +56,8 @@ class List {
 
  private:
   template <class... Access>
-  Field& add(FieldKind kind, const char* table, const char* key, Dimension d, double min, double max, const char* pfc,
-             const char* meaning, Access... access) {
+  Field& add(FieldKind kind, const char* table, const char* key, Dimension d, double min, double max,
+             const char* pfc, const char* meaning, Access... access) {
     Field f;
     f.kind = kind, f.table = table, f.key = key, f.dimension = d, f.min = min, f.max = max;
     f.pfc_name = pfc, f.meaning = meaning;
@@ -76,18 +77,22 @@ void add_specimen(List& l) {
 void add_packing(List& l) {
   using P = PackingRecipe;
   constexpr auto part = &Recipe::packing;
-  l.quantity("packing", "radius_min", Dimension::length, 1e-6, 1, "ball radius", "smallest grain radius", part, &P::radius_min);
-  l.quantity("packing", "radius_max", Dimension::length, 1e-6, 1, "ball radius", "largest grain radius", part, &P::radius_max);
+  l.quantity("packing", "radius_min", Dimension::length, 1e-6, 1, "ball radius", "smallest grain radius",
+             part, &P::radius_min);
+  l.quantity("packing", "radius_max", Dimension::length, 1e-6, 1, "ball radius", "largest grain radius", part,
+             &P::radius_max);
   l.choice("packing", "distribution", {"number", "area"},
            "radii uniform by number of grains, or by area fraction", part, &P::distribution);
-  l.integer("packing", "n_grains", 0, 200000, "number of grains; 0: follows from porosity", part, &P::n_grains);
-  l.number("packing", "porosity", 0, 0.4, "", "area not covered by grains at generation; 0: follows from n_grains", part,
-           &P::porosity)
+  l.integer("packing", "n_grains", 0, 200000, "number of grains; 0: follows from porosity", part,
+            &P::n_grains);
+  l.number("packing", "porosity", 0, 0.4, "",
+           "area not covered by grains at generation; 0: follows from n_grains", part, &P::porosity)
       .below_max = true;
   l.choice("packing", "initial_stress", {"stress_free", "isotropic"},
-           "present overlaps count as stress-free, or a small isotropic stress is locked in", part, &P::initial_stress);
-  l.quantity("packing", "isotropic_stress", Dimension::pressure, 0, 1e9, "", "the locked-in stress, with isotropic", part,
-             &P::isotropic_stress);
+           "present overlaps count as stress-free, or a small isotropic stress is locked in", part,
+           &P::initial_stress);
+  l.quantity("packing", "isotropic_stress", Dimension::pressure, 0, 1e9, "",
+             "the locked-in stress, with isotropic", part, &P::isotropic_stress);
   l.integer("packing", "seed", 0, 4294967295.0, "seed of radii and positions", part, &P::seed);
   Field f;
   f.kind = FieldKind::text, f.table = "packing", f.key = "file";
@@ -101,43 +106,69 @@ void add_matrix(List& l) {
   using M = MatrixRecipe;
   constexpr auto part = &Recipe::matrix;
   const auto stress = Dimension::pressure;
-  l.quantity("matrix", "density", Dimension::density, 1, 1e5, "density", "density of the grains", part, &M::density);
+  l.quantity("matrix", "density", Dimension::density, 1, 1e5, "density", "density of the grains", part,
+             &M::density);
   l.choice("matrix", "stiffness_convention", {"pfc31", "pfc5"},
-           "contact stiffness from E_c: pfc31: k_n = E_c t; pfc5: k_n = 2 r_min t E_c/(R1 + R2)", part, &M::stiffness_convention);
+           "contact stiffness from E_c: pfc31: k_n = E_c t; pfc5: k_n = 2 r_min t E_c/(R1 + R2)", part,
+           &M::stiffness_convention);
   l.quantity("matrix", "E_c", stress, 1e3, 1e13, "emod, E_c", "contact modulus of the grains", part, &M::E_c);
-  l.number("matrix", "ks_over_kn", 1e-3, 10, "1/kratio", "shear over normal stiffness of contacts", part, &M::ks_over_kn);
+  l.number("matrix", "ks_over_kn", 1e-3, 10, "1/kratio", "shear over normal stiffness of contacts", part,
+           &M::ks_over_kn);
   l.number("matrix", "mu", 0, 10, "fric", "friction coefficient of contacts", part, &M::mu);
   l.quantity("matrix", "E_b", stress, 1e3, 1e13, "pb_emod", "modulus of the parallel bonds", part, &M::E_b);
-  l.number("matrix", "bond_ks_over_kn", 1e-3, 10, "1/pb_kratio", "shear over normal stiffness of bonds", part, &M::bond_ks_over_kn);
-  l.number("matrix", "radius_multiplier", 0.01, 1, "pb_rmul", "bond radius over the smaller grain radius", part, &M::radius_multiplier);
-  l.number("matrix", "moment_contribution", 0, 1, "pb_mcf", "share of the moment in the bond's largest tension", part, &M::moment_contribution);
+  l.number("matrix", "bond_ks_over_kn", 1e-3, 10, "1/pb_kratio", "shear over normal stiffness of bonds", part,
+           &M::bond_ks_over_kn);
+  l.number("matrix", "radius_multiplier", 0.01, 1, "pb_rmul", "bond radius over the smaller grain radius",
+           part, &M::radius_multiplier);
+  l.number("matrix", "moment_contribution", 0, 1, "pb_mcf",
+           "share of the moment in the bond's largest tension", part, &M::moment_contribution);
   l.choice("matrix", "shear_strength", {"constant", "cohesion_friction"},
            "constant tau_c (Potyondy & Cundall 2004), or tau_c + sigma tan(phi)", part, &M::shear_strength);
-  l.quantity("matrix", "sigma_c", stress, 1, 1e13, "pb_ten", "tensile strength of bonds, mean", part, &M::sigma_c);
-  l.quantity("matrix", "sigma_c_sd", stress, 0, 1e13, "", "standard deviation of sigma_c", part, &M::sigma_c_sd);
-  l.quantity("matrix", "tau_c", stress, 1, 1e13, "pb_coh", "shear strength (cohesion) of bonds, mean", part, &M::tau_c);
+  l.quantity("matrix", "sigma_c", stress, 1, 1e13, "pb_ten", "tensile strength of bonds, mean", part,
+             &M::sigma_c);
+  l.quantity("matrix", "sigma_c_sd", stress, 0, 1e13, "", "standard deviation of sigma_c", part,
+             &M::sigma_c_sd);
+  l.quantity("matrix", "tau_c", stress, 1, 1e13, "pb_coh", "shear strength (cohesion) of bonds, mean", part,
+             &M::tau_c);
   l.quantity("matrix", "tau_c_sd", stress, 0, 1e13, "", "standard deviation of tau_c", part, &M::tau_c_sd);
-  l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa", "friction angle of bonds, with cohesion_friction", part, &M::phi);
-  l.number("matrix", "bond_gap", 0, 0.5, "install gap", "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
+  l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa",
+             "friction angle of bonds, with cohesion_friction", part, &M::phi);
+  l.number("matrix", "bond_gap", 0, 0.5, "install gap",
+           "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
   l.integer("matrix", "bond_seed", 0, 4294967295.0, "seed of the bond strengths", part, &M::bond_seed);
-  l.boolean("matrix", "unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", part, &M::unbreakable);
+  l.boolean("matrix", "unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", part,
+            &M::unbreakable);
 }
 
 void add_bedding(List& l) {
   using B = BeddingRecipe;
-  l.quantity("bedding", "theta", Dimension::angle, 0, 180, "180 - dip", "plane from +x, anticlockwise; load along y", &B::theta).below_max = true;
-  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "", "distance of the planes of the set", &B::spacing);
-  l.quantity("bedding", "zone_thickness", Dimension::length, 0, 1, "", "thickness d of the zone, used by the zone rule", &B::zone_thickness).above_min = true;
-  l.quantity("bedding", "offset", Dimension::length, -10, 10, "", "distance of one plane from the specimen's centre", &B::offset);
-  l.choice("bedding", "rule", {"crossing", "zone"}, "contacts that become joints: centres on opposite sides of a plane, or contact point within the zone", &B::rule);
-  l.quantity("bedding", "k_n", Dimension::stiffness, 1e3, 1e18, "sj_kn", "normal stiffness of the joints", &B::k_n);
-  l.quantity("bedding", "k_s", Dimension::stiffness, 1e3, 1e18, "sj_ks", "shear stiffness of the joints", &B::k_s);
+  l.quantity("bedding", "theta", Dimension::angle, 0, 180, "180 - dip",
+             "plane from +x, anticlockwise; load along y", &B::theta)
+      .below_max = true;
+  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "", "distance of the planes of the set",
+             &B::spacing);
+  l.quantity("bedding", "zone_thickness", Dimension::length, 0, 1, "",
+             "thickness d of the zone, used by the zone rule", &B::zone_thickness)
+      .above_min = true;
+  l.quantity("bedding", "offset", Dimension::length, -10, 10, "",
+             "distance of one plane from the specimen's centre", &B::offset);
+  l.choice(
+      "bedding", "rule", {"crossing", "zone"},
+      "contacts that become joints: centres on opposite sides of a plane, or contact point within the zone",
+      &B::rule);
+  l.quantity("bedding", "k_n", Dimension::stiffness, 1e3, 1e18, "sj_kn", "normal stiffness of the joints",
+             &B::k_n);
+  l.quantity("bedding", "k_s", Dimension::stiffness, 1e3, 1e18, "sj_ks", "shear stiffness of the joints",
+             &B::k_s);
   l.number("bedding", "mu", 0, 10, "sj_fric", "friction coefficient of broken joints", &B::mu);
-  l.quantity("bedding", "sigma_n", Dimension::pressure, 1, 1e13, "sj_ten", "tensile strength of bonded joints", &B::sigma_n);
-  l.quantity("bedding", "cohesion", Dimension::pressure, 1, 1e13, "sj_coh", "cohesion of bonded joints", &B::cohesion);
+  l.quantity("bedding", "sigma_n", Dimension::pressure, 1, 1e13, "sj_ten",
+             "tensile strength of bonded joints", &B::sigma_n);
+  l.quantity("bedding", "cohesion", Dimension::pressure, 1, 1e13, "sj_coh", "cohesion of bonded joints",
+             &B::cohesion);
   l.quantity("bedding", "phi", Dimension::angle, 0, 80, "sj_fa", "friction angle of bonded joints", &B::phi);
   l.quantity("bedding", "psi", Dimension::angle, 0, 80, "sj_da", "dilation angle; tan(psi) <= mu", &B::psi);
-  l.number("bedding", "radius_multiplier", 0.01, 1, "sj_rmul", "joint radius over the smaller grain radius", &B::radius_multiplier);
+  l.number("bedding", "radius_multiplier", 0.01, 1, "sj_rmul", "joint radius over the smaller grain radius",
+           &B::radius_multiplier);
 }
 
 void add_test(List& l) {
@@ -151,15 +182,26 @@ void add_test(List& l) {
   f.list = [](Recipe& r) -> std::vector<double>& { return r.test.angles; };
   l.fields.push_back(f);
   l.boolean("test", "intact", "also a specimen without bedding", part, &T::intact);
-  l.quantity("test", "platen_speed", Dimension::speed, 1e-6, 10, "", "speed of each platen", part, &T::platen_speed);
-  l.number("test", "ramp_strain", 0, 0.01, "", "axial strain while the speed rises from 0", part, &T::ramp_strain);
-  l.number("test", "platen_friction", 0, 10, "wall fric", "friction coefficient of the platens", part, &T::platen_friction);
-  l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak", part, &T::stop_at);
-  l.number("test", "post_peak", 0, 10, "", "the test ends when the strain exceeds that of the peak by this fraction; 0: no such limit", part, &T::post_peak);
-  l.number("test", "max_strain", 1e-5, 0.2, "", "the test ends at this axial strain at the latest", part, &T::max_strain);
-  l.integer("test", "history_interval", 10, 10000, "steps between history rows, and between all checks", part, &T::history_interval);
-  l.integer("test", "n_snapshots", 0, 200, "stored states of grains and contacts (up to twice as many); 0: only the last", part, &T::n_snapshots);
-  l.number("test", "jump_strain", 0, 0.05, "", "axial strain of the jump start; 0: none", part, &T::jump_strain);
+  l.quantity("test", "platen_speed", Dimension::speed, 1e-6, 10, "", "speed of each platen", part,
+             &T::platen_speed);
+  l.number("test", "ramp_strain", 0, 0.01, "", "axial strain while the speed rises from 0", part,
+           &T::ramp_strain);
+  l.number("test", "platen_friction", 0, 10, "wall fric", "friction coefficient of the platens", part,
+           &T::platen_friction);
+  l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak",
+           part, &T::stop_at);
+  l.number("test", "post_peak", 0, 10, "",
+           "the test ends when the strain exceeds that of the peak by this fraction; 0: no such limit", part,
+           &T::post_peak);
+  l.number("test", "max_strain", 1e-5, 0.2, "", "the test ends at this axial strain at the latest", part,
+           &T::max_strain);
+  l.integer("test", "history_interval", 10, 10000, "steps between history rows, and between all checks", part,
+            &T::history_interval);
+  l.integer("test", "n_snapshots", 0, 200,
+            "stored states of grains and contacts (up to twice as many); 0: only the last", part,
+            &T::n_snapshots);
+  l.number("test", "jump_strain", 0, 0.05, "", "axial strain of the jump start; 0: none", part,
+           &T::jump_strain);
 }
 
 void add_engine(List& l) {
@@ -167,7 +209,8 @@ void add_engine(List& l) {
   constexpr auto part = &Recipe::engine;
   l.choice("engine", "precision", {"double", "float"}, "numbers of the force loop", part, &E::precision);
   l.number("engine", "damping", 0, 0.95, "damp", "local damping coefficient alpha", part, &E::damping);
-  l.number("engine", "step_safety", 0.01, 1, "safety-factor", "fraction of the stable time step", part, &E::step_safety);
+  l.number("engine", "step_safety", 0.01, 1, "safety-factor", "fraction of the stable time step", part,
+           &E::step_safety);
 }
 
 std::string bound(const Field& f, double value) { return print_quantity(value, f.dimension); }
@@ -178,7 +221,8 @@ const std::vector<Field>& recipe_fields() {
   static const std::vector<Field> fields = [] {
     List l;
     Field name;
-    name.kind = FieldKind::text, name.key = "name", name.meaning = "name of the recipe, printed with the results";
+    name.kind = FieldKind::text, name.key = "name",
+    name.meaning = "name of the recipe, printed with the results";
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
@@ -200,7 +244,8 @@ std::string range_text(const Field& f) {
     default: break;
   }
   const std::string lo = bound(f, f.min) + (f.above_min ? " < value" : " <= value");
-  return (f.kind == FieldKind::quantities ? "a list of " : "") + lo + (f.below_max ? " < " : " <= ") + bound(f, f.max);
+  return (f.kind == FieldKind::quantities ? "a list of " : "") + lo + (f.below_max ? " < " : " <= ") +
+         bound(f, f.max);
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
@@ -219,27 +264,32 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
     case FieldKind::quantities: {
       Recipe copy = recipe;
       std::string s;
-      for (const double v : f.list(copy)) s += (s.empty() ? "" : ", ") + quoted(print_quantity(v, f.dimension));
+      for (const double v : f.list(copy))
+        s += (s.empty() ? "" : ", ") + quoted(print_quantity(v, f.dimension));
       return "[" + s + "]";
     }
   }
   return "";
 }
 
-std::vector<Problem> cross_checks(const Recipe& r, const std::function<std::string(const std::string&)>& where) {
+std::vector<Problem> cross_checks(const Recipe& r,
+                                  const std::function<std::string(const std::string&)>& where) {
   std::vector<Problem> out;
   const auto tell = [&](const std::string& path, const std::string& value, const std::string& expected,
-                        const std::string& remedy) { out.push_back({where(path), path, value, expected, remedy}); };
+                        const std::string& remedy) {
+    out.push_back({where(path), path, value, expected, remedy});
+  };
   const auto mm = [](double v) { return print_quantity(v, Dimension::length); };
   const PackingRecipe& p = r.packing;
   if (p.radius_min > p.radius_max)
-    tell("packing.radius_min", mm(p.radius_min), "at most radius_max = " + mm(p.radius_max), "exchange the two");
+    tell("packing.radius_min", mm(p.radius_min), "at most radius_max = " + mm(p.radius_max),
+         "exchange the two");
   if (p.file.empty() && (p.n_grains > 0) == (p.porosity > 0.0))
     tell("packing.n_grains", std::to_string(p.n_grains), "exactly one of n_grains and porosity",
          "set the other one to 0 or leave it out");
   if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
-    tell("packing.isotropic_stress", print_quantity(p.isotropic_stress, Dimension::pressure), "above 0 with isotropic",
-         "give the stress, for example \"0.5 MPa\"");
+    tell("packing.isotropic_stress", print_quantity(p.isotropic_stress, Dimension::pressure),
+         "above 0 with isotropic", "give the stress, for example \"0.5 MPa\"");
   if (10.0 * p.radius_max > std::min(r.specimen.width, r.specimen.height))
     tell("packing.radius_max", mm(p.radius_max), "at most a tenth of the specimen's smaller side",
          "use smaller grains or a larger specimen");
@@ -247,7 +297,8 @@ std::vector<Problem> cross_checks(const Recipe& r, const std::function<std::stri
   const double smallest = static_cast<double>(p.n_grains) * pi * p.radius_min * p.radius_min;
   const double largest = static_cast<double>(p.n_grains) * pi * p.radius_max * p.radius_max;
   if (p.file.empty() && p.n_grains > 0 && (smallest > 1.05 * area || largest < 0.7 * area))
-    tell("packing.n_grains", std::to_string(p.n_grains), "a number of grains of this size that fills the specimen",
+    tell("packing.n_grains", std::to_string(p.n_grains),
+         "a number of grains of this size that fills the specimen",
          "give porosity instead (for example 0.16) and let the number follow");
   if (!r.test.angles.empty() && r.bedding.empty())
     tell("test.angles", "given", "a [[bedding]] set to turn", "add [[bedding]], or remove test.angles");

@@ -1,5 +1,5 @@
-// THE list of recipe keys. The reader, the writer, `phyllite recipe --explain`, the template and docs/reference.md all
-// come from it: a key that is not here does not exist.
+// THE list of recipe keys. The reader, the writer, `phyllite recipe --explain`, the template and
+// docs/reference.md all come from it: a key that is not here does not exist.
 #pragma once
 #include <functional>
 #include <string>
@@ -41,7 +41,8 @@ std::string range_text(const Field& field);
 /// A value as it is written in a file.
 std::string print_field(const Field& field, const Recipe& recipe, std::size_t index);
 /// Problems between keys (thickness against spacing, ...). `where(path)` tells file and line of a key.
-std::vector<Problem> cross_checks(const Recipe& recipe, const std::function<std::string(const std::string&)>& where);
+std::vector<Problem> cross_checks(const Recipe& recipe,
+                                  const std::function<std::string(const std::string&)>& where);
 /// The candidate nearest in spelling, or an empty string when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 

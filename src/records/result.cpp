@@ -9,8 +9,10 @@ const std::vector<HistoryColumn>& history_columns() {
       {"step", "1", "cycle number", &HistoryRow::step},
       {"time", "s", "simulated time", &HistoryRow::time},
       {"axial_strain", "1", "shortening between the platens / initial height", &HistoryRow::axial_strain},
-      {"axial_strain_gauge", "1", "least-squares strain of the middle 60 % along the load", &HistoryRow::axial_strain_gauge},
-      {"lateral_strain_gauge", "1", "least-squares strain of the middle 60 % across the load, shortening positive",
+      {"axial_strain_gauge", "1", "least-squares strain of the middle 60 % along the load",
+       &HistoryRow::axial_strain_gauge},
+      {"lateral_strain_gauge", "1",
+       "least-squares strain of the middle 60 % across the load, shortening positive",
        &HistoryRow::lateral_strain_gauge},
       {"axial_stress", "Pa", "mean platen force / initial width", &HistoryRow::axial_stress},
       {"stress_top", "Pa", "top platen force / initial width", &HistoryRow::stress_top},
@@ -49,7 +51,9 @@ std::string hash_of(const TestResult& result) {
   for (const CrackEvent& c : result.cracks) {
     h.add(c.step), h.add(c.a), h.add(c.b);
     h.add(static_cast<int>(c.mode)), h.add(static_cast<int>(c.place));
-    for (const double v : {c.time, c.strain, c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy}) h.add(v);
+    for (const double v :
+         {c.time, c.strain, c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
+      h.add(v);
   }
   if (!result.snapshots.empty())
     for (const GrainState& g : result.snapshots.back().grains) h.add(g.ux), h.add(g.uy), h.add(g.rotation);

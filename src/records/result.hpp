@@ -1,5 +1,5 @@
-// What a test leaves behind: a history, the cracks, snapshots, numbers with their definitions, and how it ended.
-// Signs: compression and shortening positive. Units: SI.
+// What a test leaves behind: a history, the cracks, snapshots, numbers with their definitions, and how it
+// ended. Signs: compression and shortening positive. Units: SI.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -22,30 +22,30 @@ struct CrackEvent {
   std::uint32_t a = 0, b = 0;  ///< grains
   CrackMode mode = CrackMode::tension;
   CrackPlace place = CrackPlace::matrix;
-  Vec2 position;               ///< contact point [m]
-  Vec2 normal;                 ///< of the broken bond, or of the bedding plane
-  double size = 0.0;           ///< length of the broken bond 2 R_bar [m]
-  double energy = 0.0;         ///< strain energy that the bond held [J per m thickness]
+  Vec2 position;        ///< contact point [m]
+  Vec2 normal;          ///< of the broken bond, or of the bedding plane
+  double size = 0.0;    ///< length of the broken bond 2 R_bar [m]
+  double energy = 0.0;  ///< strain energy that the bond held [J per m thickness]
 };
 
 /// One row of a test's history. Energies per metre of thickness.
 struct HistoryRow {
   double step = 0.0;
-  double time = 0.0;                    ///< [s]
-  double axial_strain = 0.0;            ///< from the platens
-  double axial_strain_gauge = 0.0;      ///< least squares over the grains of the middle 60 %
-  double lateral_strain_gauge = 0.0;    ///< same fit, shortening positive (so negative in compression)
-  double axial_stress = 0.0;            ///< mean of both platens over the initial width [Pa]
+  double time = 0.0;                  ///< [s]
+  double axial_strain = 0.0;          ///< from the platens
+  double axial_strain_gauge = 0.0;    ///< least squares over the grains of the middle 60 %
+  double lateral_strain_gauge = 0.0;  ///< same fit, shortening positive (so negative in compression)
+  double axial_stress = 0.0;          ///< mean of both platens over the initial width [Pa]
   double stress_top = 0.0, stress_bottom = 0.0;  ///< [Pa]
   double n_cracks = 0.0;
-  double boundary_work = 0.0;           ///< done by the platens [J/m]
-  double kinetic = 0.0;                 ///< [J/m]
+  double boundary_work = 0.0;  ///< done by the platens [J/m]
+  double kinetic = 0.0;        ///< [J/m]
   double strain_linear = 0.0, strain_bond = 0.0, strain_joint = 0.0, strain_wall = 0.0;  ///< stored [J/m]
-  double slip = 0.0;                    ///< dissipated by friction so far [J/m]
-  double damping = 0.0;                 ///< dissipated by local damping so far [J/m]
-  double released = 0.0;                ///< strain energy of broken bonds so far [J/m]
-  double energy_error = 0.0;            ///< (work - all the above) / total boundary work so far
-  double unbalanced = 0.0;              ///< mean unbalanced grain force / mean contact force
+  double slip = 0.0;          ///< dissipated by friction so far [J/m]
+  double damping = 0.0;       ///< dissipated by local damping so far [J/m]
+  double released = 0.0;      ///< strain energy of broken bonds so far [J/m]
+  double energy_error = 0.0;  ///< (work - all the above) / total boundary work so far
+  double unbalanced = 0.0;    ///< mean unbalanced grain force / mean contact force
 };
 
 struct History {
@@ -74,8 +74,8 @@ struct Outcome {
 
 /// A result with its unit and the definition used.
 struct Number {
-  std::string name;        ///< "E_tangent", "ucs", ...
-  double value = 0.0;      ///< SI; NaN = could not be determined, see note
+  std::string name;    ///< "E_tangent", "ucs", ...
+  double value = 0.0;  ///< SI; NaN = could not be determined, see note
   std::string unit;
   std::string definition;
   std::string note;
@@ -88,34 +88,35 @@ struct GrainState {
 struct ContactState {
   std::uint32_t a = 0, b = 0;
   ContactKind kind = ContactKind::touching;
-  bool broken = false;               ///< a bond or joint that has broken
-  double F_n = 0.0, F_s = 0.0;       ///< compression positive [N/m]
+  bool broken = false;          ///< a bond or joint that has broken
+  double F_n = 0.0, F_s = 0.0;  ///< compression positive [N/m]
   Vec2 normal;
 };
 struct Snapshot {
   double step = 0.0;
   double axial_strain = 0.0, axial_stress = 0.0;
-  std::vector<GrainState> grains;    ///< packing order
+  std::vector<GrainState> grains;  ///< packing order
   std::vector<ContactState> contacts;
 };
 
 struct TestResult {
-  std::string name;                  ///< specimen name
+  std::string name;  ///< specimen name
   bool intact = true;
-  double theta = 0.0;                ///< [deg] of bedding[0]
+  double theta = 0.0;  ///< [deg] of bedding[0]
   Outcome outcome;
   std::vector<Number> numbers;
   History history;
-  std::vector<CrackEvent> cracks;    ///< ordered by (step, a, b)
-  std::vector<Snapshot> snapshots;   ///< the last one is the final state
-  double dt = 0.0;                   ///< [s] at the start
+  std::vector<CrackEvent> cracks;   ///< ordered by (step, a, b)
+  std::vector<Snapshot> snapshots;  ///< the last one is the final state
+  double dt = 0.0;                  ///< [s] at the start
   std::int64_t n_steps = 0;
-  std::int64_t n_contacts = 0;       ///< bonded, joint or touching at the start
-  double seconds = 0.0;              ///< thread CPU time share of this specimen
-  std::string hash;                  ///< bits of history, cracks and final positions
+  std::int64_t n_contacts = 0;  ///< bonded, joint or touching at the start
+  double seconds = 0.0;         ///< thread CPU time share of this specimen
+  std::string hash;             ///< bits of history, cracks and final positions
 };
 
-/// Fingerprint over the bits of every history value, crack and final position; not over times, host or threads.
+/// Fingerprint over the bits of every history value, crack and final position; not over times, host or
+/// threads.
 std::string hash_of(const TestResult& result);
 
 }  // namespace phy

@@ -18,13 +18,13 @@ struct Disc {
 
 /// How a packing turned out; printed and stored with every result.
 struct PackingReport {
-  double porosity = 0.0;             ///< 1 - sum(pi r^2) / (width height)
-  double coordination = 0.0;         ///< mean number of touching neighbours, 2 N_contacts / N
-  double fabric = 0.0;               ///< <cos 2 angle> of the contact normals; 0 = isotropic
-  double stress_left = 0.0;          ///< [Pa] mean stress locked in
-  std::int64_t n_floaters = 0;       ///< discs with fewer than three contacts
-  double mean_overlap = 0.0;         ///< mean overlap / mean radius
-  double unbalanced = 0.0;           ///< mean unbalanced force / mean contact force at the end
+  double porosity = 0.0;        ///< 1 - sum(pi r^2) / (width height)
+  double coordination = 0.0;    ///< mean number of touching neighbours, 2 N_contacts / N
+  double fabric = 0.0;          ///< <cos 2 angle> of the contact normals; 0 = isotropic
+  double stress_left = 0.0;     ///< [Pa] mean stress locked in
+  std::int64_t n_floaters = 0;  ///< discs with fewer than three contacts
+  double mean_overlap = 0.0;    ///< mean overlap / mean radius
+  double unbalanced = 0.0;      ///< mean unbalanced force / mean contact force at the end
 };
 
 /// A box of discs in equilibrium between smooth walls x = 0, x = width, y = 0, y = height.
@@ -48,27 +48,28 @@ struct Contact {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   ContactKind kind = ContactKind::bonded;
-  std::int8_t side = 0;     ///< joints: sign of n.n_j at assignment (a -> b); kept for ever
-  std::uint8_t set = 0;     ///< joints: number of the bedding set
-  double sigma_c = 0.0;     ///< bonded: tensile strength [Pa]
-  double tau_c = 0.0;       ///< bonded: shear strength or cohesion [Pa]
+  std::int8_t side = 0;  ///< joints: sign of n.n_j at assignment (a -> b); kept for ever
+  std::uint8_t set = 0;  ///< joints: number of the bedding set
+  double sigma_c = 0.0;  ///< bonded: tensile strength [Pa]
+  double tau_c = 0.0;    ///< bonded: shear strength or cohesion [Pa]
 };
 
 /// How bedding sits in this specimen.
 struct BeddingReport {
-  double overlap_ratio = 0.0;      ///< sum(A)/L of one plane: joint contact length per length of plane
-  double bridge_fraction = 0.0;    ///< contacts that cross a plane but are no joints, of all crossing contacts
+  double overlap_ratio = 0.0;    ///< sum(A)/L of one plane: joint contact length per length of plane
+  double bridge_fraction = 0.0;  ///< contacts that cross a plane but are no joints, of all crossing contacts
   double non_crossing_fraction = 0.0;  ///< joints whose grains lie on the same side, of all joints
 };
 
 /// A bonded specimen of one packing with its bedding: what the engine and the statics load.
 struct Specimen {
-  std::string name;                       ///< "theta = 30 deg" or "intact"
+  std::string name;  ///< "theta = 30 deg" or "intact"
   std::shared_ptr<const Packing> packing;
   MatrixRecipe matrix;
-  std::vector<BeddingRecipe> bedding;     ///< sets with their final angles
-  std::vector<Contact> contacts;          ///< sorted by (a, b)
-  /// Plane interval of each grain's centre, per set: label[set * n_grains + grain] = floor of the plane count below it.
+  std::vector<BeddingRecipe> bedding;  ///< sets with their final angles
+  std::vector<Contact> contacts;       ///< sorted by (a, b)
+  /// Plane interval of each grain's centre, per set: label[set * n_grains + grain] = floor of the plane count
+  /// below it.
   std::vector<std::int32_t> plane_label;
   std::vector<BeddingReport> bedding_report;  ///< per set
 };

@@ -21,8 +21,9 @@ std::string number(const TestResult& r, const std::string& name, double scale, i
 }
 
 Column value(std::string head, std::string unit, std::string name, double scale, int digits) {
-  return {std::move(head), std::move(unit),
-          [name = std::move(name), scale, digits](const TestResult& r) { return number(r, name, scale, digits); }};
+  return {std::move(head), std::move(unit), [name = std::move(name), scale, digits](const TestResult& r) {
+            return number(r, name, scale, digits);
+          }};
 }
 
 std::vector<Column> columns() {

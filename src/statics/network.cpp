@@ -89,13 +89,13 @@ Tangent<double> stiffness(const Network& net, const Link& l, bool active) {
   }
   if (l.bond > 0.0) {
     const double k_n = m.E_b * l.bond;
-    k = k + parallel_bond::tangent(parallel_bond::Parameters<double>{k_n, m.bond_ks_over_kn * k_n, m.E_b * l.bend, 0.0,
-                                                                     0.0, 0.0, 0.0});
+    k = k + parallel_bond::tangent(parallel_bond::Parameters<double>{k_n, m.bond_ks_over_kn * k_n,
+                                                                     m.E_b * l.bend, 0.0, 0.0, 0.0, 0.0});
   }
   if (l.joint > 0.0) {
     const BeddingRecipe& set = net.bedding[l.set];
-    k = k + smooth_joint::tangent(
-                smooth_joint::Parameters<double>{set.k_n * l.joint, set.k_s * l.joint, set.mu, 0.0, 0.0, 0.0, 0.0});
+    k = k + smooth_joint::tangent(smooth_joint::Parameters<double>{set.k_n * l.joint, set.k_s * l.joint,
+                                                                   set.mu, 0.0, 0.0, 0.0, 0.0});
   }
   return k;
 }
@@ -139,7 +139,8 @@ std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 
 std::vector<Tangent<double>> stiffnesses(const Network& net, const std::vector<char>& active) {
   std::vector<Tangent<double>> k;
   k.reserve(net.links.size());
-  for (std::size_t i = 0; i < net.links.size(); ++i) k.push_back(stiffness(net, net.links[i], active[i] != 0));
+  for (std::size_t i = 0; i < net.links.size(); ++i)
+    k.push_back(stiffness(net, net.links[i], active[i] != 0));
   return k;
 }
 

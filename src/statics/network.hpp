@@ -4,15 +4,16 @@
 //
 //   d        = (u_b - u_a) - (w_a arm_a + w_b arm_b) tangent(branch)
 //   closure  = -n.d,   slide = t.d,   rotation = w_b - w_a
-//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation          (laws/law.hpp; force on b = F_n n + F_s t)
+//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation          (laws/law.hpp; force on b = F_n n +
+//   F_s t)
 //
-// with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n is the branch for
-// grains and bonds, the plane's normal for smooth joints. k_n, k_s, k_m are the tangent stiffnesses that the laws
-// themselves state, for closed, sticking, unbroken contacts.
+// with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n is
+// the branch for grains and bonds, the plane's normal for smooth joints. k_n, k_s, k_m are the tangent
+// stiffnesses that the laws themselves state, for closed, sticking, unbroken contacts.
 //
-// Linear parts only push. Which of them push is decided by the caller (uniaxial.hpp); `active` says so per link.
-// Overlaps of the packing count as stress-free: a linear part acts as soon as its grains approach. For a packing with a
-// locked-in stress this is the limit of axial stresses well above it.
+// Linear parts only push. Which of them push is decided by the caller (uniaxial.hpp); `active` says so per
+// link. Overlaps of the packing count as stress-free: a linear part acts as soon as its grains approach. For
+// a packing with a locked-in stress this is the limit of axial stresses well above it.
 //
 // Platens are bodies like grains, placed after them, with all movements prescribed.
 #pragma once
@@ -30,24 +31,24 @@ namespace phy {
 /// Springs between two bodies. The factors multiply the moduli of the recipe; 0 = that law is absent.
 struct Link {
   std::uint32_t a = 0, b = 0;
-  Vec2 branch;                ///< unit vector a -> b
-  Vec2 n;                     ///< normal of the law, from a to b
-  double arm_a = 0.0;         ///< [m]
-  double arm_b = 0.0;         ///< [m]
-  Vec2 shift;                 ///< periodic cells: the image of b in contact lies at x_b + shift [m]
-  double linear = 0.0;        ///< k_n / E_c of the linear contact [-]
-  double bond = 0.0;          ///< A / L of the parallel bond [-]: k_n = E_b A / L
-  double bend = 0.0;          ///< I / L of the parallel bond [m^2]: k_m = E_b I / L
-  double joint = 0.0;         ///< area of the smooth joint [m^2 per m]
-  std::uint8_t set = 0;       ///< bedding set of the joint
-  bool unilateral = false;    ///< the linear part only pushes
-  bool smooth = false;        ///< the linear part does not resist sliding (frictionless platen)
+  Vec2 branch;              ///< unit vector a -> b
+  Vec2 n;                   ///< normal of the law, from a to b
+  double arm_a = 0.0;       ///< [m]
+  double arm_b = 0.0;       ///< [m]
+  Vec2 shift;               ///< periodic cells: the image of b in contact lies at x_b + shift [m]
+  double linear = 0.0;      ///< k_n / E_c of the linear contact [-]
+  double bond = 0.0;        ///< A / L of the parallel bond [-]: k_n = E_b A / L
+  double bend = 0.0;        ///< I / L of the parallel bond [m^2]: k_m = E_b I / L
+  double joint = 0.0;       ///< area of the smooth joint [m^2 per m]
+  std::uint8_t set = 0;     ///< bedding set of the joint
+  bool unilateral = false;  ///< the linear part only pushes
+  bool smooth = false;      ///< the linear part does not resist sliding (frictionless platen)
 };
 
 struct Network {
-  std::vector<Vec2> x;        ///< centres: grains first, then platens [m]
+  std::vector<Vec2> x;  ///< centres: grains first, then platens [m]
   std::size_t n_grains = 0;
-  double length = 1.0;        ///< a typical arm [m]: compares rotations with displacements
+  double length = 1.0;  ///< a typical arm [m]: compares rotations with displacements
   std::vector<Link> links;
   MatrixRecipe matrix;
   std::vector<BeddingRecipe> bedding;
@@ -58,11 +59,12 @@ constexpr double touching_gap = 1e-6;
 
 enum class Platens { frictionless, glued };
 
-/// The contacts of a specimen, in their order. With a period > 0 along x or y a contact joins a to the nearest image of b.
+/// The contacts of a specimen, in their order. With a period > 0 along x or y a contact joins a to the
+/// nearest image of b.
 Network make_network(const Specimen& specimen, Vec2 period = {});
 
-/// Adds the bottom and the top platen (bodies n_grains and n_grains + 1) and their links to the grains that touch the
-/// lines y = 0 and y = height. Glued: sliding is resisted too and nothing comes off.
+/// Adds the bottom and the top platen (bodies n_grains and n_grains + 1) and their links to the grains that
+/// touch the lines y = 0 and y = height. Glued: sliding is resisted too and nothing comes off.
 void add_platens(Network& network, const Specimen& specimen, Platens platens);
 
 /// Stiffness of a link. `active`: its linear part acts.

@@ -25,7 +25,8 @@ class Clusters {
   std::vector<std::uint32_t> parent_;
 };
 
-using Row = std::array<double, 3>;  // over a rigid motion (v_x, v_y, spin times length) about the origin of the network
+using Row = std::array<double, 3>;  // over a rigid motion (v_x, v_y, spin times length) about the origin of
+                                    // the network
 
 /// One resisted relative motion of two bodies.
 struct Hold {
@@ -33,8 +34,8 @@ struct Hold {
   Row row;
 };
 
-/// Rank 3? Gram-Schmidt with the largest remaining row first. The smallest row of a sound pair is about the ratio of a
-/// grain to the specimen, 1e-3; rounding leaves 1e-14.
+/// Rank 3? Gram-Schmidt with the largest remaining row first. The smallest row of a sound pair is about the
+/// ratio of a grain to the specimen, 1e-3; rounding leaves 1e-14.
 bool leaves_no_motion(std::vector<Row> rows) {
   constexpr double tiny = 1e-8;
   for (int rank = 0; rank < 3; ++rank) {

@@ -13,7 +13,9 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-std::size_t number(const Freedom& f) { return 3 * std::size_t{f.body} + static_cast<std::size_t>(f.component); }
+std::size_t number(const Freedom& f) {
+  return 3 * std::size_t{f.body} + static_cast<std::size_t>(f.component);
+}
 
 std::array<std::size_t, 6> freedoms(const Link& l) {
   const std::size_t a = 3 * std::size_t{l.a}, b = 3 * std::size_t{l.b};
@@ -40,7 +42,8 @@ std::vector<std::int32_t> elimination_order(const Network& net, const std::vecto
 bool sound(double k) { return k >= 0.0 && std::isfinite(k); }
 
 ElasticOutcome bad(std::string reason, std::vector<std::uint32_t> grains) {
-  return {ElasticStatus::bad_stiffness, std::move(reason), "check moduli, stiffness ratios and the discs", std::move(grains)};
+  return {ElasticStatus::bad_stiffness, std::move(reason), "check moduli, stiffness ratios and the discs",
+          std::move(grains)};
 }
 
 /// Negative, not finite or all zero: no matrix is made of these.
@@ -48,8 +51,9 @@ ElasticOutcome check_stiffness(const Network& net, const std::vector<Tangent<dou
   double largest = 0.0;
   for (std::size_t i = 0; i < k.size(); ++i) {
     const Link& l = net.links[i];
-    const bool fine = sound(k[i].k_n) && sound(k[i].k_s) && sound(k[i].k_m) && std::isfinite(dot(l.branch, l.branch)) &&
-                      std::isfinite(l.arm_a) && std::isfinite(l.arm_b);
+    const bool fine = sound(k[i].k_n) && sound(k[i].k_s) && sound(k[i].k_m) &&
+                      std::isfinite(dot(l.branch, l.branch)) && std::isfinite(l.arm_a) &&
+                      std::isfinite(l.arm_b);
     if (!fine)
       return bad("the contact of grains " + std::to_string(l.a) + " and " + std::to_string(l.b) +
                      " has a negative or infinite stiffness, or its grains share a centre",
@@ -59,7 +63,8 @@ ElasticOutcome check_stiffness(const Network& net, const std::vector<Tangent<dou
   if (largest > 0.0) return {};
   std::vector<std::uint32_t> all(net.n_grains);
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return bad("no contact has any stiffness: all grains, 0 to " + std::to_string(net.n_grains) + " (excluded), are loose",
+  return bad("no contact has any stiffness: all grains, 0 to " + std::to_string(net.n_grains) +
+                 " (excluded), are loose",
              std::move(all));
 }
 
@@ -78,7 +83,8 @@ StiffnessSystem::StiffnessSystem(const Network& net, std::vector<Freedom> prescr
     : numbers_(std::make_unique<Numbers>()), prescribed_(std::move(prescribed)) {
   std::vector<char> given(3 * net.x.size(), 0), free_body(net.x.size(), 0);
   for (const Freedom& f : prescribed_) {
-    PHY_CHECK(f.body < net.x.size() && f.component >= 0 && f.component < 3, "a movement of a body is prescribed");
+    PHY_CHECK(f.body < net.x.size() && f.component >= 0 && f.component < 3,
+              "a movement of a body is prescribed");
     given[number(f)] = 1;
   }
   for (std::size_t i = 0; i < given.size(); ++i)
@@ -136,8 +142,11 @@ void StiffnessSystem::place_coefficients(const Network& net) {
 
 bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& prescribed) const {
   if (3 * net.x.size() != equation_.size() || 2 * net.links.size() != pairs_.size()) return false;
-  const auto same = [](const Freedom& a, const Freedom& b) { return a.body == b.body && a.component == b.component; };
-  if (!std::equal(prescribed.begin(), prescribed.end(), prescribed_.begin(), prescribed_.end(), same)) return false;
+  const auto same = [](const Freedom& a, const Freedom& b) {
+    return a.body == b.body && a.component == b.component;
+  };
+  if (!std::equal(prescribed.begin(), prescribed.end(), prescribed_.begin(), prescribed_.end(), same))
+    return false;
   for (std::size_t i = 0; i < net.links.size(); ++i)
     if (net.links[i].a != pairs_[2 * i] || net.links[i].b != pairs_[2 * i + 1]) return false;
   return true;
@@ -162,13 +171,16 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<Tan
   ground_ = ground_stiffness * stiffest, length_ = net.length;
   for (std::size_t f = 0; f < equation_.size(); ++f)
     if (equation_[f] >= 0 && loose_[f / 3])
-      K[diagonal_[static_cast<std::size_t>(equation_[f])]] += f % 3 == 2 ? ground_ * length_ * length_ : ground_;
+      K[diagonal_[static_cast<std::size_t>(equation_[f])]] +=
+          f % 3 == 2 ? ground_ * length_ * length_ : ground_;
   numbers_->factor.factorize(numbers_->K);
   if (numbers_->factor.info() == Eigen::Success &&
       (diagonal_.empty() || numbers_->factor.vectorD().minCoeff() > 0.0))
     return {};
-  return {ElasticStatus::mechanism, "the stiffness matrix is singular to rounding",
-          "check for stiffnesses that differ by more than 1e12", {}};
+  return {ElasticStatus::mechanism,
+          "the stiffness matrix is singular to rounding",
+          "check for stiffnesses that differ by more than 1e12",
+          {}};
 }
 
 Movements StiffnessSystem::solve(const std::vector<double>& f) const {
@@ -204,8 +216,8 @@ double StiffnessSystem::ground_share(const Movements& u, double force) const {
   return sum / force;
 }
 
-std::vector<double> inner_forces(const Network& net, const std::vector<Tangent<double>>& k, const Movements& u,
-                                 const Gradient& gradient) {
+std::vector<double> inner_forces(const Network& net, const std::vector<Tangent<double>>& k,
+                                 const Movements& u, const Gradient& gradient) {
   std::vector<double> f(u.size(), 0.0);
   for (std::size_t i = 0; i < net.links.size(); ++i) {
     const Link& l = net.links[i];
@@ -236,10 +248,13 @@ LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<ch
   if (!result.outcome.ok()) return result;
   result.u = system.solve(net, k, boundary);
   double force = 0.0;
-  for (const double f : inner_forces(net, k, result.u, boundary.gradient)) force = std::max(force, std::fabs(f));
+  for (const double f : inner_forces(net, k, result.u, boundary.gradient))
+    force = std::max(force, std::fabs(f));
   if (force > 0.0 && !(system.ground_share(result.u, force) < 1e-6)) {
-    result.outcome = {ElasticStatus::mechanism, "the load meets a part that moves without resistance",
-                      "bond it or support it", {}};
+    result.outcome = {ElasticStatus::mechanism,
+                      "the load meets a part that moves without resistance",
+                      "bond it or support it",
+                      {}};
     for (std::uint32_t i = 0; i < net.n_grains; ++i)
       if (system.loose()[i]) result.outcome.grains.push_back(i);
   }

@@ -75,7 +75,8 @@ void close_seat(Desk& desk, Seat& seat) {
 void work(Desk& desk, const GroupOptions& options) {
   const std::unique_ptr<LaneGroup> group = make_group(desk.specimens.front()->packing, options);
   std::vector<Seat> seats(static_cast<std::size_t>(options.lanes));
-  for (int lane = 0; lane < options.lanes; ++lane) fill_seat(desk, *group, seats[static_cast<std::size_t>(lane)], lane);
+  for (int lane = 0; lane < options.lanes; ++lane)
+    fill_seat(desk, *group, seats[static_cast<std::size_t>(lane)], lane);
   for (;;) {
     int busy = 0;
     for (const Seat& seat : seats) busy += seat.test ? 1 : 0;
@@ -110,8 +111,9 @@ int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions
   return lanes;
 }
 
-std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens, const Recipe& recipe,
-                                  const MachineOptions& machine, const ScheduleHooks& hooks) {
+std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                                  const Recipe& recipe, const MachineOptions& machine,
+                                  const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
   Desk desk{specimens, recipe, hooks, std::vector<TestResult>(specimens.size()), {}, 0, {}, nullptr};
   if (specimens.empty()) return {};

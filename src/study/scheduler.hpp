@@ -1,8 +1,9 @@
-// Runs many specimens: groups of one packing in SIMD lanes, groups on worker threads, finished lanes filled again.
+// Runs many specimens: groups of one packing in SIMD lanes, groups on worker threads, finished lanes filled
+// again.
 //
-// Parallel over groups, never inside a specimen: a group has no barrier, and its sums keep their order. Workers take
-// specimens from one queue. A result depends on its specimen and recipe alone, never on the worker, the lane, the
-// neighbours in the lanes or their number; only the order in which results arrive does.
+// Parallel over groups, never inside a specimen: a group has no barrier, and its sums keep their order.
+// Workers take specimens from one queue. A result depends on its specimen and recipe alone, never on the
+// worker, the lane, the neighbours in the lanes or their number; only the order in which results arrive does.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -33,12 +34,13 @@ struct Progress {
 struct ScheduleHooks {
   std::function<void(std::size_t index, const TestResult&)> on_result;  ///< from a worker, one at a time
   std::function<void(const Progress&)> on_progress;                     ///< from a worker, one at a time
-  const std::atomic<bool>* stop = nullptr;                              ///< true: end soon, keep what is finished
+  const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 
 /// Results in the order of `specimens`; unfinished ones carry Status::interrupted.
-std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens, const Recipe& recipe,
-                                  const MachineOptions& machine, const ScheduleHooks& hooks = {});
+std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                                  const Recipe& recipe, const MachineOptions& machine,
+                                  const ScheduleHooks& hooks = {});
 
 /// Lanes that run_tests would use.
 int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine);

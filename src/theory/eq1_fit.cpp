@@ -207,8 +207,7 @@ std::string note_for(Eq1Reference reference) {
   }
 }
 
-Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p,
-                const std::vector<ModulusReading>& readings) {
+Eq1Fit conclude(Eq1Fit fit, const Solution& s, const Setup& p, const std::vector<ModulusReading>& readings) {
   fit.e = s.x[0] / p.scale;
   fit.a = s.x[1] / p.scale;
   fit.b = s.x[2] / p.scale;

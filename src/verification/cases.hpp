@@ -1,5 +1,5 @@
-// Verification: closed forms on one side, the program on the other. `phyllite verify` and tests/verification run the
-// same list. This is the only room that sees both theory and engine.
+// Verification: closed forms on one side, the program on the other. `phyllite verify` and tests/verification
+// run the same list. This is the only room that sees both theory and engine.
 #pragma once
 #include <functional>
 #include <string>
@@ -17,10 +17,10 @@ struct Check {
 };
 
 struct VerificationCase {
-  std::string id;      ///< "V6"
+  std::string id;  ///< "V6"
   std::string claim;
   std::string source;
-  std::string why;     ///< why this tolerance
+  std::string why;  ///< why this tolerance
   std::function<std::vector<Check>()> run;
 };
 

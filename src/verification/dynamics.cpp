@@ -1,5 +1,6 @@
-// The engine against closed forms of vibration, waves, damping and energy. All cases run the engine that users run, in
-// double precision and one lane; that other lanes and sets give the same bits is proved in tests/determinism.
+// The engine against closed forms of vibration, waves, damping and energy. All cases run the engine that
+// users run, in double precision and one lane; that other lanes and sets give the same bits is proved in
+// tests/determinism.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -71,7 +72,8 @@ std::vector<Check> rigid_motion() {
     b.group->set_motion(0, i, {}, {1.0 - spin * discs[i].y, 0.5 + spin * discs[i].x}, spin);
   for (int i = 0; i < 50; ++i) b.group->advance();
   const HistoryRow& row = b.group->row(0);
-  return {{"strain energy / kinetic energy after moving as a rigid body [-]", 0.0, row.strain_bond / row.kinetic, 1e-10}};
+  return {{"strain energy / kinetic energy after moving as a rigid body [-]", 0.0,
+           row.strain_bond / row.kinetic, 1e-10}};
 }
 
 std::vector<Check> chain() {
@@ -86,9 +88,11 @@ std::vector<Check> chain() {
     Bench b(std::move(s), 0.0);
     for (std::uint32_t i = 0; i < n; ++i)
       b.group->set_motion(0, i, {}, {1e-6 * std::cos(mode * pi * (i + 0.5) / n), 0.0}, 0.0);
-    const double w = frequency(b, [](const Bench& x) { return x.grain(0).ux; }, 200);
-    checks.push_back({"angular frequency of mode " + std::to_string(mode) + " of a free chain of 40 discs [1/s]",
-                      2.0 * std::sqrt(K / m) * std::sin(mode * pi / (2.0 * n)), w, 1e-6});
+    const double w = frequency(
+        b, [](const Bench& x) { return x.grain(0).ux; }, 200);
+    checks.push_back(
+        {"angular frequency of mode " + std::to_string(mode) + " of a free chain of 40 discs [1/s]",
+         2.0 * std::sqrt(K / m) * std::sin(mode * pi / (2.0 * n)), w, 1e-6});
   }
   return checks;
 }
@@ -106,9 +110,12 @@ std::vector<Check> pair_vibration() {
   const double Kn = kb * A, Ks = s.matrix.bond_ks_over_kn * Kn;
   const double v = 1e-6;
   const double axial = run({-v, 0}, 0, {v, 0}, 0, [](const Bench& b) { return b.grain(0).ux; });
-  const double bending = run({0, 0}, -v / R, {0, 0}, v / R, [](const Bench& b) { return b.grain(0).rotation; });
-  // shear mode: both discs turn alike while they move apart across; m u R-amplitudes follow from K_s(2/m + 2 R^2/J)
-  const double shear = run({0, -v}, -2.0 * v / R, {0, v}, -2.0 * v / R, [](const Bench& b) { return b.grain(0).uy; });
+  const double bending =
+      run({0, 0}, -v / R, {0, 0}, v / R, [](const Bench& b) { return b.grain(0).rotation; });
+  // shear mode: both discs turn alike while they move apart across; m u R-amplitudes follow from K_s(2/m + 2
+  // R^2/J)
+  const double shear =
+      run({0, -v}, -2.0 * v / R, {0, v}, -2.0 * v / R, [](const Bench& b) { return b.grain(0).uy; });
   return {{"axial [1/s]", std::sqrt(2.0 * Kn / m), axial, 1e-6},
           {"bending [1/s]", std::sqrt(2.0 * kb * I / J), bending, 1e-6},
           {"shear [1/s]", std::sqrt(6.0 * Ks / m), shear, 1e-6}};
@@ -140,8 +147,8 @@ std::vector<Check> damped_oscillator() {
           {"half period [s]", half, when[2] - when[1], 2e-4}};
 }
 
-// A wave packet meets one smooth joint in a long chain. The system is linear, so the packet's component of wave number q
-// before and after gives |T(q)| itself, whatever the packet's width.
+// A wave packet meets one smooth joint in a long chain. The system is linear, so the packet's component of
+// wave number q before and after gives |T(q)| itself, whatever the packet's width.
 std::vector<Check> wave_through_joint() {
   constexpr int n = 1200, at = 600;
   constexpr double q = 0.10, centre = 300.0, width = 40.0;  // phase per disc; disc numbers
@@ -181,8 +188,10 @@ std::vector<Check> wave_through_joint() {
     const double u = shot.grains[static_cast<std::size_t>(i)].ux;
     re += u * std::cos(q * i), im += u * std::sin(q * i);
   }
-  const double Z = std::sqrt(K * m), x = 0.5 * (2.0 * std::sqrt(K / m) * std::sin(0.5 * q)) * Z * (1.0 / k_j - 1.0 / K);
-  return {{"|T| at a phase of 0.1 per disc [-]", 1.0 / std::sqrt(1.0 + x * x), std::sqrt(re * re + im * im) / came, 3e-3}};
+  const double Z = std::sqrt(K * m),
+               x = 0.5 * (2.0 * std::sqrt(K / m) * std::sin(0.5 * q)) * Z * (1.0 / k_j - 1.0 / K);
+  return {{"|T| at a phase of 0.1 per disc [-]", 1.0 / std::sqrt(1.0 + x * x),
+           std::sqrt(re * re + im * im) / came, 3e-3}};
 }
 
 /// A small bonded block with one inclined joint set under the press until something has broken.
@@ -209,9 +218,12 @@ std::vector<Check> energy_balance() {
           {"something broke (1 = yes)", 1.0, n > 0 ? 1.0 : 0.0, 0.0}};
 }
 
-// Largest frequency by power iteration on the engine itself would be circular; a chain and a lattice have closed forms.
+// Largest frequency by power iteration on the engine itself would be circular; a chain and a lattice have
+// closed forms.
 std::vector<Check> stable_step() {
-  const auto ratio = [](Specimen s, double exact) { return FrequencyBound(s, initial_stiffnesses(s)).omega() / exact; };
+  const auto ratio = [](Specimen s, double exact) {
+    return FrequencyBound(s, initial_stiffnesses(s)).omega() / exact;
+  };
   Specimen pair = bonded_pair();
   const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
   const double Ks = pair.matrix.bond_ks_over_kn * pair.matrix.E_b + pair.matrix.ks_over_kn * pair.matrix.E_c;
@@ -220,7 +232,8 @@ std::vector<Check> stable_step() {
   for (int i = 0; i < 200; ++i) discs.push_back({2.0 * R * i, 0.0, R});
   Specimen line = assembly(discs, soft_contact());
   bond_touching(line);
-  // alternating spins: shear and bending act together, w^2 = (2/J)(2 K_s R^2 + 2 k_m), against 4 K_n/m along the chain
+  // alternating spins: shear and bending act together, w^2 = (2/J)(2 K_s R^2 + 2 k_m), against 4 K_n/m along
+  // the chain
   const double J = 0.5 * m * R * R, k_m = line.matrix.E_b / A * (2.0 / 3.0 * R * R * R);
   const double top = std::sqrt(std::max(4.0 * Kn / m, std::max(4.0 * k_m / J, 12.0 * Ks / m)));
   return {{"bound / exact highest frequency of a pair, 1 to 1.2 [-]", 1.1, ratio(pair, highest), 1.0 / 11.0},
@@ -232,18 +245,24 @@ std::vector<Check> stable_step() {
 std::vector<VerificationCase> dynamics_cases() {
   return {
       {"V0", "A bonded patch that moves and turns as a rigid body stays unstressed", "kinematics",
-       "the spin is 1e-6 of the lattice frequency, so centrifugal strain energy is about 1e-12 of the kinetic energy",
+       "the spin is 1e-6 of the lattice frequency, so centrifugal strain energy is about 1e-12 of the "
+       "kinetic energy",
        rigid_motion},
-      {"V6", "Standing waves of a bonded chain: w = 2 sqrt(K/m) sin(p pi/2N)", "lattice dynamics, closed form",
+      {"V6", "Standing waves of a bonded chain: w = 2 sqrt(K/m) sin(p pi/2N)",
+       "lattice dynamics, closed form",
        "leap-frog frequency corrected exactly; the linear part of 1e-9 of the bond remains", chain},
-      {"V7", "Transmission of a wave through one smooth joint", "|T| = [1 + (w Z/2 (1/k_j - 1/K))^2]^-1/2, Z = sqrt(K m)",
+      {"V7", "Transmission of a wave through one smooth joint",
+       "|T| = [1 + (w Z/2 (1/k_j - 1/K))^2]^-1/2, Z = sqrt(K m)",
        "the closed form holds for long waves; at a phase of 0.1 its error is about 1e-3", wave_through_joint},
-      {"V8", "Local damping: amplitude sqrt((1-a)/(1+a)) per half cycle, and its half period", "Cundall damping, closed form",
-       "the closed form is for continuous time; some 10,000 cycles per half period are used", damped_oscillator},
+      {"V8", "Local damping: amplitude sqrt((1-a)/(1+a)) per half cycle, and its half period",
+       "Cundall damping, closed form",
+       "the closed form is for continuous time; some 10,000 cycles per half period are used",
+       damped_oscillator},
       {"V15", "Free vibration of two bonded discs: axial, bending, shear", "closed form",
        "leap-frog frequency corrected exactly", pair_vibration},
       {"V17", "Energy balance of a press run through breakage", "first law",
-       "the books are kept per cycle; breakage is booked with the forces of the breaking cycle", energy_balance},
+       "the books are kept per cycle; breakage is booked with the forces of the breaking cycle",
+       energy_balance},
       {"V19", "The bound of the highest frequency is above it, and close", "Collatz-Wielandt bound",
        "a bound must never be below; how far above is a matter of speed", stable_step},
   };

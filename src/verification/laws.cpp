@@ -32,7 +32,8 @@ std::vector<Check> joint_friction() {
     }
     const std::string with = "psi = " + std::to_string(static_cast<int>(psi)) + " deg: ";
     checks.push_back({with + "slip starts at u_s = mu N0/(k_s A) [m]", u_slip, onset, du / u_slip});
-    checks.push_back({with + "dilation under constant load (u_s - u_slip) tan psi [m]", (u - u_slip) * p.tan_psi, s.dilation, 1e-3});
+    checks.push_back({with + "dilation under constant load (u_s - u_slip) tan psi [m]",
+                      (u - u_slip) * p.tan_psi, s.dilation, 1e-3});
     checks.push_back({with + "shear force mu N0 [N/m]", p.mu * N0, -r.F_s, 1e-3});
   }
   return checks;
@@ -40,7 +41,8 @@ std::vector<Check> joint_friction() {
 
 std::vector<Check> joint_constant_stiffness() {
   std::vector<Check> checks;
-  for (const double mu_ks : {0.4, 0.9}) {  // the second alternates in the explicit form: mu (k_n/k_s) tan psi > 1
+  for (const double mu_ks :
+       {0.4, 0.9}) {  // the second alternates in the explicit form: mu (k_n/k_s) tan psi > 1
     auto p = joint(35.0);
     p.mu = mu_ks;
     if (mu_ks < p.tan_psi) p.tan_psi = tan_degrees(10.0);
@@ -53,8 +55,9 @@ std::vector<Check> joint_constant_stiffness() {
       if (i == 19999) F2 = r.F_n;
     }
     const double k = p.k_n / p.k_s * p.tan_psi;
-    checks.push_back({"dF_n/du_s at fixed closure, mu (k_n/k_s) tan psi = " + std::to_string(p.mu * k) + " [N/m per m]",
-                      p.k_n * p.tan_psi / (1.0 + p.mu * k), (F2 - F1) / (5000 * du), 1e-9});
+    checks.push_back(
+        {"dF_n/du_s at fixed closure, mu (k_n/k_s) tan psi = " + std::to_string(p.mu * k) + " [N/m per m]",
+         p.k_n * p.tan_psi / (1.0 + p.mu * k), (F2 - F1) / (5000 * du), 1e-9});
   }
   return checks;
 }
@@ -85,7 +88,8 @@ parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double 
   return {kb * g.A, 0.3 * kb * g.A, kb * g.I, 3.0 * beta / g.R_bar, tau * g.A, 0.0, 0.0};
 }
 
-/// Drives a fresh bond along `d` (closure, slide, rotation per step) until it breaks; the motion of the last step.
+/// Drives a fresh bond along `d` (closure, slide, rotation per step) until it breaks; the motion of the last
+/// step.
 Motion<double> until_broken(const parallel_bond::Parameters<double>& p, double capacity, Motion<double> d) {
   parallel_bond::State<double> s{0.0, capacity};
   Motion<double> m{0.0, d.closure, d.d_slide, 0.0};
@@ -106,10 +110,11 @@ std::vector<Check> bond_strength() {
   const auto bend = until_broken(p, sigma * A, {0.0, 0.0, 0.0, 1e-9});
   const auto both = until_broken(p, sigma * A, {-1e-13, 0.0, 0.0, 1e-9});
   const double N = -p.k_n * both.closure, M = p.k_m * both.rotation;
-  return {{"elongation at tensile break sigma_c/kb_n [m]", sigma / kb, -pull.closure, 1e-6},
-          {"shear force at break tau_c A [N/m]", tau * A, p.k_s * slide.d_slide, 1e-5},
-          {"moment at break sigma_c I/(beta R_bar) [N]", sigma * I / (beta * r1), p.k_m * bend.rotation, 1e-5},
-          {"N/A + beta |M| R_bar/I at combined break [Pa]", sigma, N / A + beta * M * r1 / I, 1e-5}};
+  return {
+      {"elongation at tensile break sigma_c/kb_n [m]", sigma / kb, -pull.closure, 1e-6},
+      {"shear force at break tau_c A [N/m]", tau * A, p.k_s * slide.d_slide, 1e-5},
+      {"moment at break sigma_c I/(beta R_bar) [N]", sigma * I / (beta * r1), p.k_m * bend.rotation, 1e-5},
+      {"N/A + beta |M| R_bar/I at combined break [Pa]", sigma, N / A + beta * M * r1 / I, 1e-5}};
 }
 
 }  // namespace

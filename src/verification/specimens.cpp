@@ -19,14 +19,16 @@ std::vector<Check> strengths() {
   }
   // standard deviation of a normal variable cut at +-3 SD: sqrt(1 - 6 phi(3)/(2 Phi(3) - 1)) = 0.98658 SD
   return {{"mean of 20,000 strengths [Pa]", mean, sum / n, 3.0 * sd / std::sqrt(n) / mean},
-          {"their standard deviation, cut at 3 SD [Pa]", 0.98658 * sd, std::sqrt(squares / n), 3.0 / std::sqrt(2.0 * n)}};
+          {"their standard deviation, cut at 3 SD [Pa]", 0.98658 * sd, std::sqrt(squares / n),
+           3.0 / std::sqrt(2.0 * n)}};
 }
 
 }  // namespace
 
 std::vector<VerificationCase> specimen_cases() {
   return {{"V18", "Bond strengths: mean and standard deviation of the draws", "sampling theory",
-           "three standard errors: a false alarm in 1 of 370, but the draws are fixed by the seed", strengths}};
+           "three standard errors: a false alarm in 1 of 370, but the draws are fixed by the seed",
+           strengths}};
 }
 
 }  // namespace phy

@@ -1,5 +1,6 @@
-// One hash: the same recipe and precision give the same bits for every number of lanes, instruction set, thread count,
-// skew, lane mate and compiler. The golden hashes below were recorded with g++ 12 and hold for clang as well.
+// One hash: the same recipe and precision give the same bits for every number of lanes, instruction set,
+// thread count, skew, lane mate and compiler. The golden hashes below were recorded with g++ 12 and hold for
+// clang as well.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -30,11 +31,13 @@ Recipe small_recipe(Precision precision) {
 std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& r) {
   const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
   std::vector<std::shared_ptr<const Specimen>> all;
-  for (Specimen& s : make_specimens(packing, r)) all.push_back(std::make_shared<const Specimen>(std::move(s)));
+  for (Specimen& s : make_specimens(packing, r))
+    all.push_back(std::make_shared<const Specimen>(std::move(s)));
   return all;
 }
 
-std::vector<std::string> hashes(const Recipe& r, const std::vector<std::shared_ptr<const Specimen>>& specimens,
+std::vector<std::string> hashes(const Recipe& r,
+                                const std::vector<std::shared_ptr<const Specimen>>& specimens,
                                 const MachineOptions& machine) {
   std::vector<std::string> h;
   for (const TestResult& result : run_tests(specimens, r, machine)) h.push_back(result.hash);
@@ -96,7 +99,8 @@ TEST_P(OneHash, IsTheRecordedOne) {
   EXPECT_EQ(h[1], golden.at(GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Precisions, OneHash, testing::Values(Precision::double_precision, Precision::single_precision),
+INSTANTIATE_TEST_SUITE_P(Precisions, OneHash,
+                         testing::Values(Precision::double_precision, Precision::single_precision),
                          [](const auto& which) {
                            return which.param == Precision::double_precision ? "double_lanes" : "float_lanes";
                          });

@@ -13,14 +13,15 @@ TEST_P(Verification, AgreesWithTheClosedForm) {
   const std::vector<Check> checks = c.run();
   ASSERT_FALSE(checks.empty());
   for (const Check& k : checks)
-    EXPECT_TRUE(k.passed()) << c.id << ": " << k.what << ": expected " << k.expected << ", measured " << k.measured
-                            << ", tolerance " << k.tolerance;
+    EXPECT_TRUE(k.passed()) << c.id << ": " << k.what << ": expected " << k.expected << ", measured "
+                            << k.measured << ", tolerance " << k.tolerance;
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
   return verification_cases()[info.param].id + "_" + std::to_string(info.param);
 }
-INSTANTIATE_TEST_SUITE_P(All, Verification, testing::Range<std::size_t>(0, verification_cases().size()), name_of);
+INSTANTIATE_TEST_SUITE_P(All, Verification, testing::Range<std::size_t>(0, verification_cases().size()),
+                         name_of);
 
 }  // namespace
 }  // namespace phy

@@ -9,8 +9,8 @@
 //   pfc31: every grain is a spring 2 E_c t, two in series: k_n = E_c t, independent of the radii
 //   pfc5:  k_n = 2 r_min t E_c / (R1 + R2)
 // Units: forces N per metre of thickness, stiffness N/m per metre. Signs: law.hpp.
-// Left out: viscous dashpots; the fraction of the step in which a contact becomes active (its shear is bounded by
-// mu F_n of that step). Valid for overlaps small against the radii.
+// Left out: viscous dashpots; the fraction of the step in which a contact becomes active (its shear is
+// bounded by mu F_n of that step). Valid for overlaps small against the radii.
 #pragma once
 #include "laws/law.hpp"
 
@@ -18,10 +18,10 @@ namespace phy::linear {
 
 template <class R>
 struct Parameters {
-  R k_n;       ///< normal stiffness [N/m per m], > 0
-  R k_s;       ///< shear stiffness [N/m per m], > 0
-  R inv_k_s;   ///< 1/k_s; given so that no lane has to divide in every step
-  R mu;        ///< friction coefficient [-], >= 0
+  R k_n;      ///< normal stiffness [N/m per m], > 0
+  R k_s;      ///< shear stiffness [N/m per m], > 0
+  R inv_k_s;  ///< 1/k_s; given so that no lane has to divide in every step
+  R mu;       ///< friction coefficient [-], >= 0
 };
 
 template <class R>
@@ -42,17 +42,22 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
 
 /// Tangent stiffness of a closed contact that sticks; an open one has none.
 template <class R>
-Tangent<R> tangent(const Parameters<R>& p) { return {p.k_n, p.k_s, R(0)}; }
+Tangent<R> tangent(const Parameters<R>& p) {
+  return {p.k_n, p.k_s, R(0)};
+}
 
 /// Strain energy held [J/m].
 template <class R>
-R strain_energy(const Parameters<R>& p, R F_n, R F_s) { return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s * p.inv_k_s); }
+R strain_energy(const Parameters<R>& p, R F_n, R F_s) {
+  return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s * p.inv_k_s);
+}
 
 /// k_n / E* [-] of a contact between discs of radii r1, r2: pfc5 (true) or pfc31 (false).
 inline double stiffness_factor(bool pfc5, double r1, double r2) {
   return pfc5 ? 2.0 * (r1 < r2 ? r1 : r2) / (r1 + r2) : 1.0;
 }
-/// k_n / E* of a disc against a rigid platen: 2 t in both conventions (pfc31: the platen is rigid, one grain spring).
+/// k_n / E* of a disc against a rigid platen: 2 t in both conventions (pfc31: the platen is rigid, one grain
+/// spring).
 constexpr double wall_stiffness_factor = 2.0;
 
 inline constexpr ParameterInfo schema[] = {

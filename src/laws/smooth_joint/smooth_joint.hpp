@@ -1,23 +1,26 @@
-// Smooth joint: a bedding plane seen by one contact. Grains slide along the plane, whatever the direction of the line
-// that joins their centres. Bonded at first (cohesion and tensile strength), then Coulomb friction with dilation.
+// Smooth joint: a bedding plane seen by one contact. Grains slide along the plane, whatever the direction of
+// the line that joins their centres. Bonded at first (cohesion and tensile strength), then Coulomb friction
+// with dilation.
 //
-// n is the plane's normal, directed from the surface of grain 1 to that of grain 2 (decided once, at assignment), and
-// the motion is that along n and the plane's t.
+// n is the plane's normal, directed from the surface of grain 1 to that of grain 2 (decided once, at
+// assignment), and the motion is that along n and the plane's t.
 //
 //   closure <- closure + d_closure;      gap closed g = closure + dilation
 //   bonded:  F_n = k_n A g,  F_s <- F_s - k_s A d_slide
-//            -F_n >= sigma_n A                            breaks in tension: F_n = F_s = 0, the opening is remembered
-//            |F_s| >= c A + F_n tan(phi)                  breaks in shear: goes on as unbonded with the same forces
+//            -F_n >= sigma_n A                            breaks in tension: F_n = F_s = 0, the opening is
+//            remembered |F_s| >= c A + F_n tan(phi)                  breaks in shear: goes on as unbonded
+//            with the same forces
 //   broken:  F_n = k_n A max(g, 0);  open (g <= 0): F_n = F_s = 0
 //            F_s* = F_s - k_s A d_slide^e (the part of the step in which the joint is closed)
-//            |F_s*| > mu F_n: slip.  e = (|F_s*| - mu F_n)/(1 + mu (k_n/k_s) tan psi);  F_n += e (k_n/k_s) tan psi;
-//            F_s = mu F_n sign(F_s*);  dilation += e tan psi/(k_s A)          implicit: exact for any step
+//            |F_s*| > mu F_n: slip.  e = (|F_s*| - mu F_n)/(1 + mu (k_n/k_s) tan psi);  F_n += e (k_n/k_s)
+//            tan psi; F_s = mu F_n sign(F_s*);  dilation += e tan psi/(k_s A)          implicit: exact for
+//            any step
 // No couple: M = 0. A = 2 lambda min(R1, R2) t.
 //
-// Source: Mas Ivars et al. 2011 (IJRMMS 48:219-244); Itasca PFC `smoothjoint`, small-strain mode. There the slip update
-// is explicit; iterated, it alternates between slip and stick when mu (k_n/k_s) tan psi > 1, hence the implicit form.
-// Requires tan psi <= mu: otherwise slip would create energy.
-// Left out: rotation of n with the grains (n is fixed in space, as in PFC); wear of the dilation angle.
+// Source: Mas Ivars et al. 2011 (IJRMMS 48:219-244); Itasca PFC `smoothjoint`, small-strain mode. There the
+// slip update is explicit; iterated, it alternates between slip and stick when mu (k_n/k_s) tan psi > 1,
+// hence the implicit form. Requires tan psi <= mu: otherwise slip would create energy. Left out: rotation of
+// n with the grains (n is fixed in space, as in PFC); wear of the dilation angle.
 #pragma once
 #include "laws/law.hpp"
 
@@ -42,15 +45,21 @@ struct State {
   R dilation;  ///< opening pushed by dilation so far [m]
 };
 
-/// Tangent stiffness along the plane's n and t of a bonded joint, or of a broken one that is closed and sticks.
+/// Tangent stiffness along the plane's n and t of a bonded joint, or of a broken one that is closed and
+/// sticks.
 template <class R>
-Tangent<R> tangent(const Parameters<R>& p) { return {p.k_n, p.k_s, R(0)}; }
+Tangent<R> tangent(const Parameters<R>& p) {
+  return {p.k_n, p.k_s, R(0)};
+}
 
 template <class R>
-R strain_energy(const Parameters<R>& p, R F_n, R F_s) { return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s / p.k_s); }
+R strain_energy(const Parameters<R>& p, R F_n, R F_s) {
+  return R(0.5) * (F_n * F_n / p.k_n + F_s * F_s / p.k_s);
+}
 
 namespace detail {
-/// Coulomb slip with implicit dilation from the trial state (F_n, trial); returns F_n, F_s and adds to the dilation.
+/// Coulomb slip with implicit dilation from the trial state (F_n, trial); returns F_n, F_s and adds to the
+/// dilation.
 template <class R>
 PHY_HOT inline void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R& dilation) {
   const R excess = abs(trial) - p.mu * F_n;

@@ -1,0 +1,137 @@
+// The program as a user meets it: exit codes, messages, files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Cli : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("phyllite-cli-" + std::to_string(::getpid()));
+  std::string output;
+  void SetUp() override {
+    fs::create_directories(folder);
+    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  int run(const std::string& arguments) {
+    output.clear();
+    FILE* pipe = ::popen((std::string(PHY_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) output += buffer.data();
+    const int status = ::pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+  std::string small_recipe(const std::string& more = "") const {
+    return write("small.toml",
+                 "name = \"small\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
+                 "[matrix]\nsigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
+                 "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" + more);
+  }
+  std::string out() const { return (folder / "out").string(); }
+};
+
+TEST_F(Cli, VersionAndHelp) {
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_THAT(output, HasSubstr("phyllite "));
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_THAT(output, HasSubstr("verify"));
+  EXPECT_EQ(run("crush"), 2);
+}
+
+TEST_F(Cli, RunLeavesCompleteResults) {
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("UCS"));
+  for (const char* name : {"theta___45_deg", "theta___60_deg", "intact"}) {
+    const fs::path file = fs::path(out()) / name / "result.json";
+    ASSERT_TRUE(fs::exists(file)) << file;
+    std::ifstream in(file);
+    const auto j = nlohmann::json::parse(in);
+    EXPECT_EQ(j["outcome"]["status"], "peaked");
+    EXPECT_GT(j["numbers"]["ucs"]["value"].get<double>(), 1e6);
+    EXPECT_LT(j["numbers"]["energy_error"]["value"].get<double>(), 5e-3);  // driven four times too fast
+  }
+}
+
+TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
+  const std::string bad = write("bad.toml", "[specimen]\nwidht = \"8 mm\"\nheight = 16\n");
+  EXPECT_EQ(run("run " + bad + " --out " + out()), 2);
+  EXPECT_THAT(output, HasSubstr("bad.toml:2"));
+  EXPECT_THAT(output, HasSubstr("bad.toml:3"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, MissingRecipeAndBlockedFolderExitWith3) {
+  EXPECT_EQ(run("run /nonexistent.toml"), 3);
+  write("blocked", "a file");
+  EXPECT_EQ(run("run " + small_recipe() + " --out " + (folder / "blocked").string()), 3);
+  EXPECT_THAT(output, HasSubstr("in the way"));
+}
+
+TEST_F(Cli, ATestThatNeverPeaksIsStoredAndExitsWith1) {
+  EXPECT_EQ(run("run " + small_recipe("max_strain = 5e-4\n") + " --out " + out()), 1);
+  EXPECT_THAT(output, HasSubstr("raise test.max_strain"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "intact" / "result.json"));
+}
+
+TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
+  const std::string recipe = small_recipe("stop_at = 0\npost_peak = 0\nmax_strain = 0.19\n");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string log = (folder / "log").string();
+    ::freopen(log.c_str(), "w", stdout);
+    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--out", out().c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  std::ifstream in(folder / "log");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(text, HasSubstr("stopped by the user"));
+}
+
+TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
+  EXPECT_EQ(run("recipe --explain zone_thickness"), 0);
+  EXPECT_THAT(output, HasSubstr("0.6 mm"));
+  EXPECT_EQ(run("recipe --explain zone_thicknes"), 2);
+  EXPECT_THAT(output, HasSubstr("did you mean"));
+  EXPECT_EQ(run("recipe --template > " + (folder / "t.toml").string()), 0);
+  EXPECT_EQ(run("recipe " + (folder / "t.toml").string()), 0);
+}
+
+TEST_F(Cli, ExamplesAreValid) {
+  for (const char* name : {"press", "press-crossing", "press-area"})
+    EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0) << output;
+}
+
+TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {
+  ASSERT_EQ(run("specimen " + small_recipe() + " --out " + out()), 0) << output;
+  ASSERT_TRUE(fs::exists(fs::path(out()) / "discs.csv"));
+  const std::string imported =
+      write("imported.toml", "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nfile = \"" + out() + "/discs.csv\"\n");
+  EXPECT_EQ(run("specimen " + imported), 0) << output;
+  EXPECT_THAT(output, HasSubstr("330 discs"));
+}
+
+}  // namespace
