@@ -7,8 +7,8 @@
 namespace phy {
 namespace {
 
-constexpr double z_975 = 1.959963984540054;   // standard normal distribution: P(|z| > z_975) = 5 %
-constexpr std::size_t exact_up_to = 100;      // beyond, four terms of the series err by less than 1e-9
+constexpr double z_975 = 1.959963984540054;  // standard normal distribution: P(|z| > z_975) = 5 %
+constexpr std::size_t exact_up_to = 100;     // beyond, four terms of the series err by less than 1e-9
 
 /// P(|t| <= sqrt(degrees) tan angle): finite sums, Abramowitz & Stegun 26.7.3 (odd), 26.7.4 (even).
 double probability_within(std::size_t degrees, double angle) {

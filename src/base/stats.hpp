@@ -10,15 +10,17 @@ namespace phy {
 struct Summary {
   std::size_t n = 0;
   double mean = std::numeric_limits<double>::quiet_NaN();
-  double sd = std::numeric_limits<double>::quiet_NaN();          ///< sample standard deviation (n - 1); n >= 2
-  double half_width = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval = mean +- half_width; n >= 2
+  double sd = std::numeric_limits<double>::quiet_NaN();  ///< sample standard deviation (n - 1); n >= 2
+  double half_width =
+      std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval = mean +- half_width; n >= 2
 };
 
 /// Mean, standard deviation and 95 % interval of the mean (Student) of normally distributed values.
 Summary summarise(std::span<const double> values);
 
-/// The value that |t| of `degrees` >= 1 degrees of freedom exceeds with a probability of 5 %; relative error < 1e-9.
-/// NaN for 0. Source: Abramowitz & Stegun 1964, 26.7.3 and 26.7.4 (exact sums), 26.7.5 (series for large degrees).
+/// The value that |t| of `degrees` >= 1 degrees of freedom exceeds with a probability of 5 %; relative error
+/// < 1e-9. NaN for 0. Source: Abramowitz & Stegun 1964, 26.7.3 and 26.7.4 (exact sums), 26.7.5 (series for
+/// large degrees).
 double student_t_95(std::size_t degrees);
 
 /// y = intercept + slope x by least squares. NaN where the points do not determine it.
@@ -26,8 +28,10 @@ struct LineFit {
   std::size_t n = 0;
   double slope = std::numeric_limits<double>::quiet_NaN();
   double intercept = std::numeric_limits<double>::quiet_NaN();
-  double R2 = std::numeric_limits<double>::quiet_NaN();  ///< share of the variance of y explained; 1 if y is constant
-  double slope_se = std::numeric_limits<double>::quiet_NaN();      ///< standard error, independent residuals; n >= 3
+  double R2 =
+      std::numeric_limits<double>::quiet_NaN();  ///< share of the variance of y explained; 1 if y is constant
+  double slope_se =
+      std::numeric_limits<double>::quiet_NaN();  ///< standard error, independent residuals; n >= 3
   double intercept_se = std::numeric_limits<double>::quiet_NaN();  ///< standard error; n >= 3
 };
 

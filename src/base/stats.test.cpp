@@ -10,9 +10,16 @@ namespace phy {
 namespace {
 
 TEST(StudentT, AgreesWithPrintedTables) {  // Abramowitz & Stegun, table 26.10: three decimals
-  const std::array<std::pair<std::size_t, double>, 10> table = {{{1, 12.706}, {2, 4.303}, {3, 3.182}, {4, 2.776},
-                                                                {5, 2.571}, {10, 2.228}, {15, 2.131}, {30, 2.042},
-                                                                {60, 2.000}, {120, 1.980}}};
+  const std::array<std::pair<std::size_t, double>, 10> table = {{{1, 12.706},
+                                                                 {2, 4.303},
+                                                                 {3, 3.182},
+                                                                 {4, 2.776},
+                                                                 {5, 2.571},
+                                                                 {10, 2.228},
+                                                                 {15, 2.131},
+                                                                 {30, 2.042},
+                                                                 {60, 2.000},
+                                                                 {120, 1.980}}};
   for (const auto& [degrees, t] : table) EXPECT_NEAR(student_t_95(degrees), t, 5.1e-4) << degrees;
 }
 
@@ -71,7 +78,8 @@ TEST(FitLine, OffsetsDoNotSpoilTheSlope) {
 TEST(FitLine, WhatCannotBeFittedIsNaN) {
   EXPECT_TRUE(std::isnan(fit_line({}, {}).slope));
   EXPECT_TRUE(std::isnan(fit_line(std::array{1.0}, std::array{1.0}).slope));
-  EXPECT_TRUE(std::isnan(fit_line(std::vector<double>(7, 0.1), std::vector<double>{1, 2, 3, 4, 5, 6, 7}).slope));
+  EXPECT_TRUE(
+      std::isnan(fit_line(std::vector<double>(7, 0.1), std::vector<double>{1, 2, 3, 4, 5, 6, 7}).slope));
   const LineFit two = fit_line(std::array{0.0, 1.0}, std::array{0.0, 2.0});
   EXPECT_DOUBLE_EQ(two.slope, 2.0);
   EXPECT_TRUE(std::isnan(two.slope_se));

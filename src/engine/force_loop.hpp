@@ -248,7 +248,7 @@ class ForceLoop {
   /// A contact that is a smooth joint in some lanes: both laws, blended lane by lane.
   template <bool sample>
   PHY_HOT Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step,
-                      RowSums& sums) {
+                     RowSums& sums) {
     const auto joint = abs(load<R>(s, c_side)) > R(0);
     if (!any(!joint)) return smooth<sample>(c, s, k, joint, i, step, sums);
     const Push m = matrix<sample, false>(c, s, k, !joint, i, step, sums);

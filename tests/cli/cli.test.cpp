@@ -40,10 +40,12 @@ class Cli : public testing::Test {
     return (folder / name).string();
   }
   std::string small_recipe(const std::string& more = "") const {
-    return write("small.toml",
-                 "name = \"small\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
-                 "[matrix]\nsigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
-                 "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" + more);
+    return write(
+        "small.toml",
+        "name = \"small\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
+        "[matrix]\nsigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
+        "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" +
+            more);
   }
   std::string out() const { return (folder / "out").string(); }
 };
@@ -97,7 +99,8 @@ TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
   if (child == 0) {
     const std::string log = (folder / "log").string();
     ::freopen(log.c_str(), "w", stdout);
-    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--out", out().c_str(), nullptr);
+    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--out", out().c_str(),
+            nullptr);
     ::_exit(127);
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
@@ -122,14 +125,16 @@ TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
 
 TEST_F(Cli, ExamplesAreValid) {
   for (const char* name : {"press", "press-crossing", "press-area"})
-    EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0) << output;
+    EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0)
+        << output;
 }
 
 TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {
   ASSERT_EQ(run("specimen " + small_recipe() + " --out " + out()), 0) << output;
   ASSERT_TRUE(fs::exists(fs::path(out()) / "discs.csv"));
   const std::string imported =
-      write("imported.toml", "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nfile = \"" + out() + "/discs.csv\"\n");
+      write("imported.toml", "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nfile = \"" +
+                                 out() + "/discs.csv\"\n");
   EXPECT_EQ(run("specimen " + imported), 0) << output;
   EXPECT_THAT(output, HasSubstr("330 discs"));
 }
