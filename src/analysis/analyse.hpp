@@ -1,28 +1,32 @@
 // The numbers of a compression test, read from its history alone: so the same code reads a PFC history or a
-// laboratory curve. Every number carries its unit and the definition used; what cannot be determined is NaN
-// with a note.
+// laboratory curve. Every number carries its SI value, its unit and the definition used; what cannot be
+// determined is NaN with a note. A value with a note is to be read with that note ("below ...": an upper
+// bound; "no peak": the percentages refer to the largest stress so far). All reading is linear in the number
+// of rows and cracks.
 //
-// Definitions (compression positive; gauge = least-squares strain of the middle 60 %)
-//   ucs            largest axial stress
-//   E_tangent      slope of the straight line fitted to stress over strain between 40 and 60 % of ucs, before
-//   the peak E_secant       stress / strain at 50 % of ucs E_small        slope between 5 and 15 % of ucs:
-//   before cracking, comparable with the direct elastic solution nu             -slope of lateral over axial
-//   strain, 40-60 % of ucs sigma_ci       axial stress when the number of cracks reaches max(3, 1 % of the
-//   cracks at the peak) sigma_cd       axial stress where the volumetric strain eps_axial + eps_lateral is
-//   largest, before the peak
-// Source of sigma_ci: Potyondy & Cundall 2004 (IJRMMS 41:1329-1364).
+//   elastic.hpp    E_tangent E_secant E_small nu, and the same with _platen
+//   strength.hpp   ucs peak_strain sigma_ci sigma_first_crack sigma_cd
+//   cracks.hpp     cracks_{tension,shear}_{matrix,bedding}, and the same with _at_peak
+//   energy.hpp     energy_<column>, and the same with _at_peak; energy_error kinetic_ratio platen_difference
+//   ...
 #pragma once
+#include <string>
 #include <vector>
 
+#include "analysis/branch.hpp"
 #include "records/result.hpp"
 
 namespace phy {
 
 struct AnalysisOptions {
-  double jump_strain = 0.0;  ///< axial strain of a jump start; cracks below it could not show
+  double jump_strain = 0.0;  ///< axial strain of a jump start, 0: none; cracks below it could not show
+  StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of ucs
+  double secant = 0.5;               ///< level of E_secant, fraction of ucs
+  StressRange small_strain = {
+      0.1, 0.2};  ///< of E_small: before cracking, comparable with the direct elastic solution
 };
 
-/// All numbers of one test.
+/// All numbers of one test, in the order above.
 std::vector<Number> analyse(const History& history, const std::vector<CrackEvent>& cracks,
                             const AnalysisOptions& options = {});
 

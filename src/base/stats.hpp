@@ -10,9 +10,10 @@ namespace phy {
 struct Summary {
   std::size_t n = 0;
   double mean = std::numeric_limits<double>::quiet_NaN();
-  double sd = std::numeric_limits<double>::quiet_NaN();  ///< sample standard deviation (n - 1); n >= 2
-  double half_width =
-      std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval = mean +- half_width; n >= 2
+  /// Sample standard deviation (divisor n - 1); n >= 2.
+  double sd = std::numeric_limits<double>::quiet_NaN();
+  /// The 95 % interval of the mean is mean +- half_width; n >= 2.
+  double half_width = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Mean, standard deviation and 95 % interval of the mean (Student) of normally distributed values.
@@ -28,11 +29,11 @@ struct LineFit {
   std::size_t n = 0;
   double slope = std::numeric_limits<double>::quiet_NaN();
   double intercept = std::numeric_limits<double>::quiet_NaN();
-  double R2 =
-      std::numeric_limits<double>::quiet_NaN();  ///< share of the variance of y explained; 1 if y is constant
-  double slope_se =
-      std::numeric_limits<double>::quiet_NaN();  ///< standard error, independent residuals; n >= 3
-  double intercept_se = std::numeric_limits<double>::quiet_NaN();  ///< standard error; n >= 3
+  /// Share of the variance of y explained; 1 if y is constant.
+  double R2 = std::numeric_limits<double>::quiet_NaN();
+  /// Standard errors, if the residuals are independent; n >= 3.
+  double slope_se = std::numeric_limits<double>::quiet_NaN();
+  double intercept_se = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Fits the pairs x[i], y[i]; the longer list is cut to the length of the shorter.

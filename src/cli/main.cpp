@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/elastic_command.hpp"
 
 namespace phy {
 
@@ -43,6 +44,7 @@ int run(int argc, char** argv) {
   phy::add_specimen_command(app, session);
   phy::add_verify_command(app, session);
   phy::add_recipe_command(app, session);
+  phy::add_elastic_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -5,109 +5,140 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
+#include <utility>
 
 namespace phy {
 namespace {
 
+using Results = std::vector<TestResult>;
+
+/// One column; all cells are text, numbers flush right.
 struct Column {
   std::string head, unit;
-  std::function<std::string(const TestResult&)> cell;
+  std::vector<std::string> cells;
+
+  std::size_t width() const {
+    std::size_t w = std::max(head.size(), unit.size());
+    for (const std::string& c : cells) w = std::max(w, c.size());
+    return w;
+  }
 };
+using Columns = std::vector<Column>;
+
+Column column(std::string head, std::string unit, const Results& results,
+              const std::function<std::string(const TestResult&)>& cell) {
+  Column c{std::move(head), std::move(unit), {}};
+  for (const TestResult& r : results) c.cells.push_back(cell(r));
+  return c;
+}
 
 std::string number(const TestResult& r, const std::string& name, double scale, int digits) {
-  for (const Number& n : r.numbers)
-    if (n.name == name) return std::isfinite(n.value) ? fmt::format("{:.{}f}", n.value * scale, digits) : "-";
+  for (const Number& n : r.numbers) {
+    if (n.name != name) continue;
+    if (!std::isfinite(n.value)) return "-";
+    return fmt::format("{}{:.{}f}", n.note.starts_with("below") ? "<" : "", n.value * scale, digits);
+  }
   return "-";
 }
 
-Column value(std::string head, std::string unit, std::string name, double scale, int digits) {
-  return {std::move(head), std::move(unit), [name = std::move(name), scale, digits](const TestResult& r) {
-            return number(r, name, scale, digits);
-          }};
+Column reading(std::string head, std::string unit, const Results& results, const char* name, double scale,
+               int digits) {
+  return column(std::move(head), std::move(unit), results,
+                [=](const TestResult& r) { return number(r, name, scale, digits); });
 }
 
-std::vector<Column> columns() {
-  return {
-      {"specimen", "", [](const TestResult& r) { return r.name; }},
-      value("E tan 50", "GPa", "E_tangent", 1e-9, 2),
-      value("E sec 50", "GPa", "E_secant", 1e-9, 2),
-      value("nu", "", "nu", 1.0, 3),
-      value("UCS", "MPa", "ucs", 1e-6, 2),
-      value("sigma_ci", "MPa", "sigma_ci", 1e-6, 2),
-      value("sigma_cd", "MPa", "sigma_cd", 1e-6, 2),
-      value("tension", "matrix", "cracks_tension_matrix", 1.0, 0),
-      value("shear", "matrix", "cracks_shear_matrix", 1.0, 0),
-      value("tension", "bedding", "cracks_tension_bedding", 1.0, 0),
-      value("shear", "bedding", "cracks_shear_bedding", 1.0, 0),
-      value("energy", "error", "energy_error", 1.0, 5),
-      {"steps", "", [](const TestResult& r) { return fmt::format("{}", r.n_steps); }},
-      {"CPU", "s", [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }},
-      {"outcome", "", [](const TestResult& r) { return std::string(to_string(r.outcome.status)); }},
+Column cracks(const std::string& place, const Results& results) {
+  return column("cracks " + place, "tension/shear", results, [&](const TestResult& r) {
+    return number(r, "cracks_tension_" + place, 1.0, 0) + "/" + number(r, "cracks_shear_" + place, 1.0, 0);
+  });
+}
+
+/// The angle if it tells the specimens apart, else their names.
+Column label(const Results& results) {
+  Column angles = column("theta", "deg", results, [](const TestResult& r) {
+    return r.intact ? "intact" : fmt::format("{:g}", r.theta);
+  });
+  if (std::set<std::string>(angles.cells.begin(), angles.cells.end()).size() == results.size()) return angles;
+  return column("specimen", "", results, [](const TestResult& r) { return r.name; });
+}
+
+Columns curve_columns(const Results& results) {
+  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
+          reading("E sec50", "GPa", results, "E_secant", 1e-9, 2),
+          reading("nu", "", results, "nu", 1.0, 3),
+          reading("UCS", "MPa", results, "ucs", 1e-6, 2),
+          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
+          reading("sigma_cd", "MPa", results, "sigma_cd", 1e-6, 2),
+          reading("energy", "error", results, "energy_error", 1.0, 5)};
+}
+
+Columns run_columns(const Results& results) {
+  return {cracks("matrix", results), cracks("bedding", results),
+          column("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
+          column("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
+          column("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); })};
+}
+
+std::size_t width_of(const Columns& columns) {
+  std::size_t width = 0;
+  for (const Column& c : columns) width += c.width() + 2;
+  return width - 2;
+}
+
+std::string render(const Columns& columns, std::size_t n_rows) {
+  const auto line = [&](auto&& text) {
+    std::string out;
+    for (const Column& c : columns)
+      out += fmt::format("{}{:>{}}", &c == &columns.front() ? "" : "  ", text(c), c.width());
+    return out.substr(0, out.find_last_not_of(' ') + 1) + "\n";
   };
-}
-
-std::size_t width_of(const Column& c, const std::vector<TestResult>& results) {
-  std::size_t w = std::max(c.head.size(), c.unit.size());
-  for (const TestResult& r : results) w = std::max(w, c.cell(r).size());
-  return w;
-}
-
-std::string render(const std::vector<Column>& cols, const std::vector<TestResult>& results) {
-  std::string heads, units, rule;
-  std::vector<std::string> rows(results.size());
-  for (std::size_t i = 0; i < cols.size(); ++i) {
-    const std::size_t w = width_of(cols[i], results);
-    const char* gap = i == 0 ? "" : "  ";
-    const auto cell = [&](const std::string& s) {
-      return i == 0 ? fmt::format("{}{:<{}}", gap, s, w) : fmt::format("{}{:>{}}", gap, s, w);
-    };
-    heads += cell(cols[i].head);
-    units += cell(cols[i].unit);
-    rule += gap + std::string(w, '-');
-    for (std::size_t k = 0; k < results.size(); ++k) rows[k] += cell(cols[i].cell(results[k]));
-  }
-  std::string text = heads + "\n" + units + "\n" + rule + "\n";
-  for (const std::string& row : rows) text += row + "\n";
+  std::string text = line([](const Column& c) { return c.head; }) +
+                     line([](const Column& c) { return c.unit; }) +
+                     line([](const Column& c) { return std::string(c.width(), '-'); });
+  for (std::size_t k = 0; k < n_rows; ++k) text += line([k](const Column& c) { return c.cells[k]; });
   return text;
 }
 
-std::string as_list(const std::vector<Column>& cols, const std::vector<TestResult>& results) {
+std::string as_list(const Columns& columns, const Results& results) {
   std::string text;
-  for (const TestResult& r : results) {
-    text += r.name + "\n";
-    for (std::size_t i = 1; i < cols.size(); ++i)
-      text += fmt::format("  {:<9}{:<8}{}\n", cols[i].head, cols[i].unit, cols[i].cell(r));
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    text += results[k].name + "\n";
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+      const Column& c = columns[i];
+      text += fmt::format("  {}{}{}: {}\n", c.head, c.unit.empty() ? "" : " ", c.unit, c.cells[k]);
+    }
   }
   return text;
+}
+
+Columns joined(Columns a, const Columns& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
 }  // namespace
 
-std::string press_table(const std::vector<TestResult>& results, int width) {
-  const std::vector<Column> all = columns();
-  if (width < 60) return as_list(all, results);
-  std::string text;
-  std::vector<Column> part = {all[0]};
-  std::size_t used = width_of(all[0], results);
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const std::size_t w = width_of(all[i], results) + 2;
-    if (used + w > static_cast<std::size_t>(width) && part.size() > 1) {
-      text += render(part, results) + "\n";
-      part = {all[0]};
-      used = width_of(all[0], results);
-    }
-    part.push_back(all[i]);
-    used += w;
-  }
-  return text + render(part, results);
+std::string press_table(const Results& results, int terminal_width) {
+  const Columns head = {label(results)}, curve = curve_columns(results), run = run_columns(results);
+  const Columns all = joined(joined(head, curve), run), upper = joined(head, curve),
+                lower = joined(head, run);
+  const auto fits = [&](const Columns& c) {
+    return terminal_width <= 0 || width_of(c) <= static_cast<std::size_t>(terminal_width);
+  };
+  if (fits(all)) return render(all, results.size());
+  if (fits(upper) && fits(lower)) return render(upper, results.size()) + "\n" + render(lower, results.size());
+  return as_list(all, results);
 }
 
-std::string outcome_lines(const std::vector<TestResult>& results) {
+std::string outcome_lines(const Results& results) {
   std::string text;
   for (const TestResult& r : results) {
     if (r.outcome.status == Status::peaked) continue;
-    text += fmt::format("{}: {}: {}{}{}\n", r.name, to_string(r.outcome.status), r.outcome.reason,
-                        r.outcome.advice.empty() ? "" : "; ", r.outcome.advice);
+    text += r.name + ": " + to_string(r.outcome.status);
+    if (!r.outcome.reason.empty()) text += ": " + r.outcome.reason;
+    if (!r.outcome.advice.empty()) text += "; " + r.outcome.advice;
+    text += "\n";
   }
   return text;
 }

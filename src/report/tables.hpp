@@ -1,4 +1,4 @@
-// Tables for the terminal. Reads records only.
+// Tables for the terminal, plain ASCII. Reads records only.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,10 +7,13 @@
 
 namespace phy {
 
-/// One row per specimen. Narrower than the full table: two stacked tables; below 60 columns: a list.
-std::string press_table(const std::vector<TestResult>& results, int width);
+/// One row per specimen, units in the head, cracks of the whole test. Fits `terminal_width` columns: one
+/// table, else two stacked tables (readings of the curve; cracks and run), else a list of key and value per
+/// specimen. A width of 0 or less is no limit.
+/// "-": could not be determined; "<": an upper bound (the number's note begins with "below").
+std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 
-/// What did not succeed, why, and what to do; empty when all went well.
+/// One line per specimen that did not succeed: why, and what to do; empty when all went well.
 std::string outcome_lines(const std::vector<TestResult>& results);
 
 }  // namespace phy

@@ -3,41 +3,115 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <sstream>
 
 namespace phy {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
+
 std::vector<TestResult> two() {
   std::vector<TestResult> all(2);
-  all[0].name = "theta = 0 deg";
+  all[0].name = "theta = 30 deg";
+  all[0].intact = false, all[0].theta = 30.0;
+  all[0].n_steps = 61200, all[0].seconds = 11.04;
   all[0].outcome.status = Status::peaked;
-  all[0].numbers = {{"ucs", 111.914e6, "Pa", "", ""}, {"E_tangent", 23.1e9, "Pa", "", ""}};
+  all[0].numbers = {{"E_tangent", 23.104e9, "Pa", "", ""},
+                    {"E_secant", 24.0e9, "Pa", "", ""},
+                    {"nu", 0.2514, "1", "", ""},
+                    {"ucs", 111.914e6, "Pa", "", ""},
+                    {"sigma_ci", 44.4e6, "Pa", "", "below 44.4 MPa: the crack came early"},
+                    {"sigma_cd", 99.9e6, "Pa", "", ""},
+                    {"energy_error", 0.00066, "1", "", ""},
+                    {"cracks_tension_matrix", 850, "1", "", ""},
+                    {"cracks_shear_matrix", 64, "1", "", ""},
+                    {"cracks_tension_bedding", 12, "1", "", ""},
+                    {"cracks_shear_bedding", 7, "1", "", ""}};
   all[1].name = "intact";
   all[1].outcome = {Status::unstable, "at step 7 all went wrong", "lower engine.step_safety"};
+  all[1].numbers = {{"ucs", std::numeric_limits<double>::quiet_NaN(), "Pa", "", "no peak"}};
   return all;
 }
 
-TEST(PressTable, ShowsNumbersInTheirUnits) {
-  const std::string t = press_table(two(), 200);
-  EXPECT_THAT(t, testing::HasSubstr("111.91"));
-  EXPECT_THAT(t, testing::HasSubstr("23.10"));
-  EXPECT_THAT(t, testing::HasSubstr("MPa"));
+std::size_t widest(const std::string& text) {
+  std::size_t w = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) w = std::max(w, line.size());
+  return w;
+}
+
+TEST(PressTable, OneTableWithUnits) {
+  EXPECT_EQ(
+      press_table(two(), 200),
+      " theta  E tan50  E sec50     nu     UCS  sigma_ci  sigma_cd   energy  cracks matrix  cracks bedding  "
+      "steps   CPU   outcome\n"
+      "   deg      GPa      GPa            MPa       MPa       MPa    error  tension/shear   tension/shear  "
+      "          s\n"
+      "------  -------  -------  -----  ------  --------  --------  -------  -------------  --------------  "
+      "-----  ----  --------\n"
+      "    30    23.10    24.00  0.251  111.91    <44.40     99.90  0.00066         850/64            12/7  "
+      "61200  11.0    peaked\n"
+      "intact        -        -      -       -         -         -        -            -/-             -/-  "
+      "    0   0.0  unstable\n");
+}
+
+TEST(PressTable, NoLimitForOutputThatIsNoTerminal) {
+  EXPECT_EQ(press_table(two(), 0), press_table(two(), 1000));
+}
+
+TEST(PressTable, TwoStackedTablesWhenOneIsTooWide) {
+  const std::size_t full = widest(press_table(two(), 0));
+  EXPECT_EQ(press_table(two(), static_cast<int>(full)), press_table(two(), 0));
+  const std::string stacked = press_table(two(), static_cast<int>(full) - 1);
+  EXPECT_EQ(press_table(two(), 80), stacked);
+  const std::size_t gap = stacked.find("\n\n");
+  ASSERT_NE(gap, std::string::npos);
+  const std::string upper = stacked.substr(0, gap), lower = stacked.substr(gap + 2);
+  for (const std::string& part : {upper, lower}) {
+    EXPECT_THAT(part, HasSubstr(" theta"));
+    EXPECT_THAT(part, HasSubstr("\nintact  "));
+  }
+  EXPECT_THAT(upper, HasSubstr("UCS"));
+  EXPECT_THAT(lower, HasSubstr("12/7"));
+  EXPECT_THAT(lower, Not(HasSubstr("UCS")));
 }
 
 TEST(PressTable, NeverExceedsTheTerminal) {
-  for (const int width : {60, 80, 100, 160}) {
-    std::istringstream lines(press_table(two(), width));
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(static_cast<int>(line.size()), width);
-  }
+  auto long_run = two();
+  long_run[0].n_steps = 1234567890123456789;  // now the lower table is the wider one
+  for (const auto& results : {two(), long_run})
+    for (std::size_t width = 40; width <= 160; ++width)
+      EXPECT_LE(widest(press_table(results, static_cast<int>(width))), width) << width;
 }
 
 TEST(PressTable, BecomesAListOnANarrowTerminal) {
-  EXPECT_THAT(press_table(two(), 40), testing::HasSubstr("  UCS      MPa     111.91\n"));
+  const std::string list = press_table(two(), 50);
+  EXPECT_THAT(list, HasSubstr("theta = 30 deg\n  E tan50 GPa: 23.10\n"));
+  EXPECT_THAT(list, HasSubstr("  UCS MPa: 111.91\n"));
+  EXPECT_THAT(list, HasSubstr("  cracks matrix tension/shear: 850/64\n"));
+  EXPECT_THAT(list, HasSubstr("intact\n  E tan50 GPa: -\n"));
+}
+
+TEST(PressTable, NamesWhenTheAnglesDoNotTellSpecimensApart) {
+  auto all = two();
+  all[0].intact = true, all[0].name = "intact, seed 2";
+  EXPECT_THAT(press_table(all, 0), HasSubstr("intact, seed 2"));
+  EXPECT_THAT(press_table(all, 0), Not(HasSubstr("theta")));
+}
+
+TEST(PressTable, NoResultsGiveTheHeadOnly) {
+  EXPECT_THAT(press_table({}, 0), HasSubstr("UCS"));
+  EXPECT_EQ(press_table({}, 20), "");
 }
 
 TEST(OutcomeLines, SayWhatFailedAndWhatToDo) {
   EXPECT_EQ(outcome_lines(two()), "intact: unstable: at step 7 all went wrong; lower engine.step_safety\n");
+  auto bare = two();
+  bare[1].outcome = {Status::interrupted, "", ""};
+  EXPECT_EQ(outcome_lines(bare), "intact: interrupted\n");
+  EXPECT_EQ(outcome_lines({}), "");
 }
 
 }  // namespace

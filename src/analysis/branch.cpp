@@ -1,0 +1,67 @@
+#include "analysis/branch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace phy {
+
+LoadingBranch loading_branch(const History& history) {
+  LoadingBranch branch;
+  const auto& rows = history.rows;
+  std::size_t first = rows.size();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const HistoryRow& r = rows[i];
+    if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
+    first = std::min(first, i);
+    branch.peaked = !branch.rows.empty();
+    if (!(r.axial_stress > largest)) continue;
+    largest = branch.largest = r.axial_stress;
+    branch.strain = r.axial_strain;
+    branch.rows = {rows.data() + first, i + 1 - first};
+    branch.peaked = false;
+  }
+  return branch;
+}
+
+std::span<const HistoryRow> first_passage(const LoadingBranch& branch, StressRange range) {
+  const auto& rows = branch.rows;
+  std::size_t first = 0;
+  while (first < rows.size() && !(rows[first].axial_stress >= range.lo * branch.largest)) ++first;
+  std::size_t last = first;
+  while (last < rows.size() && !(rows[last].axial_stress > range.hi * branch.largest)) ++last;
+  return rows.subspan(first, last - first);
+}
+
+double HistoryRow::*axial_strain_of(StrainFrom from) {
+  return from == StrainFrom::gauge ? &HistoryRow::axial_strain_gauge : &HistoryRow::axial_strain;
+}
+
+double stress_at(const LoadingBranch& branch, double strain) {
+  const HistoryRow* before = nullptr;
+  for (const HistoryRow& r : branch.rows) {
+    if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
+    if (r.axial_strain >= strain) {
+      if (before == nullptr) return r.axial_stress;
+      const double w = (strain - before->axial_strain) / (r.axial_strain - before->axial_strain);
+      return before->axial_stress + w * (r.axial_stress - before->axial_stress);
+    }
+    before = &r;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string branch_note(const LoadingBranch& branch) {
+  if (branch.empty()) return "the stress never rises above zero";
+  if (branch.peaked) return "";
+  return fmt::format("no peak: the largest stress, {:.4g} MPa, is in the last row", branch.largest * 1e-6);
+}
+
+std::string joined(std::string a, const std::string& b) {
+  if (!a.empty() && !b.empty()) a += "; ";
+  return a + b;
+}
+
+}  // namespace phy

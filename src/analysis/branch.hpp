@@ -1,0 +1,50 @@
+// The loading branch of a history: what "before the peak" and "x % of ucs" mean, said once for all numbers.
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+
+#include "records/result.hpp"
+
+namespace phy {
+
+/// Rows from the first usable one to the one with the largest axial stress (the first of several). A row
+/// whose stress or strain is no number is not usable. Empty when the stress never rises above zero. Refers to
+/// the history's own rows.
+struct LoadingBranch {
+  std::span<const HistoryRow> rows;
+  double largest = std::numeric_limits<double>::quiet_NaN();  ///< largest axial stress [Pa]
+  double strain = std::numeric_limits<double>::quiet_NaN();   ///< axial platen strain there
+  bool peaked = false;  ///< at least one row follows: the largest stress is a peak, and is the ucs
+
+  bool empty() const { return rows.empty(); }
+};
+LoadingBranch loading_branch(const History& history);
+
+/// A range of axial stress in fractions of the largest stress, 0 <= lo < hi <= 1.
+struct StressRange {
+  double lo = 0.4;
+  double hi = 0.6;
+};
+
+/// Rows of the first passage: from the first row at or above lo to the last one before the first above hi.
+std::span<const HistoryRow> first_passage(const LoadingBranch& branch, StressRange range);
+
+/// Which axial strain: `gauge` is free of end effects (least squares over the middle 60 %), `platen` is what
+/// a laboratory without gauges reads.
+enum class StrainFrom { gauge, platen };
+double HistoryRow::*axial_strain_of(StrainFrom from);
+
+/// Axial stress [Pa] where the axial platen strain first reaches `strain`, straight between rows; before the
+/// first row its stress, after the last row NaN.
+double stress_at(const LoadingBranch& branch, double strain);
+
+/// "the stress never rises above zero", "no peak: ...", or nothing: what every number of this branch has to
+/// say.
+std::string branch_note(const LoadingBranch& branch);
+
+/// Joins two notes with "; ".
+std::string joined(std::string a, const std::string& b);
+
+}  // namespace phy

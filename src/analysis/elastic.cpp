@@ -1,0 +1,112 @@
+#include "analysis/elastic.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/stats.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t enough_rows = 3;  // two rows would always lie on a line
+constexpr double straight = 0.9;  // below this R2 the curve is no line: noise, or failure within the range
+
+std::string range_text(StressRange range) {
+  return fmt::format("{:g} and {:g} %", 100 * range.lo, 100 * range.hi);
+}
+
+const char* place_of(StrainFrom from) {
+  return from == StrainFrom::gauge ? "gauge (middle 60 %)" : "platens";
+}
+
+/// Says when the history begins too late for a range (jump start, record switched on late).
+std::string start_note(const LoadingBranch& branch, double fraction) {
+  const double start = branch.rows.front().axial_stress / branch.largest;
+  return start > fraction ? fmt::format("the history starts at {:.3g} % of the largest stress", 100 * start)
+                          : "";
+}
+
+/// Slope of y over x in the range.
+void fit(const LoadingBranch& branch, StressRange range, double HistoryRow::*x, double HistoryRow::*y,
+         Number& n) {
+  n.note = branch_note(branch);
+  if (branch.empty()) return;
+  n.note = joined(n.note, start_note(branch, range.lo));
+  std::vector<double> xs, ys;
+  for (const HistoryRow& r : first_passage(branch, range))
+    if (std::isfinite(r.*x) && std::isfinite(r.*y)) xs.push_back(r.*x), ys.push_back(r.*y);
+  if (xs.size() < enough_rows) {
+    n.note = joined(n.note,
+                    fmt::format("only {} usable rows between {} of the largest stress, {} are needed: write "
+                                "the history more often",
+                                xs.size(), range_text(range), enough_rows));
+    return;
+  }
+  const LineFit line = fit_line(xs, ys);
+  n.value = line.slope;
+  if (!std::isfinite(n.value))
+    n.note = joined(n.note, "the strain does not change in the range");
+  else if (line.R2 < straight)
+    n.note = joined(n.note, fmt::format("no straight line: R2 = {:.2f}", line.R2));
+}
+
+}  // namespace
+
+Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name) {
+  Number n{
+      std::move(name), nan, "Pa",
+      fmt::format(
+          "slope of the least-squares line of axial stress over axial strain of the {} at the first passage "
+          "between {} of ucs, before the peak",
+          place_of(from), range_text(range)),
+      ""};
+  fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
+  return n;
+}
+
+Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name) {
+  Number n{std::move(name), nan, "1",
+           fmt::format("minus the slope of the least-squares line of lateral strain (gauge) over axial "
+                       "strain of the {} at "
+                       "the first passage between {} of ucs, before the peak",
+                       place_of(from), range_text(range)),
+           ""};
+  fit(branch, range, axial_strain_of(from), &HistoryRow::lateral_strain_gauge, n);
+  n.value = 0.0 - n.value;  // not -x: a slope of 0 gives 0
+  return n;
+}
+
+Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom from, std::string name) {
+  Number n{
+      std::move(name), nan, "Pa",
+      fmt::format("axial stress over axial strain of the {} where the stress first reaches {:g} % of ucs",
+                  place_of(from), 100 * fraction),
+      branch_note(branch)};
+  const double level = fraction * branch.largest;
+  const auto strain = axial_strain_of(from);
+  const HistoryRow* before = nullptr;
+  for (const HistoryRow& r : branch.rows) {
+    if (!std::isfinite(r.axial_stress) || !std::isfinite(r.*strain)) continue;
+    if (r.axial_stress < level) {
+      before = &r;
+      continue;
+    }
+    if (before == nullptr) break;
+    const double w = (level - before->axial_stress) / (r.axial_stress - before->axial_stress);
+    const double at_level = before->*strain + w * (r.*strain - before->*strain);
+    if (at_level > 0.0)
+      n.value = level / at_level;
+    else
+      n.note = joined(n.note, "the strain at this stress is not positive");
+    return n;
+  }
+  if (!branch.empty())
+    n.note = joined(n.note, fmt::format("no row below {:g} % of the largest stress", 100 * fraction));
+  return n;
+}
+
+}  // namespace phy

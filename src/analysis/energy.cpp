@@ -1,0 +1,104 @@
+#include "analysis/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace phy {
+namespace {
+
+using Rows = std::span<const HistoryRow>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* no_energies = "the history holds no energies";
+
+/// Terms of the energy balance, in the order of the history's columns.
+std::vector<HistoryColumn> energy_columns() {
+  std::vector<HistoryColumn> terms;
+  for (const HistoryColumn& c : history_columns())
+    if (std::string(c.unit) == "J/m") terms.push_back(c);
+  return terms;
+}
+
+double largest_work(Rows rows) {
+  double work = 0.0;
+  for (const HistoryRow& r : rows)
+    if (std::isfinite(r.boundary_work)) work = std::max(work, r.boundary_work);
+  return work;
+}
+
+/// Largest finite |value(row)|; NaN when there is none.
+template <class F>
+double largest(Rows rows, F&& value) {
+  double most = nan;
+  for (const HistoryRow& r : rows) {
+    const double v = std::fabs(value(r));
+    if (std::isfinite(v) && !(v <= most)) most = v;
+  }
+  return most;
+}
+
+double kinetic_ratio(const LoadingBranch& branch) {
+  const auto early = first_passage(branch, {0.0, 0.2});
+  return largest(branch.rows.subspan(early.size()), [](const HistoryRow& r) {
+    return r.kinetic / (r.strain_linear + r.strain_bond + r.strain_joint + r.strain_wall);
+  });
+}
+
+void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
+  std::vector<double> differences;
+  for (const HistoryRow& r : branch.rows) {
+    const double d = std::fabs(r.stress_top - r.stress_bottom) / branch.largest;
+    if (std::isfinite(d)) differences.push_back(d);
+  }
+  Number all{"platen_difference", nan, "1", "largest |top - bottom platen stress| / ucs before the peak",
+             branch_note(branch)};
+  Number most{"platen_difference_95", nan, "1",
+              "|top - bottom platen stress| / ucs that 95 % of the rows before the peak do not exceed",
+              all.note};
+  if (!differences.empty()) {
+    all.value = *std::max_element(differences.begin(), differences.end());
+    const auto nth = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 95 / 100);
+    std::nth_element(differences.begin(), nth, differences.end());
+    most.value = *nth;
+  } else if (!branch.empty()) {
+    all.note = most.note = joined(all.note, "the history has no platen stresses");
+  }
+  out.push_back(all), out.push_back(most);
+}
+
+}  // namespace
+
+std::vector<Number> energy_budget(const LoadingBranch& branch, const History& history) {
+  const bool present = largest_work(history.rows) > 0.0;
+  const std::string missing = present ? "" : no_energies;
+  std::vector<Number> out;
+  for (const HistoryColumn& c : energy_columns())
+    out.push_back({std::string("energy_") + c.name, present ? history.rows.back().*c.value : nan, "J/m",
+                   std::string(c.meaning) + ", in the last row", missing});
+  for (const HistoryColumn& c : energy_columns())
+    out.push_back({std::string("energy_") + c.name + "_at_peak",
+                   present && branch.peaked ? branch.rows.back().*c.value : nan, "J/m",
+                   std::string(c.meaning) + ", at the largest axial stress",
+                   joined(branch_note(branch), missing)});
+  return out;
+}
+
+std::vector<Number> run_checks(const LoadingBranch& branch, const History& history) {
+  const double work = largest_work(history.rows);
+  const auto lost = [](const HistoryRow& r) { return r.energy_error * r.boundary_work; };
+  const auto own = [](const HistoryRow& r) { return r.energy_error; };
+  const bool present = work > 0.0;
+  const std::string missing = present ? "" : no_energies;
+  std::vector<Number> out = {
+      {"energy_error", present ? largest(history.rows, lost) / work : nan, "1",
+       "largest |work not accounted for| of any row / largest boundary work of the test", missing},
+      {"energy_error_of_row", present ? largest(history.rows, own) : nan, "1",
+       "largest |work not accounted for| / boundary work, both up to the same row", missing},
+      {"kinetic_ratio", present && !branch.empty() ? kinetic_ratio(branch) : nan, "1",
+       "largest kinetic energy / stored strain energy from 20 % of ucs to the peak",
+       joined(branch_note(branch), missing)}};
+  platen_checks(branch, out);
+  return out;
+}
+
+}  // namespace phy

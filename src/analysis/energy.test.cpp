@@ -1,0 +1,83 @@
+#include "analysis/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/histories.test.hpp"
+
+namespace phy {
+namespace {
+
+std::vector<Number> budget(const History& h) { return energy_budget(loading_branch(h), h); }
+std::vector<Number> checked(const History& h) { return run_checks(loading_branch(h), h); }
+
+TEST(Energy, BudgetAtThePeakAndAtTheEnd) {  // marble: work 1 J/m per row, peak in the 200th of 300 rows
+  History h = marble();
+  h.rows[199].slip = 7.0;
+  h.rows.back().slip = 9.0;
+  const auto numbers = budget(h);
+  EXPECT_EQ(value(numbers, "energy_boundary_work_at_peak"), 200.0);
+  EXPECT_EQ(value(numbers, "energy_boundary_work"), 300.0);
+  EXPECT_EQ(value(numbers, "energy_strain_bond_at_peak"), 100.0);
+  EXPECT_EQ(value(numbers, "energy_slip_at_peak"), 7.0);
+  EXPECT_EQ(value(numbers, "energy_slip"), 9.0);
+  EXPECT_EQ(numbers.size(), 18u);
+  for (const Number& n : numbers) EXPECT_EQ(n.unit, "J/m");
+}
+
+TEST(Energy, WithoutAPeakOnlyTheEnd) {
+  const auto numbers = budget(unfinished());
+  EXPECT_EQ(value(numbers, "energy_boundary_work"), 200.0);
+  EXPECT_TRUE(std::isnan(value(numbers, "energy_boundary_work_at_peak")));
+  EXPECT_TRUE(note(numbers, "energy_boundary_work_at_peak").starts_with("no peak"));
+}
+
+TEST(Energy, ALaboratoryCurveHasNone) {
+  History h = marble();
+  for (HistoryRow& r : h.rows) r.boundary_work = r.strain_bond = 0.0;
+  for (const auto& numbers : {budget(h), checked(h)}) {
+    for (const Number& n : numbers) {
+      if (n.name.starts_with("platen")) continue;
+      EXPECT_TRUE(std::isnan(n.value)) << n.name;
+      EXPECT_EQ(n.note, "the history holds no energies") << n.name;
+    }
+  }
+}
+
+TEST(RunChecks, LargestErrorsOfTheBalance) {
+  History h = marble();
+  h.rows[50].energy_error = -0.5;  // of a work of 51; the largest work is 300
+  h.rows[0].energy_error = 0.8;    // of a work of 1
+  EXPECT_NEAR(value(checked(h), "energy_error"), 0.5 * 51.0 / 300.0, 1e-12);
+  EXPECT_NEAR(value(checked(h), "energy_error_of_row"), 0.8, 1e-12);
+}
+
+TEST(RunChecks, KineticEnergyFromTwentyPercentToThePeak) {
+  History h = marble();
+  h.rows[10].kinetic = 5.0;    // start-up: not counted
+  h.rows[99].kinetic = 1.0;    // of 50 stored
+  h.rows[250].kinetic = 90.0;  // after the peak: not counted
+  EXPECT_NEAR(value(checked(h), "kinetic_ratio"), 0.02, 1e-12);
+}
+
+TEST(RunChecks, PlatensBeforeThePeak) {
+  History h = marble();
+  h.rows[60].stress_top += 3e6;
+  h.rows[250].stress_top += 50e6;  // after the peak
+  EXPECT_NEAR(value(checked(h), "platen_difference"), 0.03, 1e-12);
+  EXPECT_EQ(value(checked(h), "platen_difference_95"), 0.0);
+  for (std::size_t i = 0; i < 200; ++i)
+    h.rows[i].stress_top = h.rows[i].stress_bottom + 1e4 * static_cast<double>(i);
+  EXPECT_NEAR(value(checked(h), "platen_difference_95"), 0.019, 1e-9);  // 190 of 200 rows lie below
+}
+
+TEST(RunChecks, MissingPlatenStressesAndNoPeak) {
+  History h = marble();
+  for (HistoryRow& r : h.rows) r.stress_top = std::nan("");
+  EXPECT_TRUE(std::isnan(value(checked(h), "platen_difference")));
+  EXPECT_EQ(note(checked(h), "platen_difference"), "the history has no platen stresses");
+  EXPECT_TRUE(note(checked(unfinished()), "platen_difference").starts_with("no peak"));
+  EXPECT_EQ(value(checked(unfinished()), "platen_difference"), 0.0);
+}
+
+}  // namespace
+}  // namespace phy

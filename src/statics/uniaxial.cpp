@@ -1,0 +1,308 @@
+#include "statics/uniaxial.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "engine/layout.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unit_strain = 1.0;
+constexpr double worst_ground_share = 1e-6;  // of the platen force that weak springs may carry
+constexpr double undecided = 1e-9;  // closures below this, in grain radii per unit strain, are rounding
+
+/// "12, 77, 103 and 5 more"
+std::string listed(const std::vector<std::uint32_t>& grains) {
+  constexpr std::size_t shown = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, grains.size()); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(grains[i]);
+  if (grains.size() > shown) text += " and " + std::to_string(grains.size() - shown) + " more";
+  return text;
+}
+
+/// The grain that keeps frictionless specimens from sliding away: most contacts in the largest connected
+/// part.
+std::uint32_t anchor(const Network& net) {
+  const Tangent<double> any{1.0, 1.0, 1.0};
+  Network grains = net;
+  std::erase_if(grains.links, [&](const Link& l) { return l.a >= net.n_grains; });
+  const auto part = connected_parts(grains, std::vector<Tangent<double>>(grains.links.size(), any));
+  std::vector<std::uint32_t> size(net.x.size(), 0), contacts(net.x.size(), 0);
+  for (const std::uint32_t p : part) ++size[p];
+  for (const Link& l : grains.links) ++contacts[l.a], ++contacts[l.b];
+  std::uint32_t best = 0;
+  for (std::uint32_t i = 1; i < net.n_grains; ++i) {
+    const auto a = size[part[i]], b = size[part[best]];
+    if (a > b || (a == b && contacts[i] > contacts[best])) best = i;
+  }
+  return best;
+}
+
+/// Do contacts lead from the bottom to the top platen? If not: the grains that hang on one platen only, the
+/// smaller lot.
+ElasticOutcome check_load_path(const Network& net, const std::vector<Tangent<double>>& k) {
+  const auto part = connected_parts(net, k);
+  const std::size_t bottom = net.n_grains, top = bottom + 1;
+  if (part[bottom] == part[top]) return {};
+  std::vector<std::uint32_t> low, high;
+  for (std::uint32_t i = 0; i < net.n_grains; ++i) {
+    if (part[i] == part[bottom]) low.push_back(i);
+    if (part[i] == part[top]) high.push_back(i);
+  }
+  const bool upper = high.size() <= low.size();
+  std::vector<std::uint32_t>& lot = upper ? high : low;
+  const std::string reason =
+      std::string("no chain of contacts joins the platens; the ") + (upper ? "top" : "bottom") +
+      " platen is in touch with " +
+      (lot.empty() ? "no grain" : std::to_string(lot.size()) + " grains: " + listed(lot));
+  return {ElasticStatus::no_load_path, reason, "bond the parts of the specimen to each other",
+          std::move(lot)};
+}
+
+/// Both parameters move by the same amount.
+Sensitivity sum(const Sensitivity& a, const Sensitivity& b, std::string name) {
+  return {std::move(name), a.unit, a.value, a.dE + b.dE, a.dnu + b.dnu};
+}
+
+}  // namespace
+
+void UniaxialStatics::prepare(const Specimen& specimen, const ElasticOptions& options) {
+  specimen_ = &specimen;
+  network_ = make_network(specimen);
+  add_platens(network_, specimen, options.platens);
+  const auto bottom = static_cast<std::uint32_t>(network_.n_grains), top = bottom + 1;
+  const double delta = 0.5 * unit_strain * specimen.packing->height;
+  boundary_ = {};
+  for (const std::uint32_t platen : {bottom, top})
+    for (const int component : {0, 1, 2})
+      boundary_.movements.push_back({{platen, component},
+                                     component != 1  ? 0.0
+                                     : platen == top ? -delta
+                                                     : delta});
+  if (options.platens == Platens::frictionless && network_.n_grains > 0)
+    boundary_.movements.push_back({{anchor(network_), 0}, 0.0});
+  prescribed_.clear();
+  for (const Given& m : boundary_.movements) prescribed_.push_back(m.where);
+  if (!system_ || !system_->fits(network_, prescribed_)) system_.emplace(network_, prescribed_);
+}
+
+// One solution with the present set of closed contacts. False: the outcome says why there is none.
+bool UniaxialStatics::step(ElasticResult& result, Reading& reading) {
+  ++result.n_iterations;
+  k_ = stiffnesses(network_, active_);
+  result.outcome = system_->factor(network_, k_);
+  if (result.outcome.ok()) result.outcome = check_load_path(network_, k_);
+  if (!result.outcome.ok()) return false;
+  u_ = system_->solve(network_, k_, boundary_);
+  read(reading);
+  const bool carried = reading.force > 0.0 && system_->ground_share(u_, reading.force) < worst_ground_share;
+  if (carried && reading.axial > 0.0) return true;
+  if (carried) {
+    result.outcome = {ElasticStatus::no_gauge,
+                      "too few grains carry load in the middle 60 % of the height",
+                      "use a specimen with more grains",
+                      {}};
+    return false;
+  }
+  for (std::uint32_t i = 0; i < network_.n_grains; ++i)
+    if (system_->loose()[i]) result.outcome.grains.push_back(i);
+  result.outcome.status = ElasticStatus::mechanism;
+  result.outcome.reason = "the load meets a part that moves without resistance, among the grains " +
+                          listed(result.outcome.grains);
+  result.outcome.advice = "bond these grains or give their contacts shear stiffness";
+  return false;
+}
+
+void UniaxialStatics::read(Reading& reading) {
+  Packing firm = *specimen_->packing;  // the gauge reads the grains that take part
+  std::vector<std::size_t> number;
+  firm.discs.clear();
+  for (std::size_t i = 0; i < network_.n_grains; ++i)
+    if (!system_->loose()[i]) firm.discs.push_back(specimen_->packing->discs[i]), number.push_back(i);
+  const GaugeWeights w = gauge_weights(firm);
+  gauge_axial_.assign(u_.size(), 0.0), gauge_lateral_.assign(u_.size(), 0.0);
+  reading.axial = reading.lateral = 0.0;
+  for (std::size_t j = 0; j < number.size(); ++j) {
+    gauge_lateral_[3 * number[j]] = -w.x[j], gauge_axial_[3 * number[j] + 1] = -w.y[j];
+    reading.lateral -= w.x[j] * u_[3 * number[j]], reading.axial -= w.y[j] * u_[3 * number[j] + 1];
+  }
+  const std::vector<double> f = inner_forces(network_, k_, u_);
+  const std::size_t bottom = 3 * network_.n_grains + 1;
+  reading.force = 0.5 * (f[bottom] - f[bottom + 3]);
+  reading.E = reading.force / (specimen_->packing->width * reading.axial);
+  reading.nu = -reading.lateral / reading.axial;
+}
+
+// Opens and closes linear parts by the last solution; returns how many changed. The third change is the last:
+// open, closed, open for good.
+std::size_t UniaxialStatics::update(std::vector<std::uint8_t>& changes, std::size_t& held) {
+  constexpr std::uint8_t last_change = 3;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < network_.links.size(); ++i) {
+    const Link& l = network_.links[i];
+    if (!l.unilateral || l.linear == 0.0 || changes[i] >= last_change) continue;
+    const double closure = strains(l, u_)[0];
+    const bool closed = closure > 0.0;
+    if (closed == (active_[i] != 0) || std::fabs(closure) < undecided * network_.length) continue;
+    active_[i] = closed;
+    ++changed;
+    if (++changes[i] == last_change) ++held;
+  }
+  return changed;
+}
+
+ElasticResult UniaxialStatics::solve(const Specimen& specimen, const ElasticOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  prepare(specimen, options);
+  ElasticResult result;
+  result.bilateral = options.bilateral;
+  active_.assign(network_.links.size(), 1);
+  std::vector<std::uint8_t> changes(network_.links.size(), 0);
+  const double allowed = options.max_alternating * static_cast<double>(specimen.contacts.size());
+  std::size_t held = 0;
+  Reading reading, before;
+  while (step(result, reading) && !options.bilateral) {
+    const bool steady = std::fabs(reading.E - before.E) <= options.tolerance * std::fabs(reading.E) &&
+                        std::fabs(reading.nu - before.nu) <= options.tolerance;
+    const std::vector<char> solved = active_;
+    const std::size_t changed = update(changes, held);
+    result.n_alternating = static_cast<std::int64_t>(held + changed);
+    const bool few = static_cast<double>(result.n_alternating) <= allowed;
+    if (changed == 0 || (steady && few) || result.n_iterations >= options.max_iterations) {
+      active_ = solved;
+      const bool settled = changed == 0 || steady;
+      if (!few || !settled)
+        result.outcome = {
+            ElasticStatus::not_converged,
+            std::to_string(result.n_alternating) + " contacts alternate between open and closed",
+            "use the bilateral solution, or compare with a run of the press",
+            {}};
+      break;
+    }
+    before = reading;
+  }
+  finish(result, reading, options);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+ElasticResult UniaxialStatics::solve_held(const Specimen& specimen, const std::vector<char>& active,
+                                          const ElasticOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  prepare(specimen, options);
+  ElasticResult result;
+  result.bilateral = options.bilateral;
+  active_ = active;
+  Reading reading;
+  step(result, reading);
+  finish(result, reading, options);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, const ElasticOptions& options) {
+  const Specimen& s = *specimen_;
+  result.name = s.name;
+  const ElasticStatus status = result.outcome.status;
+  if (status != ElasticStatus::solved && status != ElasticStatus::not_converged) {
+    result.E_gauge = result.nu_gauge = result.E_platen = nan;
+    u_.clear();
+    specimen_ = nullptr;
+    return;
+  }
+  result.E_gauge = reading.E, result.nu_gauge = reading.nu;
+  result.E_platen = reading.force / (s.packing->width * unit_strain);
+  for (std::size_t i = 0; i < network_.links.size(); ++i) {
+    const Link& l = network_.links[i];
+    if (l.a >= network_.n_grains) continue;
+    result.n_contacts += l.linear > 0.0 || l.bond > 0.0 || l.joint > 0.0 ? 1 : 0;
+    result.n_open += l.linear > 0.0 && !active_[i] ? 1 : 0;
+  }
+  std::vector<std::uint32_t> loose;
+  for (std::uint32_t i = 0; i < network_.n_grains; ++i)
+    if (system_->loose()[i]) loose.push_back(i);
+  result.n_loose = static_cast<std::int64_t>(loose.size());
+  if (!loose.empty() && result.outcome.ok()) {
+    result.outcome.reason = std::to_string(loose.size()) + " grains carry no load: " + listed(loose);
+    result.outcome.grains = std::move(loose);
+  }
+  if (options.sensitivities) add_sensitivities(result, reading);
+  specimen_ = nullptr;
+}
+
+void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& reading) const {
+  const Movements axial = system_->solve(gauge_axial_), lateral = system_->solve(gauge_lateral_);
+  const double width = specimen_->packing->width, approach = unit_strain * specimen_->packing->height;
+  std::vector<std::array<double, 3>> e, e_axial, e_lateral;
+  for (const Link& l : network_.links) {
+    e.push_back(strains(l, u_));
+    e_axial.push_back(strains(l, axial)), e_lateral.push_back(strains(l, lateral));
+  }
+  const auto add = [&](std::string name, std::string unit, double value, Parameter p) {
+    double dF = 0.0, d_axial = 0.0, d_lateral = 0.0;
+    for (std::size_t i = 0; i < network_.links.size(); ++i) {
+      const Tangent<double> dk = stiffness_rate(network_, network_.links[i], active_[i] != 0, p);
+      const std::array<double, 3> q{dk.k_n * e[i][0], dk.k_s * e[i][1], dk.k_m * e[i][2]};
+      for (std::size_t r = 0; r < 3; ++r)
+        dF += q[r] * e[i][r], d_axial -= q[r] * e_axial[i][r], d_lateral -= q[r] * e_lateral[i][r];
+    }
+    Sensitivity s{std::move(name), std::move(unit), value, 0.0, 0.0};
+    s.dE = (dF / approach - reading.E * width * d_axial) / (width * reading.axial);
+    s.dnu = -(d_lateral + reading.nu * d_axial) / reading.axial;
+    result.sensitivities.push_back(std::move(s));
+  };
+  const MatrixRecipe& m = network_.matrix;
+  using What = Parameter::What;
+  add("matrix.E_c", "Pa", m.E_c, {What::E_c, 0});
+  add("matrix.E_b", "Pa", m.E_b, {What::E_b, 0});
+  add("matrix.ks_over_kn", "1", m.ks_over_kn, {What::ks_over_kn, 0});
+  add("matrix.bond_ks_over_kn", "1", m.bond_ks_over_kn, {What::bond_ks_over_kn, 0});
+  result.sensitivities.push_back(sum(result.sensitivities[2], result.sensitivities[3], "ks_over_kn"));
+  for (std::size_t i = 0; i < network_.bedding.size(); ++i) {
+    const std::string set = "bedding[" + std::to_string(i) + "].";
+    add(set + "k_n", "Pa/m", network_.bedding[i].k_n, {What::k_n, static_cast<std::uint8_t>(i)});
+    add(set + "k_s", "Pa/m", network_.bedding[i].k_s, {What::k_s, static_cast<std::uint8_t>(i)});
+  }
+}
+
+ElasticResult solve_uniaxial(const Specimen& specimen, const ElasticOptions& options) {
+  UniaxialStatics statics;
+  return statics.solve(specimen, options);
+}
+
+std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, const ElasticOptions& options,
+                                     int threads) {
+  std::vector<ElasticResult> results(specimens.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    try {
+      UniaxialStatics statics;
+      for (std::size_t i = next++; i < specimens.size(); i = next++)
+        results[i] = statics.solve(specimens[i], options);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      error = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < threads && static_cast<std::size_t>(i) < specimens.size(); ++i)
+      workers.emplace_back(work);
+  }
+  if (error) std::rethrow_exception(error);
+  return results;
+}
+
+}  // namespace phy

@@ -1,0 +1,297 @@
+// E and nu between platens: against the press, against symmetries, derivatives against differences, bad
+// specimens.
+#include "statics/uniaxial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/lane_group.hpp"
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "lab/uniaxial.hpp"
+#include "records/assembly.hpp"
+
+namespace phy {
+namespace {
+
+/// About 350 grains in 8 x 16 mm with two or three planes.
+Recipe small_recipe() {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 340;
+  r.matrix.bond_ks_over_kn = 0.4;
+  r.bedding.push_back({});
+  r.bedding[0].rule = BeddingRule::crossing;
+  return r;
+}
+
+std::shared_ptr<const Packing> small_packing() {
+  static const auto packing = [] {
+    const Recipe r = small_recipe();
+    return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  }();
+  return packing;
+}
+
+Specimen small_specimen(double theta) {
+  const Recipe r = small_recipe();
+  return make_specimen(small_packing(), r.matrix, turned(r.bedding, theta), "small");
+}
+
+/// The same specimen with other discs; keeps contacts and bedding.
+Specimen with_discs(Specimen s, const std::function<void(Packing&)>& change) {
+  auto packing = std::make_shared<Packing>(*s.packing);
+  change(*packing);
+  s.packing = std::move(packing);
+  return s;
+}
+
+const Sensitivity& of(const ElasticResult& r, const std::string& parameter) {
+  return *std::find_if(r.sensitivities.begin(), r.sensitivities.end(),
+                       [&](const Sensitivity& s) { return s.parameter == parameter; });
+}
+
+TEST(Uniaxial, SquareLatticeOfColumnsHasTheClosedForm) {
+  constexpr double R = 1e-3;
+  const int n_x = 4, n_y = 10;
+  std::vector<Disc> discs;
+  for (int j = 0; j < n_y; ++j)
+    for (int i = 0; i < n_x; ++i) discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
+  MatrixRecipe m;
+  m.E_c = 31e9, m.E_b = 17e9;
+  Specimen s = assembly(discs, m);
+  bond_touching(s);
+  const ElasticResult r = solve_uniaxial(s);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
+  const double K = m.E_c + m.E_b, wall = 2.0 * m.E_c;
+  EXPECT_NEAR(r.E_gauge, K, 1e-9 * K);
+  EXPECT_NEAR(r.nu_gauge, 0.0, 1e-9);
+  const double column = 1.0 / ((n_y - 1) / K + 2.0 / wall);  // contacts in series
+  EXPECT_NEAR(r.E_platen, column * n_y, 1e-9 * K);
+  EXPECT_EQ(r.n_open, 0);
+  EXPECT_EQ(r.n_loose, 0);
+}
+
+TEST(Uniaxial, ContactsThatWouldPullAreOpen) {
+  constexpr double R = 1e-3;
+  MatrixRecipe m;
+  m.E_c = 31e9, m.E_b = 17e9, m.ks_over_kn = m.bond_ks_over_kn = 0.2;
+  Specimen s = assembly(hexagonal(6, 13, R), m);
+  bond_touching(s);
+  UniaxialStatics statics;
+  const ElasticResult one = statics.solve(s);
+  ASSERT_TRUE(one.outcome.ok()) << one.outcome.reason;
+  EXPECT_GT(one.n_open, 0);
+  for (std::size_t i = 0; i < statics.network().links.size(); ++i) {
+    const Link& l = statics.network().links[i];
+    const double closure = strains(l, statics.movements())[0];
+    EXPECT_EQ(statics.active()[i] != 0, closure > 0.0) << l.a << " " << l.b;
+    EXPECT_TRUE(statics.active()[i] || std::fabs(l.n.y) < 0.5 || l.linear == 0.0)
+        << "only rows across the load open";
+  }
+  ElasticOptions both;
+  both.bilateral = true;
+  const ElasticResult two = solve_uniaxial(s, both);
+  EXPECT_EQ(two.n_iterations, 1);
+  EXPECT_LT(one.E_gauge, two.E_gauge);
+  EXPECT_GT(one.nu_gauge, two.nu_gauge);
+}
+
+// The press with breakage and slip off, at small strain, from the same stress-free state.
+TEST(Uniaxial, AgreesWithThePress) {
+  Recipe recipe = small_recipe();
+  recipe.matrix.unbreakable = true;
+  recipe.test.platen_speed = 0.002;
+  recipe.test.ramp_strain = 2e-5;
+  recipe.test.max_strain = 2e-4;
+  recipe.test.history_interval = 200;
+  for (const double theta : {0.0, 50.0}) {
+    auto s = std::make_shared<const Specimen>(
+        make_specimen(small_packing(), recipe.matrix, turned(recipe.bedding, theta), "small"));
+    GroupOptions options;
+    options.isa = native_isa();
+    options.interval = static_cast<int>(recipe.test.history_interval);
+    const auto group = make_group(s->packing, options);
+    UniaxialTest test(s, recipe, *group, 0);
+    do group->advance();
+    while (!test.after_block());
+    const TestResult press = test.take_result();
+    const HistoryRow &a = press.history.rows[press.history.rows.size() / 2], &b = press.history.rows.back();
+    const double axial = b.axial_strain_gauge - a.axial_strain_gauge;
+    const ElasticResult direct = solve_uniaxial(*s);
+    ASSERT_TRUE(direct.outcome.ok()) << direct.outcome.reason;
+    EXPECT_NEAR((b.axial_stress - a.axial_stress) / axial, direct.E_gauge, 0.01 * direct.E_gauge) << theta;
+    EXPECT_NEAR(-(b.lateral_strain_gauge - a.lateral_strain_gauge) / axial, direct.nu_gauge, 0.01) << theta;
+  }
+}
+
+TEST(Uniaxial, SensitivitiesAreCentralDifferences) {
+  for (const bool bilateral : {true, false}) {
+    ElasticOptions options;
+    options.bilateral = bilateral;
+    const Specimen s = small_specimen(35.0);
+    UniaxialStatics statics;
+    const ElasticResult r = statics.solve(s, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
+    const std::vector<char> active = statics.active();
+    const auto check = [&](const std::string& name, const std::function<void(Specimen&, double)>& scale) {
+      constexpr double h = 1e-4;
+      Specimen up = s, down = s;
+      scale(up, 1.0 + h), scale(down, 1.0 - h);
+      const ElasticResult a = statics.solve_held(up, active, options),
+                          b = statics.solve_held(down, active, options);
+      const Sensitivity& d = of(r, name);
+      EXPECT_NEAR(d.dE * d.value, (a.E_gauge - b.E_gauge) / (2.0 * h), 1e-5 * std::fabs(d.dE * d.value))
+          << name;
+      EXPECT_NEAR(d.dnu * d.value, (a.nu_gauge - b.nu_gauge) / (2.0 * h), 1e-5 * std::fabs(d.dnu * d.value))
+          << name;
+      EXPECT_GT(std::fabs(d.dE), 0.0) << name;
+    };
+    check("matrix.E_c", [](Specimen& x, double f) { x.matrix.E_c *= f; });
+    check("matrix.E_b", [](Specimen& x, double f) { x.matrix.E_b *= f; });
+    check("matrix.ks_over_kn", [](Specimen& x, double f) { x.matrix.ks_over_kn *= f; });
+    check("matrix.bond_ks_over_kn", [](Specimen& x, double f) { x.matrix.bond_ks_over_kn *= f; });
+    check("bedding[0].k_n", [](Specimen& x, double f) { x.bedding[0].k_n *= f; });
+    check("bedding[0].k_s", [](Specimen& x, double f) { x.bedding[0].k_s *= f; });
+    const Sensitivity& both = of(r, "ks_over_kn");
+    EXPECT_DOUBLE_EQ(both.dE, of(r, "matrix.ks_over_kn").dE + of(r, "matrix.bond_ks_over_kn").dE);
+    EXPECT_DOUBLE_EQ(both.dnu, of(r, "matrix.ks_over_kn").dnu + of(r, "matrix.bond_ks_over_kn").dnu);
+  }
+}
+
+TEST(Uniaxial,
+     StiffnessesScaleTheModulusOnly) {  // Euler: E is homogeneous of degree 1 in all moduli, nu of degree 0
+  const ElasticResult r = solve_uniaxial(small_specimen(35.0));
+  double dE = 0.0, dnu = 0.0;
+  for (const char* name : {"matrix.E_c", "matrix.E_b", "bedding[0].k_n", "bedding[0].k_s"})
+    dE += of(r, name).dE * of(r, name).value, dnu += of(r, name).dnu * of(r, name).value;
+  EXPECT_NEAR(dE, r.E_gauge, 1e-8 * r.E_gauge);
+  EXPECT_NEAR(dnu, 0.0, 1e-8);
+}
+
+TEST(Uniaxial, MirrorImageHasTheSameModuli) {
+  const Specimen s = small_specimen(30.0);
+  Specimen mirror = with_discs(s, [](Packing& p) {
+    for (Disc& d : p.discs) d.x = p.width - d.x;
+  });
+  mirror.bedding[0].theta = 150.0;
+  for (Contact& c : mirror.contacts)
+    c.side = static_cast<std::int8_t>(-c.side);  // n_j.y turns its sign with theta
+  const ElasticResult a = solve_uniaxial(s), b = solve_uniaxial(mirror);
+  ASSERT_TRUE(a.outcome.ok() && b.outcome.ok());
+  EXPECT_NEAR(a.E_gauge, b.E_gauge, 1e-6 * a.E_gauge);
+  EXPECT_NEAR(a.nu_gauge, b.nu_gauge, 1e-6);
+}
+
+TEST(Uniaxial, KeptSymbolicPartGivesTheSameBits) {
+  UniaxialStatics kept;
+  kept.solve(small_specimen(0.0));
+  const ElasticResult a = kept.solve(small_specimen(70.0)), b = solve_uniaxial(small_specimen(70.0));
+  EXPECT_EQ(a.E_gauge, b.E_gauge);
+  EXPECT_EQ(a.nu_gauge, b.nu_gauge);
+}
+
+TEST(Uniaxial, ThreadsDoNotMatter) {
+  std::vector<Specimen> specimens;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) specimens.push_back(small_specimen(theta));
+  const auto one = solve_all(specimens, {}, 1), three = solve_all(specimens, {}, 3);
+  ASSERT_EQ(three.size(), specimens.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].E_gauge, three[i].E_gauge);
+    EXPECT_EQ(one[i].sensitivities.back().dnu, three[i].sensitivities.back().dnu);
+  }
+}
+
+TEST(Uniaxial, GluedPlatensAreStiffer) {
+  ElasticOptions glued;
+  glued.platens = Platens::glued;
+  const Specimen s = small_specimen(60.0);
+  EXPECT_GT(solve_uniaxial(s, glued).E_platen, 1.01 * solve_uniaxial(s).E_platen);
+}
+
+TEST(Uniaxial, FloatingDiscsAreNamedAndLeftAside) {
+  const Specimen s = small_specimen(20.0);
+  const auto extra = static_cast<std::uint32_t>(s.packing->discs.size());
+  const Specimen more = with_discs(s, [](Packing& p) {
+    p.discs.push_back({0.5 * p.width, 0.5 * p.height, 1e-5});
+    p.discs.push_back({0.4 * p.width, 0.5 * p.height, 1e-5});
+  });
+  const ElasticResult a = solve_uniaxial(s), b = solve_uniaxial(more);
+  EXPECT_EQ(b.outcome.status, ElasticStatus::solved);
+  EXPECT_EQ(b.n_loose, 2);
+  EXPECT_EQ(b.outcome.grains, (std::vector<std::uint32_t>{extra, extra + 1}));
+  EXPECT_NE(b.outcome.reason.find(std::to_string(extra)), std::string::npos);
+  EXPECT_NEAR(a.E_gauge, b.E_gauge, 1e-9 * a.E_gauge);
+}
+
+TEST(Uniaxial, UnbondedHalfIsNamed) {
+  Specimen s = small_specimen(0.0);
+  const double middle = 0.5 * s.packing->height;
+  const auto upper = [&](std::uint32_t i) { return s.packing->discs[i].y > middle; };
+  std::erase_if(s.contacts, [&](const Contact& c) { return upper(c.a) != upper(c.b); });
+  const ElasticResult r = solve_uniaxial(s);
+  EXPECT_EQ(r.outcome.status, ElasticStatus::no_load_path);
+  EXPECT_GT(r.outcome.grains.size(), 100U);
+  const bool first = upper(r.outcome.grains.front());
+  for (const std::uint32_t i : r.outcome.grains) EXPECT_EQ(upper(i), first);
+  EXPECT_NE(r.outcome.reason.find(std::to_string(r.outcome.grains.front())), std::string::npos);
+  EXPECT_TRUE(std::isnan(r.E_gauge) && std::isnan(r.nu_gauge));
+}
+
+TEST(Uniaxial, ZeroStiffnessIsNamed) {
+  Specimen s = small_specimen(0.0);
+  s.matrix.E_c = s.matrix.E_b = 0.0;
+  s.bedding[0].k_n = s.bedding[0].k_s = 0.0;
+  const ElasticResult r = solve_uniaxial(s);
+  EXPECT_EQ(r.outcome.status, ElasticStatus::bad_stiffness);
+  EXPECT_EQ(r.outcome.grains.size(), s.packing->discs.size());
+  EXPECT_FALSE(r.outcome.reason.empty());
+}
+
+TEST(Uniaxial, GrainsThatShareACentreAreNamed) {
+  Specimen s = small_specimen(0.0);
+  const Contact c = s.contacts[10];
+  s = with_discs(s, [&](Packing& p) { p.discs[c.b].x = p.discs[c.a].x, p.discs[c.b].y = p.discs[c.a].y; });
+  const ElasticResult r = solve_uniaxial(s);
+  EXPECT_EQ(r.outcome.status, ElasticStatus::bad_stiffness);
+  EXPECT_EQ(r.outcome.grains, (std::vector<std::uint32_t>{c.a, c.b}));
+}
+
+TEST(Uniaxial,
+     SlidingPairIsAMechanism) {  // two smooth discs one above the other, aside: they slip past each other
+  constexpr double R = 1e-3;
+  MatrixRecipe m;
+  m.ks_over_kn = 0.0;
+  Specimen s = assembly({{R, R, R}, {2.0 * R, R * (1.0 + std::sqrt(3.0)), R}}, m);
+  bond_touching(s);
+  s.contacts[0].kind = ContactKind::touching;
+  const ElasticResult r = solve_uniaxial(s);
+  EXPECT_EQ(r.outcome.status, ElasticStatus::mechanism);
+  EXPECT_EQ(r.outcome.grains, (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST(Uniaxial, NothingInTheMiddleToReadAStrainFrom) {
+  constexpr double R = 1e-3;
+  Specimen s = assembly({{R, R, R}, {3.0 * R, R, R}}, MatrixRecipe{});
+  bond_touching(s);
+  EXPECT_EQ(solve_uniaxial(s).outcome.status, ElasticStatus::no_gauge);
+}
+
+TEST(Uniaxial, EmptySpecimen) {
+  EXPECT_EQ(solve_uniaxial(assembly({}, MatrixRecipe{})).outcome.status, ElasticStatus::bad_stiffness);
+}
+
+TEST(Uniaxial, SaysWhenContactsStillAlternate) {
+  ElasticOptions hasty;
+  hasty.max_iterations = 1;
+  const ElasticResult r = solve_uniaxial(small_specimen(20.0), hasty);
+  EXPECT_EQ(r.outcome.status, ElasticStatus::not_converged);
+  EXPECT_GT(r.n_alternating, 0);
+  EXPECT_TRUE(std::isfinite(r.E_gauge));
+}
+
+}  // namespace
+}  // namespace phy

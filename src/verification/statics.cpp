@@ -1,0 +1,175 @@
+// The direct elastic solution against closed forms of lattices and of a beam.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "records/assembly.hpp"
+#include "statics/system.hpp"
+#include "verification/cases.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double R = 1e-3;
+constexpr double exact = 1e-10;
+const double root3 = std::sqrt(3.0);
+
+/// Periodic cell of equal discs; all pairs that touch across the borders too are bonded.
+struct Cell {
+  Specimen specimen;
+  Vec2 period;
+  double K_n() const { return specimen.matrix.E_c + specimen.matrix.E_b; }
+  double K_s() const {
+    const MatrixRecipe& m = specimen.matrix;
+    return m.E_c * m.ks_over_kn + m.E_b * m.bond_ks_over_kn;
+  }
+
+  Cell(const std::vector<Disc>& discs, Vec2 size) : period(size) {
+    MatrixRecipe m;
+    m.E_c = 31e9, m.ks_over_kn = 0.25, m.E_b = 17e9, m.bond_ks_over_kn = 0.6;
+    specimen = assembly(discs, m);
+    const auto nearest = [](double x, double p) { return x - p * std::floor(x / p + 0.5); };
+    for (std::uint32_t a = 0; a < discs.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < discs.size(); ++b) {
+        const Vec2 d{nearest(discs[b].x - discs[a].x, period.x), nearest(discs[b].y - discs[a].y, period.y)};
+        if (norm(d) > 2.0 * R * (1.0 + 1e-6)) continue;
+        Contact c;
+        c.a = a, c.b = b;
+        specimen.contacts.push_back(c);
+      }
+    }
+  }
+  Network network() const { return make_network(specimen, period); }
+  Eigen::Matrix3d stiffness() const {
+    const CellStiffness cell = cell_stiffness(network(), period.x * period.y);
+    Eigen::Matrix3d C;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) C(i, j) = cell.C[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    return C;
+  }
+};
+
+Cell hexagonal_cell(int n_x, int n_y) { return {hexagonal(n_x, n_y, R), {2.0 * R * n_x, root3 * R * n_y}}; }
+
+std::vector<Check> hexagonal_lattice() {
+  const Cell cell = hexagonal_cell(4, 4);
+  const double n = cell.K_n(), s = cell.K_s(), q = root3 / 4.0;
+  const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
+  return {{"C11 [Pa]", q * (3.0 * n + s), C(0, 0), exact},
+          {"C22 [Pa]", q * (3.0 * n + s), C(1, 1), exact},
+          {"C12 [Pa]", q * (n - s), C(0, 1), exact},
+          {"C66 [Pa]", q * (n + s), C(2, 2), exact},
+          {"E [Pa]", 2.0 * root3 * n * (n + s) / (3.0 * n + s), 1.0 / S(1, 1), exact},
+          {"nu [-]", (n - s) / (3.0 * n + s), -S(0, 1) / S(1, 1), exact}};
+}
+
+std::vector<Check> square_lattice() {
+  std::vector<Disc> discs;
+  for (int i = 0; i < 16; ++i) discs.push_back({R * (1.0 + 2.0 * (i % 4)), R * (1.0 + 2.0 * (i / 4)), R});
+  const Cell cell(discs, {8.0 * R, 8.0 * R});
+  const double n = cell.K_n(), s = cell.K_s();
+  const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
+  const Eigen::Vector3d along_diagonal = S * Eigen::Vector3d(0.5, 0.5, 0.5);
+  return {{"E along the rows [Pa]", n, 1.0 / S(1, 1), exact},
+          {"nu along the rows [-]", 0.0, -S(0, 1) / S(1, 1), exact},
+          {"C66 [Pa]", 0.5 * s, C(2, 2), exact},
+          {"E at 45 degrees [Pa]", 2.0 * n * s / (n + s), 2.0 / along_diagonal.sum(), exact}};
+}
+
+/// Joints between every m-th row and the next.
+void add_joint_rows(Cell& cell, int n_x, int m) {
+  BeddingRecipe set;
+  set.k_n = 3360e9, set.k_s = 960e9;
+  cell.specimen.bedding.push_back(set);
+  for (Contact& c : cell.specimen.contacts) {
+    const int row_a = static_cast<int>(c.a) / n_x, row_b = static_cast<int>(c.b) / n_x;
+    const bool wraps = row_b - row_a > 1;
+    if (row_a == row_b || ((wraps ? row_b : row_a) + 1) % m != 0) continue;
+    c.kind = ContactKind::joint;
+    c.side = wraps ? -1 : 1;
+  }
+}
+
+std::vector<Check> joint_rows() {
+  std::vector<Check> checks;
+  for (const int m : {2, 4, 16}) {
+    Cell cell = hexagonal_cell(4, 2 * m);
+    add_joint_rows(cell, 4, m);
+    const double n = cell.K_n(), s = cell.K_s(), A = 2.0 * R, rows = m, q = root3 / 4.0;
+    const BeddingRecipe& set = cell.specimen.bedding[0];
+    Eigen::Matrix3d M;  // lateral strain, opening of a bonded row, opening of a joint row; stress 1
+    M << q * (n - s) * R, (3.0 * n + s) / 4.0, 0.0, 0.0, 0.0, set.k_n * A,
+        2.0 * rows * R * n + (rows - 1.0) * (n + 3.0 * s) / 4.0 * R + set.k_s * A * R,
+        (rows - 1.0) * q * (n - s), 0.0;
+    const Eigen::Vector3d x = M.fullPivLu().solve(Eigen::Vector3d(R, R, 0.0));
+    const Eigen::Matrix3d S = cell.stiffness().inverse();
+    checks.push_back({"E across a joint row every " + std::to_string(m) + " rows [Pa]",
+                      rows * root3 * R / ((rows - 1.0) * x[1] + x[2]), 1.0 / S(1, 1), exact});
+  }
+  return checks;
+}
+
+std::vector<Check> cantilever() {
+  constexpr std::uint32_t n = 12;
+  const double N = n, P = 5.0;
+  std::vector<Disc> discs;
+  for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R + 2.0 * R * i, R, R});
+  Specimen s = assembly(discs, MatrixRecipe{});
+  bond_touching(s);
+  const Network net = make_network(s);
+  const Tangent<double> bond = stiffness(net, net.links[0], false);
+  const std::vector<char> bonds_only(net.links.size(), 0);
+  Boundary boundary;
+  move_with(boundary, net, 0, {});
+  boundary.loads = {{{n, 1}, P}};
+  const Movements force = solve_once(net, boundary, bonds_only).u;
+  boundary.loads = {{{n, 2}, P}};
+  const Movements moment = solve_once(net, boundary, bonds_only).u;
+  const double sag = P * (N * (4.0 * N * N - 1.0) * R * R / (3.0 * bond.k_m) + N / bond.k_s);
+  return {{"deflection under a tip force [m]", sag, force[3 * n + 1], exact},
+          {"rotation under a tip force [rad]", P * N * N * R / bond.k_m, force[3 * n + 2], exact},
+          {"deflection under an end moment [m]", P * N * N * R / bond.k_m, moment[3 * n + 1], exact},
+          {"rotation under an end moment [rad]", N * P / bond.k_m, moment[3 * n + 2], exact}};
+}
+
+std::vector<Check> contact_forces() {
+  const Cell cell = hexagonal_cell(4, 4);
+  const Network net = cell.network();
+  const double n = cell.K_n(), s = cell.K_s(), stress = 1e6;
+  const Eigen::Vector3d e = cell.stiffness().inverse() * Eigen::Vector3d(0.0, -stress, 0.0);
+  Boundary boundary;
+  boundary.movements = {{{0, 0}, 0.0}, {{0, 1}, 0.0}};
+  boundary.gradient = {e[0], 0.5 * e[2], 0.5 * e[2], e[1]};
+  const Movements u = solve_once(net, boundary).u;
+  double inclined_n = 0.0, inclined_s = 0.0, level_n = 0.0, couple = 0.0, level = 0.0, inclined = 0.0;
+  for (const Link& l : net.links) {
+    const auto q = forces(stiffness(net, l, true), strains(l, u, boundary.gradient));
+    couple = std::max(couple, std::fabs(q[2]) / (stress * R * R));
+    if (std::fabs(l.n.y) < 0.1)
+      level_n += q[0], level += 1.0;
+    else
+      inclined_n += q[0], inclined_s += std::fabs(q[1]), inclined += 1.0;
+  }
+  return {{"normal force, inclined contacts [N/m]", stress * R * (2.0 * n + s) / (root3 * (n + s)),
+           inclined_n / inclined, exact},
+          {"shear force, inclined contacts [N/m]", stress * R * s / (n + s), inclined_s / inclined, exact},
+          {"normal force, contacts across the load [N/m]", -stress * R * (n - s) / (root3 * (n + s)),
+           level_n / level, exact},
+          {"largest couple / (stress R^2) [-]", 0.0, couple, exact}};
+}
+
+}  // namespace
+
+std::vector<VerificationCase> statics_cases() {
+  const std::string source = "derived by hand from the contact laws; docs/theory/statics.md";
+  const std::string why = "one direct solution: rounding";
+  return {
+      {"V1", "Hexagonal lattice: isotropic, with the moduli of its contacts", source, why, hexagonal_lattice},
+      {"V2", "Square lattice: moduli along the rows and across", source, why, square_lattice},
+      {"V3", "Hexagonal lattice with rows of smooth joints", source, why, joint_rows},
+      {"V5", "Cantilever of bonded discs", source, why, cantilever},
+      {"V13", "Contact forces of a hexagonal lattice under uniaxial stress", source, why, contact_forces}};
+}
+
+}  // namespace phy
