@@ -64,10 +64,12 @@ template <class R>
 PHY_HOT inline void slip(const Parameters<R>& p, R trial, MaskOf<R> unbonded, R& F_n, R& F_s, R& dilation) {
   const R excess = abs(trial) - p.mu * F_n;
   const auto slips = unbonded & (F_n > R(0)) & (excess > R(0));
-  const R slope = p.k_n / p.k_s * p.tan_psi;
-  const R e = select(slips, excess / (R(1) + p.mu * slope), R(0));
-  F_n += e * slope;
-  dilation += e * p.tan_psi / p.k_s;
+  if (any(slips & (p.tan_psi > R(0)))) {  // lanes without dilation would only add zeros
+    const R slope = p.k_n / p.k_s * p.tan_psi;
+    const R e = select(slips, excess / (R(1) + p.mu * slope), R(0));
+    F_n += e * slope;
+    dilation += e * p.tan_psi / p.k_s;
+  }
   F_s = select(unbonded, select(slips, sign(trial) * p.mu * F_n, select(F_n > R(0), trial, R(0))), F_s);
 }
 }  // namespace detail
@@ -95,9 +97,11 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
     const R shear_loss = R(0.5) * (s.F_s + r.F_s) * (s.F_s - p.k_s * m.d_slide - r.F_s) / p.k_s;
     const R lifted = R(0.5) * (F_n_closed + r.F_n) * (s.dilation - before);
     r.dissipated = select(unbonded & (!broken), shear_loss - lifted, R(0));
-    const R lost = strain_energy(p, F_n_bonded, F_s_bonded) - strain_energy(p, r.F_n, r.F_s);
-    r.released = select(broken, lost, R(0));
-    s.capacity = select(broken, R(0), s.capacity);
+    if (any(broken)) {
+      const R lost = strain_energy(p, F_n_bonded, F_s_bonded) - strain_energy(p, r.F_n, r.F_s);
+      r.released = select(broken, lost, R(0));
+      s.capacity = select(broken, R(0), s.capacity);
+    }
   }
   s.closure = closure;
   s.F_s = r.F_s;
