@@ -1,7 +1,9 @@
 #include "base/units.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace phy {
 namespace {
@@ -9,22 +11,24 @@ namespace {
 struct Unit {
   Dimension dimension;
   const char* name;
-  double times;  ///< value in SI = number * times / over; one of the two is 1
-  double over;
+  int power;     ///< 1 unit = 10^power in SI
+  double least;  ///< from this number on the unit is used for printing, up to 1e4; 0: read only
 };
 
-// In the order in which a value is tried for printing.
+// In the order in which a value is tried for printing; the first unit of a dimension takes what fits nowhere.
 constexpr Unit units[] = {
-    {Dimension::length, "mm", 1.0, 1e3},       {Dimension::length, "cm", 1.0, 1e2},
-    {Dimension::length, "um", 1.0, 1e6},       {Dimension::length, "m", 1.0, 1.0},
-    {Dimension::pressure, "GPa", 1e9, 1.0},    {Dimension::pressure, "MPa", 1e6, 1.0},
-    {Dimension::pressure, "kPa", 1e3, 1.0},    {Dimension::pressure, "Pa", 1.0, 1.0},
-    {Dimension::stiffness, "GPa/m", 1e9, 1.0}, {Dimension::stiffness, "MPa/mm", 1e9, 1.0},
-    {Dimension::stiffness, "MPa/m", 1e6, 1.0}, {Dimension::stiffness, "Pa/m", 1.0, 1.0},
-    {Dimension::angle, "deg", 1.0, 1.0},       {Dimension::speed, "m/s", 1.0, 1.0},
-    {Dimension::speed, "mm/s", 1.0, 1e3},      {Dimension::density, "kg/m^3", 1.0, 1.0},
-    {Dimension::density, "kg/m3", 1.0, 1.0},   {Dimension::density, "g/cm^3", 1e3, 1.0},
+    {Dimension::length, "mm", -3, 0.1},      {Dimension::length, "m", 0, 1.0},
+    {Dimension::length, "um", -6, 0.1},      {Dimension::length, "cm", -2, 0.0},
+    {Dimension::pressure, "GPa", 9, 1.0},    {Dimension::pressure, "MPa", 6, 0.1},
+    {Dimension::pressure, "kPa", 3, 0.1},    {Dimension::pressure, "Pa", 0, 0.1},
+    {Dimension::stiffness, "GPa/m", 9, 1.0}, {Dimension::stiffness, "MPa/m", 6, 1.0},
+    {Dimension::stiffness, "Pa/m", 0, 0.1},  {Dimension::stiffness, "MPa/mm", 9, 0.0},
+    {Dimension::angle, "deg", 0, 0.0},       {Dimension::speed, "m/s", 0, 0.001},
+    {Dimension::speed, "mm/s", -3, 0.0},     {Dimension::density, "kg/m^3", 0, 0.0},
+    {Dimension::density, "kg/m3", 0, 0.0},   {Dimension::density, "g/cm^3", 3, 0.0},
 };
+
+constexpr const char* beyond = "is larger or smaller than a number can be";
 
 std::string_view trimmed(std::string_view s) {
   while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
@@ -32,7 +36,62 @@ std::string_view trimmed(std::string_view s) {
   return s;
 }
 
-bool friendly(double number) { return std::fabs(number) >= 0.1 && std::fabs(number) < 1e5; }
+bool same_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// A decimal number with its point moved: 10^power times what the text says, rounded once.
+bool read_shifted(std::string_view number, int power, double& value) {
+  const std::size_t e = number.find_first_of("eE");
+  std::int64_t exponent = 0;
+  if (e != number.npos) {
+    std::string_view digits = number.substr(e + 1);
+    if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  }
+  const std::string text = std::string(number.substr(0, e)) + "e" + std::to_string(exponent + power);
+  return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+}
+
+/// 0.digits[0]digits[1]... times 10^exponent, without an exponent where that is short.
+std::string decimal(const std::string& digits, int exponent) {
+  const int n = static_cast<int>(digits.size());
+  if (exponent > 0 && exponent <= 9)
+    return exponent >= n ? digits + std::string(static_cast<std::size_t>(exponent - n), '0')
+                         : digits.substr(0, static_cast<std::size_t>(exponent)) + "." +
+                               digits.substr(static_cast<std::size_t>(exponent));
+  if (exponent <= 0 && exponent > -5)
+    return "0." + std::string(static_cast<std::size_t>(-exponent), '0') + digits;
+  return digits.substr(0, 1) + (n > 1 ? "." + digits.substr(1) : "") + "e" + std::to_string(exponent - 1);
+}
+
+/// The shortest digits of a value, with the point moved by -power.
+std::string print_shifted(double value, int power) {
+  if (value == 0.0) return std::signbit(value) ? "-0" : "0";
+  char buffer[64];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, std::fabs(value), std::chars_format::scientific).ptr;
+  const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
+  const std::size_t e = text.find('e');
+  std::string digits;
+  for (const char c : text.substr(0, e))
+    if (c != '.') digits += c;
+  int exponent = 0;
+  const std::size_t sign = text[e + 1] == '+' ? 2 : 1;
+  std::from_chars(text.data() + e + sign, end, exponent);
+  return (std::signbit(value) ? "-" : "") + decimal(digits, exponent + 1 - power);
+}
+
+/// What is wrong with a unit that was not found, with the likeliest cause first.
+std::string unit_problem(std::string_view unit, Dimension dimension) {
+  std::string text = "has the wrong unit \"" + std::string(unit) + "\"; ";
+  for (const Unit& u : units)
+    if (u.dimension == dimension && same_but_for_case(unit, u.name))
+      text += "did you mean \"" + std::string(u.name) + "\"? ";
+  return text + "known here: " + unit_names(dimension);
+}
 
 }  // namespace
 
@@ -49,36 +108,52 @@ std::string unit_names(Dimension dimension) {
   return names;
 }
 
+std::string inner_unit(Dimension dimension) {
+  for (const Unit& u : units)
+    if (u.dimension == dimension && u.power == 0) return u.name;
+  return "1";
+}
+
 Quantity parse_quantity(std::string_view text, Dimension dimension) {
-  const std::string_view s = trimmed(text);
+  std::string_view s = trimmed(text);
+  if (s.size() > 1 && s.front() == '+' && s[1] != '-') s.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), number);
-  if (error != std::errc() || !std::isfinite(number)) return {false, 0.0, "does not start with a number"};
-  const std::string_view unit = trimmed(s.substr(static_cast<std::size_t>(end - s.data())));
-  if (unit.empty())
+  if (error == std::errc::invalid_argument || !std::isfinite(number))
+    return {false, 0.0, "does not start with a number"};
+  const auto length = static_cast<std::size_t>(end - s.data());
+  const std::string_view unit = trimmed(s.substr(length));
+  if (dimension == Dimension::none)
+    return unit.empty()
+               ? Quantity{error == std::errc(), number, error == std::errc() ? "" : beyond}
+               : Quantity{false, 0.0, "has a unit, \"" + std::string(unit) + "\"; write a bare number"};
+  if (unit.empty()) {
+    const std::string all = unit_names(dimension);
     return {false, 0.0,
-            "has no unit; write for example \"" + print_number(number) + " " +
-                unit_names(dimension).substr(0, unit_names(dimension).find(',')) + "\""};
-  for (const Unit& u : units)
-    if (u.dimension == dimension && unit == u.name) return {true, number * u.times / u.over, ""};
-  return {false, 0.0,
-          "has the wrong unit \"" + std::string(unit) + "\"; known here: " + unit_names(dimension)};
+            "has no unit; write for example \"" + std::string(s.substr(0, length)) + " " +
+                all.substr(0, all.find(',')) + "\""};
+  }
+  for (const Unit& u : units) {
+    if (u.dimension != dimension || unit != u.name) continue;
+    double value = 0.0;
+    if (!read_shifted(s.substr(0, length), u.power, value)) return {false, 0.0, beyond};
+    return {true, value, ""};
+  }
+  return {false, 0.0, unit_problem(unit, dimension)};
 }
 
 std::string print_quantity(double value, Dimension dimension) {
-  if (dimension == Dimension::none) return print_number(value);
-  std::string fallback;
-  for (const bool only_friendly : {true, false}) {
-    for (const Unit& u : units) {
-      if (u.dimension != dimension) continue;
-      const double number = value * u.over / u.times;
-      if (only_friendly && number != 0.0 && !friendly(number)) continue;
-      const std::string text = print_number(number) + " " + u.name;
-      if (parse_quantity(text, dimension).value == value && text.size() < 24) return text;
-      fallback = text;
-    }
+  if (dimension == Dimension::none || !std::isfinite(value)) return print_number(value);
+  const Unit* chosen = nullptr;
+  for (const Unit& u : units) {
+    if (u.dimension != dimension) continue;
+    if (chosen == nullptr) chosen = &u;
+    const double number = std::fabs(value) / std::pow(10.0, u.power);  // only to choose; the text is exact
+    if (u.least == 0.0 || number < u.least || number >= 1e4) continue;
+    chosen = &u;
+    break;
   }
-  return fallback;  // the last unit is SI, or exact by construction
+  return print_shifted(value, chosen->power) + " " + chosen->name;
 }
 
 }  // namespace phy

@@ -1,4 +1,5 @@
-// `phyllite recipe`: what every key means, a template, the reference page. All of it comes from the schema.
+#include "cli/recipe_command.hpp"
+
 #include <fmt/format.h>
 
 #include "base/check.hpp"
@@ -15,46 +16,55 @@ Recipe with_one_set() {
   return r;
 }
 
-void explain(const std::string& key) {
-  std::vector<std::string> known;
-  bool found = false;
-  for (const Field& f : recipe_fields()) {
-    known.push_back(f.path());
-    known.push_back(f.key);
-    if (f.path() != key && f.key != key) continue;
-    found = true;
-    fmt::print("{}\n  meaning   {}\n  allowed   {}\n  default   {}\n", f.path(), f.meaning, range_text(f),
-               print_field(f, with_one_set(), 0));
-    if (f.dimension != Dimension::none) fmt::print("  units     {}\n", unit_names(f.dimension));
-    if (!f.pfc_name.empty()) fmt::print("  in PFC    {}\n", f.pfc_name);
-  }
-  if (found) return;
-  const std::string near = nearest(key, known);
-  throw InputError(
-      Problem{"command line", "--explain", key, "a key of the recipe",
-              near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
+std::string explanation(const Field& f) {
+  std::string text = fmt::format("{}\n  meaning   {}\n  allowed   {}\n  default   {}\n", f.path(), f.meaning,
+                                 range_text(f), print_field(f, with_one_set(), 0));
+  if (f.dimension != Dimension::none) text += fmt::format("  units     {}\n", unit_names(f.dimension));
+  if (!f.pfc_name.empty()) text += fmt::format("  in PFC    {}\n", f.pfc_name);
+  return text;
 }
 
-void reference() {
-  fmt::print(
-      "# Keys of a recipe\n\nWritten by `phyllite recipe --reference`. Every quantity carries its unit; a "
-      "key that "
-      "is left out has its default.\n");
+}  // namespace
+
+std::string explain(const std::string& key) {
+  std::string word = key;
+  if (const std::size_t open = word.find('['), close = word.find(']'); open < close && close != word.npos)
+    word.erase(open, close - open + 1);
+  for (const bool in_pfc : {false, true}) {
+    std::string text;
+    for (const Field& f : recipe_fields())
+      if (in_pfc ? has_pfc_name(f, word) : f.path() == word || f.key == word) text += explanation(f);
+    if (!text.empty()) return text;
+  }
+  std::vector<std::string> known;
+  for (const Field& f : recipe_fields()) known.push_back(word.find('.') == word.npos ? f.key : f.path());
+  const std::string near = nearest(word, known);
+  throw InputError(Problem{
+      "command line", "--explain", key, "a key of the recipe",
+      near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?"});
+}
+
+std::string reference_markdown() {
+  std::string text =
+      "# Keys of a recipe\n\nWritten by `phyllite recipe --reference`. A quantity carries its unit, in "
+      "quotes; a key "
+      "that is left out has its default.\n";
   std::string table = "-";
   for (const Field& f : recipe_fields()) {
     if (f.table != table) {
       table = f.table;
-      fmt::print("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
-                 table.empty()        ? "top level"
-                 : table == "bedding" ? "[[bedding]]"
-                                      : "[" + table + "]");
+      text += fmt::format("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
+                          table.empty()        ? "top level"
+                          : table == "bedding" ? "[[bedding]]"
+                                               : "[" + table + "]");
     }
-    fmt::print("| `{}` | `{}` | {} | {} | {} |\n", f.key, print_field(f, with_one_set(), 0), range_text(f),
-               f.meaning, f.pfc_name);
+    text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", f.key, print_field(f, with_one_set(), 0),
+                        range_text(f), f.meaning, f.pfc_name);
   }
+  return text;
 }
 
-}  // namespace
+std::string template_recipe() { return commented_recipe(with_one_set()); }
 
 void add_recipe_command(CLI::App& app, Session& session) {
   struct Arguments {
@@ -69,13 +79,20 @@ void add_recipe_command(CLI::App& app, Session& session) {
   verb->add_flag("--template", args->print_template, "a complete recipe with comments");
   verb->callback([args, &session] {
     session.exit_code = 0;
-    if (!args->key.empty()) return explain(args->key);
-    if (args->reference) return reference();
-    if (args->print_template) return fmt::print("{}", commented_recipe(with_one_set()));
-    if (args->file.empty())
-      throw InputError(
-          Problem{"command line", "recipe", "", "a file, --explain KEY, --reference or --template", ""});
-    fmt::print("{}", write_recipe(read_recipe(args->file)));
+    std::string text;
+    if (!args->key.empty())
+      text = explain(args->key);
+    else if (args->reference)
+      text = reference_markdown();
+    else if (args->print_template)
+      text = template_recipe();
+    else if (!args->file.empty())
+      text = write_recipe(read_recipe(args->file));
+    else
+      throw InputError(Problem{"command line", "recipe", "",
+                               "a file, --explain KEY, --reference or --template",
+                               "for example `phyllite recipe --explain theta`"});
+    fmt::print("{}", text);
   });
 }
 

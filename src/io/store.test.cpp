@@ -1,4 +1,3 @@
-// Files: whole or not at all, and back to the same bits.
 #include "io/store.hpp"
 
 #include <gmock/gmock.h>
@@ -9,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/check.hpp"
 #include "io/toml_in.hpp"
@@ -80,53 +80,58 @@ TEST_F(Store, ASecondResultReplacesTheFirstAndLeavesNoRest) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
-TEST_F(Store, AFileInTheWayIsToldWithARemedy) {
-  std::ofstream(folder / "file") << "x";
+TEST_F(Store, AFolderThatIsNoResultIsNeitherReplacedNorRemoved) {
+  fs::create_directories(folder / "thesis");
+  std::ofstream(folder / "thesis" / "chapter1.tex") << "years of work";
   try {
-    check_writable((folder / "file" / "out").string());
+    write_result((folder / "thesis").string(), Recipe{}, "1", pair(), small_result());
     FAIL() << "no error";
   } catch (const IoError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("a file of that name is in the way"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("holds no result"));
   }
+  EXPECT_EQ(read(folder / "thesis" / "chapter1.tex"), "years of work");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
-TEST_F(Store, AFullDiskLeavesNothingBehind) {
-  fs::create_symlink("/dev/full", folder / (std::string("full.csv.part-") + std::to_string(::getpid())));
-  try {
-    write_file((folder / "full.csv").string(), "some text");
-    FAIL() << "no error";
-  } catch (const IoError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("free some space"));
-  }
-  EXPECT_FALSE(fs::exists(folder / "full.csv"));
+TEST_F(Store, TheRecipeIsThereAsTextAndAsValuesWithUnits) {
+  Recipe recipe;
+  recipe.bedding.resize(1);
+  recipe.test.angles = {0.0, 22.5};
+  write_result((folder / "x").string(), recipe, "1", pair(), small_result());
+  const auto j = nlohmann::json::parse(read(folder / "x" / "result.json"));
+  EXPECT_EQ(j["format"], result_format);
+  EXPECT_EQ(j["recipe"].get<std::string>(), write_recipe(recipe));
+  EXPECT_EQ(read(folder / "x" / "recipe.toml"), write_recipe(recipe));
+  const auto& values = j["recipe_values"];
+  EXPECT_EQ(values["specimen"]["width [m]"].get<double>(), 0.038);
+  EXPECT_EQ(values["bedding"][0]["k_n [Pa/m]"].get<double>(), 3360e9);
+  EXPECT_EQ(values["bedding"][0]["rule"], "zone");
+  EXPECT_EQ(values["test"]["angles [deg]"][1].get<double>(), 22.5);
+  EXPECT_EQ(values["test"]["intact"], false);
+  EXPECT_EQ(values["name"], "paper");
 }
 
-TEST_F(Store, DiscsReadBackToTheSameBits) {
-  Packing p;
-  p.width = 1.0 / 3.0;
-  p.discs = {{0.1, 0.2, 1.0 / 7.0}, {1e-17, 3.0, 0.3}};
-  write_file((folder / "d.csv").string(), discs_csv(p));
-  const auto back = read_discs((folder / "d.csv").string());
-  ASSERT_EQ(back.size(), 2U);
-  EXPECT_EQ(back[0].r, p.discs[0].r);
-  EXPECT_EQ(back[1].x, p.discs[1].x);
+TEST_F(Store, NotANumberIsNullWithAReason) {
+  TestResult r = small_result();
+  r.numbers[1].note.clear();
+  write_result((folder / "x").string(), Recipe{}, "1", pair(), r);
+  const auto j = nlohmann::json::parse(read(folder / "x" / "result.json"));
+  EXPECT_TRUE(j["numbers"]["nu"]["value"].is_null());
+  EXPECT_EQ(j["numbers"]["nu"]["note"], "could not be determined");
 }
 
-TEST_F(Store, BadDiscsAreToldAllAtOnce) {
-  write_file((folder / "d.csv").string(), "x [m],y [m],r [m]\n1,2,3\n1,2\n1,2,-3\n1,two,3\n");
-  try {
-    read_discs((folder / "d.csv").string());
-    FAIL() << "no error";
-  } catch (const InputError& e) {
-    EXPECT_EQ(e.problems().size(), 3U);
-    EXPECT_THAT(e.what(), testing::HasSubstr("d.csv:3"));
-  }
-  write_file((folder / "e.csv").string(), "x,y,r\n1,2,3\n");
-  EXPECT_THROW(read_discs((folder / "e.csv").string()), InputError);
-}
-
-TEST_F(Store, ContactsNameTheirKind) {
-  EXPECT_THAT(contacts_csv(pair()), testing::HasSubstr("0,1,bonded,0,1,0,"));
+TEST_F(Store, HistoryReadsBackToTheSameBits) {
+  TestResult r = small_result();
+  r.history.rows[2].axial_strain = 1.0 / 3.0;
+  write_result((folder / "x").string(), Recipe{}, "1", pair(), r);
+  std::istringstream lines(read(folder / "x" / "history.csv"));
+  std::string line;
+  for (int i = 0; i < 4; ++i) std::getline(lines, line);
+  std::istringstream cells(line);
+  std::vector<double> values;
+  for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+  ASSERT_EQ(values.size(), history_columns().size());
+  EXPECT_EQ(values[2], 1.0 / 3.0);
 }
 
 }  // namespace

@@ -12,48 +12,92 @@
 #include <toml++/toml.h>
 #pragma GCC diagnostic pop
 
-#include <cmath>
-#include <fstream>
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "io/file.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy {
 namespace {
 
-/// Control characters anywhere, and non-ASCII characters outside strings and comments.
-void scan(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
-  int line = 1;
-  char quote = 0;
-  bool comment = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+constexpr std::size_t max_bytes = 1U << 20U;  // a recipe has some kilobytes
+constexpr std::size_t max_line = 4096;        // bounds the depth of nesting, on which the parser recurses
+constexpr std::size_t max_told = 50;          // problems; more help nobody
+
+std::string at_line(const std::string& where, std::size_t line) { return where + ":" + std::to_string(line); }
+
+/// Follows strings and comments through a text, one character after the other.
+class Lexer {
+ public:
+  /// Takes the character at `i`; may move `i` on over the rest of an escape or of triple quotes.
+  void take(std::string_view text, std::size_t& i) {
     const char c = text[i];
-    const auto u = static_cast<unsigned char>(c);
-    if (c == '\n') ++line, comment = false, quote = 0;
-    const bool odd = (u < 32 && c != '\n' && c != '\r' && c != '\t') || u == 127;
-    if (odd || (u > 127 && quote == 0 && !comment)) {
-      problems.push_back({where + ":" + std::to_string(line), "", "", "plain ASCII text",
-                          "remove the odd character (byte " + std::to_string(u) + ") from this line"});
+    if (c == '\n') {
+      comment_ = false;
+      if (!triple_) quote_ = 0;  // a string that is not closed ends with its line
+    } else if (comment_) {
       return;
+    } else if (quote_ == 0) {
+      comment_ = c == '#';
+      if (c == '"' || c == '\'') open(text, i);
+    } else if (quote_ == '"' && c == '\\' && i + 1 < text.size() && text[i + 1] != '\n') {
+      if (static_cast<unsigned char>(text[i + 1]) >= 32) ++i;
+    } else if (c == quote_ && !triple_) {
+      quote_ = 0;
+    } else if (c == quote_ && text.substr(i, 3) == std::string(3, c)) {
+      quote_ = 0, i += 2;
     }
-    if (comment) continue;
-    if (quote == '"' && c == '\\')
-      ++i;
-    else if (quote != 0)
-      quote = c == quote ? char{0} : quote;
-    else if (c == '"' || c == '\'')
-      quote = c;
-    else if (c == '#')
-      comment = true;
+  }
+  bool in_text() const { return comment_ || quote_ != 0; }
+
+ private:
+  char quote_ = 0;
+  bool triple_ = false, comment_ = false;
+
+  void open(std::string_view text, std::size_t& i) {
+    quote_ = text[i];
+    triple_ = text.substr(i, 3) == std::string(3, quote_);
+    if (triple_) i += 2;
+  }
+};
+
+/// Control characters anywhere, other than ASCII outside strings and comments, and overlong lines: one
+/// problem a line.
+void scan(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  if (text.size() > max_bytes) {
+    problems.push_back({where, "", "", "a recipe of at most 1 MB", "this is some other file"});
+    return;
+  }
+  Lexer lexer;
+  std::size_t line = 1, begin = 0, told = 0;
+  const auto tell = [&](const std::string& expected, const std::string& remedy) {
+    if (told != line) problems.push_back({at_line(where, line), "", "", expected, remedy});
+    told = line;
+  };
+  for (std::size_t i = 0; i < text.size() && problems.size() < max_told; ++i) {
+    const auto u = static_cast<unsigned char>(text[i]);
+    lexer.take(text, i);
+    if (u == '\n') {
+      ++line, begin = i + 1;
+      continue;
+    }
+    const bool control = (u < 32 && u != '\r' && u != '\t') || u == 127;
+    if (control || (u > 127 && !lexer.in_text()))
+      tell("plain ASCII text", "remove the odd character (byte " + std::to_string(u) + ") from this line");
+    if (i - begin >= max_line)
+      tell("lines of at most " + std::to_string(max_line) + " characters", "break the line");
   }
 }
 
 /// Walks the parsed table along the schema.
 class Reader {
  public:
-  Reader(const toml::table& root, std::string where) : root_(root), where_(std::move(where)) {}
+  Reader(const toml::table& root, std::string where, std::vector<Problem> so_far)
+      : problems(std::move(so_far)), root_(root), where_(std::move(where)) {}
 
   Recipe read() {
     find_unknown();
@@ -69,6 +113,8 @@ class Reader {
     if (problems.empty())
       for (Problem& p : cross_checks(recipe_, [&](const std::string& path) { return place(path); }))
         problems.push_back(std::move(p));
+    std::stable_sort(problems.begin(), problems.end(),
+                     [&](const Problem& a, const Problem& b) { return line_of(a) < line_of(b); });
     return recipe_;
   }
   std::vector<Problem> problems;
@@ -80,8 +126,13 @@ class Reader {
   std::vector<const toml::table*> bedding_;
   std::map<std::string, std::string> places_;
 
-  std::string at(const toml::node& node) const {
-    return where_ + ":" + std::to_string(node.source().begin.line);
+  std::string at(const toml::node& node) const { return at_line(where_, node.source().begin.line); }
+  /// The line that a problem names; 0 for one about the whole file.
+  std::size_t line_of(const Problem& p) const {
+    std::size_t line = 0;
+    if (p.where.size() > where_.size() + 1)
+      std::from_chars(p.where.data() + where_.size() + 1, p.where.data() + p.where.size(), line);
+    return line;
   }
   std::string place(const std::string& path) const {
     const auto it = places_.find(path);
@@ -112,18 +163,15 @@ class Reader {
   }
 
   void check_keys(const toml::table& table, const std::string& name, const std::string& path) {
-    std::vector<std::string> known;
-    for (const Field& f : recipe_fields())
-      if (f.table == name) known.push_back(f.key);
-    if (name.empty())
-      known.insert(known.end(), {"specimen", "packing", "matrix", "bedding", "test", "engine"});
     for (const auto& [key, node] : table) {
       const std::string word(key.str());
-      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-      const std::string near = nearest(word, known);
-      problems.push_back(
-          {where_ + ":" + std::to_string(key.source().begin.line), path + word, "", "a known key",
-           near.empty() ? "see phyllite recipe --reference" : "did you mean \"" + near + "\"?"});
+      const bool known = std::any_of(recipe_fields().begin(), recipe_fields().end(), [&](const Field& f) {
+        return name.empty() && !f.table.empty() ? f.table == word : f.table == name && f.key == word;
+      });
+      if (known) continue;
+      const bool table_like = node.is_table() || node.is_array_of_tables();
+      problems.push_back({at_line(where_, key.source().begin.line), path + word, "",
+                          table_like ? "a known table" : "a known key", unknown_key_hint(word, name)});
     }
   }
   void find_unknown() {
@@ -141,6 +189,7 @@ class Reader {
     const toml::node* node = root_.get("bedding");
     if (node == nullptr) return;
     const toml::array* sets = node->as_array();
+    if (sets != nullptr && sets->empty()) return;
     if (sets == nullptr || !sets->is_homogeneous(toml::node_type::table) || sets->size() > 16) {
       tell(*node, "bedding", "up to 16 tables", "write [[bedding]] above the keys of each set");
       return;
@@ -184,7 +233,7 @@ class Reader {
     static const std::set<std::string> planned = {"direct_tension", "brazilian", "biaxial", "direct_shear"};
     const std::string near = nearest(word, f.choices);
     tell(node, path, range_text(f),
-         planned.contains(word) ? "this test is planned, but not in this version"
+         planned.contains(word) ? "this test is not present in this version"
          : near.empty()         ? ""
                                 : "did you mean \"" + near + "\"?");
   }
@@ -192,6 +241,7 @@ class Reader {
     const toml::array* list = node.as_array();
     if (list == nullptr)
       return tell(node, path, range_text(f), "write a list, for example [\"0 deg\", \"30 deg\"]");
+    f.list(recipe_).clear();
     for (const toml::node& item : *list) {
       double value = 0.0;
       if (read_value(f, item, path, value)) f.list(recipe_).push_back(value);
@@ -251,6 +301,57 @@ std::string write(const Recipe& recipe, bool comments) {
   return text;
 }
 
+std::size_t begin_of_line(std::string_view text, std::size_t line) {
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < line && at < text.size(); ++i)
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return at;
+}
+
+/// True for a "key = value" line that is wrong in itself, so that the text without it is what was meant. Not
+/// for a line that only follows a mistake (an open list), nor for a header: the keys below it would land in
+/// another table.
+bool can_be_left_out(std::string_view line, std::string_view problem) {
+  const std::size_t equals = line.find('=');
+  if (equals == line.npos || line.find_first_of("[#") < equals) return false;
+  return problem.find("redefin") != problem.npos || !toml::parse(line);
+}
+
+/// The likeliest slip in a line "key = value" that is no TOML.
+std::string syntax_remedy(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == line.npos) return "";
+  const std::size_t at = line.find_first_not_of(" \t", equals + 1);
+  if (at == line.npos) return "write a value behind the =";
+  const char c = line[at];
+  if (c == '"' || c == '\'')
+    return std::count(line.begin(), line.end(), c) % 2 == 1 ? "close the quotes" : "";
+  if (c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'))
+    return "put a quantity in quotes: \"38 mm\"";
+  return c == '[' || c == '{' ? "" : "put text in quotes; a switch is true or false";
+}
+
+/// Parses, and after a syntax error goes on without that line, so that one slip of the pen does not hide the
+/// next.
+toml::parse_result parse_all(std::string text, const std::string& where, std::vector<Problem>& problems) {
+  for (;;) {
+    toml::parse_result result = toml::parse(text);
+    if (result) return result;
+    const std::string description(result.error().description());
+    const std::size_t line = result.error().source().begin.line;
+    const std::size_t begin = begin_of_line(text, line), end = std::min(text.find('\n', begin), text.size());
+    const std::string_view content = std::string_view(text).substr(begin, end - begin);
+    const bool in_list = description.find("array") != std::string::npos;
+    const bool left_out = can_be_left_out(content, description);
+    problems.push_back({at_line(where, line), "", "", "TOML (" + description + ")",
+                        left_out  ? syntax_remedy(content)
+                        : in_list ? "close the list begun above with ]"
+                                  : ""});
+    if (problems.size() >= max_told || !left_out) return result;
+    text.erase(begin, end - begin);
+  }
+}
+
 }  // namespace
 
 Recipe parse_recipe(std::string_view text, const std::string& where) {
@@ -258,23 +359,15 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   scan(text, where, problems);
   if (!problems.empty()) throw InputError(std::move(problems));
-  const toml::parse_result result = toml::parse(text);
-  if (!result)
-    throw InputError(Problem{where + ":" + std::to_string(result.error().source().begin.line), "", "", "TOML",
-                             std::string(result.error().description())});
-  Reader reader(result.table(), where);
+  const toml::parse_result result = parse_all(std::string(text), where, problems);
+  if (!result) throw InputError(std::move(problems));
+  Reader reader(result.table(), where, std::move(problems));
   Recipe recipe = reader.read();
   if (!reader.problems.empty()) throw InputError(std::move(reader.problems));
   return recipe;
 }
 
-Recipe read_recipe(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  if (!in || text.fail()) throw IoError(path + ": cannot be read; check the name and the permissions");
-  return parse_recipe(text.str(), path);
-}
+Recipe read_recipe(const std::string& path) { return parse_recipe(read_file(path), path); }
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }
 std::string commented_recipe(const Recipe& recipe) { return write(recipe, true); }

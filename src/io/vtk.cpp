@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
+#include "base/check.hpp"
 #include "base/units.hpp"
 
 namespace phy {
@@ -64,6 +66,7 @@ std::vector<std::int64_t> counting(std::size_t n) {
 }
 
 std::vector<double> grain_points(const Packing& packing, const Snapshot& shot) {
+  PHY_CHECK(shot.grains.size() == packing.discs.size(), "a snapshot holds every grain of its packing");
   std::vector<double> xyz;
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
     xyz.push_back(packing.discs[i].x + shot.grains[i].ux);

@@ -1,7 +1,9 @@
 // Files for ParaView, written without the VTK library: .vtp (XML with raw appended data) and .pvd (time
-// series).
+// series). Positions are the present ones [m]. Bytes are little-endian, as everywhere this program runs.
+// docs/formats.md.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "records/result.hpp"

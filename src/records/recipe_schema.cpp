@@ -1,7 +1,8 @@
 #include "records/recipe_schema.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+#include <utility>
 
 #include "base/exact_math.hpp"
 
@@ -9,6 +10,9 @@ namespace phy {
 namespace {
 
 constexpr double huge = 1e300;
+constexpr double min_grains_across = 10.0;   // fewer: the walls decide, not the rock
+constexpr std::int64_t min_grains = 16;      // fewer do not settle into a packing
+constexpr std::int64_t max_grains = 200000;  // 32 bit contact numbers and memory; hours of computing
 
 /// Access to a member of one of the recipe's tables.
 template <class Part, class T>
@@ -83,8 +87,8 @@ void add_packing(List& l) {
              &P::radius_max);
   l.choice("packing", "distribution", {"number", "area"},
            "radii uniform by number of grains, or by area fraction", part, &P::distribution);
-  l.integer("packing", "n_grains", 0, 200000, "number of grains; 0: follows from porosity", part,
-            &P::n_grains);
+  l.integer("packing", "n_grains", 0, static_cast<double>(max_grains),
+            "number of grains, at least 16; 0: follows from porosity", part, &P::n_grains);
   l.number("packing", "porosity", 0, 0.4, "",
            "area not covered by grains at generation; 0: follows from n_grains", part, &P::porosity)
       .below_max = true;
@@ -96,7 +100,8 @@ void add_packing(List& l) {
   l.integer("packing", "seed", 0, 4294967295.0, "seed of radii and positions", part, &P::seed);
   Field f;
   f.kind = FieldKind::text, f.table = "packing", f.key = "file";
-  f.meaning = "CSV of discs to import instead of making a packing; empty: make one";
+  f.meaning =
+      "CSV of discs to import instead of making a packing (from the working directory); empty: make one";
   f.get_text = [](const Recipe& r) { return r.packing.file; };
   f.set_text = [](Recipe& r, const std::string& s) { r.packing.file = s; };
   l.fields.push_back(f);
@@ -213,7 +218,26 @@ void add_engine(List& l) {
            &E::step_safety);
 }
 
-std::string bound(const Field& f, double value) { return print_quantity(value, f.dimension); }
+std::string bound(const Field& f, double value) {
+  return f.kind == FieldKind::integer ? std::to_string(static_cast<std::int64_t>(value))
+                                      : print_quantity(value, f.dimension);
+}
+
+/// A TOML basic string: quotes, backslashes and control characters escaped.
+std::string quoted(const std::string& s) {
+  static const char* digit = "0123456789abcdef";
+  std::string q = "\"";
+  for (const char c : s) {
+    const auto u = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      (q += '\\') += c;
+    else if (u < 32 || u == 127)
+      (((q += "\\u00") += digit[u >> 4U]) += digit[u & 15U]);
+    else
+      q += c;
+  }
+  return q + "\"";
+}
 
 }  // namespace
 
@@ -249,11 +273,6 @@ std::string range_text(const Field& f) {
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
-  const auto quoted = [](const std::string& s) {
-    std::string q = "\"";
-    for (const char c : s) q += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-    return q + "\"";
-  };
   switch (f.kind) {
     case FieldKind::text: return quoted(f.get_text(recipe));
     case FieldKind::boolean: return f.get(recipe, index) != 0.0 ? "true" : "false";
@@ -272,50 +291,154 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
   return "";
 }
 
-std::vector<Problem> cross_checks(const Recipe& r,
-                                  const std::function<std::string(const std::string&)>& where) {
-  std::vector<Problem> out;
-  const auto tell = [&](const std::string& path, const std::string& value, const std::string& expected,
-                        const std::string& remedy) {
-    out.push_back({where(path), path, value, expected, remedy});
-  };
-  const auto mm = [](double v) { return print_quantity(v, Dimension::length); };
-  const PackingRecipe& p = r.packing;
-  if (p.radius_min > p.radius_max)
-    tell("packing.radius_min", mm(p.radius_min), "at most radius_max = " + mm(p.radius_max),
-         "exchange the two");
-  if (p.file.empty() && (p.n_grains > 0) == (p.porosity > 0.0))
-    tell("packing.n_grains", std::to_string(p.n_grains), "exactly one of n_grains and porosity",
-         "set the other one to 0 or leave it out");
-  if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
-    tell("packing.isotropic_stress", print_quantity(p.isotropic_stress, Dimension::pressure),
-         "above 0 with isotropic", "give the stress, for example \"0.5 MPa\"");
-  if (10.0 * p.radius_max > std::min(r.specimen.width, r.specimen.height))
-    tell("packing.radius_max", mm(p.radius_max), "at most a tenth of the specimen's smaller side",
-         "use smaller grains or a larger specimen");
-  const double area = r.specimen.width * r.specimen.height;
-  const double smallest = static_cast<double>(p.n_grains) * pi * p.radius_min * p.radius_min;
-  const double largest = static_cast<double>(p.n_grains) * pi * p.radius_max * p.radius_max;
-  if (p.file.empty() && p.n_grains > 0 && (smallest > 1.05 * area || largest < 0.7 * area))
-    tell("packing.n_grains", std::to_string(p.n_grains),
-         "a number of grains of this size that fills the specimen",
-         "give porosity instead (for example 0.16) and let the number follow");
-  if (!r.test.angles.empty() && r.bedding.empty())
-    tell("test.angles", "given", "a [[bedding]] set to turn", "add [[bedding]], or remove test.angles");
-  for (std::size_t i = 0; i < r.bedding.size(); ++i) {
-    const BeddingRecipe& b = r.bedding[i];
+namespace {
+
+/// Collects problems between keys; one function per table.
+class CrossChecks {
+ public:
+  CrossChecks(const Recipe& recipe, const std::function<std::string(const std::string&)>& where)
+      : r_(recipe), where_(where) {}
+
+  std::vector<Problem> run() {
+    if (r_.packing.file.empty()) packing();
+    matrix();
+    for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
+    test();
+    return std::move(problems_);
+  }
+
+ private:
+  const Recipe& r_;
+  const std::function<std::string(const std::string&)>& where_;
+  std::vector<Problem> problems_;
+
+  void tell(const std::string& path, const std::string& value, const std::string& expected,
+            const std::string& remedy) {
+    problems_.push_back({where_(path), path, value, expected, remedy});
+  }
+  static std::string length(double v) { return print_quantity(v, Dimension::length); }
+
+  void packing() {
+    const PackingRecipe& p = r_.packing;
+    if (p.radius_min > p.radius_max)
+      return tell("packing.radius_min", length(p.radius_min), "at most radius_max = " + length(p.radius_max),
+                  "exchange the two");
+    const SpecimenSize& size = r_.specimen;
+    const double least = min_grains_across * (p.radius_min + p.radius_max);
+    if (std::min(size.width, size.height) < least)
+      tell(size.width < size.height ? "specimen.width" : "specimen.height",
+           length(std::min(size.width, size.height)), "at least ten mean grain diameters, " + length(least),
+           "use smaller grains or a larger specimen");
+    if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
+      tell("packing.isotropic_stress", print_quantity(p.isotropic_stress, Dimension::pressure),
+           "above 0 with isotropic", "give the stress, for example \"0.5 MPa\"");
+    if (p.initial_stress == InitialStress::stress_free && p.isotropic_stress > 0.0)
+      tell("packing.isotropic_stress", print_quantity(p.isotropic_stress, Dimension::pressure),
+           "0 with stress_free", "leave it out, or set initial_stress = \"isotropic\"");
+    if ((p.n_grains > 0) == (p.porosity > 0.0))
+      return tell("packing.n_grains", std::to_string(p.n_grains), "exactly one of n_grains and porosity",
+                  p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
+    p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
+  }
+  void grains_fill_the_box() {
+    const PackingRecipe& p = r_.packing;
+    const double area = r_.specimen.width * r_.specimen.height, n = static_cast<double>(p.n_grains);
+    const double smallest = n * pi * p.radius_min * p.radius_min,
+                 largest = n * pi * p.radius_max * p.radius_max;
+    if (p.n_grains < min_grains)
+      tell("packing.n_grains", std::to_string(p.n_grains), "0, or at least " + std::to_string(min_grains),
+           "");
+    else if (smallest > 1.05 * area || largest < 0.7 * area)
+      tell("packing.n_grains", std::to_string(p.n_grains),
+           "a number of grains of this size that fills the specimen",
+           "give porosity instead (for example 0.16) and let the number follow");
+  }
+  void porosity_gives_a_number() {
+    const PackingRecipe& p = r_.packing;
+    const double solid = (1.0 - p.porosity) * r_.specimen.width * r_.specimen.height;
+    const double fewest = solid / (pi * p.radius_max * p.radius_max);
+    if (fewest > static_cast<double>(max_grains))
+      tell("packing.porosity", print_number(p.porosity),
+           "at most " + std::to_string(max_grains) + " grains; this gives more than " +
+               std::to_string(static_cast<std::int64_t>(std::min(fewest, 1e15))),
+           "use larger grains or a smaller specimen");
+  }
+
+  void matrix() {
+    const MatrixRecipe& m = r_.matrix;
+    if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
+      tell("matrix.phi", print_quantity(m.phi, Dimension::angle), "0 deg with shear_strength = \"constant\"",
+           "leave it out, or set shear_strength = \"cohesion_friction\"");
+  }
+
+  void bedding(std::size_t i) {
+    const BeddingRecipe& b = r_.bedding[i];
+    const double diameter = 2.0 * r_.packing.radius_max;
     const std::string set = "bedding[" + std::to_string(i) + "].";
     if (b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing)
-      tell(set + "zone_thickness", mm(b.zone_thickness), "below the spacing of " + mm(b.spacing),
+      tell(set + "zone_thickness", length(b.zone_thickness), "below the spacing of " + length(b.spacing),
            "use a thinner zone or a wider spacing");
-    if (b.spacing < 2.0 * p.radius_max)
-      tell(set + "spacing", mm(b.spacing), "at least the largest grain diameter, " + mm(2.0 * p.radius_max),
+    if (r_.packing.file.empty() && b.spacing < diameter)
+      tell(set + "spacing", length(b.spacing), "at least the largest grain diameter, " + length(diameter),
            "use a wider spacing or smaller grains");
     if (tan_degrees(b.psi) > b.mu)
       tell(set + "psi", print_quantity(b.psi, Dimension::angle), "tan(psi) <= mu = " + print_number(b.mu),
            "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
   }
-  return out;
+
+  void test() {
+    const TestRecipe& t = r_.test;
+    if (!t.angles.empty() && r_.bedding.empty())
+      tell("test.angles", "given", "a [[bedding]] set to turn", "add [[bedding]], or remove test.angles");
+    std::vector<double> sorted = t.angles;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+      tell("test.angles", print_quantity(*twice, Dimension::angle), "every angle once",
+           "remove the second one; for another specimen change a seed");
+    for (const auto& [key, strain] :
+         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"jump_strain", t.jump_strain}})
+      if (strain >= t.max_strain)
+        tell(std::string("test.") + key, print_number(strain),
+             "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+  }
+};
+
+}  // namespace
+
+std::vector<Problem> cross_checks(const Recipe& r,
+                                  const std::function<std::string(const std::string&)>& where) {
+  return CrossChecks(r, where).run();
+}
+
+bool has_pfc_name(const Field& f, const std::string& word) {
+  const std::size_t at = word.empty() ? std::string::npos : f.pfc_name.find(word);
+  if (at == std::string::npos) return false;
+  const auto part_of_name = [&](std::size_t i) {
+    return i < f.pfc_name.size() &&
+           (std::isalnum(static_cast<unsigned char>(f.pfc_name[i])) != 0 || f.pfc_name[i] == '_');
+  };
+  return (at == 0 || !part_of_name(at - 1)) && !part_of_name(at + word.size());
+}
+
+std::string unknown_key_hint(const std::string& word, const std::string& table) {
+  std::vector<std::string> known;
+  for (const Field& f : recipe_fields()) {
+    if (f.table == table) known.push_back(f.key);
+    if (table.empty() && !f.table.empty()) known.push_back(f.table);
+  }
+  const auto in_brackets = [](const Field& f) {
+    return f.table.empty()        ? "the top of the file"
+           : f.table == "bedding" ? "[[bedding]]"
+                                  : "[" + f.table + "]";
+  };
+  for (const Field& f : recipe_fields())
+    if (f.key == word) return "it belongs to " + in_brackets(f);
+  for (const Field& f : recipe_fields())
+    if (has_pfc_name(f, word))
+      return "PFC's \"" + word + "\" is given by " + f.path() + " (" + f.pfc_name + ")";
+  const std::string near = nearest(word, known);
+  return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {

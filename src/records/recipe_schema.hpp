@@ -43,6 +43,11 @@ std::string print_field(const Field& field, const Recipe& recipe, std::size_t in
 /// Problems between keys (thickness against spacing, ...). `where(path)` tells file and line of a key.
 std::vector<Problem> cross_checks(const Recipe& recipe,
                                   const std::function<std::string(const std::string&)>& where);
+/// True if `word` is one of the names of the field in PFC.
+bool has_pfc_name(const Field& field, const std::string& word);
+/// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what, or the
+/// nearest.
+std::string unknown_key_hint(const std::string& word, const std::string& table);
 /// The candidate nearest in spelling, or an empty string when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 

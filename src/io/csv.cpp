@@ -1,0 +1,131 @@
+#include "io/csv.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/exact_math.hpp"
+#include "base/units.hpp"
+#include "io/file.hpp"
+#include "laws/laws.hpp"
+
+namespace phy {
+namespace {
+
+constexpr const char* disc_header = "x [m],y [m],r [m]";
+
+/// One number at the front of `text`, which is moved past it and one `separator`; false if there is none.
+bool take(std::string_view& text, char separator, double& value) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  const auto [next, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return false;
+  text.remove_prefix(static_cast<std::size_t>(next - text.data()));
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  if (separator == 0) return text.empty();
+  if (text.empty() || text.front() != separator) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+/// The number after "name [m] =" in the comment line, or 0.
+double box_side(std::string_view line, std::string_view name) {
+  const std::size_t at = line.find(std::string(name) + " [m] =");
+  if (at == line.npos) return 0.0;
+  std::string_view rest = line.substr(at + name.size() + 6);
+  while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+  double value = 0.0;
+  std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  return std::isfinite(value) ? value : 0.0;
+}
+
+/// What a contact is at the start of a test.
+struct ContactProperties {
+  const char* kind;
+  Vec2 normal;
+  double gap, k_n, k_s;  ///< [m], [N/m per m thickness]
+};
+
+ContactProperties properties(const Specimen& s, const Contact& c) {
+  const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
+  const MatrixRecipe& m = s.matrix;
+  const Vec2 d{b.x - a.x, b.y - a.y};
+  const double distance = norm(d), gap = distance - a.r - b.r;
+  if (c.kind == ContactKind::joint) {
+    const BeddingRecipe& set = s.bedding[c.set];
+    const SinCos sc = sin_cos_degrees(set.theta);
+    const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
+    return {"joint", static_cast<double>(c.side) * Vec2{-sc.sin, sc.cos}, gap, set.k_n * A, set.k_s * A};
+  }
+  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
+  const double k_n = m.E_c * linear::stiffness_factor(pfc5, a.r, b.r), k_s = m.ks_over_kn * k_n;
+  const Vec2 n = (1.0 / distance) * d;
+  if (c.kind == ContactKind::touching) return {"touching", n, gap, k_n, k_s};
+  const auto g = parallel_bond::geometry(m.radius_multiplier, a.r, b.r);
+  const double k_bond = m.E_b / g.L * g.A;
+  return {"bonded", n, gap, k_n + k_bond, k_s + m.bond_ks_over_kn * k_bond};
+}
+
+}  // namespace
+
+std::string discs_csv(const Packing& packing) {
+  std::string text = "# width [m] = " + print_number(packing.width) +
+                     ", height [m] = " + print_number(packing.height) + "\n" + disc_header + "\n";
+  for (const Disc& d : packing.discs)
+    text += print_number(d.x) + "," + print_number(d.y) + "," + print_number(d.r) + "\n";
+  return text;
+}
+
+DiscFile parse_discs(std::string_view text, const std::string& where) {
+  constexpr std::size_t told = 20;
+  DiscFile file;
+  std::vector<Problem> problems;
+  std::size_t n_bad = 0;
+  bool header = false;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (line.starts_with('#') && !header) {
+      if (const double w = box_side(line, "width"); w > 0.0) file.width = w;
+      if (const double h = box_side(line, "height"); h > 0.0) file.height = h;
+    }
+    if (line.empty() || line.front() == '#') continue;
+    const std::string at = where + ":" + std::to_string(number);
+    if (!header && line != disc_header)
+      throw InputError(Problem{at, "header", std::string(line.substr(0, 80)), disc_header,
+                               "name the columns so, in this order"});
+    if (!std::exchange(header, true)) continue;
+    Disc d;
+    std::string_view rest = line;
+    if (take(rest, ',', d.x) && take(rest, ',', d.y) && take(rest, 0, d.r) && d.r > 0.0)
+      file.discs.push_back(d);
+    else if (++n_bad <= told)
+      problems.push_back({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
+  }
+  if (n_bad > told) problems.push_back({where, "", "", "", std::to_string(n_bad - told) + " more bad lines"});
+  if (file.discs.empty() && problems.empty())
+    problems.push_back({where, "disc", "", "at least one line of x,y,r below the header", ""});
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return file;
+}
+
+std::vector<Disc> read_discs(const std::string& path) { return parse_discs(read_file(path), path).discs; }
+
+std::string contacts_csv(const Specimen& s) {
+  std::string text =
+      "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],"
+      "sigma_c [Pa],tau_c [Pa]\n";
+  for (const Contact& c : s.contacts) {
+    const ContactProperties p = properties(s, c);
+    text += std::to_string(c.a) + "," + std::to_string(c.b) + "," + p.kind + "," + std::to_string(c.set);
+    for (const double v : {p.normal.x, p.normal.y, p.gap, p.k_n, p.k_s, c.sigma_c, c.tau_c})
+      text += "," + print_number(v);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace phy

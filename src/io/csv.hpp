@@ -1,0 +1,29 @@
+// Tables of discs and contacts as CSV (docs/formats.md): packings in and out, for other programs and from
+// them.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// Discs of a file with the box that its comment line names; 0 where it names none.
+struct DiscFile {
+  double width = 0.0;   ///< [m]
+  double height = 0.0;  ///< [m]
+  std::vector<Disc> discs;
+};
+
+/// Discs as CSV: "x [m],y [m],r [m]" after a comment line with the box. Reads back to the same bits.
+std::string discs_csv(const Packing& packing);
+/// Reads discs from text; `where` names the source. Throws InputError with every bad line (at most 20 in
+/// full).
+DiscFile parse_discs(std::string_view text, const std::string& where);
+/// Reads discs from a file. Throws IoError, or InputError as parse_discs.
+std::vector<Disc> read_discs(const std::string& path);
+/// Contacts as CSV: grains, kind, normal, gap, stiffnesses per metre thickness, strengths.
+std::string contacts_csv(const Specimen& specimen);
+
+}  // namespace phy

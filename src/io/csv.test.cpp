@@ -1,0 +1,113 @@
+#include "io/csv.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/check.hpp"
+#include "base/rng.hpp"
+#include "records/assembly.hpp"
+
+namespace phy {
+namespace {
+
+using testing::HasSubstr;
+
+std::string problems_of(const std::string& text) {
+  try {
+    parse_discs(text, "d.csv");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no problem";
+}
+
+const std::string header = "x [m],y [m],r [m]\n";
+
+TEST(DiscFiles, ReadBackToTheSameBits) {
+  Packing p;
+  p.width = 1.0 / 3.0, p.height = 2.0 / 3.0;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+    p.discs.push_back({uniform(1, Stream::test, i), -uniform(2, Stream::test, i) * 1e-7,
+                       uniform(3, Stream::test, i) * 1e-3});
+  const DiscFile back = parse_discs(discs_csv(p), "d.csv");
+  EXPECT_EQ(back.width, p.width);
+  EXPECT_EQ(back.height, p.height);
+  ASSERT_EQ(back.discs.size(), p.discs.size());
+  for (std::size_t i = 0; i < p.discs.size(); ++i) {
+    EXPECT_EQ(back.discs[i].x, p.discs[i].x);
+    EXPECT_EQ(back.discs[i].y, p.discs[i].y);
+    EXPECT_EQ(back.discs[i].r, p.discs[i].r);
+  }
+}
+
+TEST(DiscFiles, OfOtherProgramsMayHaveBlanksCommentsAndNoBox) {
+  const DiscFile f =
+      parse_discs("# made elsewhere\r\n" + header + "1, 2 ,\t3\r\n\n# half way\n4,5,6", "d.csv");
+  EXPECT_EQ(f.width, 0.0);
+  ASSERT_EQ(f.discs.size(), 2U);
+  EXPECT_EQ(f.discs[0].y, 2.0);
+  EXPECT_EQ(f.discs[1].r, 6.0);
+}
+
+TEST(DiscFiles, BadLinesAreToldAllAtOnce) {
+  const std::string p = problems_of(header + "1,2,3\n1,2\n1,2,-3\n1,two,3\n1,2,3,4\n1,2,nan\n1,2,3\n");
+  for (const char* line : {"d.csv:3", "d.csv:4", "d.csv:5", "d.csv:6", "d.csv:7"})
+    EXPECT_THAT(p, HasSubstr(line));
+  EXPECT_THAT(p, testing::Not(HasSubstr("d.csv:8")));
+  EXPECT_THAT(p, HasSubstr("three numbers x,y,r with r > 0"));
+}
+
+TEST(DiscFiles, ManyBadLinesAreCounted) {
+  std::string text = header;
+  for (int i = 0; i < 1000; ++i) text += "no numbers\n";
+  const std::string p = problems_of(text);
+  EXPECT_THAT(p, HasSubstr("980 more bad lines"));
+  EXPECT_EQ(std::count(p.begin(), p.end(), '\n'), 20);
+}
+
+TEST(DiscFiles, OtherColumnsAreRefused) {
+  EXPECT_THAT(problems_of("x,y,r\n1,2,3\n"),
+              HasSubstr("d.csv:1: header = x,y,r: expected x [m],y [m],r [m]"));
+  EXPECT_THAT(problems_of(header), HasSubstr("at least one line"));
+  EXPECT_THAT(problems_of(""), HasSubstr("at least one line"));
+  EXPECT_THROW(read_discs("/nonexistent.csv"), IoError);
+}
+
+/// The cells of the one contact of two touching discs of radius 1 and 1.
+std::vector<std::string> cells_of(const Specimen& s) {
+  std::istringstream lines(contacts_csv(s));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  std::istringstream row(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+Specimen pair() {
+  Specimen s = assembly({{0.0, 0.0, 1.0}, {2.0, 0.0, 1.0}}, MatrixRecipe{});
+  bond_touching(s);
+  return s;
+}
+
+// By hand, per metre of thickness: linear k_n = E_c; bond k_n = E_b/(R1 + R2) 2 R = E_b; joint k_n = k_n 2 R.
+TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
+  Specimen s = pair();
+  EXPECT_THAT(cells_of(s), testing::ElementsAre("0", "1", "bonded", "0", "1", "0", "0", "7.6e+10", "2.28e+10",
+                                                testing::_, testing::_));
+  s.contacts[0].kind = ContactKind::touching;
+  EXPECT_EQ(cells_of(s)[7], "3.8e+10");
+  s.contacts[0].kind = ContactKind::joint;
+  s.contacts[0].side = -1;  // the normal of planes at 90 degrees is (-1, 0); it points from a to b
+  s.bedding.resize(1);
+  s.bedding[0].theta = 90.0;
+  EXPECT_THAT(cells_of(s), testing::ElementsAre("0", "1", "joint", "0", "1", "0", "0", "6.72e+12", "1.92e+12",
+                                                testing::_, testing::_));
+}
+
+}  // namespace
+}  // namespace phy

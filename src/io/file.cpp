@@ -1,0 +1,176 @@
+#include "io/file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t max_bytes = 256U << 20U;
+
+[[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
+  std::string remedy;
+  if (error == ENOENT) remedy = "; check the name";
+  if (error == EISDIR) remedy = "; name a file, not a folder";
+  if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
+  if (error == EACCES || error == EROFS || error == EPERM)
+    remedy = "; check the permissions, or choose a folder of your own with --out";
+  if (error == EEXIST || error == ENOTDIR)
+    remedy = "; a file of that name is in the way: move it, or use another --out";
+  throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
+}
+
+/// Writes and closes all of it; the errno of what failed, or 0.
+int write_all(int fd, const std::string& content) {
+  std::size_t done = 0;
+  int error = 0;
+  while (done < content.size() && error == 0) {
+    const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
+    if (n >= 0)
+      done += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      error = errno;
+  }
+  if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+  if (::close(fd) != 0 && error == 0) error = errno;
+  return error;
+}
+
+/// `path` is what the user knows the file by, `real` where it is written.
+void write_synced(const std::string& real, const std::string& path, const std::string& content) {
+  const int fd = ::open(real.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (fd < 0) fail(path, "be written", errno);
+  const int error = write_all(fd, content);
+  if (error == 0) return;
+  ::unlink(real.c_str());
+  fail(path, "be written", error);
+}
+
+/// Makes names in a folder durable. A file system that cannot sync folders loses nothing that it promised.
+void sync_folder(const std::string& path) {
+  const int fd = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);
+  ::close(fd);
+}
+
+std::string parent_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+std::string beside(const std::string& path, const char* what) {
+  return path + "." + what + "-" + std::to_string(::getpid());
+}
+
+/// An older folder that publishing may replace: one with the mark, or an empty one.
+void refuse_foreign(const std::string& folder, const std::string& mark, const std::string& kind) {
+  std::error_code none;
+  if (!fs::exists(fs::symlink_status(folder, none))) return;
+  if (!fs::is_directory(folder, none)) fail(folder, "be replaced", ENOTDIR);
+  if (fs::exists(fs::path(folder) / mark, none) || fs::is_empty(folder, none)) return;
+  throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
+                "); move it, or use another --out");
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) fail(path, "be read", errno);
+  std::string content;
+  char block[1U << 16U];
+  int error = 0;
+  for (;;) {
+    const ssize_t n = ::read(fd, block, sizeof block);
+    if (n == 0) break;
+    if (n > 0)
+      content.append(block, static_cast<std::size_t>(n));
+    else if (errno != EINTR)
+      error = errno;
+    if (content.size() > max_bytes) error = EFBIG;
+    if (error != 0) break;
+  }
+  ::close(fd);
+  if (error != 0) fail(path, "be read", error);
+  return content;
+}
+
+void make_folder(const std::string& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail(path, "be created", error.value());
+  if (!fs::is_directory(path, error)) fail(path, "be used as a folder", ENOTDIR);
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  make_folder(parent_of(path));
+  const std::string part = beside(path, "part");
+  write_synced(part, path, content);
+  if (std::rename(part.c_str(), path.c_str()) != 0) {
+    const int error = errno;
+    ::unlink(part.c_str());
+    fail(path, "be replaced", error);
+  }
+  sync_folder(parent_of(path));
+}
+
+void check_writable(const std::string& folder) {
+  make_folder(folder);
+  const std::string probe = (fs::path(folder) / (".write-test-" + std::to_string(::getpid()))).string();
+  write_synced(probe, folder, "phyllite\n");
+  ::unlink(probe.c_str());
+}
+
+NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
+    : folder_(std::move(folder)), mark_(std::move(mark)), kind_(std::move(kind)) {
+  while (folder_.size() > 1 && folder_.back() == '/')
+    folder_.pop_back();  // the part lies beside x/, not in it
+  part_ = beside(folder_, "part");
+  refuse_foreign(folder_, mark_, kind_);
+  std::error_code ignored;
+  fs::remove_all(part_, ignored);
+  make_folder(parent_of(folder_));
+  make_folder(part_);
+}
+
+NewFolder::~NewFolder() {
+  std::error_code ignored;
+  fs::remove_all(part_, ignored);
+}
+
+void NewFolder::add(const std::string& name, const std::string& content) {
+  const std::string real = (fs::path(part_) / name).string();
+  make_folder(parent_of(real));
+  write_synced(real, (fs::path(folder_) / name).string(), content);
+  folders_.insert(parent_of(real));
+}
+
+void NewFolder::publish() {
+  for (const std::string& name : folders_) sync_folder(name);
+  refuse_foreign(folder_, mark_, kind_);
+  // An exchange leaves no moment without a result; the older one then has the temporary name and is removed.
+  if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) {
+    const bool older = errno != ENOENT;  // some file systems cannot exchange: step aside, then move in
+    const std::string old = beside(folder_, "old");
+    std::error_code error;
+    if (older) fs::rename(folder_, old, error);
+    if (!error) fs::rename(part_, folder_, error);
+    if (error) {
+      std::error_code ignored;
+      if (older && !fs::exists(folder_, ignored)) fs::rename(old, folder_, ignored);
+      fail(folder_, "be replaced", error.value());
+    }
+    fs::remove_all(old, error);
+  }
+  sync_folder(parent_of(folder_));
+}
+
+}  // namespace phy

@@ -1,0 +1,43 @@
+// Files, whole or not at all: content is written under a temporary name in the same folder, synced, and
+// renamed onto its place. A reader therefore sees the old file or the new one, never a part, also after a
+// power cut. Every failure is an IoError that names the file, the reason and what to do.
+#pragma once
+#include <set>
+#include <string>
+
+namespace phy {
+
+/// The content of a file of at most 256 MB.
+std::string read_file(const std::string& path);
+
+/// Writes one file whole or not at all; makes the folder if it is missing.
+void write_file(const std::string& path, const std::string& content);
+
+/// Makes the folder and those above it, as far as they are missing.
+void make_folder(const std::string& path);
+
+/// Makes the folder if needed and tries to write into it, before hours of work are lost.
+void check_writable(const std::string& folder);
+
+/// A folder in the making. Files go into a temporary folder beside the place; `publish` syncs it and puts it
+/// in the place of `folder` in one step, exchanging it for an older one. Without `publish` nothing is left
+/// behind.
+class NewFolder {
+ public:
+  /// `mark` is a file that every folder of this kind holds: an older folder without it is somebody else's,
+  /// and is neither replaced nor removed. `kind` names the kind in messages ("result").
+  NewFolder(std::string folder, std::string mark, std::string kind);
+  ~NewFolder();
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+  /// `name` may lie in a subfolder: "snapshots/grains_0.vtp".
+  void add(const std::string& name, const std::string& content);
+  void publish();
+
+ private:
+  std::string folder_, part_, mark_, kind_;
+  std::set<std::string> folders_;  // to be synced
+};
+
+}  // namespace phy

@@ -1,0 +1,150 @@
+// Files: whole or not at all, and every failure told with its remedy.
+#include "io/file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Files : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("phyllite-file-" + std::to_string(::getpid()));
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override {
+    fs::permissions(folder, fs::perms::owner_all);
+    fs::remove_all(folder);
+  }
+  std::string at(const char* name) const { return (folder / name).string(); }
+  std::ptrdiff_t n_entries() const { return std::distance(fs::directory_iterator(folder), {}); }
+  static std::string message_of(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const IoError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(Files, AreReadBackByteByByte) {
+  std::string all;
+  for (int i = 0; i < 200000; ++i) all += static_cast<char>(i * 7 % 256);
+  write_file(at("a/b/c.bin"), all);
+  EXPECT_EQ(read_file(at("a/b/c.bin")), all);
+  write_file(at("a/b/c.bin"), "");
+  EXPECT_EQ(read_file(at("a/b/c.bin")), "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "a" / "b"), {}), 1);
+}
+
+TEST_F(Files, AFileInTheWayIsToldWithARemedy) {
+  write_file(at("file"), "x");
+  for (const char* name : {"file/out", "file"})
+    EXPECT_THAT(message_of([&] { check_writable(at(name)); }),
+                HasSubstr("a file of that name is in the way"));
+  EXPECT_THAT(message_of([&] { write_file(at("file/x"), ""); }),
+              HasSubstr("a file of that name is in the way"));
+}
+
+TEST_F(Files, AFullDiskLeavesNothingBehind) {
+  fs::create_symlink("/dev/full", at(("full.csv.part-" + std::to_string(::getpid())).c_str()));
+  const std::string message = message_of([&] { write_file(at("full.csv"), "some text"); });
+  EXPECT_THAT(message, HasSubstr("free some space"));
+  EXPECT_THAT(message, HasSubstr(at("full.csv") + ": cannot be written"));
+  EXPECT_EQ(n_entries(), 0);
+}
+
+TEST_F(Files, AReadOnlyFolderIsToldWithARemedy) {
+  fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
+  const bool root = ::geteuid() == 0;  // root may write everywhere: be somebody else for a moment
+  if (root) {
+    ASSERT_EQ(::seteuid(65534), 0);
+  }
+  const std::string check = message_of([&] { check_writable(folder.string()); });
+  const std::string result = message_of([&] { NewFolder(at("x"), "mark", "thing"); });
+  if (root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
+  EXPECT_THAT(check, HasSubstr("check the permissions"));
+  EXPECT_THAT(result, HasSubstr("check the permissions"));
+}
+
+// /proc refuses new files to everybody, root included.
+TEST_F(Files, AFolderThatTakesNoFilesIsFoundBeforehand) {
+  const std::string message = message_of([] { check_writable("/proc"); });
+  EXPECT_THAT(message, HasSubstr("/proc: cannot be written"));
+}
+
+TEST_F(Files, WhatCannotBeReadIsTold) {
+  EXPECT_THAT(message_of([&] { read_file(at("none")); }), HasSubstr("check the name"));
+  EXPECT_THAT(message_of([&] { read_file(folder.string()); }), HasSubstr("name a file, not a folder"));
+  EXPECT_THAT(message_of([] { read_file("/dev/zero"); }), HasSubstr("cannot be read"));
+}
+
+TEST_F(Files, ANewFolderAppearsWholeOrNotAtAll) {
+  {
+    NewFolder made(at("x"), "mark", "thing");
+    made.add("sub/a", "1");
+    made.add("mark", "");
+    EXPECT_FALSE(fs::exists(folder / "x"));
+  }
+  EXPECT_EQ(n_entries(), 0) << "not published: nothing is left";
+  NewFolder made(at("x/"), "mark", "thing");
+  made.add("sub/a", "1");
+  made.add("mark", "");
+  made.publish();
+  EXPECT_EQ(read_file(at("x/sub/a")), "1");
+  EXPECT_EQ(n_entries(), 1);
+}
+
+TEST_F(Files, AnOlderFolderIsExchangedAndRemoved) {
+  for (const char* content : {"old", "new"}) {
+    NewFolder made(at("x"), "mark", "thing");
+    made.add("mark", content);
+    if (content[0] == 'o') made.add("only-old", "");
+    made.publish();
+  }
+  EXPECT_EQ(read_file(at("x/mark")), "new");
+  EXPECT_FALSE(fs::exists(folder / "x" / "only-old"));
+  EXPECT_EQ(n_entries(), 1);
+}
+
+TEST_F(Files, AFailureKeepsTheOlderFolder) {
+  const auto make = [&](const char* content) {
+    NewFolder made(at("x"), "mark", "thing");
+    made.add("mark", content);
+    made.add("mark/below-a-file", "");
+    made.publish();
+  };
+  write_file(at("x/mark"), "old");
+  EXPECT_THAT(message_of([&] { make("new"); }), HasSubstr("in the way"));
+  EXPECT_EQ(read_file(at("x/mark")), "old");
+  EXPECT_EQ(n_entries(), 1);
+}
+
+TEST_F(Files, ForeignFoldersAndFilesAreNotReplaced) {
+  write_file(at("thesis/chapter1.tex"), "years of work");
+  write_file(at("file"), "x");
+  EXPECT_THAT(message_of([&] { NewFolder(at("thesis"), "mark", "thing"); }),
+              HasSubstr("holds no thing (no mark)"));
+  EXPECT_THAT(message_of([&] { NewFolder(at("file"), "mark", "thing"); }), HasSubstr("in the way"));
+  EXPECT_EQ(read_file(at("thesis/chapter1.tex")), "years of work");
+  fs::create_directories(folder / "empty");
+  NewFolder made(at("empty"), "mark", "thing");
+  made.add("mark", "");
+  made.publish();
+  EXPECT_TRUE(fs::exists(folder / "empty" / "mark"));
+}
+
+}  // namespace
+}  // namespace phy
