@@ -67,7 +67,7 @@ TEST_F(Cli, RunLeavesCompleteResults) {
     std::ifstream in(file);
     const auto j = nlohmann::json::parse(in);
     EXPECT_EQ(j["outcome"]["status"], "peaked");
-    EXPECT_GT(j["numbers"]["ucs"]["value"].get<double>(), 1e6);
+    EXPECT_GT(j["numbers"]["ucs"]["value"].get<double>(), 20e6);           // the first stress wave is 2 MPa
     EXPECT_LT(j["numbers"]["energy_error"]["value"].get<double>(), 5e-3);  // driven four times too fast
   }
 }
