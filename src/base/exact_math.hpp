@@ -59,7 +59,9 @@ struct SinCos {
 /// sin_cos_degrees(180 - a) mirrors sin_cos_degrees(a) bit by bit: the reduction is done in degrees.
 inline SinCos sin_cos_degrees(double angle) {
   double turn = angle - 360.0 * std::floor(angle / 360.0);  // [0, 360)
-  const double quadrant = std::floor((turn + 45.0) / 90.0);
+  double quadrant = std::floor((turn + 45.0) / 90.0);
+  // Both ends of a sector around 90 or 270 degrees belong to it: 45 and 135 then mirror each other exactly.
+  if (turn - 90.0 * quadrant == -45.0 && std::fmod(quadrant, 2.0) == 0.0) quadrant -= 1.0;
   const double x = (turn - 90.0 * quadrant) * (pi / 180.0);
   const double s = detail::sin_series(x);
   const double c = detail::cos_series(x);
