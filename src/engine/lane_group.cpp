@@ -103,6 +103,7 @@ class Group final : public LaneGroup {
   const LaneHealth& health(int lane) const override { return at(lane).health; }
   std::vector<CrackEvent>& cracks(int lane) override { return at(lane).cracks; }
   Snapshot snapshot(int lane) const override;
+  std::vector<GrainState> grains(int lane) const override;
   double time_step(int lane) const override { return at(lane).dt; }
   std::int64_t n_contacts(int lane) const override { return at(lane).n_contacts; }
   std::int64_t n_rebuilds() const override { return n_rebuilds_; }
@@ -891,16 +892,22 @@ Snapshot Group<T>::snapshot(int lane) const {
   shot.step = at(lane).row.step;
   shot.axial_strain = at(lane).row.axial_strain;
   shot.axial_stress = at(lane).row.axial_stress;
-  shot.grains.resize(n_grains());
-  for (std::size_t g = 0; g < n_grains(); ++g) {
-    GrainState& s = shot.grains[static_cast<std::size_t>(layout_.order[g])];
-    s = {grain(g, g_ux, l), grain(g, g_uy, l), grain(g, g_rot, l)};
-  }
+  shot.grains = grains(lane);
   for (std::size_t c = 0; c < pairs_.size(); ++c) {
     const ContactState s = contact_state(c, l);
     if (s.kind != ContactKind::touching || s.F_n != 0.0) shot.contacts.push_back(s);
   }
   return shot;
+}
+
+template <class T>
+std::vector<GrainState> Group<T>::grains(int lane) const {
+  const auto l = static_cast<std::size_t>(lane);
+  std::vector<GrainState> all(n_grains());
+  for (std::size_t g = 0; g < n_grains(); ++g)
+    all[static_cast<std::size_t>(layout_.order[g])] = {grain(g, g_ux, l), grain(g, g_uy, l),
+                                                       grain(g, g_rot, l)};
+  return all;
 }
 
 }  // namespace

@@ -73,8 +73,10 @@ class LaneGroup {
   virtual const LaneHealth& health(int lane) const = 0;
   virtual std::vector<CrackEvent>& cracks(int lane) = 0;  ///< all so far, ordered within each block
   virtual Snapshot snapshot(int lane) const = 0;          ///< grains and contacts now
-  virtual double time_step(int lane) const = 0;           ///< [s]
-  virtual std::int64_t n_contacts(int lane) const = 0;    ///< bonded, joint or touching when loaded
+  /// Displacements of all grains now, packing order.
+  virtual std::vector<GrainState> grains(int lane) const = 0;
+  virtual double time_step(int lane) const = 0;         ///< [s]
+  virtual std::int64_t n_contacts(int lane) const = 0;  ///< bonded, joint or touching when loaded
   virtual std::int64_t n_rebuilds() const = 0;
   virtual std::int64_t n_listed() const = 0;  ///< near pairs in the list
 };

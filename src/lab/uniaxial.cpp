@@ -24,7 +24,9 @@ UniaxialTest::UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recip
       recipe_(recipe),
       group_(group),
       lane_(lane),
-      may_jump_(recipe.test.jump_strain > 0.0) {
+      may_jump_(recipe.test.jump_strain > 0.0),
+      snapshots_(recipe.test.n_snapshots),
+      frames_(recipe.test.n_frames) {
   result_.name = specimen_->name;
   result_.intact = specimen_->bedding.empty();
   if (!result_.intact) result_.theta = specimen_->bedding.front().theta;
@@ -105,7 +107,7 @@ bool UniaxialTest::after_block() {
   }
   result_.history.rows.push_back(row);
   if (row.axial_stress > peak_) peak_ = row.axial_stress, peak_strain_ = row.axial_strain;
-  keep_snapshot();
+  keep_pictures();
   return check_stop();
 }
 
@@ -133,19 +135,18 @@ bool UniaxialTest::check_stop() {
   return false;
 }
 
-// Snapshots at equal strain steps, not knowing where the test will end: when twice as many as wanted are
-// stored, every second one goes and the step doubles. So between n and 2 n remain, whatever the length of the
-// test.
-void UniaxialTest::keep_snapshot() {
-  const auto n_rows = static_cast<std::int64_t>(result_.history.rows.size());
-  if (recipe_.test.n_snapshots == 0 || (n_rows - 1) % snapshot_every_ != 0) return;
-  result_.snapshots.push_back(group_.snapshot(lane_));
-  if (static_cast<std::int64_t>(result_.snapshots.size()) <= 2 * recipe_.test.n_snapshots) return;
-  std::vector<Snapshot> kept;
-  for (std::size_t i = 0; i < result_.snapshots.size(); i += 2)
-    kept.push_back(std::move(result_.snapshots[i]));
-  result_.snapshots = std::move(kept);
-  snapshot_every_ *= 2;
+Frame UniaxialTest::frame() const {
+  const HistoryRow& row = group_.row(lane_);
+  Frame f{row.step, row.axial_strain, row.axial_stress, {}};
+  for (const GrainState& g : group_.grains(lane_))
+    f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
+  return f;
+}
+
+void UniaxialTest::keep_pictures() {
+  const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
+  if (snapshots_.due(row)) snapshots_.keep(group_.snapshot(lane_));
+  if (frames_.due(row)) frames_.keep(frame());
 }
 
 void UniaxialTest::interrupt() {
@@ -165,9 +166,8 @@ TestResult UniaxialTest::take_result() {
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
   });
-  const Snapshot last = group_.snapshot(lane_);
-  if (result_.snapshots.empty() || result_.snapshots.back().step != last.step)
-    result_.snapshots.push_back(last);
+  result_.snapshots = snapshots_.take(group_.snapshot(lane_));
+  result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(group_.row(lane_).step);
   AnalysisOptions options;
   options.jump_strain = may_jump_ ? 0.0 : recipe_.test.jump_strain;

@@ -18,6 +18,7 @@
 #include <memory>
 
 #include "engine/lane_group.hpp"
+#include "lab/moments.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
@@ -41,7 +42,8 @@ class UniaxialTest {
   enum class Phase { settle, jump, load, over };
   void start_loading();
   void begin();
-  void keep_snapshot();
+  Frame frame() const;
+  void keep_pictures();
   bool end(Status status, std::string reason, std::string advice);
   bool check_stop();
 
@@ -51,8 +53,9 @@ class UniaxialTest {
   int lane_;
   Phase phase_ = Phase::settle;
   bool may_jump_;
-  std::int64_t blocks_ = 0;          // in this phase
-  std::int64_t snapshot_every_ = 1;  // rows between kept snapshots
+  std::int64_t blocks_ = 0;  // in this phase
+  Moments<Snapshot> snapshots_;
+  Moments<Frame> frames_;
   double peak_ = 0.0, peak_strain_ = 0.0;
   TestResult result_;
 };

@@ -90,6 +90,7 @@ struct TestRecipe {
   double max_strain = 0.01;             ///< stop (not peaked) at this axial strain
   std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
+  std::int64_t n_frames = 40;           ///< stored displacement fields through the test
   double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start
 };
 

@@ -205,6 +205,9 @@ void add_test(List& l) {
   l.integer("test", "n_snapshots", 0, 200,
             "stored states of grains and contacts (up to twice as many); 0: only the last", part,
             &T::n_snapshots);
+  l.integer("test", "n_frames", 0, 1000,
+            "stored displacement fields for the specimen viewer (up to twice as many); 0: only the last",
+            part, &T::n_frames);
   l.number("test", "jump_strain", 0, 0.05, "", "axial strain of the jump start; 0: none", part,
            &T::jump_strain);
 }

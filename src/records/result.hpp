@@ -99,6 +99,13 @@ struct Snapshot {
   std::vector<ContactState> contacts;
 };
 
+/// Displacements of all grains at one moment, for pictures; not part of the hash.
+struct Frame {
+  double step = 0.0;
+  double axial_strain = 0.0, axial_stress = 0.0;  ///< [1], [Pa]
+  std::vector<std::array<float, 2>> u;            ///< since the start of the test [m], packing order
+};
+
 struct TestResult {
   std::string name;  ///< specimen name
   bool intact = true;
@@ -108,6 +115,7 @@ struct TestResult {
   History history;
   std::vector<CrackEvent> cracks;   ///< ordered by (step, a, b)
   std::vector<Snapshot> snapshots;  ///< the last one is the final state
+  std::vector<Frame> frames;        ///< more of them, displacements only
   double dt = 0.0;                  ///< [s] at the start
   std::int64_t n_steps = 0;
   std::int64_t n_contacts = 0;  ///< bonded, joint or touching at the start
