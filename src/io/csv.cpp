@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "base/check.hpp"
@@ -126,6 +127,106 @@ std::string contacts_csv(const Specimen& s) {
     text += "\n";
   }
   return text;
+}
+
+namespace {
+
+/// The lines of a table below its header; `where` and the line number go to `read` for messages.
+void each_line(std::string_view text, const std::string& where, std::string_view header,
+               const std::function<bool(std::string_view)>& read) {
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (number == 1 ? line == header : read(line)) continue;
+    throw IoError(where + ":" + std::to_string(number) + ": is no line of this table; expected the columns " +
+                  std::string(header));
+  }
+}
+
+/// The word up to the next comma; `text` is moved past it.
+std::string_view take_word(std::string_view& text) {
+  const std::size_t end = std::min(text.find(','), text.size());
+  const std::string_view word = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return word;
+}
+
+/// Also "nan" and "inf", as they were written.
+template <class T>
+bool take_number(std::string_view& text, T& value) {
+  const std::string_view word = take_word(text);
+  const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
+  return r.ec == std::errc() && r.ptr == word.data() + word.size();
+}
+
+std::string history_header() {
+  std::string text;
+  for (const HistoryColumn& c : history_columns())
+    text += (text.empty() ? "" : ",") + std::string(c.name) + " [" + c.unit + "]";
+  return text;
+}
+
+constexpr const char* crack_header =
+    "step [1],time [s],axial_strain [1],grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],"
+    "energy [J/m]";
+
+}  // namespace
+
+std::string history_csv(const History& history) {
+  std::string text = history_header() + "\n";
+  for (const HistoryRow& row : history.rows) {
+    bool first = true;
+    for (const HistoryColumn& c : history_columns()) {
+      text += (first ? "" : ",") + print_number(row.*c.value);
+      first = false;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string cracks_csv(const std::vector<CrackEvent>& cracks) {
+  std::string text = std::string(crack_header) + "\n";
+  for (const CrackEvent& c : cracks) {
+    text += std::to_string(c.step) + "," + print_number(c.time) + "," + print_number(c.strain) + "," +
+            std::to_string(c.a) + "," + std::to_string(c.b) + "," +
+            (c.mode == CrackMode::tension ? "tension" : "shear") + "," +
+            (c.place == CrackPlace::matrix ? "matrix" : "bedding");
+    for (const double v : {c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
+      text += "," + print_number(v);
+    text += "\n";
+  }
+  return text;
+}
+
+History parse_history(std::string_view text, const std::string& where) {
+  History history;
+  each_line(text, where, history_header(), [&](std::string_view line) {
+    HistoryRow row;
+    for (const HistoryColumn& c : history_columns())
+      if (!take_number(line, row.*c.value)) return false;
+    history.rows.push_back(row);
+    return line.empty();
+  });
+  return history;
+}
+
+std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
+  std::vector<CrackEvent> cracks;
+  each_line(text, where, crack_header, [&](std::string_view line) {
+    CrackEvent c;
+    bool ok = take_number(line, c.step) && take_number(line, c.time) && take_number(line, c.strain) &&
+              take_number(line, c.a) && take_number(line, c.b);
+    const std::string_view mode = take_word(line), place = take_word(line);
+    c.mode = mode == "shear" ? CrackMode::shear : CrackMode::tension;
+    c.place = place == "bedding" ? CrackPlace::bedding : CrackPlace::matrix;
+    for (double* v : {&c.position.x, &c.position.y, &c.normal.x, &c.normal.y, &c.size, &c.energy})
+      ok = ok && take_number(line, *v);
+    cracks.push_back(c);
+    return ok && line.empty();
+  });
+  return cracks;
 }
 
 }  // namespace phy

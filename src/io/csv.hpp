@@ -1,10 +1,11 @@
-// Tables of discs and contacts as CSV (docs/formats.md): packings in and out, for other programs and from
-// them.
+// Tables as CSV (docs/formats.md): packings in and out, for other programs and from them; histories and
+// cracks.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "records/result.hpp"
 #include "records/specimen.hpp"
 
 namespace phy {
@@ -25,5 +26,13 @@ DiscFile parse_discs(std::string_view text, const std::string& where);
 std::vector<Disc> read_discs(const std::string& path);
 /// Contacts as CSV: grains, kind, normal, gap, stiffnesses per metre thickness, strengths.
 std::string contacts_csv(const Specimen& specimen);
+
+/// One line per row, one column per entry of history_columns(), the unit in the header.
+std::string history_csv(const History& history);
+std::string cracks_csv(const std::vector<CrackEvent>& cracks);
+/// Read what the two above have written, to the same bits (width and height of a history are not in the
+/// table). Throw IoError with the line that does not fit.
+History parse_history(std::string_view text, const std::string& where);
+std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where);
 
 }  // namespace phy

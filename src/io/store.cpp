@@ -109,38 +109,6 @@ std::string result_json(const Recipe& recipe, const std::string& version, const 
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string history_csv(const History& history) {
-  std::string text;
-  for (const HistoryColumn& c : history_columns())
-    text += (text.empty() ? "" : ",") + std::string(c.name) + " [" + c.unit + "]";
-  text += "\n";
-  for (const HistoryRow& row : history.rows) {
-    bool first = true;
-    for (const HistoryColumn& c : history_columns()) {
-      text += (first ? "" : ",") + print_number(row.*c.value);
-      first = false;
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string cracks_csv(const std::vector<CrackEvent>& cracks) {
-  std::string text =
-      "step [1],time [s],axial_strain [1],grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],"
-      "energy [J/m]\n";
-  for (const CrackEvent& c : cracks) {
-    text += std::to_string(c.step) + "," + print_number(c.time) + "," + print_number(c.strain) + "," +
-            std::to_string(c.a) + "," + std::to_string(c.b) + "," +
-            (c.mode == CrackMode::tension ? "tension" : "shear") + "," +
-            (c.place == CrackPlace::matrix ? "matrix" : "bedding");
-    for (const double v : {c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
-      text += "," + print_number(v);
-    text += "\n";
-  }
-  return text;
-}
-
 void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& result) {
   std::vector<std::pair<double, std::string>> grains, contacts;
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {

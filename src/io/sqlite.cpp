@@ -1,0 +1,134 @@
+#include "io/sqlite.hpp"
+
+#include <sqlite3.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "base/check.hpp"
+#include "io/file.hpp"
+
+namespace phy {
+namespace {
+
+constexpr int patience_ms = 60000;
+
+std::string remedy_for(int code) {
+  switch (code & 0xff) {
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT: return "; this is no store or a damaged one: move it away and start again";
+    case SQLITE_FULL: return "; free some space, or choose another folder with --out";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN: return "; check the permissions, or choose a folder of your own with --out";
+    case SQLITE_BUSY: return "; another program keeps it locked";
+    default: return "";
+  }
+}
+
+}  // namespace
+
+Database::Database(const std::string& path) : path_(path) {
+  make_folder(std::filesystem::path(path).parent_path().string());
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+  if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : "not enough memory";
+    const std::string remedy = remedy_for(handle_ != nullptr ? sqlite3_errcode(handle_) : SQLITE_NOMEM);
+    sqlite3_close(handle_);
+    throw IoError(path_ + ": cannot be opened: " + why + remedy);
+  }
+  sqlite3_busy_timeout(handle_, patience_ms);
+}
+
+Database::~Database() { sqlite3_close_v2(handle_); }
+
+void Database::fail(const std::string& doing) const {
+  throw IoError(path_ + ": cannot " + doing + ": " + sqlite3_errmsg(handle_) +
+                remedy_for(sqlite3_errcode(handle_)));
+}
+
+void Database::execute(const std::string& sql) {
+  if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("be used");
+}
+
+void Database::transaction(const std::function<void()>& body) {
+  execute("BEGIN IMMEDIATE");
+  try {
+    body();
+    execute("COMMIT");
+  } catch (...) {
+    if (sqlite3_get_autocommit(handle_) == 0) sqlite3_exec(handle_, "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+std::int64_t Database::n_changed() const { return sqlite3_changes64(handle_); }
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  if (sqlite3_prepare_v2(database.handle_, sql.data(), static_cast<int>(sql.size()), &handle_, nullptr) !=
+      SQLITE_OK)
+    database.fail("be used");
+}
+
+Statement::~Statement() { sqlite3_finalize(handle_); }
+
+Statement& Statement::bind(std::string_view text) {
+  if (sqlite3_bind_text64(handle_, ++n_bound_, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8) !=
+      SQLITE_OK)
+    database_.fail("be written");
+  return *this;
+}
+
+Statement& Statement::bind(double value) {
+  if (sqlite3_bind_double(handle_, ++n_bound_, value) != SQLITE_OK) database_.fail("be written");
+  return *this;
+}
+
+Statement& Statement::bind(std::int64_t value) {
+  if (sqlite3_bind_int64(handle_, ++n_bound_, value) != SQLITE_OK) database_.fail("be written");
+  return *this;
+}
+
+Statement& Statement::bind_blob(std::string_view bytes) {
+  if (sqlite3_bind_blob64(handle_, ++n_bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT) != SQLITE_OK)
+    database_.fail("be written");
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) database_.fail("be used");
+  return false;
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  sqlite3_reset(handle_);
+  n_bound_ = 0;
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
+  return bytes == nullptr
+             ? std::string()
+             : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column)));
+}
+
+std::string Statement::blob(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(handle_, column));
+  return bytes == nullptr
+             ? std::string()
+             : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column)));
+}
+
+double Statement::number(int column) const {
+  return sqlite3_column_type(handle_, column) == SQLITE_NULL ? std::numeric_limits<double>::quiet_NaN()
+                                                             : sqlite3_column_double(handle_, column);
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
+
+}  // namespace phy

@@ -1,0 +1,60 @@
+#include "study/experiment.hpp"
+
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/hash.hpp"
+#include "genesis/cache.hpp"
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "io/csv.hpp"
+#include "io/file.hpp"
+#include "io/toml_in.hpp"
+
+namespace phy {
+
+std::vector<Recipe> single_recipes(const Recipe& recipe) {
+  std::vector<Recipe> singles;
+  Recipe one = recipe;
+  one.test.angles.clear();
+  one.test.intact = false;
+  for (const double theta : recipe.test.angles) {
+    one.bedding = turned(recipe.bedding, theta);
+    singles.push_back(one);
+  }
+  one.bedding = recipe.bedding;
+  if (recipe.test.angles.empty() && !recipe.bedding.empty()) singles.push_back(one);
+  one.bedding.clear();
+  if (recipe.test.intact || recipe.bedding.empty()) singles.push_back(one);
+  return singles;
+}
+
+std::string specimen_key(const Recipe& single) {
+  PHY_CHECK(single.test.angles.empty() && !(single.test.intact && !single.bedding.empty()),
+            "a key belongs to one specimen");
+  Recipe r = single;
+  r.name.clear();
+  r.test.n_snapshots = 0;
+  r.test.intact = false;
+  for (BeddingRecipe& set : r.bedding)
+    if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
+  Hash h;
+  if (!r.packing.file.empty()) h.add(std::string_view(read_file(r.packing.file)));
+  r.packing.file.clear();
+  h.add(std::string_view(write_recipe(r)));
+  return h.text();
+}
+
+std::shared_ptr<const Packing> packing_of(const Recipe& r) {
+  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, default_cache_folder());
+  return std::make_shared<const Packing>(
+      adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
+}
+
+std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single) {
+  std::vector<Specimen> made = make_specimens(std::move(packing), single);
+  PHY_CHECK(made.size() == 1, "a single recipe makes one specimen");
+  return std::make_shared<const Specimen>(std::move(made.front()));
+}
+
+}  // namespace phy

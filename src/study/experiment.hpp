@@ -1,0 +1,31 @@
+// From a recipe to the specimens that it stands for, each with a recipe of its own.
+//
+// A recipe may ask for several angles and for the intact rock. Here it falls apart into recipes of one
+// specimen each, completed: the bedding turned to its final angle, nothing left to default. Such a recipe
+// says everything that a result depends on, so its fingerprint is the specimen's name in the store.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "records/recipe.hpp"
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// One recipe per specimen, in the order of make_specimens: the angles, then the intact rock.
+std::vector<Recipe> single_recipes(const Recipe& recipe);
+
+/// Fingerprint of everything that a result in the store depends on. Left out: the recipe's name and the
+/// number of snapshots (the store holds none), and keys without effect (the zone's thickness under the
+/// crossing rule). With packing.file the content of the file counts, not its name. Throws IoError if that
+/// file cannot be read.
+std::string specimen_key(const Recipe& single);
+
+/// The packing of a recipe: imported, from the cache, or made.
+std::shared_ptr<const Packing> packing_of(const Recipe& recipe);
+
+/// The specimen of a single recipe.
+std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single);
+
+}  // namespace phy

@@ -1,0 +1,98 @@
+// What is one specimen, and when are two the same?
+#include "study/experiment.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "io/file.hpp"
+#include "io/toml_in.hpp"
+
+namespace phy {
+namespace {
+
+Recipe seven_angles() {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 330;
+  r.bedding.resize(2);
+  r.bedding[1].theta = 170;
+  r.bedding[1].offset = 0.001;
+  r.test.angles = {0, 15, 30, 45, 60, 75, 90};
+  r.test.intact = true;
+  return r;
+}
+
+TEST(SingleRecipes, MakeTheSpecimensOfTheWholeRecipe) {
+  const Recipe r = seven_angles();
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> all = make_specimens(packing, r);
+  const std::vector<Recipe> singles = single_recipes(r);
+  ASSERT_EQ(singles.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto one = specimen_of(packing, singles[i]);
+    EXPECT_EQ(one->name, all[i].name);
+    ASSERT_EQ(one->bedding.size(), all[i].bedding.size());
+    for (std::size_t k = 0; k < one->bedding.size(); ++k) {
+      EXPECT_EQ(one->bedding[k].theta, all[i].bedding[k].theta);
+      EXPECT_EQ(one->bedding[k].offset, all[i].bedding[k].offset);
+    }
+    EXPECT_EQ(single_recipes(singles[i]).size(), 1u);
+    EXPECT_EQ(specimen_key(single_recipes(singles[i]).front()), specimen_key(singles[i]));
+    EXPECT_EQ(specimen_key(parse_recipe(write_recipe(singles[i]), "single")), specimen_key(singles[i]));
+  }
+}
+
+TEST(SpecimenKey, ChangesWithEverythingThatChangesTheResult) {
+  std::set<std::string> keys;
+  const Recipe base = single_recipes(seven_angles()).front();
+  const auto add = [&](auto change) {
+    Recipe r = base;
+    change(r);
+    EXPECT_TRUE(keys.insert(specimen_key(r)).second);
+  };
+  add([](Recipe&) {});
+  add([](Recipe& r) { r.bedding[1].k_s *= 1.0 + 1e-15; });
+  add([](Recipe& r) { r.bedding[0].theta = 15; });
+  add([](Recipe& r) { r.bedding[0].zone_thickness *= 2; });
+  add([](Recipe& r) { r.bedding.clear(); });
+  add([](Recipe& r) { r.packing.seed = 2; });
+  add([](Recipe& r) { r.matrix.bond_seed = 2; });
+  add([](Recipe& r) { r.engine.precision = Precision::single_precision; });
+  add([](Recipe& r) { r.test.jump_strain = 1e-4; });
+}
+
+TEST(SpecimenKey, IgnoresWhatChangesNothing) {
+  Recipe a = single_recipes(seven_angles()).front(), b = a;
+  b.name = "another name";
+  b.test.n_snapshots = 9;
+  EXPECT_EQ(specimen_key(a), specimen_key(b));
+  for (BeddingRecipe& set : a.bedding) set.rule = BeddingRule::crossing;
+  b = a;
+  b.bedding[0].zone_thickness *= 2;
+  EXPECT_EQ(specimen_key(a), specimen_key(b));
+}
+
+TEST(SpecimenKey, TakesAnImportedPackingByContent) {
+  const auto at = [](const char* name) {
+    return (std::filesystem::temp_directory_path() / (name + std::to_string(::getpid()))).string();
+  };
+  Recipe r = single_recipes(seven_angles()).front();
+  const auto key_of = [&](const std::string& name, const char* content) {
+    write_file(name, content);
+    r.packing.file = name;
+    const std::string key = specimen_key(r);
+    std::filesystem::remove(name);
+    return key;
+  };
+  const std::string one = key_of(at("phy-a"), "discs");
+  EXPECT_EQ(key_of(at("phy-b"), "discs"), one);
+  EXPECT_NE(key_of(at("phy-a"), "discs moved"), one);
+}
+
+}  // namespace
+}  // namespace phy

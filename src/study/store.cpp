@@ -1,0 +1,352 @@
+#include "study/store.hpp"
+
+#include <sys/vfs.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/check.hpp"
+#include "base/hash.hpp"
+#include "io/csv.hpp"
+
+namespace phy {
+namespace {
+
+constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
+
+constexpr const char* tables = R"(
+CREATE TABLE IF NOT EXISTS specimen (
+  key TEXT PRIMARY KEY, recipe TEXT NOT NULL, name TEXT NOT NULL, intact INTEGER NOT NULL, theta REAL,
+  status TEXT NOT NULL, reason TEXT NOT NULL, advice TEXT NOT NULL, result_hash TEXT NOT NULL,
+  dt REAL, n_steps INTEGER, n_contacts INTEGER, n_cracks INTEGER, seconds REAL,
+  host TEXT, program TEXT, finished TEXT, history BLOB, cracks BLOB) STRICT;
+CREATE TABLE IF NOT EXISTS number (
+  key TEXT NOT NULL, name TEXT NOT NULL, place INTEGER NOT NULL, value REAL, unit TEXT NOT NULL,
+  definition TEXT NOT NULL, note TEXT NOT NULL, PRIMARY KEY (key, name)) STRICT, WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS claim (key TEXT PRIMARY KEY, owner TEXT NOT NULL, until REAL NOT NULL) STRICT;
+)";
+constexpr const char* specimen_columns =
+    "key, recipe, name, intact, theta, status, reason, advice, result_hash, dt, n_steps, n_contacts, "
+    "n_cracks, seconds, host, program, finished";
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+std::string utc_now() {
+  const std::time_t t = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&t, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+std::string first_line(const std::string& path) {
+  std::ifstream in(path);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
+/// The boot and the process namespace: within one such world process numbers can be compared.
+std::string world() {
+  std::error_code error;
+  return first_line("/proc/sys/kernel/random/boot_id") + " " +
+         std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
+}
+
+/// When a process was started, in ticks since the boot; empty if there is no such process. Together with its
+/// number it names a process for good.
+std::string start_of(const std::string& pid) {
+  const std::string stat = first_line("/proc/" + pid + "/stat");
+  const std::size_t name_end = stat.rfind(')');
+  if (name_end == stat.npos) return "";
+  std::istringstream fields(stat.substr(name_end + 1));
+  std::string field;
+  for (int i = 3; i <= 22; ++i) fields >> field;  // proc(5): field 22 is starttime
+  return field;
+}
+
+/// "world|pid|start|number of the object".
+std::string new_owner() {
+  static std::atomic<int> n_objects{0};
+  const std::string pid = std::to_string(::getpid());
+  return world() + "|" + pid + "|" + start_of(pid) + "|" + std::to_string(++n_objects);
+}
+
+/// True if the owner is known to be dead; false if it lives or cannot be seen from here.
+bool is_dead(const std::string& owner) {
+  std::istringstream parts(owner);
+  std::string place, pid, start;
+  std::getline(parts, place, '|'), std::getline(parts, pid, '|'), std::getline(parts, start, '|');
+  return place == world() && start_of(pid) != start;
+}
+
+std::string deflated(const std::string& text) {
+  uLongf size = compressBound(text.size());
+  std::string out(size, '\0');
+  const int code = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                             reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_DEFAULT_COMPRESSION);
+  PHY_CHECK(code == Z_OK, "the buffer holds the compressed text");
+  out.resize(size);
+  return out;
+}
+
+std::string inflated(const std::string& bytes, const std::string& path) {
+  z_stream z{};
+  inflateInit(&z);
+  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  z.avail_in = static_cast<uInt>(bytes.size());
+  std::string out, block(1U << 16U, '\0');
+  int code = Z_OK;
+  while (code == Z_OK) {
+    z.next_out = reinterpret_cast<Bytef*>(block.data());
+    z.avail_out = static_cast<uInt>(block.size());
+    code = inflate(&z, Z_NO_FLUSH);
+    out.append(block, 0, block.size() - z.avail_out);
+  }
+  inflateEnd(&z);
+  if (code != Z_STREAM_END) throw IoError(path + ": a history is damaged; delete its row and run it again");
+  return out;
+}
+
+void refuse_network(const std::string& path) {
+  struct statfs fs {};
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (::statfs(folder.empty() ? "." : folder.c_str(), &fs) != 0) return;
+  const auto type = static_cast<long>(fs.f_type);
+  if (type == nfs_magic || type == smb_magic || type == lustre_magic)
+    throw IoError(path +
+                  ": lies on a network file system, where locks cannot be trusted; put it on a local "
+                  "disk, run shards (--shard i/n) and join them with `phyllite study merge`");
+}
+
+Status status_from(const std::string& text, const std::string& path) {
+  for (const Status s :
+       {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable, Status::interrupted})
+    if (text == to_string(s)) return s;
+  throw IoError(path + ": unknown outcome \"" + text + "\"; it was written by another version");
+}
+
+StoredResult read_specimen(const Statement& s, const std::string& path) {
+  StoredResult r;
+  TestResult& t = r.result;
+  r.key = s.text(0), r.recipe = s.text(1), t.name = s.text(2), t.intact = s.integer(3) != 0;
+  t.theta = t.intact ? 0.0 : s.number(4);
+  t.outcome = {status_from(s.text(5), path), s.text(6), s.text(7)};
+  t.hash = s.text(8), t.dt = s.number(9), t.n_steps = s.integer(10), t.n_contacts = s.integer(11);
+  r.n_cracks = s.integer(12), t.seconds = s.number(13);
+  r.host = s.text(14), r.program = s.text(15), r.finished = s.text(16);
+  return r;
+}
+
+void read_numbers(Database& database, StoredResult& r) {
+  Statement s(database,
+              "SELECT name, value, unit, definition, note FROM number WHERE key = ? ORDER BY place");
+  s.bind(r.key);
+  while (s.step()) r.result.numbers.push_back({s.text(0), s.number(1), s.text(2), s.text(3), s.text(4)});
+}
+
+void write_specimen(Database& database, const std::string& key, const std::string& recipe,
+                    const TestResult& t) {
+  Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
+                            ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
+  s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
+  s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
+  s.bind(t.seconds).bind(host_name()).bind("phyllite " PHY_VERSION).bind(utc_now());
+  s.bind_blob(deflated(history_csv(t.history))).bind_blob(deflated(cracks_csv(t.cracks)));
+  s.run();
+  if (database.n_changed() == 0) return;
+  Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");
+  std::int64_t place = 0;
+  for (const Number& n : t.numbers) {
+    number.bind(key).bind(n.name).bind(place++).bind(n.value).bind(n.unit).bind(n.definition).bind(n.note);
+    number.run();
+  }
+}
+
+}  // namespace
+
+Store::Store(const std::string& path) : database_(path), owner_(new_owner()) {
+  refuse_network(path);
+  make_tables();
+}
+
+Store::~Store() {
+  try {
+    release_all();
+  } catch (const std::exception&) {  // the lease ends by itself
+  }
+}
+
+void Store::make_tables() {
+  // Changing to WAL needs the file for oneself for a moment; SQLite does not wait for that by itself.
+  for (int i = 0;; ++i) {
+    try {
+      database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+      break;
+    } catch (const IoError& e) {
+      if (i == 100 || std::string(e.what()).find("locked") == std::string::npos) throw;
+      ::usleep(50000);
+    }
+  }
+  database_.transaction([&] {
+    Statement version(database_, "PRAGMA user_version");
+    version.step();
+    const std::int64_t found = version.integer(0);
+    Statement foreign(database_, "SELECT count(*) FROM sqlite_master");
+    foreign.step();
+    const bool empty = foreign.integer(0) == 0;
+    if (!empty && found != store_format)
+      throw IoError(database_.path() + ": " +
+                    (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
+                    "; this version reads format " + std::to_string(store_format));
+    if (empty)
+      database_.execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(store_format));
+  });
+}
+
+Claim Store::claim(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  Claim answer = Claim::mine;
+  database_.transaction([&] {
+    Statement row(database_, "SELECT 1 FROM specimen WHERE key = ?");
+    if (row.bind(key).step()) return void(answer = Claim::done);
+    Statement other(database_, "SELECT owner, until FROM claim WHERE key = ?");
+    if (other.bind(key).step()) {
+      const std::string owner = other.text(0);
+      const bool free = owner != owner_ && (other.number(1) < now() || is_dead(owner));
+      if (!free) return void(answer = Claim::elsewhere);
+    }
+    Statement take(database_, "INSERT OR REPLACE INTO claim VALUES (?, ?, ?)");
+    take.bind(key).bind(owner_).bind(now() + lease_seconds).run();
+  });
+  return answer;
+}
+
+void Store::renew() {
+  const std::lock_guard lock(mutex_);
+  Statement(database_, "UPDATE claim SET until = ? WHERE owner = ?")
+      .bind(now() + lease_seconds)
+      .bind(owner_)
+      .run();
+}
+
+void Store::release(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
+}
+
+void Store::release_all() {
+  const std::lock_guard lock(mutex_);
+  Statement(database_, "DELETE FROM claim WHERE owner = ?").bind(owner_).run();
+}
+
+void Store::put(const std::string& key, const std::string& recipe, const TestResult& result) {
+  PHY_CHECK(result.outcome.status != Status::interrupted, "an interrupted test is no result");
+  const std::lock_guard lock(mutex_);
+  database_.transaction([&] {
+    write_specimen(database_, key, recipe, result);
+    Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
+  });
+}
+
+std::optional<StoredResult> Store::find(const std::string& key) const {
+  const std::lock_guard lock(mutex_);
+  Statement s(database_,
+              std::string("SELECT ") + specimen_columns + ", history, cracks FROM specimen WHERE key = ?");
+  if (!s.bind(key).step()) return {};
+  StoredResult r = read_specimen(s, database_.path());
+  read_numbers(database_, r);
+  r.result.history = parse_history(inflated(s.blob(17), database_.path()), database_.path());
+  r.result.cracks = parse_cracks(inflated(s.blob(18), database_.path()), database_.path());
+  return r;
+}
+
+std::vector<StoredResult> Store::rows() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<StoredResult> all;
+  Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen ORDER BY key");
+  while (s.step()) {
+    all.push_back(read_specimen(s, database_.path()));
+    read_numbers(database_, all.back());
+  }
+  return all;
+}
+
+std::vector<std::optional<StoredResult>> Store::rows(const std::vector<std::string>& keys) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::optional<StoredResult>> found(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen WHERE key = ?");
+    if (!s.bind(keys[i]).step()) continue;
+    found[i] = read_specimen(s, database_.path());
+    read_numbers(database_, *found[i]);
+  }
+  return found;
+}
+
+std::size_t Store::size() const {
+  const std::lock_guard lock(mutex_);
+  Statement s(database_, "SELECT count(*) FROM specimen");
+  s.step();
+  return static_cast<std::size_t>(s.integer(0));
+}
+
+std::size_t Store::n_claimed() const {
+  const std::lock_guard lock(mutex_);
+  Statement s(database_, "SELECT owner FROM claim WHERE until >= ?");
+  s.bind(now());
+  std::size_t n = 0;
+  while (s.step()) n += is_dead(s.text(0)) ? 0 : 1;
+  return n;
+}
+
+std::string Store::hash() const {
+  const std::lock_guard lock(mutex_);
+  Hash h;
+  Statement s(database_, "SELECT key, status, result_hash FROM specimen ORDER BY key");
+  while (s.step())
+    for (const int column : {0, 1, 2}) h.add(s.text(column));
+  return h.text();
+}
+
+MergeReport Store::merge(const std::string& other_path) {
+  if (!std::filesystem::exists(other_path)) throw IoError(other_path + ": cannot be read: no such file");
+  { const Store check(other_path); }  // is it a store, and of this format?
+  const std::lock_guard lock(mutex_);
+  Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
+  MergeReport report;
+  database_.transaction([&] {
+    Statement clash(database_,
+                    "SELECT a.key FROM specimen a JOIN other.specimen b ON a.key = b.key "
+                    "WHERE a.result_hash <> b.result_hash OR a.status <> b.status ORDER BY a.key");
+    while (clash.step()) report.different.push_back(clash.text(0));
+    database_.execute(
+        "INSERT INTO number SELECT * FROM other.number WHERE key NOT IN (SELECT key FROM specimen)");
+    database_.execute(
+        "INSERT INTO specimen SELECT * FROM other.specimen WHERE key NOT IN (SELECT key FROM specimen)");
+    report.n_added = static_cast<std::size_t>(database_.n_changed());
+    Statement count(database_, "SELECT count(*) FROM other.specimen");
+    count.step();
+    report.n_known = static_cast<std::size_t>(count.integer(0)) - report.n_added;
+  });
+  database_.execute("DETACH DATABASE other");
+  return report;
+}
+
+}  // namespace phy

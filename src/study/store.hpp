@@ -1,0 +1,87 @@
+// The store of a study: one SQLite file (WAL mode), one row per finished specimen, keyed by the fingerprint
+// of its completed recipe (study/experiment.hpp). The same specimen therefore never runs twice, whatever
+// study, shard, process or calibration asks for it.
+//
+// Who runs what is settled by claims. A claim names its owner and lasts for `lease_seconds`; the owner renews
+// it while it works. A killed process loses only the specimens in flight: its claims are free at once where
+// the next process can see that the owner is dead (same machine), else when the lease runs out. A row is
+// written in one transaction together with the end of its claim, so that a half row cannot exist. Several
+// processes of one machine may share a store; over a network file system SQLite's locks cannot be trusted,
+// and such a store is refused: use shards and `merge` there.
+//
+// The tables (docs/formats.md) are plain SQL for anybody's tools. Histories and cracks are the CSV text of a
+// result folder, zlib-compressed.
+#pragma once
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/sqlite.hpp"
+#include "records/result.hpp"
+
+namespace phy {
+
+/// Version of the tables, kept as the file's user_version.
+constexpr int store_format = 1;
+constexpr double lease_seconds = 120.0;
+
+/// One finished specimen.
+struct StoredResult {
+  std::string key;     ///< fingerprint of `recipe`
+  std::string recipe;  ///< completed recipe of this one specimen, as TOML
+  TestResult result;   ///< without snapshots; history and cracks only from Store::find
+  std::int64_t n_cracks = 0;
+  std::string host, program, finished;  ///< where, by which version, when (UTC)
+};
+
+enum class Claim {
+  mine,      ///< this store object runs it now: put or release it
+  done,      ///< there is a row
+  elsewhere  ///< somebody is at it
+};
+
+struct MergeReport {
+  std::size_t n_added = 0, n_known = 0;
+  std::vector<std::string> different;  ///< keys whose results differ between the two stores; ours is kept
+};
+
+/// Safe to use from several threads.
+class Store {
+ public:
+  /// Opens or makes the store. Throws IoError: unreadable, no store, another format, network file system.
+  explicit Store(const std::string& path);
+  ~Store();
+
+  Claim claim(const std::string& key);
+  /// Prolongs all claims of this object. Call more often than lease_seconds.
+  void renew();
+  /// Gives unfinished claims back: one, or all of this object.
+  void release(const std::string& key);
+  void release_all();
+  /// Stores a finished specimen (not an interrupted one) and ends the claim. A row that is there stays.
+  void put(const std::string& key, const std::string& recipe, const TestResult& result);
+
+  /// The row with history and cracks.
+  std::optional<StoredResult> find(const std::string& key) const;
+  /// All rows in the order of their keys, without histories and cracks.
+  std::vector<StoredResult> rows() const;
+  /// Those of the given keys that are finished, in the given order, without histories and cracks.
+  std::vector<std::optional<StoredResult>> rows(const std::vector<std::string>& keys) const;
+  std::size_t size() const;
+  /// Specimens that living processes are at.
+  std::size_t n_claimed() const;
+  /// Fingerprint over keys, outcomes and result hashes; not over hosts, times or the order of arrival.
+  std::string hash() const;
+  /// Takes over the rows of another store that are missing here.
+  MergeReport merge(const std::string& other_path);
+
+ private:
+  void make_tables();
+  mutable std::mutex mutex_;
+  mutable Database database_;
+  std::string owner_;
+};
+
+}  // namespace phy

@@ -1,0 +1,254 @@
+// Does the store keep every bit, does nothing run twice, and what is lost when a process is killed?
+#include "study/store.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+TestResult some_result(int i) {
+  TestResult r;
+  r.name = "theta = 30 deg", r.intact = false, r.theta = 30.0;
+  r.outcome = {Status::peaked, "peak 1/3", ""};
+  r.numbers = {{"ucs", 1e8 / 3.0 + i, "Pa", "largest axial stress", ""},
+               {"E_tangent", std::numeric_limits<double>::quiet_NaN(), "Pa", "slope", "too few rows"},
+               {"A", 1.0, "1", "", "names are not sorted"}};
+  for (int k = 0; k < 300; ++k) {
+    HistoryRow row;
+    row.step = k, row.axial_strain = k / 3.0, row.axial_stress = std::sqrt(k) * 1e6, row.unbalanced = 1e-300;
+    r.history.rows.push_back(row);
+  }
+  CrackEvent c;
+  c.step = 4, c.time = 0.1 + i, c.a = 4000000000U, c.mode = CrackMode::shear, c.place = CrackPlace::bedding;
+  c.position = {0.1, -1e-17};
+  r.cracks = {c, c};
+  r.dt = 1e-7 / 3.0, r.n_steps = 1234567890123, r.n_contacts = 7, r.seconds = 1.5;
+  r.hash = "hash" + std::to_string(i);
+  return r;
+}
+
+class StoreTest : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("phyllite-store-" + std::to_string(::getpid()));
+  void SetUp() override { fs::remove_all(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+  std::string at(const char* name) const { return (folder / name).string(); }
+  std::string file() const { return at("study.sqlite"); }
+  static std::string message_of(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const IoError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+  /// A process of its own; it ends without any destructor, as if killed.
+  static pid_t start(const std::function<void()>& body) {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    try {
+      body();
+    } catch (...) {
+      ::_exit(9);
+    }
+    ::_exit(0);
+  }
+  static int wait_for(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+  }
+};
+
+TEST_F(StoreTest, GivesBackEveryBit) {
+  const TestResult in = some_result(1);
+  { Store(file()).put("k", "recipe text", in); }
+  const Store store(file());
+  const auto row = store.find("k");
+  ASSERT_TRUE(row);
+  const TestResult& out = row->result;
+  EXPECT_EQ(row->recipe, "recipe text");
+  EXPECT_EQ(row->n_cracks, 2);
+  EXPECT_THAT(row->program, HasSubstr("phyllite "));
+  EXPECT_EQ(out.name, in.name);
+  EXPECT_EQ(out.theta, in.theta);
+  EXPECT_EQ(out.outcome.reason, in.outcome.reason);
+  EXPECT_EQ(out.hash, in.hash);
+  EXPECT_EQ(out.dt, in.dt);
+  EXPECT_EQ(out.n_steps, in.n_steps);
+  ASSERT_EQ(out.numbers.size(), in.numbers.size());
+  for (std::size_t i = 0; i < in.numbers.size(); ++i) {
+    EXPECT_EQ(out.numbers[i].name, in.numbers[i].name);
+    EXPECT_EQ(out.numbers[i].unit, in.numbers[i].unit);
+    EXPECT_EQ(out.numbers[i].note, in.numbers[i].note);
+    if (i != 1) {
+      EXPECT_EQ(out.numbers[i].value, in.numbers[i].value);
+    }
+  }
+  EXPECT_TRUE(std::isnan(out.numbers[1].value));
+  EXPECT_EQ(hash_of(out), hash_of(in)) << "history and cracks, bit by bit";
+  EXPECT_FALSE(store.find("other"));
+  EXPECT_EQ(store.rows().size(), 1u);
+  EXPECT_EQ(store.rows().front().result.numbers.size(), 3u);
+  EXPECT_TRUE(store.rows().front().result.history.rows.empty());
+}
+
+TEST_F(StoreTest, ASpecimenIsGivenOutOnce) {
+  Store one(file()), two(file());
+  EXPECT_EQ(one.claim("k"), Claim::mine);
+  EXPECT_EQ(two.claim("k"), Claim::elsewhere);
+  EXPECT_EQ(one.claim("k"), Claim::elsewhere) << "it is running already";
+  EXPECT_EQ(two.n_claimed(), 1u);
+  one.release("k");
+  EXPECT_EQ(two.claim("k"), Claim::mine);
+  two.put("k", "r", some_result(1));
+  EXPECT_EQ(one.claim("k"), Claim::done);
+  EXPECT_EQ(one.n_claimed(), 0u);
+}
+
+TEST_F(StoreTest, TheFirstRowStays) {
+  Store store(file());
+  store.put("k", "r", some_result(1));
+  store.put("k", "r", some_result(2));
+  EXPECT_EQ(store.find("k")->result.hash, "hash1");
+  EXPECT_EQ(store.size(), 1u);
+}
+
+TEST_F(StoreTest, InterruptedTestsAreNoResults) {
+  TestResult r = some_result(1);
+  r.outcome.status = Status::interrupted;
+  EXPECT_THROW(Store(file()).put("k", "r", r), InternalError);
+}
+
+TEST_F(StoreTest, ClaimsOfAKilledProcessAreFreeAtOnce) {
+  const pid_t child = start([&] {
+    Store store(file());
+    store.claim("k");
+    store.put("done", "r", some_result(1));
+    ::raise(SIGKILL);
+  });
+  EXPECT_TRUE(WIFSIGNALED(wait_for(child)));
+  Store store(file());
+  EXPECT_EQ(store.n_claimed(), 0u);
+  EXPECT_EQ(store.claim("k"), Claim::mine);
+  EXPECT_EQ(store.claim("done"), Claim::done);
+}
+
+TEST_F(StoreTest, ClaimsFromElsewhereLastAsLongAsTheirLease) {
+  Store store(file());
+  const auto foreign = [&](double seconds) {
+    Database database(file());
+    Statement(database, "INSERT OR REPLACE INTO claim VALUES ('k', 'other boot|1|1|1', unixepoch() + ?)")
+        .bind(seconds)
+        .run();
+  };
+  foreign(30.0);
+  EXPECT_EQ(store.claim("k"), Claim::elsewhere);
+  foreign(-30.0);
+  EXPECT_EQ(store.claim("k"), Claim::mine);
+}
+
+TEST_F(StoreTest, RenewingProlongsTheLease) {
+  Store store(file());
+  store.claim("k");
+  Database database(file());
+  database.execute("UPDATE claim SET until = 1");
+  store.renew();
+  Statement until(database, "SELECT until > unixepoch() + 100 FROM claim");
+  ASSERT_TRUE(until.step());
+  EXPECT_EQ(until.integer(0), 1);
+}
+
+TEST_F(StoreTest, ManyProcessesNeverRunASpecimenTwice) {
+  constexpr int n_keys = 60, n_processes = 4;
+  std::vector<pid_t> children;
+  for (int p = 0; p < n_processes; ++p)
+    children.push_back(start([&, p] {
+      Store store(file());
+      std::ofstream log(at(("log" + std::to_string(p)).c_str()));
+      for (int i = 0; i < n_keys; ++i) {
+        const std::string key = "key" + std::to_string((i + 15 * p) % n_keys);
+        if (store.claim(key) != Claim::mine) continue;
+        log << key << std::endl;
+        store.put(key, "r", some_result(1));
+      }
+    }));
+  for (const pid_t child : children) EXPECT_EQ(wait_for(child), 0);
+  std::multiset<std::string> run;
+  for (int p = 0; p < n_processes; ++p) {
+    std::ifstream log(at(("log" + std::to_string(p)).c_str()));
+    for (std::string key; log >> key;) run.insert(key);
+  }
+  EXPECT_EQ(run.size(), n_keys);
+  EXPECT_EQ(std::set<std::string>(run.begin(), run.end()).size(), n_keys);
+  EXPECT_EQ(Store(file()).size(), n_keys);
+}
+
+TEST_F(StoreTest, HashDependsOnResultsOnly) {
+  Store a(at("a.sqlite")), b(at("b.sqlite"));
+  a.put("1", "r", some_result(1)), a.put("2", "r", some_result(2));
+  TestResult slow = some_result(1);
+  slow.seconds = 99.0;
+  b.put("2", "r", some_result(2)), b.put("1", "r", slow);
+  EXPECT_EQ(a.hash(), b.hash());
+  b.put("3", "r", some_result(3));
+  EXPECT_NE(a.hash(), b.hash());
+}
+
+TEST_F(StoreTest, MergeAddsWhatIsMissingAndTellsWhatDiffers) {
+  Store a(at("a.sqlite"));
+  a.put("1", "r", some_result(1)), a.put("2", "r", some_result(2));
+  {
+    Store b(at("b.sqlite"));
+    b.put("2", "r", some_result(22)), b.put("3", "r", some_result(3)), b.put("1", "r", some_result(1));
+  }
+  const MergeReport report = a.merge(at("b.sqlite"));
+  EXPECT_EQ(report.n_added, 1u);
+  EXPECT_EQ(report.n_known, 2u);
+  EXPECT_EQ(report.different, std::vector<std::string>{"2"});
+  EXPECT_EQ(a.find("3")->result.numbers.size(), 3u);
+  EXPECT_EQ(hash_of(a.find("3")->result), hash_of(some_result(3)));
+  EXPECT_EQ(a.find("2")->result.hash, "hash2");
+  EXPECT_THAT(message_of([&] { a.merge(at("none.sqlite")); }), HasSubstr("no such file"));
+  EXPECT_FALSE(fs::exists(at("none.sqlite")));
+}
+
+TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
+  fs::create_directories(folder);
+  std::ofstream(file()) << std::string(2000, 'x');
+  EXPECT_THAT(message_of([&] { Store s(file()); }), HasSubstr("no store or a damaged one"));
+  Database(at("foreign.sqlite")).execute("CREATE TABLE mine (x)");
+  EXPECT_THAT(message_of([&] { Store s(at("foreign.sqlite")); }), HasSubstr("is no store of phyllite"));
+  { Store s(at("new.sqlite")); }
+  Database(at("new.sqlite")).execute("PRAGMA user_version = 99");
+  EXPECT_THAT(message_of([&] { Store s(at("new.sqlite")); }), HasSubstr("has format 99"));
+  fs::create_directories(at("folder.sqlite"));
+  EXPECT_THAT(message_of([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
+}
+
+TEST_F(StoreTest, ADamagedHistoryIsTold) {
+  Store store(file());
+  store.put("k", "r", some_result(1));
+  Database(file()).execute("UPDATE specimen SET history = substr(history, 1, 100)");
+  EXPECT_THAT(message_of([&] { store.find("k"); }), HasSubstr("a history is damaged"));
+  EXPECT_EQ(store.rows().size(), 1u);
+}
+
+}  // namespace
+}  // namespace phy
