@@ -16,9 +16,9 @@
 #include <charconv>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "io/file.hpp"
+#include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy {
@@ -93,6 +93,32 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
   }
 }
 
+/// A parsed value without toml++.
+TomlValue tree_of(const toml::node& node) {
+  TomlValue v;
+  v.line = node.source().begin.line;
+  if (const auto* s = node.as_string())
+    v.kind = TomlValue::Kind::text, v.text = s->get();
+  else if (const auto* n = node.as_integer())
+    v.kind = TomlValue::Kind::integer, v.number = static_cast<double>(n->get()),
+    v.text = std::to_string(n->get());
+  else if (const auto* d = node.as_floating_point())
+    v.kind = TomlValue::Kind::number, v.number = d->get();
+  else if (const auto* b = node.as_boolean())
+    v.kind = TomlValue::Kind::boolean, v.number = b->get() ? 1.0 : 0.0;
+  else if (const auto* list = node.as_array()) {
+    v.kind = TomlValue::Kind::list;
+    for (const toml::node& item : *list) v.items.push_back(tree_of(item));
+  } else if (const auto* table = node.as_table()) {
+    v.kind = TomlValue::Kind::table;
+    for (const auto& [key, item] : *table) {
+      v.keys.push_back({std::string(key.str()), key.source().begin.line});
+      v.items.push_back(tree_of(item));
+    }
+  }
+  return v;
+}
+
 /// Walks the parsed table along the schema.
 class Reader {
  public:
@@ -143,23 +169,9 @@ class Reader {
     const toml::node* node = root_.get(name);
     return node != nullptr ? node->as_table() : nullptr;
   }
-  static std::string as_written(const toml::node& node) {
-    std::ostringstream s;
-    if (const auto* v = node.as_string())
-      s << '"' << v->get() << '"';
-    else if (const auto* n = node.as_integer())
-      s << n->get();
-    else if (const auto* d = node.as_floating_point())
-      s << print_number(d->get());
-    else if (const auto* b = node.as_boolean())
-      s << (b->get() ? "true" : "false");
-    else
-      s << (node.is_array() ? "a list" : node.is_table() ? "a table" : "a date");
-    return s.str();
-  }
   void tell(const toml::node& node, const std::string& path, const std::string& expected,
             const std::string& remedy) {
-    problems.push_back({at(node), path, as_written(node), expected, remedy});
+    problems.push_back({at(node), path, as_written(tree_of(node)), expected, remedy});
   }
 
   void check_keys(const toml::table& table, const std::string& name, const std::string& path) {
@@ -247,27 +259,10 @@ class Reader {
       if (read_value(f, item, path, value)) f.list(recipe_).push_back(value);
     }
   }
-  /// One number with its unit and range.
   bool read_value(const Field& f, const toml::node& node, const std::string& path, double& value) {
-    if (f.dimension != Dimension::none) {
-      const std::string text = node.is_string() ? node.as_string()->get() : as_written(node);
-      const Quantity q = node.is_string() || node.is_number() ? parse_quantity(text, f.dimension)
-                                                              : Quantity{false, 0.0, "is no quantity"};
-      if (!q.ok) return tell(node, path, range_text(f), q.problem), false;
-      value = q.value;
-    } else if (const auto* n = node.as_integer()) {
-      value = static_cast<double>(n->get());
-    } else if (const auto* d = node.as_floating_point(); d != nullptr && f.kind == FieldKind::number) {
-      value = d->get();
-    } else {
-      return tell(node, path, range_text(f),
-                  f.kind == FieldKind::integer ? "write a whole number" : "write a bare number"),
-             false;
-    }
-    const bool low = f.above_min ? !(value > f.min) : !(value >= f.min);
-    const bool high = f.below_max ? !(value < f.max) : !(value <= f.max);
-    if (low || high) return tell(node, path, range_text(f), ""), false;
-    return true;
+    std::string remedy;
+    if (take_value(f, tree_of(node), value, remedy)) return true;
+    return tell(node, path, range_text(f), remedy), false;
   }
   /// The defaults give a number of grains; a file that gives a porosity means it instead.
   void choose_number_or_porosity() {
@@ -352,22 +347,70 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
   }
 }
 
+/// The table of a whole text. Throws InputError where nothing can be read; else problems are added.
+toml::table parse_checked(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  scan(text, where, problems);
+  if (!problems.empty()) throw InputError(std::move(problems));
+  toml::parse_result result = parse_all(std::string(text), where, problems);
+  if (!result) throw InputError(std::move(problems));
+  return std::move(result).table();
+}
+
 }  // namespace
 
 Recipe parse_recipe(std::string_view text, const std::string& where) {
   std::vector<Problem> problems;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  scan(text, where, problems);
-  if (!problems.empty()) throw InputError(std::move(problems));
-  const toml::parse_result result = parse_all(std::string(text), where, problems);
-  if (!result) throw InputError(std::move(problems));
-  Reader reader(result.table(), where, std::move(problems));
+  const toml::table root = parse_checked(text, where, problems);
+  Reader reader(root, where, std::move(problems));
   Recipe recipe = reader.read();
   if (!reader.problems.empty()) throw InputError(std::move(reader.problems));
   return recipe;
 }
 
+TomlValue parse_toml(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  return tree_of(parse_checked(text, where, problems));
+}
+
 Recipe read_recipe(const std::string& path) { return parse_recipe(read_file(path), path); }
+
+const TomlValue* TomlValue::find(std::string_view key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (keys[i].name == key) return &items[i];
+  return nullptr;
+}
+
+std::string as_written(const TomlValue& v) {
+  switch (v.kind) {
+    case TomlValue::Kind::text: return '"' + v.text + '"';
+    case TomlValue::Kind::integer: return v.text;
+    case TomlValue::Kind::number: return print_number(v.number);
+    case TomlValue::Kind::boolean: return v.number != 0.0 ? "true" : "false";
+    case TomlValue::Kind::list: return "a list";
+    case TomlValue::Kind::table: return "a table";
+    case TomlValue::Kind::date: break;
+  }
+  return "a date";
+}
+
+bool take_value(const Field& f, const TomlValue& v, double& value, std::string& remedy) {
+  const bool numeric = v.kind == TomlValue::Kind::integer || v.kind == TomlValue::Kind::number;
+  if (f.dimension != Dimension::none) {
+    const std::string text = v.kind == TomlValue::Kind::text ? v.text : as_written(v);
+    const Quantity q = v.kind == TomlValue::Kind::text || numeric ? parse_quantity(text, f.dimension)
+                                                                  : Quantity{false, 0.0, "is no quantity"};
+    if (!q.ok) return remedy = q.problem, false;
+    value = q.value;
+  } else if (v.kind == TomlValue::Kind::integer || (numeric && f.kind == FieldKind::number)) {
+    value = v.number;
+  } else {
+    remedy = f.kind == FieldKind::integer ? "write a whole number" : "write a bare number";
+    return false;
+  }
+  const bool low = f.above_min ? !(value > f.min) : !(value >= f.min);
+  const bool high = f.below_max ? !(value < f.max) : !(value <= f.max);
+  return !low && !high;
+}
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }
 std::string commented_recipe(const Recipe& recipe) { return write(recipe, true); }

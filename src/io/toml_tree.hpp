@@ -1,0 +1,40 @@
+// A parsed TOML file as plain values with line numbers, for the readers of files other than recipes. Parser,
+// scan and messages are those of the recipe (toml_in.cpp, the only place that sees toml++).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/recipe_schema.hpp"
+
+namespace phy {
+
+struct TomlValue {
+  enum class Kind { text, integer, number, boolean, list, table, date };
+  struct Key {
+    std::string name;
+    std::size_t line = 0;
+  };
+  Kind kind = Kind::date;
+  std::string text;     ///< of a text; of an integer as written
+  double number = 0.0;  ///< also of an integer; a boolean is 0 or 1
+  std::size_t line = 0;
+  std::vector<Key> keys;         ///< of a table
+  std::vector<TomlValue> items;  ///< of a list, or the values belonging to `keys`
+
+  /// The value of a key of a table; nullptr if it is not there.
+  const TomlValue* find(std::string_view key) const;
+};
+
+/// The root table. Lines that are no TOML are told in `problems` and left out; throws InputError where
+/// nothing can be read.
+TomlValue parse_toml(std::string_view text, const std::string& where, std::vector<Problem>& problems);
+
+/// The value as it stands in the file, for messages.
+std::string as_written(const TomlValue& value);
+
+/// One number of a recipe key, with its unit and within its range. False: `remedy` says what to do (may be
+/// empty where range_text says it all).
+bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);
+
+}  // namespace phy
