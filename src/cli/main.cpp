@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   phy::add_verify_command(app, session);
   phy::add_recipe_command(app, session);
   phy::add_elastic_command(app, session);
+  phy::add_rock_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

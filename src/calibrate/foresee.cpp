@@ -1,0 +1,155 @@
+#include "calibrate/foresee.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "calibrate/parameters.hpp"
+#include "theory/eq1_fit.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double z_95 = 1.959964;
+
+/// Jointed rock with logarithmic moduli: the four numbers that the four micro-parameters act on.
+JointedRock rock_at(const Eigen::Vector4d& x) {
+  return {std::exp(x[0]), std::exp(x[2]), std::exp(x[3]), x[1]};
+}
+
+/// The curve through the table: Eq. 1 with everything free, or a guess of usual joints where it refuses.
+Eigen::Vector4d first_rock(const std::vector<Target>& targets) {
+  std::vector<ModulusReading> readings;
+  double stiffest = 0.0, nu = 0.25;
+  for (const Target& t : targets) {
+    if (t.property == Property::E)
+      readings.push_back({t.theta, t.mean}), stiffest = std::max(stiffest, t.mean);
+    if (t.property == Property::nu) nu = t.mean;
+  }
+  Eq1Options options;
+  options.reference = Eq1Reference::free;
+  const Eq1Fit fit = fit_eq1(readings, options);
+  if (fit.ok()) return {std::log(fit.rock.E), nu, std::log(fit.rock.K_n_delta), std::log(fit.rock.K_s_delta)};
+  return {std::log(stiffest), nu, std::log(2.0 * stiffest), std::log(stiffest)};
+}
+
+/// Standard deviations of log E, nu, log K_n, log K_s that the table can give, against the prior alone.
+Eigen::Vector4d expected_sd(const std::vector<Target>& targets, const Eigen::Vector4d& prior_sd) {
+  const Eigen::Vector4d x = first_rock(targets);
+  Eigen::Matrix4d information = prior_sd.array().square().inverse().matrix().asDiagonal();
+  for (const Target& t : targets) {
+    if (is_strength(t.property)) continue;
+    const bool modulus = t.property == Property::E;
+    const auto value = [&](const Eigen::Vector4d& y) {
+      return modulus ? std::log(goodman_E(rock_at(y), t.theta)) : goodman_nu(rock_at(y), t.theta);
+    };
+    Eigen::Vector4d slope;
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector4d h = 1e-4 * Eigen::Vector4d::Unit(i);
+      slope[i] = (value(x + h) - value(x - h)) / 2e-4;
+    }
+    const double se = modulus ? t.standard_error() / t.mean : t.standard_error();
+    information += slope * slope.transpose() / (se * se);
+  }
+  return information.inverse().diagonal().cwiseSqrt();
+}
+
+std::string elastic_test(const std::string& key) {
+  if (key == "matrix.ks_over_kn") return "Poisson's ratio, best at 0 and 90 degrees";
+  if (key == "bedding[0].k_n") return "E at 0 or 15 degrees";
+  if (key == "bedding[0].k_s") return "E between 30 and 60 degrees";
+  return "E at 90 degrees";
+}
+
+/// What the tests say about a strength parameter, by the kind and angle of the tests alone.
+struct Rule {
+  bool held;
+  std::string rests_on, next_test;
+};
+Rule strength_rule(const std::string& key, const std::vector<Target>& targets) {
+  bool ends = false, oblique = false, tension_0 = false, tension_90 = false;
+  for (const Target& t : targets) {
+    const bool tension = t.property == Property::direct_tension || t.property == Property::brazilian;
+    ends = ends || (t.property == Property::ucs && (t.theta <= 15.0 || t.theta >= 80.0));
+    oblique = oblique || (t.property == Property::ucs && t.theta >= 30.0 && t.theta <= 75.0);
+    tension_0 = tension_0 || (tension && t.theta <= 30.0);
+    tension_90 = tension_90 || (tension && t.theta >= 60.0);
+  }
+  if (key == "matrix.sigma_c") return {ends, "UCS near 0 or 90 degrees", "UCS at 0 and 90 degrees"};
+  if (key == "C_sj/tau_c") return {oblique, "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees"};
+  if (key == "sigma_n,sj/C_sj") return {tension_0, "tension across the bedding", "tension at 0 degrees"};
+  if (key == "tau_c/sigma_c")
+    return {ends && tension_90, "UCS against tension along the bedding", "tension at 90 degrees"};
+  if (key == "matrix.mu") return {false, "", "confined compression at 0 or 90 degrees"};
+  return {false, "", "confined compression at 45 to 60 degrees"};
+}
+
+}  // namespace
+
+std::vector<ParameterEstimate> foresee(const Rock& rock) {
+  const std::vector<Target> targets = targets_of(rock);
+  std::vector<ParameterEstimate> estimates;
+  const bool modulus = !of_property(targets, Property::E).empty();
+  Eigen::Vector4d prior;
+  for (int i = 0; i < 4; ++i) {
+    const Parameter& p = elastic_parameters()[static_cast<std::size_t>(i)];
+    prior[i] = i == 1 ? 0.15 : 0.5 * std::log(p.high / p.low);
+  }
+  const Eigen::Vector4d sd = modulus ? expected_sd(targets, prior) : prior;
+  for (int i = 0; i < 4; ++i) {
+    const Parameter& p = elastic_parameters()[static_cast<std::size_t>(i)];
+    if (p.joint && !rock.bedded) continue;
+    ParameterEstimate e;
+    e.key = p.key, e.symbol = p.symbol, e.unit = p.unit, e.box_low = p.low, e.box_high = p.high;
+    // nu against log(ks/kn): the uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2 per log
+    // q
+    const double in_log = i == 1 ? sd[i] / (4.0 * 0.3 / (3.3 * 3.3)) : sd[i];
+    e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
+    e.determined = modulus && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);
+    e.rests_on = i == 1 ? "nu" : "E";
+    if (!e.determined) e.next_test = elastic_test(p.key);
+    estimates.push_back(e);
+  }
+  for (const Parameter& p : strength_parameters()) {
+    if (p.joint && !rock.bedded) continue;
+    const Rule rule = strength_rule(p.key, targets);
+    ParameterEstimate e;
+    e.key = p.key, e.symbol = p.symbol, e.unit = p.unit, e.box_low = p.low, e.box_high = p.high;
+    e.determined = rule.held, e.rests_on = rule.rests_on;
+    if (!rule.held) e.next_test = rule.next_test;
+    e.low = e.high = std::nan("");
+    estimates.push_back(e);
+  }
+  return estimates;
+}
+
+std::vector<std::string> advice(const Rock& rock) {
+  const std::vector<Target> targets = targets_of(rock);
+  std::vector<std::string> lines;
+  for (int i = 0; i < n_properties; ++i) {
+    const auto property = static_cast<Property>(i);
+    const std::vector<Target> some = of_property(targets, property);
+    if (some.empty()) continue;
+    const auto assumed =
+        std::count_if(some.begin(), some.end(), [](const Target& t) { return t.sd_assumed; });
+    if (assumed > 0)
+      lines.push_back(fmt::format(
+          "{}: {} of {} cells have no scatter; {} is assumed for single specimens", to_string(property),
+          assumed, some.size(),
+          property == Property::nu ? "0.03" : fmt::format("{:g} %", 100.0 * some[0].sd / some[0].mean)));
+  }
+  const auto has = [&](Property p) { return !of_property(targets, p).empty(); };
+  if (!has(Property::E)) lines.emplace_back("no E: the elastic parameters stay those of the recipe");
+  if (!has(Property::ucs)) lines.emplace_back("no UCS: only the elastic stage can run");
+  const std::vector<Target> E = of_property(targets, Property::E);
+  if (rock.bedded && E.size() >= 2 && E.front().mean > E.back().mean && E.front().theta < E.back().theta)
+    lines.emplace_back(
+        "E falls from the lowest to the highest angle: joints can only soften a rock across its bedding; "
+        "check the convention (theta or beta)");
+  return lines;
+}
+
+}  // namespace phy

@@ -1,0 +1,181 @@
+// Rock files: what is read, what is told, and that everything wrong is told at once with its line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "io/rock_in.hpp"
+#include "io/table.hpp"
+
+namespace phy {
+namespace {
+
+using testing::AnyOf;
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class RockFile : public testing::Test {
+ protected:
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("phyllite-rock-" + std::to_string(::getpid()));
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return (folder / name).string();
+  }
+  Rock rock(const std::string& csv, const std::string& more = "") const {
+    write("r.csv", csv);
+    return read_rock(write("r.toml", "data = \"r.csv\"\n" + more));
+  }
+  /// All problems of a rock that must be refused, one per line.
+  std::vector<std::string> problems(const std::string& csv, const std::string& more = "") const {
+    std::vector<std::string> lines;
+    try {
+      rock(csv, more);
+    } catch (const InputError& e) {
+      for (const Problem& p : e.problems()) lines.push_back(to_line(p));
+    }
+    return lines;
+  }
+};
+
+const std::string good =
+    "theta [deg],E [GPa],UCS [MPa],UCS_sd [MPa],n\n0,23,105,5,3\n45,20,53,,3\n90,59,138,7,3\n";
+
+TEST_F(RockFile, ReadsValuesInSiWithMissingCells) {
+  const Rock r = rock(good);
+  ASSERT_THAT(r.readings, SizeIs(6));
+  EXPECT_TRUE(r.bedded);
+  EXPECT_EQ(r.readings[0].property, Property::E);
+  EXPECT_DOUBLE_EQ(r.readings[0].value, 23e9);
+  EXPECT_TRUE(std::isnan(r.readings[0].sd));
+  EXPECT_DOUBLE_EQ(r.readings[1].sd, 5e6);
+  EXPECT_EQ(r.readings[1].n, 3);
+  EXPECT_EQ(r.readings[5].line, 4);
+}
+
+TEST_F(RockFile, BothAngleConventionsAreOneRock) {
+  const Rock beta = rock("beta_deg,E_GPa\n90,23\n45,20\n0,59\n");
+  EXPECT_DOUBLE_EQ(beta.readings[0].theta, 0.0);
+  EXPECT_DOUBLE_EQ(beta.readings[2].theta, 90.0);
+  EXPECT_THAT(beta.notes, Contains(HasSubstr("theta = 90 deg - beta")));
+}
+
+TEST_F(RockFile, ByteOrderMarkWindowsLinesSemicolonsAndDecimalCommasAreReadAndSaid) {
+  const Rock r = rock("\xEF\xBB\xBFtheta [deg];E [GPa]\r\n0;23,5\r\n45;20,25\r\n90;59\r\n");
+  EXPECT_DOUBLE_EQ(r.readings[0].value, 23.5e9);
+  EXPECT_DOUBLE_EQ(r.readings[1].value, 20.25e9);
+  EXPECT_THAT(r.notes, Contains(HasSubstr("byte-order mark")));
+  EXPECT_THAT(r.notes, Contains(HasSubstr("Windows")));
+  EXPECT_THAT(r.notes, Contains(HasSubstr("decimal commas")));
+}
+
+TEST_F(RockFile, EverythingWrongIsToldAtOnceWithItsLine) {
+  const auto p =
+      problems("theta [deg],E [GPa],UCS [MPa]\n0,23,105\n120,20,53\n45,20 MPa,-4\n90,59,abc\n60,9\n",
+               "colour = \"grey\"\nelastic_reading = \"plain\"\n");
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:3: theta = 120 deg"), HasSubstr("mirror image of 60"))));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: e = 20 MPa"), HasSubstr("mixed units"))));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: ucs = -4 MPa"), HasSubstr("1 kPa <= strength"))));
+  EXPECT_THAT(p, Contains(HasSubstr("r.csv:5: ucs = abc")));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:6"), HasSubstr("2 cells"))));
+  EXPECT_THAT(p, Contains(HasSubstr("r.toml:2: colour")));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.toml:3"), HasSubstr("plane strain"))));
+}
+
+TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {
+  EXPECT_THAT(problems("theta [deg],E [GPa],E [MPa]\n0,23,23000\n45,20,20000\n90,59,59000\n"),
+              Contains(HasSubstr("its units are mixed: GPa and MPa")));
+  EXPECT_THAT(problems("theta [deg],E\n0,23\n45,20\n90,59\n"), Contains(HasSubstr("a unit in the header")));
+}
+
+TEST_F(RockFile, ABeddedRockNeedsThreeAnglesAnIsotropicOneNone) {
+  EXPECT_THAT(problems("theta [deg],E [GPa]\n0,23\n90,59\n0,24\n"),
+              Contains(HasSubstr("at least three angles")));
+  const Rock isotropic = rock("E [GPa],UCS [MPa]\n60,150\n62,140\n");
+  EXPECT_FALSE(isotropic.bedded);
+  EXPECT_THAT(isotropic.model.bedding, IsEmpty());
+}
+
+TEST_F(RockFile, RepeatedCellsFarApartAreRefused) {
+  const std::string csv = "theta [deg],UCS [MPa],UCS_sd [MPa]\n0,100,4\n45,50,4\n90,130,4\n0,121,4\n";
+  EXPECT_THAT(problems(csv), Contains(AllOf(HasSubstr("r.csv:5: UCS"), HasSubstr("line 2"))));
+  EXPECT_THAT(problems("theta [deg],UCS [MPa],UCS_sd [MPa]\n0,100,4\n45,50,4\n90,130,4\n0,119,4\n"),
+              IsEmpty());
+}
+
+TEST_F(RockFile, EmptyFilesAndDoubtfulDelimitersAreRefused) {
+  EXPECT_THAT(problems(""), Contains(HasSubstr("the file is empty")));
+  EXPECT_THAT(problems("theta [deg];E [GPa],UCS [MPa]\n0;23,105\n"), Contains(HasSubstr("one delimiter")));
+  EXPECT_THAT(problems("theta [deg],E [GPa]\n0,23,5\n45,20,2\n90,59,1\n"),
+              Contains(HasSubstr("decimal commas need semicolons")));
+  EXPECT_THAT(problems("theta [deg];E [GPa]\n0;23,5\n45;20.5\n90;59\n"), Contains(HasSubstr("not both")));
+  const std::string empty = write("empty.toml", "\n");
+  EXPECT_THROW(read_rock(empty), InputError);
+}
+
+TEST_F(RockFile, SeveralConfiningPressuresAskForOne) {
+  const std::string csv =
+      "theta [deg],confining [MPa],E [GPa]\n0,10,18\n45,10,21\n90,10,33\n0,50,20\n45,50,23\n90,50,34\n";
+  EXPECT_THAT(problems(csv), Contains(HasSubstr("at one confining pressure")));
+  EXPECT_THAT(rock(csv, "confining = \"50 MPa\"\n").readings, SizeIs(3));
+}
+
+TEST_F(RockFile, AnotherSizeMagnifiesTheModel) {
+  const Rock r = rock(good, "[specimen]\nwidth = \"50 mm\"\nheight = \"100 mm\"\n");
+  const Recipe paper;
+  EXPECT_DOUBLE_EQ(r.model.packing.radius_min, paper.packing.radius_min * 50.0 / 38.0);
+  EXPECT_EQ(r.model.packing.n_grains, paper.packing.n_grains);
+}
+
+TEST_F(RockFile, TheTemplateIsARockWithoutValues) {
+  write("new.csv", rock_table_template());
+  const std::string path = write("new.toml", rock_template("new"));
+  try {
+    read_rock(path);
+    FAIL() << "an empty table was accepted";
+  } catch (const InputError& e) {
+    ASSERT_THAT(e.problems(), SizeIs(1));
+    EXPECT_THAT(e.what(), HasSubstr("all cells are empty"));
+  }
+}
+
+// 100, 104 (n = 1 each): mean 102, SD sqrt(2*2^2/1) = 2.83; the angle with one row takes the pooled relative
+// SD.
+TEST_F(RockFile, ReplicatesBecomeOneTargetAndLendTheirScatter) {
+  const auto t =
+      of_property(targets_of(rock("theta [deg],UCS [MPa]\n0,100\n0,104\n45,50\n90,130\n")), Property::ucs);
+  ASSERT_THAT(t, SizeIs(3));
+  EXPECT_DOUBLE_EQ(t[0].mean, 102e6);
+  EXPECT_EQ(t[0].n, 2);
+  EXPECT_NEAR(t[0].sd, std::sqrt(8.0) * 1e6, 1.0);
+  EXPECT_NEAR(t[0].standard_error(), 2e6, 1.0);
+  EXPECT_NEAR(t[1].sd / t[1].mean, t[0].sd / t[0].mean, 1e-12);
+  EXPECT_FALSE(t[1].sd_assumed);
+}
+
+// Isotropic: E_2D = E/(1 - nu^2), nu_2D = nu/(1 - nu).
+TEST_F(RockFile, PlaneStrainIsConverted) {
+  const auto t = targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\n"));
+  EXPECT_NEAR(t[0].mean, 60e9 / (1.0 - 0.0625), 1.0);
+  EXPECT_NEAR(t[1].mean, 0.25 / 0.75, 1e-12);
+  EXPECT_THAT(problems("E [GPa]\n60\n", "elastic_reading = \"plane strain\"\n"),
+              Contains(HasSubstr("a column nu")));
+}
+
+TEST(TableText, QuotedCellsMayHoldTheDelimiter) {
+  const Table t = parse_table("a,b\n\"x, \"\"y\"\"\",2\n# comment\n\n", "t");
+  ASSERT_THAT(t.rows, SizeIs(1));
+  EXPECT_EQ(t.rows[0].cells[0], "x, \"y\"");
+  EXPECT_THAT(t.problems, IsEmpty());
+}
+
+}  // namespace
+}  // namespace phy

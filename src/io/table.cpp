@@ -1,0 +1,144 @@
+#include "io/table.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace phy {
+namespace {
+
+std::string trimmed(std::string_view s) {
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.front())) != 0) s.remove_prefix(1);
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.back())) != 0) s.remove_suffix(1);
+  return std::string(s);
+}
+
+/// Cells of a line; a quoted cell may hold the delimiter, and "" for a quote. False: quotes left open.
+bool split(std::string_view line, char delimiter, std::vector<std::string>& cells) {
+  std::string cell;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      cell += line[++i];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == delimiter && !quoted)
+      cells.push_back(trimmed(cell)), cell.clear();
+    else
+      cell += line[i];
+  }
+  cells.push_back(trimmed(cell));
+  return !quoted;
+}
+
+bool has_outside_quotes(std::string_view line, char wanted) {
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == wanted && !quoted) return true;
+  }
+  return false;
+}
+
+/// Digits, one comma, digits: a number of half of Europe.
+bool is_comma_number(const std::string& cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == 0 || comma == cell.npos || comma + 1 == cell.size()) return false;
+  return std::all_of(cell.begin(), cell.end(),
+                     [](char c) {
+                       return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '-' ||
+                              c == '+' || c == 'e' || c == 'E';
+                     }) &&
+         cell.find(',', comma + 1) == cell.npos;
+}
+bool is_point_number(std::string cell) {
+  std::replace(cell.begin(), cell.end(), ',', ';');
+  std::replace(cell.begin(), cell.end(), '.', ',');
+  return is_comma_number(cell);
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
+
+  Table read() {
+    if (text_.starts_with("\xEF\xBB\xBF")) {
+      text_.remove_prefix(3);
+      table_.notes.emplace_back("a byte-order mark at the beginning was skipped");
+    }
+    if (text_.find("\r\n") != text_.npos) table_.notes.emplace_back("line ends are those of Windows");
+    for (int number = 1; !text_.empty(); ++number) {
+      const std::size_t end = std::min(text_.find('\n'), text_.size());
+      take_line(text_.substr(0, end), number);
+      text_.remove_prefix(std::min(end + 1, text_.size()));
+    }
+    if (table_.header_line == 0)
+      table_.problems.push_back({where_, "", "", "a header line and at least one row", "the file is empty"});
+    else if (table_.rows.empty() && table_.problems.empty())
+      table_.problems.push_back({where_, "", "", "at least one row below the header", ""});
+    settle_decimals();
+    return std::move(table_);
+  }
+
+ private:
+  std::string_view text_;
+  std::string where_;
+  Table table_;
+  char delimiter_ = 0;
+
+  std::string at(int line) const { return where_ + ":" + std::to_string(line); }
+  void take_line(std::string_view line, int number) {
+    if (trimmed(line).empty() || line.front() == '#') return;
+    if (table_.header_line == 0) {
+      table_.header_line = number;
+      choose_delimiter(line);
+      split(line, delimiter_, table_.header);
+      return;
+    }
+    TableRow row{number, {}};
+    if (!split(line, delimiter_, row.cells)) {
+      table_.problems.push_back({at(number), "", trimmed(line.substr(0, 60)), "closed quotes", ""});
+    } else if (row.cells.size() != table_.header.size()) {
+      const bool commas = delimiter_ == ',' && row.cells.size() > table_.header.size();
+      table_.problems.push_back(
+          {at(number), "", std::to_string(row.cells.size()) + " cells",
+           std::to_string(table_.header.size()) + " cells, as in the header",
+           commas ? "decimal commas need semicolons between cells; text with commas needs quotes" : ""});
+    } else {
+      table_.rows.push_back(std::move(row));
+    }
+  }
+  void choose_delimiter(std::string_view header) {
+    std::string found;
+    for (const char c : {',', ';', '\t'})
+      if (has_outside_quotes(header, c)) found += c;
+    delimiter_ = found.empty() ? ',' : found.back();
+    if (found.size() > 1)
+      table_.problems.push_back({at(table_.header_line), "", trimmed(header.substr(0, 80)),
+                                 "one delimiter: comma, semicolon or tab",
+                                 "the header holds two of them; quote names that contain one"});
+  }
+  /// Turns decimal commas into points, where semicolons or tabs leave no doubt.
+  void settle_decimals() {
+    if (delimiter_ == ',') return;
+    int comma_line = 0, point_line = 0;
+    for (TableRow& row : table_.rows)
+      for (std::string& cell : row.cells) {
+        if (comma_line == 0 && is_comma_number(cell)) comma_line = row.line;
+        if (point_line == 0 && is_point_number(cell)) point_line = row.line;
+        if (is_comma_number(cell)) cell[cell.find(',')] = '.';
+      }
+    if (comma_line != 0 && point_line != 0)
+      table_.problems.push_back(
+          {at(std::max(comma_line, point_line)), "", "", "decimal commas or decimal points, not both",
+           "line " + std::to_string(std::min(comma_line, point_line)) + " writes the other"});
+    if (delimiter_ == ';')
+      table_.notes.emplace_back(comma_line != 0 ? "cells are separated by semicolons, with decimal commas"
+                                                : "cells are separated by semicolons");
+  }
+};
+
+}  // namespace
+
+Table parse_table(std::string_view text, const std::string& where) { return Reader(text, where).read(); }
+
+}  // namespace phy

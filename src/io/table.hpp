@@ -1,0 +1,31 @@
+// Tables of other people: text with a delimiter, as spreadsheets of any country write it.
+//
+// Read and told: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma.
+// Refused: a header whose delimiter could be two things, decimal points and decimal commas in one table, rows
+// with more or fewer cells than the header. Lines that begin with # are comments; empty lines are skipped.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.hpp"
+
+namespace phy {
+
+struct TableRow {
+  int line = 0;                    ///< in the file, from 1
+  std::vector<std::string> cells;  ///< without quotes and outer blanks; decimal points
+};
+
+struct Table {
+  int header_line = 0;
+  std::vector<std::string> header;
+  std::vector<TableRow> rows;      ///< every row as long as the header
+  std::vector<std::string> notes;  ///< how the text was understood
+  std::vector<Problem> problems;   ///< everything that could not be; the rest was read nevertheless
+};
+
+/// Never throws; `where` names the source in problems.
+Table parse_table(std::string_view text, const std::string& where);
+
+}  // namespace phy

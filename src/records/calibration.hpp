@@ -1,0 +1,62 @@
+// What a calibration leaves behind: estimates with intervals, comparison with the laboratory, verdict,
+// identifiability. Plain data, SI units.
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "records/rock.hpp"
+
+namespace phy {
+
+/// What the data say about one parameter. `low`, `high`: 95 % interval within the box of admissible values.
+struct ParameterEstimate {
+  std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"
+  std::string symbol;  ///< "E_c"
+  std::string unit;    ///< "Pa", "Pa/m", "1"
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double low = 0.0, high = 0.0;
+  double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
+  bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
+  std::string rests_on;     ///< the data that pin it, or what stands in for them
+  std::string next_test;    ///< the laboratory test that would pin it; empty if determined
+};
+
+/// One row of the macro table: laboratory beside model.
+struct Comparison {
+  Target target;
+  double mean = std::numeric_limits<double>::quiet_NaN();  ///< of the model over packings
+  double sd = std::numeric_limits<double>::quiet_NaN();    ///< between packings
+  double low = std::numeric_limits<double>::quiet_NaN();   ///< 95 % interval of the rock's value by the fit
+  double high = std::numeric_limits<double>::quiet_NaN();
+  int n_packings = 0;
+  double error() const { return mean / target.mean - 1.0; }
+};
+
+enum class VerdictStatus { calibrated, calibrated_except, out_of_reach, interrupted };
+const char* to_string(VerdictStatus status);
+
+/// The answer in words; `findings` name each limit with numbers.
+struct Verdict {
+  VerdictStatus status = VerdictStatus::calibrated;
+  std::vector<std::string> findings;
+};
+
+/// Everything `phyllite calibrate` found.
+struct Calibration {
+  std::string rock;
+  Recipe recipe;  ///< the calibrated model, ready to run
+  std::vector<ParameterEstimate> parameters;
+  std::vector<Comparison> fitted;        ///< on the packings of the fit
+  std::vector<Comparison> verification;  ///< on packings that the fit has not seen
+  std::vector<Comparison> left_out;      ///< each angle predicted from the others
+  Verdict verdict;
+  std::vector<std::string> notes;
+  std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included
+  std::int64_t n_coarse_tests = 0;    ///< of these, with magnified grains
+  std::int64_t n_elastic = 0;         ///< direct elastic solutions
+  double seconds = 0.0;
+};
+
+}  // namespace phy

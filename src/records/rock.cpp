@@ -1,0 +1,116 @@
+#include "records/rock.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace phy {
+namespace {
+
+constexpr double same_angle = 1e-6;  // [deg]
+
+/// Scatter where nothing is known: relative for moduli and strengths, absolute for nu.
+double usual_scatter(Property p) {
+  if (p == Property::nu) return 0.03;
+  return p == Property::direct_tension || p == Property::brazilian ? 0.15 : 0.05;
+}
+
+/// Sums of squared deviations inside and between the rows of a cell, and their degrees of freedom.
+struct Pool {
+  double squares = 0.0;
+  int degrees = 0;
+};
+
+Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
+  Pool pool;
+  for (const RockReading* r : rows) {
+    if (std::isfinite(r->sd)) {
+      const int degrees = std::max(1, r->n - 1);
+      pool.squares += degrees * r->sd * r->sd, pool.degrees += degrees;
+    }
+    pool.squares += r->n * (r->value - mean) * (r->value - mean);
+  }
+  pool.degrees += static_cast<int>(rows.size()) - 1;
+  return pool;
+}
+
+/// 1/E_2D = 1/E_theta - nu^2/E, nu_2D/E_2D = nu_theta/E_theta + nu^2/E, with E and nu of the rock along its
+/// bedding: the out-of-plane strain is held by the rock between the joints, which add nothing there.
+void to_plane_stress(std::vector<Target>& targets) {
+  const auto nearest_90 = [&](Property p) {
+    const Target* best = nullptr;
+    for (const Target& t : targets)
+      if (t.property == p && (best == nullptr || t.theta > best->theta)) best = &t;
+    return best;
+  };
+  const Target *e = nearest_90(Property::E), *nu = nearest_90(Property::nu);
+  if (e == nullptr || nu == nullptr) return;
+  const double held = nu->mean * nu->mean / e->mean;
+  std::map<double, double> E_2D, E_lab;
+  for (const Target& t : targets)
+    if (t.property == Property::E) E_lab[t.theta] = t.mean, E_2D[t.theta] = 1.0 / (1.0 / t.mean - held);
+  for (Target& t : targets) {
+    const auto at = E_lab.find(t.theta);
+    if (at == E_lab.end()) continue;
+    if (t.property == Property::E) {
+      t.sd *= E_2D[t.theta] / t.mean, t.mean = E_2D[t.theta];
+    } else if (t.property == Property::nu) {
+      t.mean = E_2D[t.theta] * (t.mean / at->second + held);
+    }
+  }
+}
+
+}  // namespace
+
+const char* to_string(Property property) {
+  constexpr std::array<const char*, n_properties> names = {"E", "nu", "UCS", "DTS", "BTS"};
+  return names[static_cast<std::size_t>(property)];
+}
+
+bool is_strength(Property property) { return property != Property::E && property != Property::nu; }
+
+double Target::standard_error() const { return sd / std::sqrt(static_cast<double>(n)); }
+
+std::vector<Target> targets_of(const Rock& rock) {
+  std::map<std::pair<Property, long>, std::vector<const RockReading*>> cells;
+  for (const RockReading& r : rock.readings)
+    if (r.confining == 0.0 || !is_strength(r.property))
+      cells[{r.property, std::lround(r.theta / same_angle)}].push_back(&r);
+  std::vector<Target> targets;
+  std::map<Property, Pool> pooled;  // relative, but absolute for nu
+  std::vector<Pool> own;
+  for (const auto& [key, rows] : cells) {
+    Target t;
+    t.property = key.first, t.theta = rows.front()->theta, t.n = 0;
+    for (const RockReading* r : rows) t.mean += r->n * r->value, t.n += r->n;
+    t.mean /= t.n;
+    own.push_back(pool_of(rows, t.mean));
+    const double scale = t.property == Property::nu ? 1.0 : t.mean * t.mean;
+    pooled[t.property].squares += own.back().squares / scale;
+    pooled[t.property].degrees += own.back().degrees;
+    targets.push_back(t);
+  }
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    Target& t = targets[i];
+    const Pool& all = pooled[t.property];
+    const double scale = t.property == Property::nu ? 1.0 : t.mean;
+    t.sd = own[i].degrees > 0 ? std::sqrt(own[i].squares / own[i].degrees)
+           : all.degrees > 0  ? scale * std::sqrt(all.squares / all.degrees)
+                              : 0.0;
+    t.sd_assumed = !(t.sd > 0.0);
+    if (t.sd_assumed) t.sd = scale * usual_scatter(t.property);
+  }
+  if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);
+  return targets;
+}
+
+std::vector<Target> of_property(const std::vector<Target>& targets, Property property) {
+  std::vector<Target> some;
+  for (const Target& t : targets)
+    if (t.property == property) some.push_back(t);
+  return some;
+}
+
+}  // namespace phy

@@ -1,0 +1,68 @@
+// A rock as the laboratory saw it: the table of tests, and what the model takes as given.
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "records/recipe.hpp"
+
+namespace phy {
+
+/// What a laboratory measures on a specimen at one inclination of the bedding.
+enum class Property {
+  E,               ///< modulus of deformation [Pa]
+  nu,              ///< apparent Poisson's ratio [-]
+  ucs,             ///< uniaxial compressive strength [Pa]
+  direct_tension,  ///< direct tensile strength [Pa]
+  brazilian        ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+};
+constexpr int n_properties = 5;
+
+/// "E", "nu", "UCS", "DTS", "BTS": the names of the columns.
+const char* to_string(Property property);
+bool is_strength(Property property);
+
+/// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
+enum class ElasticReading { plane_stress, plane_strain };
+
+/// One cell of the table.
+struct RockReading {
+  Property property = Property::E;
+  double theta = 0.0;  ///< [deg] inclination of the bedding, load along y, 0 ... 90; 0 without bedding
+  double value = 0.0;  ///< SI
+  double sd = std::numeric_limits<double>::quiet_NaN();  ///< of single specimens, NaN: not given
+  int n = 1;                                             ///< specimens behind the value
+  double confining = 0.0;                                ///< [Pa]
+  int line = 0;                                          ///< of the table
+};
+
+/// All cells of one property and angle together.
+struct Target {
+  Property property = Property::E;
+  double theta = 0.0;  ///< [deg]
+  double mean = 0.0;   ///< SI
+  double sd = 0.0;     ///< scatter of single specimens, SI, > 0
+  int n = 1;           ///< specimens
+  bool sd_assumed = false;
+  double standard_error() const;  ///< sd/sqrt(n)
+};
+
+struct Rock {
+  std::string name;
+  bool bedded = true;
+  ElasticReading reading = ElasticReading::plane_stress;
+  Recipe model;  ///< everything that is not calibrated: specimen, packing, bedding geometry, test, engine
+  std::vector<RockReading> readings;  ///< in the order of the table
+  std::vector<std::string> notes;     ///< how the files were understood, for the user to see
+};
+
+/// One target per property and angle, ordered by property, then angle. Replicates are averaged, weighted by
+/// n. Their scatter: SDs pooled with the spread between rows; where a cell has neither, the pooled relative
+/// scatter of the property at other angles; where there is none at all, 5 % (strengths in tension 15 %,
+/// nu 0.03). Moduli are converted to plane stress if `reading` says so.
+std::vector<Target> targets_of(const Rock& rock);
+
+/// The targets of one property.
+std::vector<Target> of_property(const std::vector<Target>& targets, Property property);
+
+}  // namespace phy
