@@ -17,6 +17,7 @@ void add_specimen_command(CLI::App& app, Session& session);
 void add_verify_command(CLI::App& app, Session& session);
 void add_recipe_command(CLI::App& app, Session& session);
 void add_rock_command(CLI::App& app, Session& session);
+void add_contact_command(CLI::App& app, Session& session);
 
 /// Cores that this process may use.
 int available_cores();

@@ -52,7 +52,7 @@ void add_verify_command(CLI::App& app, Session& session) {
                                "run `phyllite verify` to see all"});
     if (only->empty())
       fmt::print(
-          "{}Not yet present: V9 (dashpots), V13 as a tension test, V16 (a unit test of genesis), V20 "
+          "{}Not yet present: V13 as a tension test, V16 (a unit test of genesis), V20 "
           "(direct shear).\n",
           *markdown ? "\n" : "");
     fmt::print("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);

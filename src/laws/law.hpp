@@ -13,6 +13,8 @@
 // physics: Cundall & Strack 1979), so a law needs no vectors, and a rigid rotation of the pair gives no
 // motion.
 #pragma once
+#include <span>
+
 #include "base/pack.hpp"
 
 namespace phy {

@@ -123,6 +123,28 @@ TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
   EXPECT_EQ(run("recipe " + (folder / "t.toml").string()), 0);
 }
 
+TEST_F(Cli, ContactShowsALawBesideItsClosedForm) {
+  ASSERT_EQ(run("contact"), 0);
+  EXPECT_THAT(output, HasSubstr("sj_da"));
+  const std::string path = write("path.csv", "closure [m],slide [m],rotation [rad]\n1e-6,0,0\n1e-6,8e-6,0\n");
+  ASSERT_EQ(
+      run("contact linear --set mu=0.5 --set \"k_n=40e9 N/m\" --steps 4 --path " + path + " --out " + out()),
+      0)
+      << output;
+  std::ifstream in(out());
+  std::string line, last;
+  while (std::getline(in, line)) last = line;
+  EXPECT_THAT(last, HasSubstr(",40000,-20000,0,40000,-20000,0,"));  // mu k_n closure, stepped and exact
+  EXPECT_EQ(run("contact rubber"), 2);
+  EXPECT_THAT(output, HasSubstr("smooth_joint"));
+  EXPECT_EQ(run("contact linear --set k_n=5 --to \"1, 2 um\""), 2);
+  EXPECT_THAT(output, HasSubstr("--set k_n = 5: expected 1000 to 1e+15 N/m"));
+  EXPECT_THAT(output, HasSubstr("1 has no unit"));
+  write("bad.csv", "closure [m],slide [m],rotation [rad]\n1e-6;0;0\n");
+  EXPECT_EQ(run("contact linear --path " + (folder / "bad.csv").string()), 2);
+  EXPECT_THAT(output, HasSubstr("bad.csv:2"));
+}
+
 TEST_F(Cli, ExamplesAreValid) {
   for (const char* name : {"press", "press-crossing", "press-area"})
     EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0)

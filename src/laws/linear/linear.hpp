@@ -66,4 +66,18 @@ inline constexpr ParameterInfo schema[] = {
     {"mu", "1", 0.0, 10.0, 0.8, "fric", "friction coefficient"},
 };
 
+/// The law as the list sees it: one contact with its parameters in the order of the schema.
+template <class R>
+struct Contact {
+  static constexpr const char* name = "linear";
+  static constexpr const char* sentence = "springs that push and slip";
+  static constexpr std::span<const ParameterInfo> parameters = schema;
+  Parameters<R> p;
+  State<R> s{R(0)};
+  explicit Contact(std::span<const double> v) : p{R(v[0]), R(v[1]), R(1.0 / v[1]), R(v[2])} {}
+  Reaction<R> step(const Motion<R>& m) { return respond(p, s, m); }
+  R energy(const Motion<R>&, const Reaction<R>& r) const { return strain_energy(p, r.F_n, r.F_s); }
+  R capacity() const { return R(0); }
+};
+
 }  // namespace phy::linear

@@ -91,4 +91,19 @@ inline constexpr ParameterInfo schema[] = {
     {"capacity", "N/m", 1e-3, 1e12, 40e3, "pb_ten * A", "tensile capacity"},
 };
 
+/// The law as the list sees it: one bond with its parameters in the order of the schema.
+template <class R>
+struct Contact {
+  static constexpr const char* name = "parallel_bond";
+  static constexpr const char* sentence = "cement that carries tension, shear and bending until it breaks";
+  static constexpr std::span<const ParameterInfo> parameters = schema;
+  Parameters<R> p;
+  State<R> s;
+  explicit Contact(std::span<const double> v)
+      : p{R(v[0]), R(v[1]), R(v[2]), R(v[3]), R(v[4]), R(v[5]), R(0)}, s{R(0), R(v[6])} {}
+  Reaction<R> step(const Motion<R>& m) { return respond(p, s, m); }
+  R energy(const Motion<R>&, const Reaction<R>& r) const { return strain_energy(p, r.F_n, r.F_s, r.M); }
+  R capacity() const { return s.capacity; }
+};
+
 }  // namespace phy::parallel_bond

@@ -121,4 +121,19 @@ inline constexpr ParameterInfo schema[] = {
     {"capacity", "N/m", 1e-3, 1e12, 6e3, "sj_ten * A", "tensile capacity"},
 };
 
+/// The law as the list sees it: one joint with its parameters in the order of the schema.
+template <class R>
+struct Contact {
+  static constexpr const char* name = "smooth_joint";
+  static constexpr const char* sentence = "a bedding plane: bonded, then sliding with friction and dilation";
+  static constexpr std::span<const ParameterInfo> parameters = schema;
+  Parameters<R> p;
+  State<R> s;
+  explicit Contact(std::span<const double> v)
+      : p{R(v[0]), R(v[1]), R(v[2]), R(v[3]), R(v[4]), R(v[5]), R(0)}, s{R(0), R(0), R(v[6]), R(0)} {}
+  Reaction<R> step(const Motion<R>& m) { return respond(p, s, m); }
+  R energy(const Motion<R>&, const Reaction<R>& r) const { return strain_energy(p, r.F_n, r.F_s); }
+  R capacity() const { return s.capacity; }
+};
+
 }  // namespace phy::smooth_joint
