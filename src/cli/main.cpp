@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   phy::add_contact_command(app, session);
   phy::add_elastic_command(app, session);
   phy::add_rock_command(app, session);
+  phy::add_show_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,28 +1,14 @@
 #include "genesis/specimen.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "base/check.hpp"
 #include "genesis/bedding.hpp"
 #include "genesis/bond.hpp"
+#include "records/test_record.hpp"
 
 namespace phy {
-namespace {
-
-/// Shortest decimal that reads back as the same number: "30", "22.5".
-std::string shortest(double x) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
-  return {text.data(), end};
-}
-
-std::string name_of(double theta) { return "theta = " + shortest(theta) + " deg"; }
-
-}  // namespace
-
 Specimen make_specimen(std::shared_ptr<const Packing> packing, const MatrixRecipe& matrix,
                        std::vector<BeddingRecipe> bedding, std::string name) {
   PHY_CHECK(packing != nullptr, "a specimen is made from a packing");
@@ -56,9 +42,9 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
                              "angles of a bedding", "add a [[bedding]] set or leave the angles out"});
   std::vector<Specimen> specimens;
   for (const double theta : recipe.test.angles)
-    specimens.push_back(make_specimen(packing, recipe.matrix, turned(bedding, theta), name_of(theta)));
+    specimens.push_back(make_specimen(packing, recipe.matrix, turned(bedding, theta), specimen_name(theta)));
   if (recipe.test.angles.empty() && !bedding.empty())
-    specimens.push_back(make_specimen(packing, recipe.matrix, bedding, name_of(bedding[0].theta)));
+    specimens.push_back(make_specimen(packing, recipe.matrix, bedding, specimen_name(bedding[0].theta)));
   if (recipe.test.intact || bedding.empty())
     specimens.push_back(make_specimen(packing, recipe.matrix, {}, "intact"));
   return specimens;

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "io/scene.hpp"
 #include "io/toml_in.hpp"
 #include "io/vtk.hpp"
 #include "records/recipe_schema.hpp"
@@ -56,57 +57,23 @@ Json recipe_json(const Recipe& recipe) {
   return j;
 }
 
-Json packing_json(const Packing& p) {
-  const PackingReport& r = p.report;
-  return {{"hash", p.hash},
-          {"n_grains", p.discs.size()},
-          {"porosity", r.porosity},
-          {"coordination", r.coordination},
-          {"fabric", r.fabric},
-          {"stress_left [Pa]", r.stress_left},
-          {"n_floaters", r.n_floaters},
-          {"mean_overlap", r.mean_overlap},
-          {"unbalanced", r.unbalanced},
-          {"stress_free", p.stress_free}};
+Json packing_json(const TestRecord& record) {
+  const PackingReport& r = record.packing;
+  return {{"hash", record.packing_hash}, {"n_grains", record.n_grains},
+          {"porosity", r.porosity},      {"coordination", r.coordination},
+          {"fabric", r.fabric},          {"stress_left [Pa]", r.stress_left},
+          {"n_floaters", r.n_floaters},  {"mean_overlap", r.mean_overlap},
+          {"unbalanced", r.unbalanced},  {"stress_free", record.stress_free}};
 }
 
-Json bedding_json(const Specimen& specimen) {
-  PHY_CHECK(specimen.bedding.size() == specimen.bedding_report.size(), "every bedding set has its report");
+Json bedding_json(const std::vector<BeddingRecord>& bedding) {
   Json j = Json::array();
-  for (std::size_t i = 0; i < specimen.bedding.size(); ++i) {
-    const BeddingReport& b = specimen.bedding_report[i];
-    j.push_back({{"theta [deg]", specimen.bedding[i].theta},
-                 {"overlap_ratio", b.overlap_ratio},
-                 {"bridge_fraction", b.bridge_fraction},
-                 {"non_crossing_fraction", b.non_crossing_fraction}});
-  }
+  for (const BeddingRecord& b : bedding)
+    j.push_back({{"theta [deg]", b.theta},
+                 {"overlap_ratio", b.report.overlap_ratio},
+                 {"bridge_fraction", b.report.bridge_fraction},
+                 {"non_crossing_fraction", b.report.non_crossing_fraction}});
   return j;
-}
-
-std::string result_json(const Recipe& recipe, const std::string& version, const Specimen& specimen,
-                        const TestResult& result) {
-  Json j;
-  j["format"] = result_format;
-  j["program"] = "phyllite " + version;
-  j["specimen"] = result.name;
-  if (!result.intact) j["theta [deg]"] = result.theta;
-  j["outcome"] = {{"status", to_string(result.outcome.status)},
-                  {"reason", result.outcome.reason},
-                  {"advice", result.outcome.advice}};
-  j["numbers"] = Json::object();
-  for (const Number& n : result.numbers) j["numbers"][n.name] = number_json(n);
-  j["packing"] = packing_json(*specimen.packing);
-  j["bedding"] = bedding_json(specimen);
-  j["run"] = {{"dt [s]", result.dt},
-              {"n_steps", result.n_steps},
-              {"n_contacts", result.n_contacts},
-              {"n_cracks", result.cracks.size()},
-              {"cpu_seconds", result.seconds},
-              {"platen_speed [m/s]", recipe.test.platen_speed}};
-  j["result_hash"] = result.hash;
-  j["recipe"] = write_recipe(recipe);
-  j["recipe_values"] = recipe_json(recipe);
-  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& result) {
@@ -126,6 +93,32 @@ void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& 
 
 }  // namespace
 
+std::string result_json(const TestRecord& record) {
+  const TestResult& result = record.result;
+  Json j;
+  j["format"] = result_format;
+  j["program"] = record.program;
+  j["specimen"] = result.name;
+  if (!result.intact) j["theta [deg]"] = result.theta;
+  j["outcome"] = {{"status", to_string(result.outcome.status)},
+                  {"reason", result.outcome.reason},
+                  {"advice", result.outcome.advice}};
+  j["numbers"] = Json::object();
+  for (const Number& n : result.numbers) j["numbers"][n.name] = number_json(n);
+  j["packing"] = packing_json(record);
+  j["bedding"] = bedding_json(record.bedding);
+  j["run"] = {{"dt [s]", result.dt},
+              {"n_steps", result.n_steps},
+              {"n_contacts", result.n_contacts},
+              {"n_cracks", result.cracks.size()},
+              {"cpu_seconds", result.seconds},
+              {"platen_speed [m/s]", record.recipe.test.platen_speed}};
+  j["result_hash"] = result.hash;
+  j["recipe"] = write_recipe(record.recipe);
+  j["recipe_values"] = recipe_json(record.recipe);
+  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result) {
   NewFolder place(folder, "result.json", "result");
@@ -133,7 +126,9 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   place.add("history.csv", history_csv(result.history));
   place.add("cracks.csv", cracks_csv(result.cracks));
   add_snapshots(place, *specimen.packing, result);
-  place.add("result.json", result_json(recipe, version, specimen, result));
+  const TestRecord record = record_of(recipe, version, specimen, result);
+  place.add("scene.bin", pack_scene(record.scene));
+  place.add("result.json", result_json(record));
   place.publish();
 }
 

@@ -8,13 +8,17 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
+#include "records/test_record.hpp"
 
 namespace phy {
 
 /// Version of the result folder's layout, stored in every result.json.
 constexpr int result_format = 1;
 
-/// Writes a result folder: result.json, history.csv, cracks.csv, recipe.toml, snapshots for ParaView.
+/// The text of a result.json.
+std::string result_json(const TestRecord& record);
+
+/// Writes a result folder: result.json, history.csv, cracks.csv, recipe.toml, snapshots for ParaView, scene.
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result);
 

@@ -72,6 +72,20 @@ TEST_F(Cli, RunLeavesCompleteResults) {
   }
 }
 
+TEST_F(Cli, ShowPrintsWhatRunPrinted) {
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  const std::string table =
+      output.substr(output.find(" theta"), output.rfind("intact") - output.find(" theta"));
+  EXPECT_EQ(run("show " + out()), 0);
+  EXPECT_THAT(output, HasSubstr(table));
+  fs::remove_all(fs::path(out()) / "intact");
+  EXPECT_EQ(run("show " + out()), 1);
+  EXPECT_THAT(output, HasSubstr("intact: missing"));
+  EXPECT_EQ(run("show " + out() + "/theta___45_deg"), 0);
+  EXPECT_EQ(run("show " + folder.string()), 2);
+  EXPECT_EQ(run("show /nonexistent"), 3);
+}
+
 TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
   const std::string bad = write("bad.toml", "[specimen]\nwidht = \"8 mm\"\nheight = 16\n");
   EXPECT_EQ(run("run " + bad + " --out " + out()), 2);

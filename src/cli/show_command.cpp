@@ -1,0 +1,37 @@
+// `phyllite show RESULT`: the tables of a result, read back from its folder.
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "io/load.hpp"
+#include "report/tables.hpp"
+
+namespace phy {
+namespace {
+
+int show(const std::string& path, const Session& session) {
+  const RunRecord run = read_run(path);
+  const TestRecord& first = run.tests.front();
+  std::vector<TestResult> results;
+  bool all_peaked = run.missing.empty();
+  for (const TestRecord& t : run.tests) {
+    results.push_back(t.result);
+    all_peaked = all_peaked && t.result.outcome.status == Status::peaked;
+  }
+  fmt::print("recipe    {} ({})\n", first.recipe.name, first.program);
+  fmt::print("packing   {} discs, porosity {:.4f}, coordination {:.3f}\n\n", first.n_grains,
+             first.packing.porosity, first.packing.coordination);
+  fmt::print("{}\n{}", press_table(results, session.terminal_width), outcome_lines(results));
+  for (const MissingTest& m : run.missing) fmt::print("{}: missing: {}\n", m.name, m.reason);
+  return all_peaked ? 0 : 1;
+}
+
+}  // namespace
+
+void add_show_command(CLI::App& app, Session& session) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("show", "print the tables of a result");
+  verb->add_option("result", *path, "folder that `phyllite run` wrote, or one specimen of it")->required();
+  verb->callback([path, &session] { session.exit_code = show(*path, session); });
+}
+
+}  // namespace phy

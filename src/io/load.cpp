@@ -1,0 +1,149 @@
+#include "io/load.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+#include "io/csv.hpp"
+#include "io/file.hpp"
+#include "io/scene.hpp"
+#include "io/store.hpp"
+#include "io/toml_in.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+double number(const Json& j) { return j.is_number() ? j.get<double>() : not_known; }
+
+Status status_of(const std::string& text) {
+  for (const Status s : {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable})
+    if (text == to_string(s)) return s;
+  return Status::interrupted;
+}
+
+void read_numbers(const Json& j, TestRecord& record) {
+  for (const auto& [name, n] : j.at("numbers").items())
+    record.result.numbers.push_back(
+        {name, number(n.at("value")), n.at("unit"), n.at("definition"), n.value("note", "")});
+}
+
+void read_packing(const Json& j, TestRecord& record) {
+  const Json& p = j.at("packing");
+  record.packing_hash = p.at("hash");
+  record.n_grains = p.at("n_grains");
+  record.stress_free = p.at("stress_free");
+  PackingReport& r = record.packing;
+  r.porosity = number(p.at("porosity"));
+  r.coordination = number(p.at("coordination"));
+  r.fabric = number(p.at("fabric"));
+  r.stress_left = number(p.at("stress_left [Pa]"));
+  r.n_floaters = p.at("n_floaters");
+  r.mean_overlap = number(p.at("mean_overlap"));
+  r.unbalanced = number(p.at("unbalanced"));
+  for (const Json& b : j.at("bedding"))
+    record.bedding.push_back({number(b.at("theta [deg]")),
+                              {number(b.at("overlap_ratio")), number(b.at("bridge_fraction")),
+                               number(b.at("non_crossing_fraction"))}});
+}
+
+TestRecord parse_result(const std::string& text, const std::string& where) {
+  const Json j = Json::parse(text);
+  if (j.at("format") != result_format) throw std::out_of_range("another version of the format");
+  TestRecord record;
+  record.program = j.at("program");
+  record.recipe = parse_recipe(j.at("recipe").get<std::string>(), where + ": recipe");
+  TestResult& r = record.result;
+  r.name = j.at("specimen");
+  r.intact = !j.contains("theta [deg]");
+  if (!r.intact) r.theta = number(j.at("theta [deg]"));
+  const Json& outcome = j.at("outcome");
+  r.outcome = {status_of(outcome.at("status")), outcome.at("reason"), outcome.at("advice")};
+  read_numbers(j, record);
+  read_packing(j, record);
+  const Json& run = j.at("run");
+  r.dt = number(run.at("dt [s]"));
+  r.n_steps = run.at("n_steps");
+  r.n_contacts = run.at("n_contacts");
+  r.seconds = number(run.at("cpu_seconds"));
+  r.hash = j.at("result_hash");
+  return record;
+}
+
+bool is_result(const fs::path& folder) {
+  std::error_code none;
+  return fs::exists(folder / "result.json", none);
+}
+
+std::vector<std::string> result_folders(const std::string& path) {
+  if (is_result(path)) return {path};
+  std::vector<std::string> folders;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path, error))
+    if (is_result(entry.path())) folders.push_back(entry.path().string());
+  if (error) throw IoError(path + ": cannot be read: " + error.message() + "; check the name");
+  if (folders.empty())
+    throw InputError(Problem{path, "", "", "a folder with result.json, or a folder of such folders",
+                             "name what `phyllite run` wrote (its --out)"});
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+/// Specimens that the recipe of the run names and that are not among the results.
+void tell_missing(RunRecord& run, const std::string& path) {
+  if (run.tests.empty() || is_result(path)) return;
+  for (const std::string& name : specimen_names(run.tests.front().recipe)) {
+    const bool found = std::any_of(run.tests.begin(), run.tests.end(),
+                                   [&](const TestRecord& t) { return t.result.name == name; });
+    if (!found) run.missing.push_back({name, "no result in the folder: run the recipe again"});
+  }
+}
+
+}  // namespace
+
+TestRecord read_result(const std::string& folder) {
+  const std::string file = (fs::path(folder) / "result.json").string();
+  TestRecord record;
+  try {
+    record = parse_result(read_file(file), file);
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+  } catch (const std::out_of_range& e) {
+    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+  }
+  const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
+  History& history = record.result.history;
+  history = parse_history(read_file(path("history.csv")), path("history.csv"));
+  history.width = record.recipe.specimen.width, history.height = record.recipe.specimen.height;
+  record.result.cracks = parse_cracks(read_file(path("cracks.csv")), path("cracks.csv"));
+  if (fs::exists(path("scene.bin")))
+    record.scene = unpack_scene(read_file(path("scene.bin")), path("scene.bin"));
+  return record;
+}
+
+RunRecord read_run(const std::string& path) {
+  RunRecord run;
+  std::string last;
+  for (const std::string& folder : result_folders(path)) {
+    try {
+      run.tests.push_back(read_result(folder));
+    } catch (const InputError& e) {
+      run.missing.push_back({folder, last = e.what()});
+    } catch (const IoError& e) {
+      run.missing.push_back({folder, last = e.what()});
+    }
+  }
+  if (run.tests.empty()) throw InputError(Problem{path, "", "", "a result that can be read", last});
+  std::stable_sort(run.tests.begin(), run.tests.end(), [](const TestRecord& a, const TestRecord& b) {
+    return a.result.intact != b.result.intact ? b.result.intact : a.result.theta < b.result.theta;
+  });
+  tell_missing(run, path);
+  return run;
+}
+
+}  // namespace phy

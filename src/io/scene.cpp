@@ -1,0 +1,256 @@
+#include "io/scene.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<std::int32_t>;
+
+constexpr int scene_format = 1;
+constexpr double finest = 0.25e-6;       // [m]: far below a grain, also when drawn twenty times enlarged
+constexpr double largest_steps = 32000;  // displacements stay within 16 bits
+constexpr double size_steps = 65000;
+constexpr double force_steps = 127;
+
+std::uint32_t zigzag(std::int32_t v) {
+  return (static_cast<std::uint32_t>(v) << 1U) ^ static_cast<std::uint32_t>(v >> 31);
+}
+std::int32_t unzigzag(std::uint32_t v) { return static_cast<std::int32_t>((v >> 1U) ^ (~(v & 1U) + 1U)); }
+
+/// Appends sections of numbers as byte planes and lists them as [count, planes].
+struct Writer {
+  std::string bytes;
+  Json sections = Json::array();
+  void add(const Numbers& numbers) {
+    std::uint32_t all = 0;
+    for (const std::int32_t v : numbers) all |= zigzag(v);
+    const int planes = all < 1U << 8U ? 1 : all < 1U << 16U ? 2 : all < 1U << 24U ? 3 : 4;
+    for (int p = 0; p < planes; ++p)
+      for (const std::int32_t v : numbers)
+        bytes += static_cast<char>(static_cast<unsigned char>(zigzag(v) >> (8U * static_cast<unsigned>(p))));
+    sections.push_back({numbers.size(), planes});
+  }
+};
+
+struct Reader {
+  const std::string& bytes;
+  const Json& sections;
+  std::size_t at = 0, section = 0;
+  Numbers next(std::size_t count) {
+    const auto size = sections.at(section).at(0).get<std::size_t>();
+    const auto planes = sections.at(section).at(1).get<std::size_t>();
+    ++section;
+    if (size != count || planes < 1 || planes > 4 || at + size * planes > bytes.size())
+      throw std::out_of_range("sections do not fit");
+    Numbers numbers(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint32_t v = 0;
+      for (std::size_t p = 0; p < planes; ++p)
+        v |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + p * size + i])) << (8U * p);
+      numbers[i] = unzigzag(v);
+    }
+    at += size * planes;
+    return numbers;
+  }
+};
+
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  const int code = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                             reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
+  PHY_CHECK(code == Z_OK, "a buffer of compressBound is enough");
+  out.resize(size);
+  return out;
+}
+
+std::string inflated(std::string_view bytes, std::size_t size) {
+  std::string out(size, '\0');
+  uLongf got = size;
+  if (uncompress(reinterpret_cast<Bytef*>(out.data()), &got, reinterpret_cast<const Bytef*>(bytes.data()),
+                 bytes.size()) != Z_OK ||
+      got != size)
+    throw std::out_of_range("the compressed part is damaged");
+  return out;
+}
+
+std::int32_t steps(double value, double quantum) {
+  return static_cast<std::int32_t>(std::lround(value / quantum));
+}
+
+void add_discs(Writer& w, const Scene& scene, double quantum) {
+  for (double Disc::*part : {&Disc::x, &Disc::y, &Disc::r}) {
+    Numbers numbers;
+    for (const Disc& d : scene.discs) numbers.push_back(steps(d.*part, quantum));
+    w.add(numbers);
+  }
+}
+
+/// Second differences over the frames, all x then all y.
+void add_frames(Writer& w, const Scene& scene, double quantum) {
+  const std::size_t n = scene.discs.size();
+  Numbers before(2 * n, 0), change(2 * n, 0);
+  for (const Frame& frame : scene.frames) {
+    PHY_CHECK(frame.u.size() == n, "a displacement for every disc");
+    Numbers second(2 * n);
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const std::int32_t now = steps(static_cast<double>(frame.u[i % n][i / n]), quantum);
+      second[i] = now - before[i] - change[i];
+      change[i] = now - before[i];
+      before[i] = now;
+    }
+    w.add(second);
+  }
+}
+
+void add_links(Writer& w, const std::vector<SceneLink>& links) {
+  Numbers a, b, kind;
+  std::uint32_t last = 0;
+  for (const SceneLink& l : links) {
+    a.push_back(static_cast<std::int32_t>(l.a - last));
+    b.push_back(static_cast<std::int32_t>(l.b - l.a));
+    kind.push_back(static_cast<std::int32_t>(l.kind));
+    last = l.a;
+  }
+  w.add(a), w.add(b), w.add(kind);
+}
+
+double largest_of(const std::vector<float>& values) {
+  double largest = 0.0;
+  for (const float v : values) largest = std::max(largest, std::abs(static_cast<double>(v)));
+  return largest;
+}
+
+void add_forces(Writer& w, const ForceField& field) {
+  const double largest = largest_of(field.F_n);
+  Numbers numbers;
+  for (const float f : field.F_n) {
+    const double part = largest > 0.0 ? std::sqrt(std::abs(static_cast<double>(f)) / largest) : 0.0;
+    numbers.push_back(static_cast<std::int32_t>(std::lround(std::copysign(force_steps * part, f))));
+  }
+  w.add(numbers);
+}
+
+double displacement_quantum(const Scene& scene) {
+  double largest = 0.0;
+  for (const Frame& frame : scene.frames)
+    for (const auto& u : frame.u)
+      largest = std::max({largest, std::abs(static_cast<double>(u[0])), std::abs(static_cast<double>(u[1]))});
+  return std::max(finest, largest / largest_steps);
+}
+
+template <class Moment>
+Json moment_json(const Moment& m) {
+  return {{"step", m.step}, {"axial_strain", m.axial_strain}, {"axial_stress [Pa]", m.axial_stress}};
+}
+
+template <class Moment>
+void read_moment(const Json& j, Moment& m) {
+  j.at("step").get_to(m.step);
+  j.at("axial_strain").get_to(m.axial_strain);
+  j.at("axial_stress [Pa]").get_to(m.axial_stress);
+}
+
+void read_frames(Reader& r, Scene& scene, double quantum) {
+  const std::size_t n = scene.discs.size();
+  Numbers now(2 * n, 0), change(2 * n, 0);
+  for (Frame& frame : scene.frames) {
+    const Numbers second = r.next(2 * n);
+    frame.u.resize(n);
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      change[i] += second[i];
+      now[i] += change[i];
+      frame.u[i % n][i / n] = static_cast<float>(now[i] * quantum);
+    }
+  }
+}
+
+void read_links(Reader& r, std::vector<SceneLink>& links, std::size_t n_discs) {
+  const Numbers a = r.next(links.size()), b = r.next(links.size()), kind = r.next(links.size());
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    last += static_cast<std::uint32_t>(a[i]);
+    links[i] = {last, last + static_cast<std::uint32_t>(b[i]), static_cast<ContactKind>(kind[i])};
+    if (links[i].b >= n_discs) throw std::out_of_range("a link to a disc that is not there");
+  }
+}
+
+Scene read_scene(std::string_view bytes) {
+  const std::size_t end = bytes.find('\n');
+  if (end == bytes.npos) throw std::out_of_range("no header");
+  const Json head = Json::parse(bytes.substr(0, end));
+  if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
+  const std::string plain = inflated(bytes.substr(end + 1), head.at("size").get<std::size_t>());
+  Reader r{plain, head.at("sections")};
+  Scene scene;
+  head.at("width [m]").get_to(scene.width);
+  head.at("height [m]").get_to(scene.height);
+  scene.discs.resize(head.at("n_discs").get<std::size_t>());
+  for (double Disc::*part : {&Disc::x, &Disc::y, &Disc::r}) {
+    const Numbers numbers = r.next(scene.discs.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      scene.discs[i].*part = numbers[i] * head.at("disc_quantum [m]").get<double>();
+  }
+  scene.frames.resize(head.at("frames").size());
+  for (std::size_t i = 0; i < scene.frames.size(); ++i) read_moment(head.at("frames")[i], scene.frames[i]);
+  read_frames(r, scene, head.at("displacement_quantum [m]").get<double>());
+  scene.links.resize(head.at("n_links").get<std::size_t>());
+  read_links(r, scene.links, scene.discs.size());
+  for (const Json& j : head.at("forces")) {
+    ForceField field;
+    read_moment(j, field);
+    const double largest = j.at("F_max [N/m]").get<double>();
+    for (const std::int32_t v : r.next(scene.links.size()))
+      field.F_n.push_back(static_cast<float>(v * std::abs(v) * largest / (force_steps * force_steps)));
+    scene.forces.push_back(std::move(field));
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::string pack_scene(const Scene& scene) {
+  const double size_quantum = std::max({scene.width, scene.height, 1e-9}) / size_steps;
+  const double quantum = displacement_quantum(scene);
+  Writer w;
+  add_discs(w, scene, size_quantum);
+  add_frames(w, scene, quantum);
+  add_links(w, scene.links);
+  Json frames = Json::array(), forces = Json::array();
+  for (const Frame& frame : scene.frames) frames.push_back(moment_json(frame));
+  for (const ForceField& field : scene.forces) {
+    add_forces(w, field);
+    forces.push_back(moment_json(field));
+    forces.back()["F_max [N/m]"] = largest_of(field.F_n);
+  }
+  const Json head = {{"format", scene_format},
+                     {"width [m]", scene.width},
+                     {"height [m]", scene.height},
+                     {"n_discs", scene.discs.size()},
+                     {"n_links", scene.links.size()},
+                     {"disc_quantum [m]", size_quantum},
+                     {"displacement_quantum [m]", quantum},
+                     {"frames", frames},
+                     {"forces", forces},
+                     {"sections", w.sections},
+                     {"size", w.bytes.size()}};
+  return head.dump() + "\n" + deflated(w.bytes);
+}
+
+Scene unpack_scene(std::string_view bytes, const std::string& where) {
+  try {
+    return read_scene(bytes);
+  } catch (const std::exception& e) {
+    throw InputError(Problem{where, "", "", "a scene that this program wrote", std::string(e.what())});
+  }
+}
+
+}  // namespace phy
