@@ -1,0 +1,29 @@
+// The whole calibration: elastic stage, strength stage, verification, verdict (docs/calibration.md).
+//
+// The order is the paper's - moduli first, then strengths - because strengths hardly move moduli. Everything
+// that a run of the press answers goes into the simulator's store; all choices follow from the rock, the
+// options and the answers alone. A calibration that was interrupted therefore takes the same way again and
+// finds its answers in the store: it ends with the identical result.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "calibrate/simulator.hpp"
+#include "records/calibration.hpp"
+
+namespace phy {
+
+struct CalibrationOptions {
+  bool elastic_only = false;
+  std::int64_t max_tests = 300;  ///< strength tests, verification included
+  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
+};
+
+/// Throws nothing for what the physics do: the verdict says it. An interrupted calibration has
+/// VerdictStatus::interrupted.
+Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator);
+
+/// Root mean square of the relative errors (of nu: absolute) of one property; NaN without rows.
+double rmse(const std::vector<Comparison>& rows, Property property);
+
+}  // namespace phy

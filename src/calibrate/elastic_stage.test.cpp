@@ -1,0 +1,116 @@
+// The elastic stage on small packings: it must find parameters that it is not told, and say what cannot be
+// met.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "calibrate/elastic_stage.hpp"
+
+namespace phy {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::vector<std::int64_t> seeds = {1, 2};
+const std::vector<double> angles = {0.0, 30.0, 45.0, 60.0, 90.0};
+
+/// A rock on a specimen of some 900 grains whose parameters differ from the recipe that the fit starts from.
+Rock small_rock() {
+  Rock rock;
+  rock.model.packing.n_grains = 935;
+  rock.model.packing.radius_min *= std::sqrt(8.0), rock.model.packing.radius_max *= std::sqrt(8.0);
+  rock.model.bedding.resize(1);
+  rock.model.bedding[0].spacing = 0.01;
+  rock.model.bedding[0].zone_thickness *= std::sqrt(8.0);
+  return rock;
+}
+
+Recipe truth_of(const Rock& rock) {
+  Recipe truth = rock.model;
+  truth.matrix.E_c = truth.matrix.E_b = 21e9;
+  truth.matrix.ks_over_kn = truth.matrix.bond_ks_over_kn = 0.42;
+  truth.bedding[0].k_n = 900e9, truth.bedding[0].k_s = 500e9;
+  return truth;
+}
+
+std::vector<Target> exact_targets(const Recipe& truth, Simulator& simulator, bool nu) {
+  std::vector<Target> targets;
+  for (const Property p : {Property::E, Property::nu})
+    for (const double theta : angles)
+      if (p == Property::E || nu)
+        targets.push_back({p, theta, 1.0, p == Property::E ? 1e8 : 0.005, 3, false});
+  const std::vector<Comparison> values = elastic_response(truth, targets, seeds, simulator);
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i].mean = values[i].mean;
+  return targets;
+}
+
+class ElasticStage : public testing::Test {
+ protected:
+  std::unique_ptr<Simulator> simulator = make_simulator({2, "", nullptr, nullptr});
+  Rock rock = small_rock();
+  ElasticFit fit(const std::vector<Target>& targets) {
+    return fit_elastic(rock, targets, seeds, *simulator, [](const std::string&) {});
+  }
+};
+
+TEST_F(ElasticStage, FindsTheFourParametersOfExactData) {
+  const ElasticFit f = fit(exact_targets(truth_of(rock), *simulator, true));
+  ASSERT_EQ(f.parameters.size(), 4U);
+  EXPECT_NEAR(f.parameters[0].value / 21e9, 1.0, 0.01);
+  EXPECT_NEAR(f.parameters[1].value / 0.42, 1.0, 0.03);
+  EXPECT_NEAR(f.parameters[2].value / 900e9, 1.0, 0.02);
+  EXPECT_NEAR(f.parameters[3].value / 500e9, 1.0, 0.02);
+  for (const ParameterEstimate& e : f.parameters) {
+    EXPECT_TRUE(e.determined) << e.symbol;
+    EXPECT_LT(e.low, e.value);
+    EXPECT_GT(e.high, e.value);
+  }
+  EXPECT_THAT(f.findings, IsEmpty());
+  EXPECT_EQ(f.recipe.matrix.E_b, f.recipe.matrix.E_c);
+}
+
+TEST_F(ElasticStage, WithoutPoissonsRatioTheStiffnessRatioStaysOpen) {
+  const ElasticFit f = fit(exact_targets(truth_of(rock), *simulator, false));
+  for (const Comparison& c : f.comparisons) EXPECT_NEAR(c.error(), 0.0, 0.01);
+  EXPECT_LT(f.parameters[2].high / f.parameters[2].low, f.parameters[1].high / f.parameters[1].low);
+}
+
+TEST_F(ElasticStage, AConflictOfModuliAndPoissonsRatioIsSaidAndNuGivesWay) {
+  std::vector<Target> targets = exact_targets(truth_of(rock), *simulator, true);
+  for (Target& t : targets)  // nu'/E' of a table that no joints can make: halved at 0 degrees
+    if (t.property == Property::nu && t.theta < 45.0) t.mean *= 0.4;
+  const ElasticFit f = fit(targets);
+  EXPECT_THAT(f.findings, Contains(HasSubstr("E and nu of this table conflict")));
+  for (const Comparison& c : f.comparisons)
+    if (c.target.property == Property::E) EXPECT_NEAR(c.error(), 0.0, 0.03) << c.target.theta;
+}
+
+TEST_F(ElasticStage, ARockStifferAcrossItsBeddingIsOutOfReach) {
+  std::vector<Target> targets;
+  for (const double theta : angles)
+    targets.push_back({Property::E, theta, (40.0 - 0.2 * theta) * 1e9, 0.2e9, 3, false});
+  const ElasticFit f = fit(targets);
+  EXPECT_TRUE(f.out_of_reach);
+  EXPECT_THAT(f.findings, Contains(HasSubstr("no softer across its bedding")));
+}
+
+TEST_F(ElasticStage, AnIsotropicRockHasTwoParameters) {
+  rock.bedded = false, rock.model.bedding.clear();
+  Recipe truth = rock.model;
+  truth.matrix.E_c = truth.matrix.E_b = 50e9;
+  std::vector<Target> targets = {{Property::E, 0.0, 1.0, 1e8, 3, false},
+                                 {Property::nu, 0.0, 1.0, 0.005, 3, false}};
+  const auto values = elastic_response(truth, targets, seeds, *simulator);
+  for (std::size_t i = 0; i < 2; ++i) targets[i].mean = values[i].mean;
+  const ElasticFit f = fit(targets);
+  ASSERT_EQ(f.parameters.size(), 2U);
+  EXPECT_NEAR(f.parameters[0].value / 50e9, 1.0, 0.01);
+  EXPECT_NEAR(f.parameters[1].value / 0.3, 1.0, 0.03);
+}
+
+}  // namespace
+}  // namespace phy
