@@ -7,11 +7,14 @@
 //
 // A comparison gives a mask (bool, or a vector of all-ones/all-zeros integers); select(mask, a, b) replaces
 // branches, so that every lane does the same operations and a lane's bits never depend on its neighbours.
-// Built on the vector types of GCC and Clang; only the square root needs an intrinsic. Rejected: a SIMD
-// library (the ten functions below are all that is used) and gathers inside one specimen (three times slower
-// per contact, docs/decisions/0001).
+// Arithmetic is that of the vector types of GCC and Clang; what depends on masks goes through intrinsics, one
+// short table per register size: left to the vector types, g++ 12 takes logic on masks apart lane by lane,
+// hundreds of scalar instructions wherever a bond breaks. Rejected: a SIMD library (the ten functions below
+// are all that is used) and gathers inside one specimen (three times slower per contact,
+// docs/decisions/0001).
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #if defined(__SSE2__)
@@ -35,19 +38,101 @@ inline namespace PHY_ISA {
 template <class T>
 using MaskInt = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
 
+/// What a register of `bytes` bytes full of T can do beyond arithmetic. This one serves any machine; masks
+/// are integers of the size of T, all ones or all zeros.
+template <class T, std::size_t bytes>
+struct Register {
+  typedef T Lanes __attribute__((vector_size(bytes)));
+  typedef MaskInt<T> Bits __attribute__((vector_size(bytes)));
+  static constexpr int width = static_cast<int>(bytes / sizeof(T));
+  static Bits less(Lanes a, Lanes b) { return a < b; }
+  static Bits less_or_equal(Lanes a, Lanes b) { return a <= b; }
+  static Lanes select(Bits m, Lanes a, Lanes b) { return (Lanes)((m & (Bits)a) | (~m & (Bits)b)); }
+  static bool test(Bits m, int lane) { return m[lane] != 0; }
+  static bool any(Bits m) {
+    MaskInt<T> all = 0;
+    for (int i = 0; i < width; ++i) all |= m[i];
+    return all != 0;
+  }
+  static Lanes sqrt(Lanes a) {
+    for (int i = 0; i < width; ++i) a[i] = std::sqrt(a[i]);
+    return a;
+  }
+};
+
+#if defined(__SSE2__)
+#define PHY_REGISTER_16(T, V, suffix)                                                                 \
+  template <>                                                                                         \
+  struct Register<T, 16> {                                                                            \
+    typedef T Lanes __attribute__((vector_size(16)));                                                 \
+    typedef MaskInt<T> Bits __attribute__((vector_size(16)));                                         \
+    static Bits less(Lanes a, Lanes b) { return (Bits)_mm_cmplt_##suffix((V)a, (V)b); }               \
+    static Bits less_or_equal(Lanes a, Lanes b) { return (Bits)_mm_cmple_##suffix((V)a, (V)b); }      \
+    static Lanes select(Bits m, Lanes a, Lanes b) { return (Lanes)((m & (Bits)a) | (~m & (Bits)b)); } \
+    static bool test(Bits m, int lane) { return m[lane] != 0; }                                       \
+    static bool any(Bits m) { return _mm_movemask_##suffix((V)m) != 0; }                              \
+    static Lanes sqrt(Lanes a) { return (Lanes)_mm_sqrt_##suffix((V)a); }                             \
+  };
+PHY_REGISTER_16(float, __m128, ps)
+PHY_REGISTER_16(double, __m128d, pd)
+#endif
+#if defined(__AVX__)
+#define PHY_REGISTER_32(T, V, suffix)                                                                \
+  template <>                                                                                        \
+  struct Register<T, 32> {                                                                           \
+    typedef T Lanes __attribute__((vector_size(32)));                                                \
+    typedef MaskInt<T> Bits __attribute__((vector_size(32)));                                        \
+    static Bits less(Lanes a, Lanes b) { return (Bits)_mm256_cmp_##suffix((V)a, (V)b, _CMP_LT_OS); } \
+    static Bits less_or_equal(Lanes a, Lanes b) {                                                    \
+      return (Bits)_mm256_cmp_##suffix((V)a, (V)b, _CMP_LE_OS);                                      \
+    }                                                                                                \
+    static Lanes select(Bits m, Lanes a, Lanes b) {                                                  \
+      return (Lanes)_mm256_blendv_##suffix((V)b, (V)a, (V)m);                                        \
+    }                                                                                                \
+    static bool test(Bits m, int lane) { return m[lane] != 0; }                                      \
+    static bool any(Bits m) { return _mm256_movemask_##suffix((V)m) != 0; }                          \
+    static Lanes sqrt(Lanes a) { return (Lanes)_mm256_sqrt_##suffix((V)a); }                         \
+  };
+PHY_REGISTER_32(float, __m256, ps)
+PHY_REGISTER_32(double, __m256d, pd)
+#endif
+#if defined(__AVX512F__)
+// A mask is a register of its own here, one bit per lane.
+#define PHY_REGISTER_64(T, V, M, suffix)                                                              \
+  template <>                                                                                         \
+  struct Register<T, 64> {                                                                            \
+    typedef T Lanes __attribute__((vector_size(64)));                                                 \
+    using Bits = M;                                                                                   \
+    static Bits less(Lanes a, Lanes b) { return _mm512_cmp_##suffix##_mask((V)a, (V)b, _CMP_LT_OS); } \
+    static Bits less_or_equal(Lanes a, Lanes b) {                                                     \
+      return _mm512_cmp_##suffix##_mask((V)a, (V)b, _CMP_LE_OS);                                      \
+    }                                                                                                 \
+    static Lanes select(Bits m, Lanes a, Lanes b) {                                                   \
+      return (Lanes)_mm512_mask_blend_##suffix(m, (V)b, (V)a);                                        \
+    }                                                                                                 \
+    static bool test(Bits m, int lane) { return (m >> lane & 1) != 0; }                               \
+    static bool any(Bits m) { return m != 0; }                                                        \
+    static Lanes sqrt(Lanes a) { return (Lanes)_mm512_sqrt_##suffix((V)a); }                          \
+  };
+PHY_REGISTER_64(float, __m512, __mmask16, ps)
+PHY_REGISTER_64(double, __m512d, __mmask8, pd)
+#endif
+
 template <class T, int W>
 struct Mask {
-  typedef MaskInt<T> Bits __attribute__((vector_size(sizeof(T) * W)));
+  using Reg = Register<T, sizeof(T) * W>;
+  using Bits = typename Reg::Bits;
   Bits bits;
-  friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
-  friend Mask operator|(Mask a, Mask b) { return {a.bits | b.bits}; }
-  friend Mask operator!(Mask a) { return {~a.bits}; }
-  bool operator[](int lane) const { return bits[lane] != 0; }
+  friend Mask operator&(Mask a, Mask b) { return {static_cast<Bits>(a.bits & b.bits)}; }
+  friend Mask operator|(Mask a, Mask b) { return {static_cast<Bits>(a.bits | b.bits)}; }
+  friend Mask operator!(Mask a) { return {static_cast<Bits>(~a.bits)}; }
+  bool operator[](int lane) const { return Reg::test(bits, lane); }
 };
 
 template <class T, int W>
 struct Pack {
-  typedef T Lanes __attribute__((vector_size(sizeof(T) * W)));
+  using Reg = Register<T, sizeof(T) * W>;
+  using Lanes = typename Reg::Lanes;
   using Scalar = T;
   static constexpr int width = W;
   Lanes v;
@@ -68,63 +153,31 @@ struct Pack {
   friend Pack operator-(Pack a) { return of(-a.v); }
   Pack& operator+=(Pack b) { return *this = *this + b; }
   Pack& operator-=(Pack b) { return *this = *this - b; }
-  friend Mask<T, W> operator<(Pack a, Pack b) { return {a.v < b.v}; }
-  friend Mask<T, W> operator>(Pack a, Pack b) { return {a.v > b.v}; }
-  friend Mask<T, W> operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
+  friend Mask<T, W> operator<(Pack a, Pack b) { return {Reg::less(a.v, b.v)}; }
+  friend Mask<T, W> operator>(Pack a, Pack b) { return {Reg::less(b.v, a.v)}; }
+  friend Mask<T, W> operator>=(Pack a, Pack b) { return {Reg::less_or_equal(b.v, a.v)}; }
 };
 
 template <class T, int W>
 Pack<T, W> select(Mask<T, W> m, Pack<T, W> a, Pack<T, W> b) {
-  return Pack<T, W>::of(m.bits ? a.v : b.v);
+  return Pack<T, W>::of(Mask<T, W>::Reg::select(m.bits, a.v, b.v));
 }
 
 template <class T, int W>
 Pack<T, W> sqrt(Pack<T, W> a) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 4)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_ps((__m512)a.v));
-  if constexpr (sizeof(a.v) == 64 && sizeof(T) == 8)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm512_sqrt_pd((__m512d)a.v));
-#endif
-#if defined(__AVX__)
-  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 4)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_ps((__m256)a.v));
-  if constexpr (sizeof(a.v) == 32 && sizeof(T) == 8)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm256_sqrt_pd((__m256d)a.v));
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 4)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_ps((__m128)a.v));
-  if constexpr (sizeof(a.v) == 16 && sizeof(T) == 8)
-    return Pack<T, W>::of((typename Pack<T, W>::Lanes)_mm_sqrt_pd((__m128d)a.v));
-#endif
-  Pack<T, W> r = a;
-  for (int i = 0; i < W; ++i) r.v[i] = std::sqrt(a.v[i]);
-  return r;
+  return Pack<T, W>::of(Pack<T, W>::Reg::sqrt(a.v));
 }
 
 template <class T, int W>
 Pack<T, W> abs(Pack<T, W> a) {
-  using Bits = typename Mask<T, W>::Bits;
+  typedef MaskInt<T> Bits __attribute__((vector_size(sizeof(T) * W)));
   const Bits sign = (Bits)(-(Pack<T, W>((T)0)).v);
   return Pack<T, W>::of((typename Pack<T, W>::Lanes)((Bits)a.v & ~sign));
 }
 
 template <class T, int W>
 bool any(Mask<T, W> m) {
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-  if constexpr (sizeof(m.bits) == 64 && sizeof(T) == 4) return _mm512_movepi32_mask((__m512i)m.bits) != 0;
-  if constexpr (sizeof(m.bits) == 64 && sizeof(T) == 8) return _mm512_movepi64_mask((__m512i)m.bits) != 0;
-#endif
-#if defined(__AVX__)
-  if constexpr (sizeof(m.bits) == 32) return _mm256_testz_si256((__m256i)m.bits, (__m256i)m.bits) == 0;
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof(m.bits) == 16) return _mm_movemask_epi8((__m128i)m.bits) != 0;
-#endif
-  MaskInt<T> all = 0;
-  for (int i = 0; i < W; ++i) all |= m.bits[i];
-  return all != 0;
+  return Mask<T, W>::Reg::any(m.bits);
 }
 
 // The same vocabulary for one lane.

@@ -230,8 +230,9 @@ class ForceLoop {
     const smooth_joint::Parameters<R> p{
         load<R>(row, j_k_n) * A, load<R>(row, j_k_s) * A, load<R>(row, j_mu), load<R>(row, j_S_0) * A,
         load<R>(row, j_tan_phi), load<R>(row, j_tan_psi), lane[l_hold]};
-    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), load<R>(s, c_capacity),
-                              load<R>(s, c_strength)};
+    // Lanes without a joint here pass as bonded, or their broken bonds would call the law's rare branches.
+    const R capacity = select(here, load<R>(s, c_capacity), R(1));
+    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), capacity, load<R>(s, c_strength)};
     const Reaction<R> r = smooth_joint::respond(p, st, m);
     store(s, c_shear, select(here, st.F_s, load<R>(s, c_shear)));
     store(s, c_bond, select(here, st.closure, load<R>(s, c_bond)));
