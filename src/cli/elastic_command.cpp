@@ -6,10 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/elastic_sweep.hpp"
 #include "genesis/cache.hpp"
-#include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "statics/uniaxial.hpp"
 #include "theory/eq1_fit.hpp"
@@ -19,6 +18,7 @@ namespace {
 
 struct ElasticArguments {
   std::string recipe;
+  std::string out = "results/elastic";
   bool glued = false;
   bool modulus_loss = false;
 };
@@ -35,18 +35,12 @@ struct ElasticStudy {
   const ElasticResult& intact() const { return one_sided.back(); }
 };
 
-std::shared_ptr<const Packing> packing_of(const Recipe& r) {
-  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, default_cache_folder());
-  return std::make_shared<const Packing>(
-      adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
-}
-
-ElasticStudy solve_recipe(const ElasticArguments& args, int threads) {
+ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, int threads) {
   ElasticStudy study;
-  study.recipe = read_recipe(args.recipe);
+  study.recipe = recipe;
   Recipe with_intact = study.recipe;
   with_intact.test.intact = true;
-  study.specimens = make_specimens(packing_of(study.recipe), with_intact);
+  study.specimens = make_specimens(packing_of(recipe, default_cache_folder()), with_intact);
   const auto start = std::chrono::steady_clock::now();
   ElasticOptions options;
   options.platens = args.glued ? Platens::glued : Platens::frictionless;
@@ -180,7 +174,10 @@ void print_packing(const ElasticStudy& study) {
 }
 
 int elastic(const ElasticArguments& args, const Session& session) {
-  const ElasticStudy study = solve_recipe(args, session.threads > 0 ? session.threads : available_cores());
+  const int threads = session.threads > 0 ? session.threads : available_cores();
+  const Recipe recipe = read_recipe(args.recipe);
+  if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads);
+  const ElasticStudy study = solve_recipe(recipe, args, threads);
   fmt::print("recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
              args.glued ? "glued" : "frictionless");
   print_packing(study);
@@ -199,6 +196,7 @@ void add_elastic_command(CLI::App& app, Session& session) {
   CLI::App* verb =
       app.add_subcommand("elastic", "E(theta), nu(theta), K_n, K_s and sensitivities by direct solution");
   verb->add_option("recipe", args->recipe, "recipe file (TOML)")->required();
+  verb->add_option("--out", args->out, "folder for the tables of a sweep")->capture_default_str();
   verb->add_flag("--glued", args->glued, "grains stick to the platens");
   verb->add_flag("--modulus-loss", args->modulus_loss, "fit Eq. 1 in modulus instead of compliance");
   verb->callback([args, &session] { session.exit_code = elastic(*args, session); });

@@ -14,6 +14,7 @@
 
 #include "base/hash.hpp"
 #include "genesis/packing.hpp"
+#include "io/csv.hpp"
 
 namespace phy {
 namespace {
@@ -158,6 +159,12 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
   auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix));
   store(file, to_text(key, *packing));
   return packing;
+}
+
+std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::filesystem::path& folder) {
+  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, folder);
+  return std::make_shared<const Packing>(
+      adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
 }
 
 }  // namespace phy

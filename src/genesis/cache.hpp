@@ -30,4 +30,7 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
                                               const MatrixRecipe& matrix,
                                               const std::filesystem::path& folder);
 
+/// The packing of a recipe: of its file if it names one, else as cached_packing.
+std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::filesystem::path& folder);
+
 }  // namespace phy

@@ -132,6 +132,14 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"idle_stress", "[packing]\nisotropic_stress = \"1 MPa\"\n", "0 with stress_free"},
         Bad{"idle_phi", "[matrix]\nphi = \"30 deg\"\n", "shear_strength = \"cohesion_friction\""},
         Bad{"long_ramp", "[test]\nramp_strain = 0.01\n", "below max_strain = 0.01"},
+        Bad{"two_factors", bedding + "[sweep]\nfactors = [1, 2]\n", "at least three, each once"},
+        Bad{"factor_list", bedding + "[sweep]\nfactors = 2\n", "write a list, for example [0.5, 1, 2]"},
+        Bad{"factor_unit", bedding + "[sweep]\nfactors = [1, \"2\", 4]\n", "write a bare number"},
+        Bad{"sweep_of_a_file",
+            "[packing]\nfile = \"discs.csv\"\n" + bedding +
+                "[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n" +
+                "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 5\n",
+            "a file holds one packing"},
         Bad{"long_jump", "[test]\njump_strain = 0.05\n", "below max_strain = 0.01"},
         Bad{"odd_byte", "[matr\xC3\xAFx]\n", "plain ASCII"},
         Bad{"twice", "name = \"a\"\nname = \"b\"\n", "r.toml:2"}),

@@ -188,7 +188,7 @@ class Reader {
   }
   void find_unknown() {
     check_keys(root_, "", "");
-    for (const char* name : {"specimen", "packing", "matrix", "test", "engine"}) {
+    for (const char* name : {"specimen", "packing", "matrix", "test", "engine", "sweep"}) {
       const toml::node* node = root_.get(name);
       if (node == nullptr) continue;
       if (const toml::table* t = node->as_table())
@@ -252,7 +252,9 @@ class Reader {
   void read_list(const Field& f, const toml::node& node, const std::string& path) {
     const toml::array* list = node.as_array();
     if (list == nullptr)
-      return tell(node, path, range_text(f), "write a list, for example [\"0 deg\", \"30 deg\"]");
+      return tell(node, path, range_text(f),
+                  f.dimension == Dimension::none ? "write a list, for example [0.5, 1, 2]"
+                                                 : "write a list, for example [\"0 deg\", \"30 deg\"]");
     f.list(recipe_).clear();
     for (const toml::node& item : *list) {
       double value = 0.0;
@@ -401,7 +403,7 @@ bool take_value(const Field& f, const TomlValue& v, double& value, std::string& 
                                                                   : Quantity{false, 0.0, "is no quantity"};
     if (!q.ok) return remedy = q.problem, false;
     value = q.value;
-  } else if (v.kind == TomlValue::Kind::integer || (numeric && f.kind == FieldKind::number)) {
+  } else if (v.kind == TomlValue::Kind::integer || (numeric && f.kind != FieldKind::integer)) {
     value = v.number;
   } else {
     remedy = f.kind == FieldKind::integer ? "write a whole number" : "write a bare number";

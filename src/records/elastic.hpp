@@ -45,7 +45,7 @@ struct ElasticResult {
   double E_platen = 0.0;        ///< mean platen stress / (approach of the platens / height) [Pa]
   std::int64_t n_contacts = 0;  ///< between grains, with a linear part, bond or joint
   std::int64_t n_open = 0;      ///< linear parts between grains that carry nothing because they would pull
-  std::int64_t n_alternating = 0;  ///< contacts whose state could not be decided (held open)
+  std::int64_t n_alternating = 0;  ///< contacts whose state, open or closed, the solution contradicts
   std::int64_t n_loose = 0;        ///< grains that carry no load
   int n_iterations = 0;            ///< factorisations
   std::vector<Sensitivity> sensitivities;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 
 #include "base/exact_math.hpp"
@@ -221,6 +222,27 @@ void add_engine(List& l) {
            &E::step_safety);
 }
 
+void add_sweep(List& l) {
+  using S = SweepRecipe;
+  constexpr auto part = &Recipe::sweep;
+  Field f;
+  f.kind = FieldKind::quantities, f.table = "sweep", f.key = "factors", f.min = 1e-3, f.max = 1e3;
+  f.meaning =
+      "`phyllite elastic`: k_n, then k_s of the first bedding set times these, for K_n(k_n) and K_s(k_s); "
+      "empty: no sweep";
+  f.list = [](Recipe& r) -> std::vector<double>& { return r.sweep.factors; };
+  l.fields.push_back(f);
+  l.integer("sweep", "n_packings", 1, 100, "packings of the sweep: packing.seed, seed + 1, ...", part,
+            &S::n_packings);
+  l.boolean("sweep", "both_rules", "also with the other bedding rule", part, &S::both_rules);
+  Field also;
+  also.kind = FieldKind::text, also.table = "sweep", also.key = "also";
+  also.meaning = "a second recipe, swept in the same way beside this one; path relative to this file";
+  also.get_text = [](const Recipe& r) { return r.sweep.also; };
+  also.set_text = [](Recipe& r, const std::string& s) { r.sweep.also = s; };
+  l.fields.push_back(also);
+}
+
 std::string bound(const Field& f, double value) {
   return f.kind == FieldKind::integer ? std::to_string(static_cast<std::int64_t>(value))
                                       : print_quantity(value, f.dimension);
@@ -253,7 +275,7 @@ const std::vector<Field>& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l);
+    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l), add_sweep(l);
     return l.fields;
   }();
   return fields;
@@ -287,7 +309,8 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
       Recipe copy = recipe;
       std::string s;
       for (const double v : f.list(copy))
-        s += (s.empty() ? "" : ", ") + quoted(print_quantity(v, f.dimension));
+        s += (s.empty() ? "" : ", ") +
+             (f.dimension == Dimension::none ? print_number(v) : quoted(print_quantity(v, f.dimension)));
       return "[" + s + "]";
     }
   }
@@ -307,6 +330,7 @@ class CrossChecks {
     matrix();
     for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
     test();
+    if (!r_.sweep.factors.empty()) sweep();
     return std::move(problems_);
   }
 
@@ -404,6 +428,20 @@ class CrossChecks {
       if (strain >= t.max_strain)
         tell(std::string("test.") + key, print_number(strain),
              "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+  }
+
+  void sweep() {
+    const SweepRecipe& s = r_.sweep;
+    const std::set<double> distinct(s.factors.begin(), s.factors.end());
+    if (distinct.size() < 3 || distinct.size() < s.factors.size())
+      tell("sweep.factors", std::to_string(s.factors.size()) + " factors", "at least three, each once",
+           "a line through fewer points says nothing; for example [0.25, 0.5, 1, 2, 4]");
+    if (r_.test.angles.size() < 3)
+      tell("test.angles", std::to_string(r_.test.angles.size()) + " angles", "at least three for a sweep",
+           "Eq. 1 has two unknowns; for example [\"0 deg\", \"45 deg\", \"90 deg\"]");
+    if (s.n_packings > 1 && !r_.packing.file.empty())
+      tell("sweep.n_packings", std::to_string(s.n_packings), "1 with packing.file",
+           "a file holds one packing; leave one of the two out");
   }
 };
 

@@ -41,6 +41,7 @@ TEST(Schema, EveryMemberOfTheRecipeHasItsKey) {
   EXPECT_EQ(n_keys("bedding"), n_members<BeddingRecipe>());
   EXPECT_EQ(n_keys("test"), n_members<TestRecipe>());
   EXPECT_EQ(n_keys("engine"), n_members<EngineRecipe>());
+  EXPECT_EQ(n_keys("sweep"), n_members<SweepRecipe>());
   EXPECT_EQ(n_keys(""), 1U);
 }
 

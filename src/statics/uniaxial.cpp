@@ -1,15 +1,12 @@
 #include "statics/uniaxial.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <mutex>
 #include <string>
-#include <thread>
 
+#include "base/parallel.hpp"
 #include "engine/layout.hpp"
 
 namespace phy {
@@ -143,22 +140,23 @@ void UniaxialStatics::read(Reading& reading) {
   reading.nu = -reading.lateral / reading.axial;
 }
 
-// Opens and closes linear parts by the last solution; returns how many changed. The third change is the last:
-// open, closed, open for good.
-std::size_t UniaxialStatics::update(std::vector<std::uint8_t>& changes, std::size_t& held) {
+// Opens and closes linear parts by the last solution. The third change is the last: open, closed, open for
+// good.
+UniaxialStatics::Update UniaxialStatics::update(std::vector<std::uint8_t>& changes) {
   constexpr std::uint8_t last_change = 3;
-  std::size_t changed = 0;
+  Update update;
   for (std::size_t i = 0; i < network_.links.size(); ++i) {
     const Link& l = network_.links[i];
-    if (!l.unilateral || l.linear == 0.0 || changes[i] >= last_change) continue;
+    if (!l.unilateral || l.linear == 0.0) continue;
     const double closure = strains(l, u_)[0];
     const bool closed = closure > 0.0;
     if (closed == (active_[i] != 0) || std::fabs(closure) < undecided * network_.length) continue;
+    ++update.wrong;
+    if (changes[i] == last_change) continue;
+    ++changes[i], ++update.changed;
     active_[i] = closed;
-    ++changed;
-    if (++changes[i] == last_change) ++held;
   }
-  return changed;
+  return update;
 }
 
 ElasticResult UniaxialStatics::solve(const Specimen& specimen, const ElasticOptions& options) {
@@ -169,24 +167,23 @@ ElasticResult UniaxialStatics::solve(const Specimen& specimen, const ElasticOpti
   active_.assign(network_.links.size(), 1);
   std::vector<std::uint8_t> changes(network_.links.size(), 0);
   const double allowed = options.max_alternating * static_cast<double>(specimen.contacts.size());
-  std::size_t held = 0;
   Reading reading, before;
   while (step(result, reading) && !options.bilateral) {
     const bool steady = std::fabs(reading.E - before.E) <= options.tolerance * std::fabs(reading.E) &&
                         std::fabs(reading.nu - before.nu) <= options.tolerance;
     const std::vector<char> solved = active_;
-    const std::size_t changed = update(changes, held);
-    result.n_alternating = static_cast<std::int64_t>(held + changed);
+    const auto [wrong, changed] = update(changes);
+    result.n_alternating = static_cast<std::int64_t>(wrong);
     const bool few = static_cast<double>(result.n_alternating) <= allowed;
     if (changed == 0 || (steady && few) || result.n_iterations >= options.max_iterations) {
       active_ = solved;
       const bool settled = changed == 0 || steady;
       if (!few || !settled)
-        result.outcome = {
-            ElasticStatus::not_converged,
-            std::to_string(result.n_alternating) + " contacts alternate between open and closed",
-            "use the bilateral solution, or compare with a run of the press",
-            {}};
+        result.outcome = {ElasticStatus::not_converged,
+                          std::to_string(result.n_alternating) +
+                              " contacts have no consistent state: closed they open, open they close",
+                          "use the bilateral solution, or compare with a run of the press",
+                          {}};
       break;
     }
     before = reading;
@@ -283,25 +280,11 @@ ElasticResult solve_uniaxial(const Specimen& specimen, const ElasticOptions& opt
 std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, const ElasticOptions& options,
                                      int threads) {
   std::vector<ElasticResult> results(specimens.size());
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto work = [&] {
-    try {
-      UniaxialStatics statics;
-      for (std::size_t i = next++; i < specimens.size(); i = next++)
-        results[i] = statics.solve(specimens[i], options);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      error = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < threads && static_cast<std::size_t>(i) < specimens.size(); ++i)
-      workers.emplace_back(work);
-  }
-  if (error) std::rethrow_exception(error);
+  for_all(specimens.size(), threads, [&] {
+    return [&, statics = UniaxialStatics()](std::size_t i) mutable {
+      results[i] = statics.solve(specimens[i], options);
+    };
+  });
   return results;
 }
 

@@ -60,7 +60,11 @@ class UniaxialStatics {
   void prepare(const Specimen& specimen, const ElasticOptions& options);
   bool step(ElasticResult& result, Reading& reading);
   void read(Reading& reading);
-  std::size_t update(std::vector<std::uint8_t>& changes, std::size_t& held);
+  struct Update {
+    std::size_t wrong = 0;  // contacts that the solution contradicts: open and closing, or closed and parting
+    std::size_t changed = 0;  // those among them that were changed
+  };
+  Update update(std::vector<std::uint8_t>& changes);
   void finish(ElasticResult& result, const Reading& reading, const ElasticOptions& options);
   void add_sensitivities(ElasticResult& result, const Reading& reading) const;
 

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -160,9 +161,56 @@ TEST_F(Cli, ContactShowsALawBesideItsClosedForm) {
 }
 
 TEST_F(Cli, ExamplesAreValid) {
-  for (const char* name : {"press", "press-crossing", "press-area"})
+  for (const char* name : {"press", "press-crossing", "press-area", "elastic", "elastic-area"})
     EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0)
         << output;
+}
+
+TEST_F(Cli, ElasticPrintsModuliFitsAndSensitivities) {
+  ASSERT_EQ(run("elastic " + small_recipe()), 0) << output;
+  for (const char* part : {"theta = 45 deg", "intact", "sum(A)/L", "bridges", "bedding[0].k_n", "K_s"})
+    EXPECT_THAT(output, HasSubstr(part));
+  EXPECT_THAT(output, HasSubstr("no fit: 2 distinct angle(s)"));
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_F(Cli, ElasticSweepsTwoRecipesUnderBothRules) {
+  const std::string test = "[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n";
+  const std::string body =
+      "[specimen]\nwidth = \"10 mm\"\nheight = \"20 mm\"\n[packing]\nn_grains = 520\n"
+      "[[bedding]]\nspacing = \"2 mm\"\n";
+  write("second.toml", "name = \"second\"\n" + body + test);
+  const std::string sweep =
+      "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 2\nboth_rules = true\nalso = \"second.toml\"\n";
+  const std::string first = write("first.toml", "name = \"first, of two\"\n" + body + test + sweep);
+  ASSERT_EQ(run("elastic " + first + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("paper, Eq. 2"));
+  EXPECT_THAT(output, HasSubstr("second, crossing rule, 2 packings"));
+  const std::string lines = text_of(fs::path(out()) / "lines.csv");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1 + 2 * 2 * 24 * 2);  // variants, readings, lines
+  EXPECT_THAT(lines, HasSubstr("\"first, of two\",zone,pushing,gauge,compliance,intact,K_n(k_n),2,"));
+  const std::string points = text_of(fs::path(out()) / "fig4.csv");
+  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 1 + 2 * 2 * 24 * 2 * 3);
+  const std::string moduli = text_of(fs::path(out()) / "moduli.csv");
+  EXPECT_EQ(std::count(moduli.begin(), moduli.end(), '\n'), 1 + 2 * 2 * 2 * 2 * (5 * 3 + 1));
+}
+
+TEST_F(Cli, ElasticRefusesASweepThatSaysNothing) {
+  const std::string bad = write("bad.toml",
+                                "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\"]\n[sweep]\n"
+                                "factors = [1, 1, 2]\n");
+  EXPECT_EQ(run("elastic " + bad), 2);
+  EXPECT_THAT(output, HasSubstr("bad.toml:5: sweep.factors"));
+  EXPECT_THAT(output, HasSubstr("bad.toml:3: test.angles"));
+  const std::string lost = write("lost.toml",
+                                 "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n"
+                                 "[sweep]\nfactors = [0.5, 1, 2]\nalso = \"nowhere.toml\"\n");
+  EXPECT_EQ(run("elastic " + lost), 3);
+  EXPECT_THAT(output, HasSubstr("nowhere.toml"));
 }
 
 TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {

@@ -1,0 +1,285 @@
+#include "cli/elastic_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/check.hpp"
+#include "io/file.hpp"
+#include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
+#include "study/stiffness_sweep.hpp"
+
+namespace phy {
+namespace {
+
+/// The paper's Eq. 2: K_n = 1.8135 k_n + 312.4 and K_s = 1.6895 k_s + 44.1, in GPa/m.
+struct PaperLine {
+  double slope, intercept, R2;
+};
+constexpr std::array<PaperLine, 2> eq2{{{1.8135, 312.4, 0.99999}, {1.6895, 44.1, 0.99965}}};
+constexpr double giga = 1e-9;
+
+/// All packings of one recipe under one rule.
+struct Variant {
+  std::string name;
+  BeddingRule rule = BeddingRule::zone;
+  std::vector<SweptPacking> packings;
+};
+
+const char* to_string(BeddingRule rule) { return rule == BeddingRule::zone ? "zone" : "crossing"; }
+const char* to_string(Contacts c) { return c == Contacts::pushing ? "pushing" : "pulling"; }
+const char* to_string(StrainReading s) { return s == StrainReading::gauge ? "gauge" : "platens"; }
+const char* to_string(Eq1Loss l) { return l == Eq1Loss::compliance ? "compliance" : "modulus"; }
+const char* to_string(Eq1Reference r) {
+  return r == Eq1Reference::given ? "intact" : r == Eq1Reference::measured_90 ? "E(90)" : "free";
+}
+
+/// The recipe itself, then the one it names, with the same sweep.
+std::vector<Recipe> recipes_of(const Recipe& first, const std::string& path) {
+  std::vector<Recipe> recipes{first};
+  if (first.sweep.also.empty()) return recipes;
+  const std::string second = (std::filesystem::path(path).parent_path() / first.sweep.also).string();
+  recipes.push_back(read_recipe(second));
+  recipes.back().sweep = first.sweep;
+  auto problems = cross_checks(recipes.back(), [&](const std::string&) { return second; });
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return recipes;
+}
+
+std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) {
+  std::vector<Variant> variants;
+  for (const Recipe& r : recipes) {
+    const auto packings = sweep_packings(r, threads);
+    std::vector<BeddingRule> rules{r.bedding[0].rule};
+    if (r.sweep.both_rules)
+      rules.push_back(rules[0] == BeddingRule::zone ? BeddingRule::crossing : BeddingRule::zone);
+    for (const BeddingRule rule : rules) {
+      variants.push_back({r.name, rule, {}});
+      for (std::size_t i = 0; i < packings.size(); ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const std::int64_t seed = r.packing.seed + static_cast<std::int64_t>(i);
+        variants.back().packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
+        const SweptPacking& p = variants.back().packings.back();
+        fmt::print("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
+                   to_string(rule), p.sets.size(), p.angles.size(),
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        std::fflush(stdout);
+      }
+    }
+  }
+  return variants;
+}
+
+template <class Value>
+Summary over_packings(const Variant& v, const Value& value) {
+  std::vector<double> values;
+  for (const SweptPacking& p : v.packings) values.push_back(value(p));
+  return summarise(values);
+}
+
+/// E at 90 degrees over E of the intact specimen, at the recipe's own stiffnesses or those nearest to them.
+double E90_ratio(const SweptPacking& p, Contacts contacts) {
+  const auto c = static_cast<std::size_t>(contacts);
+  const SweptSet& set = p.sets[p.swept[0][p.swept[0].size() / 2]];
+  for (std::size_t i = 0; i < p.angles.size(); ++i)
+    if (p.angles[i] == 90.0) return set.results[c][i].E_gauge / p.intact[c].E_gauge;
+  return std::nan("");
+}
+
+std::string plus_minus(const Summary& s, double scale, int digits) {
+  return s.n < 2 ? fmt::format("{:.{}f}", s.mean * scale, digits)
+                 : fmt::format("{:.{}f} +- {:.{}f}", s.mean * scale, digits, s.half_width * scale, digits);
+}
+
+void print_variant(const Variant& v) {
+  const auto of = [&](double BeddingReport::*number) {
+    return over_packings(v, [&](const SweptPacking& p) { return p.bedding.*number; });
+  };
+  const Summary porosity = over_packings(v, [](const SweptPacking& p) { return p.packing->report.porosity; });
+  const Summary coordination =
+      over_packings(v, [](const SweptPacking& p) { return p.packing->report.coordination; });
+  const Summary intact = over_packings(v, [](const SweptPacking& p) { return p.intact[0].E_gauge; });
+  const Summary ratio = over_packings(v, [](const SweptPacking& p) { return E90_ratio(p, {}); });
+  fmt::print(
+      "\n{}, {} rule, {} packings: porosity {:.3f}, coordination {:.2f}, sum(A)/L {}, bridges {:.1f} %,\n"
+      "joints off the plane {:.1f} %, E intact {} GPa, E(90)/E intact {}\n",
+      v.name, to_string(v.rule), v.packings.size(), porosity.mean, coordination.mean,
+      plus_minus(of(&BeddingReport::overlap_ratio), 1.0, 3), 100.0 * of(&BeddingReport::bridge_fraction).mean,
+      100.0 * of(&BeddingReport::non_crossing_fraction).mean, plus_minus(intact, giga, 2),
+      plus_minus(ratio, 1.0, 3));
+}
+
+std::string line_text(const MacroLine& line) {
+  if (line.slope.n == 0) return fmt::format(" no line: {}", line.refused);
+  return fmt::format(" {:>18} {:>17} {:>8.5f} {:>7.1f}{}", plus_minus(line.slope, 1.0, 4),
+                     plus_minus(line.intercept, giga, 1), line.R2.mean, 100.0 * line.cross.mean,
+                     line.refused.empty() ? " " : "*");
+}
+
+void print_lines(const Variant& v) {
+  fmt::print("{:<8} {:<7} | {:>18} {:>17} {:>8} {:>7}  | {:>18} {:>17} {:>8} {:>7}\n", "contacts", "E ref.",
+             "K_n/k_n", "intercept GPa/m", "R2", "K_s %", "K_s/k_s", "intercept GPa/m", "R2", "K_n %");
+  fmt::print("{:<16} |", "paper, Eq. 2");
+  for (const PaperLine& p : eq2)
+    fmt::print(" {:>18} {:>17} {:>8.5f} {:>7}  |", p.slope, p.intercept, p.R2, "");
+  fmt::print("\n");
+  for (const Contacts contacts : {Contacts::pushing, Contacts::pulling})
+    for (const Eq1Reference reference :
+         {Eq1Reference::given, Eq1Reference::measured_90, Eq1Reference::free}) {
+      const MacroReading reading{contacts, StrainReading::gauge, Eq1Loss::compliance, reference};
+      fmt::print("{:<8} {:<7} |{} |{}\n", to_string(contacts), to_string(reference),
+                 line_text(fit_macro_line(v.packings, SweptStiffness::normal, reading)),
+                 line_text(fit_macro_line(v.packings, SweptStiffness::shear, reading)));
+    }
+}
+
+/// Calls `use` with every way to read and fit E(theta).
+template <class Use>
+void for_all_readings(const Use& use) {
+  for (const Contacts contacts : {Contacts::pushing, Contacts::pulling})
+    for (const StrainReading strain : {StrainReading::gauge, StrainReading::platens})
+      for (const Eq1Loss loss : {Eq1Loss::compliance, Eq1Loss::modulus})
+        for (const Eq1Reference reference :
+             {Eq1Reference::given, Eq1Reference::measured_90, Eq1Reference::free})
+          use(MacroReading{contacts, strain, loss, reference});
+}
+
+std::string quoted(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + "\"";
+}
+
+std::string cells_of(const Variant& v, const MacroReading& r) {
+  return fmt::format("{},{},{},{},{},{}", quoted(v.name), to_string(v.rule), to_string(r.contacts),
+                     to_string(r.strain), to_string(r.loss), to_string(r.reference));
+}
+constexpr const char* reading_head = "recipe,rule,contacts,strain,loss,reference E";
+
+std::string lines_csv(const std::vector<Variant>& variants) {
+  std::string text = fmt::format(
+      "{},line,packings,slope,slope +-,intercept [GPa/m],intercept +-,R2,"
+      "change of the other K,refused\n",
+      reading_head);
+  for (const Variant& v : variants)
+    for_all_readings([&](const MacroReading& r) {
+      for (const SweptStiffness what : {SweptStiffness::normal, SweptStiffness::shear}) {
+        const MacroLine l = fit_macro_line(v.packings, what, r);
+        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.2f},{:.2f},{:.6f},{:.4f},{}\n", cells_of(v, r),
+                            what == SweptStiffness::normal ? "K_n(k_n)" : "K_s(k_s)", l.slope.n, l.slope.mean,
+                            l.slope.half_width, l.intercept.mean * giga, l.intercept.half_width * giga,
+                            l.R2.mean, l.cross.mean, quoted(l.refused));
+      }
+    });
+  return text;
+}
+
+/// K_n and K_s of set number `point` of a sweep, mean over the packings that have them.
+std::string point_cells(const Variant& v, const MacroReading& r, SweptStiffness what, std::size_t point) {
+  std::vector<double> K_n, K_s, R2;
+  for (const SweptPacking& p : v.packings) {
+    const Eq1Fit fit = fit_macro(p, p.sets[p.swept[static_cast<std::size_t>(what)][point]], r);
+    if (!fit.ok()) continue;
+    K_n.push_back(fit.rock.K_n_delta / p.spacing), K_s.push_back(fit.rock.K_s_delta / p.spacing);
+    R2.push_back(fit.R2);
+  }
+  const Summary n = summarise(K_n), s = summarise(K_s), quality = summarise(R2);
+  return fmt::format("{},{:.2f},{:.2f},{:.2f},{:.2f},{:.5f}", n.n, n.mean * giga, n.half_width * giga,
+                     s.mean * giga, s.half_width * giga, quality.mean);
+}
+
+/// The paper's Fig. 4 for the two stiffnesses: the varied one standardised by its base.
+std::string fig4_csv(const std::vector<Variant>& variants, const std::vector<double>& factors) {
+  std::string text = fmt::format(
+      "{},varied,factor,k [GPa/m],packings,K_n [GPa/m],K_n +-,K_s [GPa/m],K_s +-,"
+      "R2 of Eq. 1,Eq. 2 of the paper [GPa/m]\n",
+      reading_head);
+  for (const Variant& v : variants)
+    for_all_readings([&](const MacroReading& r) {
+      for (const SweptStiffness what : {SweptStiffness::normal, SweptStiffness::shear})
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+          const auto w = static_cast<std::size_t>(what);
+          const SweptSet& set = v.packings[0].sets[v.packings[0].swept[w][i]];
+          const double k = (w == 0 ? set.k_n : set.k_s) * giga;
+          text += fmt::format("{},{},{:g},{:g},{},{:.1f}\n", cells_of(v, r), w == 0 ? "k_n" : "k_s",
+                              factors[i], k, point_cells(v, r, what, i), eq2[w].slope * k + eq2[w].intercept);
+        }
+    });
+  return text;
+}
+
+void add_modulus(std::string& text, const Variant& v, const SweptPacking& p, const std::string& joints,
+                 const std::string& theta, const ElasticResult& r) {
+  text += fmt::format("{},{},{},{},{},{},{:.4f},{:.5f},{:.4f},{},{}\n", quoted(v.name), to_string(v.rule),
+                      p.seed, joints, r.bilateral ? "pulling" : "pushing", theta, r.E_gauge * giga,
+                      r.nu_gauge, r.E_platen * giga, r.n_alternating, quoted(r.outcome.reason));
+}
+
+std::string moduli_csv(const std::vector<Variant>& variants) {
+  std::string text =
+      "recipe,rule,seed,k_n [GPa/m],k_s [GPa/m],contacts,theta [deg],E gauge [GPa],nu gauge,E platens [GPa],"
+      "undecided contacts,remark\n";
+  for (const Variant& v : variants)
+    for (const SweptPacking& p : v.packings)
+      for (const std::size_t c : {0U, 1U}) {
+        for (const SweptSet& set : p.sets)
+          for (std::size_t i = 0; i < p.angles.size(); ++i)
+            add_modulus(text, v, p, fmt::format("{:g},{:g}", set.k_n * giga, set.k_s * giga),
+                        fmt::format("{:g}", p.angles[i]), set.results[c][i]);
+        add_modulus(text, v, p, ",", "intact", p.intact[c]);
+      }
+  return text;
+}
+
+/// Specimens without an answer; true if there are none.
+bool all_solved(const std::vector<Variant>& variants) {
+  bool solved = true;
+  const auto check = [&](const Variant& v, const SweptPacking& p, const ElasticResult& r) {
+    if (r.outcome.ok()) return;
+    solved = false;
+    fmt::print("{}, {} rule, seed {}, {}: {}; {}\n", v.name, to_string(v.rule), p.seed, r.name,
+               r.outcome.reason, r.outcome.advice);
+  };
+  for (const Variant& v : variants)
+    for (const SweptPacking& p : v.packings) {
+      for (const ElasticResult& r : p.intact) check(v, p, r);
+      for (const SweptSet& set : p.sets)
+        for (const auto& results : set.results)
+          for (const ElasticResult& r : results) check(v, p, r);
+    }
+  return solved;
+}
+
+}  // namespace
+
+int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads) {
+  const std::vector<Recipe> recipes = recipes_of(recipe, path);
+  check_writable(out);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Variant> variants = sweep_all(recipes, threads);
+  for (const Variant& v : variants) {
+    print_variant(v);
+    print_lines(v);
+  }
+  fmt::print(
+      "\nE by the gauge, Eq. 1 in compliance; +-: 95 % of the mean over the packings; K_s %, K_n %: change "
+      "of the\n"
+      "other stiffness from the smallest to the largest factor; *: packings without a line, see lines.csv\n");
+  const bool solved = all_solved(variants);
+  std::vector<double> factors = recipe.sweep.factors;
+  std::sort(factors.begin(), factors.end());
+  const std::filesystem::path folder(out);
+  write_file((folder / "lines.csv").string(), lines_csv(variants));
+  write_file((folder / "fig4.csv").string(), fig4_csv(variants, factors));
+  write_file((folder / "moduli.csv").string(), moduli_csv(variants));
+  fmt::print("{:.1f} s in all; all readings in {}\n",
+             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), out);
+  return solved ? 0 : 1;
+}
+
+}  // namespace phy

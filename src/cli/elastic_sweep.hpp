@@ -1,0 +1,13 @@
+// The sweep of `phyllite elastic`: K_n(k_n) and K_s(k_s) beside the paper's Eq. 2.
+#pragma once
+#include <string>
+
+#include "records/recipe.hpp"
+
+namespace phy {
+
+/// Runs recipe.sweep (of the recipe read from `path`, and of the one that it names in `also`), prints the
+/// lines, writes lines.csv, fig4.csv and moduli.csv into the folder `out`. Returns the exit code.
+int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads);
+
+}  // namespace phy
