@@ -32,6 +32,7 @@ soak: build
 
 bench: build
 	$(BUILD)/bench_engine
+	$(BUILD)/bench_statics
 
 lint:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror

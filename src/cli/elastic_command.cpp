@@ -11,6 +11,7 @@
 #include "genesis/specimen.hpp"
 #include "io/toml_in.hpp"
 #include "statics/uniaxial.hpp"
+#include "study/press_check.hpp"
 #include "theory/eq1_fit.hpp"
 
 namespace phy {
@@ -21,6 +22,7 @@ struct ElasticArguments {
   std::string out = "results/elastic";
   bool glued = false;
   bool modulus_loss = false;
+  bool press = false;
 };
 
 /// The specimens of a recipe with both answers. The intact specimen is always there, as the last one.
@@ -173,6 +175,36 @@ void print_packing(const ElasticStudy& study) {
   }
 }
 
+/// Runs the specimens under the press too, without and with slip and cracking. Returns whether all runs
+/// ended.
+bool print_press(const ElasticStudy& study, int threads) {
+  MachineOptions machine;
+  machine.isa = native_isa();
+  machine.threads = threads;
+  const auto held = press_moduli(study.specimens, study.recipe, machine, true);
+  const auto free = press_moduli(study.specimens, study.recipe, machine, false);
+  fmt::print("\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
+             press_check_strain);
+  fmt::print("{:<16} | {:>9} {:>7} | {:>9} {:>6} {:>7} {:>7} | {:>9} {:>6} {:>7} {:>7} {:>7} {:>7}\n",
+             "specimen", "E direct", "nu", "E held", "%", "nu", "+-", "E press", "%", "nu", "+-", "cracks",
+             "slip %");
+  bool all_ended = true;
+  for (std::size_t i = 0; i < study.specimens.size(); ++i) {
+    const ElasticResult& d = study.one_sided[i];
+    fmt::print("{:<16} | {:>9.3f} {:>7.4f}", d.name, d.E_gauge * 1e-9, d.nu_gauge);
+    for (const PressModuli* m : {&held[i], &free[i]})
+      fmt::print(" | {:>9.3f} {:>+6.2f} {:>7.4f} {:>+7.4f}", m->E * 1e-9, 100.0 * (m->E / d.E_gauge - 1.0),
+                 m->nu, m->nu - d.nu_gauge);
+    fmt::print(" {:>7} {:>7.3f}\n", free[i].n_cracks, 100.0 * free[i].slip_share);
+    for (const PressModuli* m : {&held[i], &free[i]}) {
+      all_ended = all_ended && m->outcome.empty();
+      if (!m->outcome.empty()) fmt::print("{}: {}\n", d.name, m->outcome);
+    }
+  }
+  fmt::print("held: nothing breaks and nothing slips; slip %: of the boundary work\n");
+  return all_ended;
+}
+
 int elastic(const ElasticArguments& args, const Session& session) {
   const int threads = session.threads > 0 ? session.threads : available_cores();
   const Recipe recipe = read_recipe(args.recipe);
@@ -182,9 +214,10 @@ int elastic(const ElasticArguments& args, const Session& session) {
              args.glued ? "glued" : "frictionless");
   print_packing(study);
   print_moduli(study);
-  const bool all_solved = print_outcomes(study);
+  bool all_solved = print_outcomes(study);
   print_fits(study, args.modulus_loss);
   print_sensitivities(study);
+  if (args.press) all_solved = print_press(study, threads) && all_solved;
   fmt::print("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
   return all_solved ? 0 : 1;
 }
@@ -199,6 +232,7 @@ void add_elastic_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out, "folder for the tables of a sweep")->capture_default_str();
   verb->add_flag("--glued", args->glued, "grains stick to the platens");
   verb->add_flag("--modulus-loss", args->modulus_loss, "fit Eq. 1 in modulus instead of compliance");
+  verb->add_flag("--press", args->press, "compare with the press, without and with slip and cracking");
   verb->callback([args, &session] { session.exit_code = elastic(*args, session); });
 }
 

@@ -1,4 +1,4 @@
-// E and nu between platens: against the press, against symmetries, derivatives against differences, bad
+// E and nu between platens: against symmetries, derivatives against differences, bad
 // specimens.
 #include "statics/uniaxial.hpp"
 
@@ -8,10 +8,8 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/lane_group.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "lab/uniaxial.hpp"
 #include "records/assembly.hpp"
 
 namespace phy {
@@ -98,34 +96,6 @@ TEST(Uniaxial, ContactsThatWouldPullAreOpen) {
   EXPECT_EQ(two.n_iterations, 1);
   EXPECT_LT(one.E_gauge, two.E_gauge);
   EXPECT_GT(one.nu_gauge, two.nu_gauge);
-}
-
-// The press with breakage and slip off, at small strain, from the same stress-free state.
-TEST(Uniaxial, AgreesWithThePress) {
-  Recipe recipe = small_recipe();
-  recipe.matrix.unbreakable = true;
-  recipe.test.platen_speed = 0.002;
-  recipe.test.ramp_strain = 2e-5;
-  recipe.test.max_strain = 2e-4;
-  recipe.test.history_interval = 200;
-  for (const double theta : {0.0, 50.0}) {
-    auto s = std::make_shared<const Specimen>(
-        make_specimen(small_packing(), recipe.matrix, turned(recipe.bedding, theta), "small"));
-    GroupOptions options;
-    options.isa = native_isa();
-    options.interval = static_cast<int>(recipe.test.history_interval);
-    const auto group = make_group(s->packing, options);
-    UniaxialTest test(s, recipe, *group, 0);
-    do group->advance();
-    while (!test.after_block());
-    const TestResult press = test.take_result();
-    const HistoryRow &a = press.history.rows[press.history.rows.size() / 2], &b = press.history.rows.back();
-    const double axial = b.axial_strain_gauge - a.axial_strain_gauge;
-    const ElasticResult direct = solve_uniaxial(*s);
-    ASSERT_TRUE(direct.outcome.ok()) << direct.outcome.reason;
-    EXPECT_NEAR((b.axial_stress - a.axial_stress) / axial, direct.E_gauge, 0.01 * direct.E_gauge) << theta;
-    EXPECT_NEAR(-(b.lateral_strain_gauge - a.lateral_strain_gauge) / axial, direct.nu_gauge, 0.01) << theta;
-  }
 }
 
 TEST(Uniaxial, SensitivitiesAreCentralDifferences) {

@@ -178,6 +178,11 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+TEST_F(Cli, ElasticComparesWithThePress) {
+  ASSERT_EQ(run("elastic --press " + small_recipe()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("held: nothing breaks and nothing slips"));
+}
+
 TEST_F(Cli, ElasticSweepsTwoRecipesUnderBothRules) {
   const std::string test = "[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n";
   const std::string body =

@@ -1,0 +1,76 @@
+// The press against the direct solution on a small packing, at all angles; the paper's specimen: tests/soak.
+#include "study/press_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "statics/uniaxial.hpp"
+
+namespace phy {
+namespace {
+
+/// About 340 grains in 8 x 16 mm with seven planes, different ratios in contacts and bonds.
+Recipe small_recipe() {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 340;
+  r.matrix.bond_ks_over_kn = 0.4;
+  r.bedding.resize(1);
+  r.bedding[0].spacing = 0.002;
+  r.test.angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
+  r.test.intact = true;
+  return r;
+}
+
+MachineOptions machine() {
+  MachineOptions m;
+  m.isa = native_isa();
+  m.threads = 2;
+  return m;
+}
+
+class PressCheck : public testing::TestWithParam<BeddingRule> {};
+
+TEST_P(PressCheck, DirectSolutionIsTheSlopeOfThePress) {
+  Recipe r = small_recipe();
+  r.bedding[0].rule = GetParam();
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = make_specimens(packing, r);
+  const std::vector<ElasticResult> direct = solve_all(specimens, {}, 2);
+  const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+  ASSERT_EQ(press.size(), 8U);
+  for (std::size_t i = 0; i < press.size(); ++i) {
+    ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
+    EXPECT_EQ(press[i].n_cracks, 0);
+    EXPECT_LT(press[i].slip_share, 1e-4);  // contacts that part let go of what shear force they have
+    EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, 0.01) << press[i].name;
+    EXPECT_NEAR(press[i].nu, direct[i].nu_gauge, 0.01) << press[i].name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, PressCheck, testing::Values(BeddingRule::zone, BeddingRule::crossing),
+                         [](const auto& rule) {
+                           return rule.param == BeddingRule::zone ? "zone" : "crossing";
+                         });
+
+TEST(PressCheckAsTheRecipeHasIt, WeakJointsBreakAndSoften) {
+  Recipe r = small_recipe();
+  r.test.angles = {0.0, 45.0};
+  r.test.intact = false;
+  r.bedding[0].sigma_n = r.bedding[0].cohesion = 0.5e6;
+  r.bedding[0].mu = 0.1;
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = make_specimens(packing, r);
+  const std::vector<PressModuli> held = press_moduli(specimens, r, machine(), true);
+  const std::vector<PressModuli> free = press_moduli(specimens, r, machine(), false);
+  EXPECT_EQ(held[1].n_cracks, 0);
+  EXPECT_GT(free[1].n_cracks, 10);
+  EXPECT_GT(free[1].slip_share, 0.0);
+  EXPECT_LT(free[1].E, 0.8 * held[1].E);
+}
+
+}  // namespace
+}  // namespace phy

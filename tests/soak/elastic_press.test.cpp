@@ -1,0 +1,35 @@
+// The paper's specimen at seven angles: direct solution against the press, for both packings and both rules.
+#include <gtest/gtest.h>
+
+#include "genesis/cache.hpp"
+#include "genesis/specimen.hpp"
+#include "io/toml_in.hpp"
+#include "statics/uniaxial.hpp"
+#include "study/press_check.hpp"
+
+namespace phy {
+namespace {
+
+class PaperSpecimen : public testing::TestWithParam<const char*> {};
+
+TEST_P(PaperSpecimen, DirectSolutionIsTheSlopeOfThePress) {
+  const Recipe recipe = read_recipe(std::string(PHY_SOURCE_DIR "/examples/paper/") + GetParam() + ".toml");
+  const auto specimens = make_specimens(packing_of(recipe, default_cache_folder()), recipe);
+  ASSERT_EQ(specimens.size(), 8U);  // seven angles and the intact rock
+  MachineOptions machine;
+  machine.isa = native_isa();
+  machine.threads = 2;
+  const auto direct = solve_all(specimens, {}, 2);
+  const auto press = press_moduli(specimens, recipe, machine, true);
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    ASSERT_TRUE(direct[i].outcome.ok()) << direct[i].outcome.reason;
+    ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
+    EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, 0.01) << press[i].name;
+    EXPECT_NEAR(press[i].nu, direct[i].nu_gauge, 0.01) << press[i].name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Recipes, PaperSpecimen, testing::Values("press", "press-crossing", "press-area"));
+
+}  // namespace
+}  // namespace phy
