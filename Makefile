@@ -1,4 +1,5 @@
 # make deps   install what is missing (Debian packages)      make demo   crush the paper's specimen at seven angles
+# make web    bundle report.html anew
 # make test   build and run all tests                         make bench  measure the speed of the press
 BUILD := build/release
 JOBS := $(shell nproc)
@@ -6,7 +7,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
             libsqlite3-dev zlib1g-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps build demo demo-press test bench lint docs clean soak
+.PHONY: web deps build demo demo-press test bench lint docs clean soak
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -44,6 +45,10 @@ tidy: build
 docs: build
 	$(BUILD)/phyllite recipe --reference > docs/reference.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
+
+# The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).
+web:
+	@cd web && npm ci --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
 
 clean:
 	rm -rf build results

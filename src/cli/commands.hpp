@@ -20,6 +20,7 @@ void add_rock_command(CLI::App& app, Session& session);
 void add_contact_command(CLI::App& app, Session& session);
 void add_show_command(CLI::App& app, Session& session);
 void add_calibrate_command(CLI::App& app, Session& session);
+void add_report_command(CLI::App& app, Session& session);
 
 /// Cores that this process may use.
 int available_cores();

@@ -13,8 +13,10 @@
 #include "genesis/cache.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
+#include "io/load.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "report/page.hpp"
 #include "report/tables.hpp"
 #include "study/scheduler.hpp"
 
@@ -93,6 +95,19 @@ Made make_all(const Recipe& recipe, bool no_cache) {
   return made;
 }
 
+/// One page for the whole run, from the folders of its specimens.
+void write_report(const std::string& folder, const std::vector<TestResult>& results) {
+  RunRecord run;
+  for (const TestResult& r : results) {
+    const auto place = std::filesystem::path(folder) / file_name(r.name);
+    if (r.outcome.status == Status::interrupted)
+      run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
+    else
+      run.tests.push_back(read_result(place.string()));
+  }
+  write_file((std::filesystem::path(folder) / "report.html").string(), report_page(run));
+}
+
 int run_one(const std::string& path, const RunArguments& args, const Session& session, bool several) {
   const Recipe recipe = read_recipe(path);
   const std::string folder =
@@ -128,7 +143,8 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) fmt::print("{}\n", trouble);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  fmt::print("{:.1f} s in all; results in {}\n", seconds, folder);
+  write_report(folder, results);
+  fmt::print("{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder, folder);
   for (const TestResult& r : results)
     if (r.outcome.status != Status::peaked) return 1;
   return 0;

@@ -75,6 +75,7 @@ TEST_F(Cli, RunLeavesCompleteResults) {
 
 TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "report.html"));
   const std::string table =
       output.substr(output.find(" theta"), output.rfind("intact") - output.find(" theta"));
   EXPECT_EQ(run("show " + out()), 0);
@@ -82,6 +83,9 @@ TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   fs::remove_all(fs::path(out()) / "intact");
   EXPECT_EQ(run("show " + out()), 1);
   EXPECT_THAT(output, HasSubstr("intact: missing"));
+  EXPECT_EQ(run("report " + out() + " --out " + (folder / "page.html").string()), 0);
+  EXPECT_THAT(output, HasSubstr("intact: missing"));
+  EXPECT_GT(fs::file_size(folder / "page.html"), 100000U);
   EXPECT_EQ(run("show " + out() + "/theta___45_deg"), 0);
   EXPECT_EQ(run("show " + folder.string()), 2);
   EXPECT_EQ(run("show /nonexistent"), 3);

@@ -1,0 +1,134 @@
+#include "report/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "theory/eq1_fit.hpp"
+#include "theory/jaeger_fit.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double drawn_every = 1.0;  // [deg]
+
+AngleCurve sampled(std::string note, const std::function<double(double)>& value) {
+  AngleCurve curve{std::move(note), {}, {}};
+  for (double theta = 0.0; theta <= 90.0; theta += drawn_every) {
+    const double v = value(theta);
+    if (!std::isfinite(v)) continue;
+    curve.theta.push_back(theta);
+    curve.value.push_back(v);
+  }
+  return curve;
+}
+
+const TestRecord* intact_of(const RunRecord& run) {
+  for (const TestRecord& t : run.tests)
+    if (t.result.intact) return &t;
+  return nullptr;
+}
+
+/// E of Eq. 1 is that of the specimen at 90 degrees where there is one, else of the intact specimen, else
+/// free.
+Eq1Options reference_for(const RunRecord& run) {
+  Eq1Options options;
+  options.reference = Eq1Reference::free;
+  if (const TestRecord* intact = intact_of(run); intact != nullptr && value_of(*intact, "E_tangent") > 0.0) {
+    options.reference = Eq1Reference::given;
+    options.E = value_of(*intact, "E_tangent");
+  }
+  for (const TestRecord& t : run.tests)
+    if (!t.result.intact && t.result.theta == 90.0 && value_of(t, "E_tangent") > 0.0)
+      options.reference = Eq1Reference::measured_90;
+  return options;
+}
+
+void add_goodman(const RunRecord& run, TheoryCurves& curves) {
+  std::vector<ModulusReading> readings;
+  double nu_90 = std::numeric_limits<double>::quiet_NaN(), spacing = 0.0;
+  for (const TestRecord& t : run.tests) {
+    if (t.result.intact) continue;
+    if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
+    if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
+    if (!t.recipe.bedding.empty()) spacing = t.recipe.bedding[0].spacing;
+  }
+  const Eq1Options options = reference_for(run);
+  const Eq1Fit fit = fit_eq1(readings, options);
+  if (!fit.ok() || spacing <= 0.0) {
+    curves.E.note = curves.nu.note = "No theory curve: " + (fit.ok() ? "no bedding" : fit.reason) + ".";
+    return;
+  }
+  const char* reference = options.reference == Eq1Reference::measured_90 ? "E taken at 90°"
+                          : options.reference == Eq1Reference::given     ? "E of the intact specimen"
+                                                                         : "E fitted";
+  JointedRock rock = fit.rock;
+  curves.E = sampled(
+      fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance, {}: E = {:.1f} "
+                  "GPa, K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m, R² = {:.3f}.",
+                  reference, rock.E * 1e-9, rock.K_n_delta * 1e-9 / spacing, rock.K_s_delta * 1e-9 / spacing,
+                  fit.R2),
+      [&](double theta) { return goodman_E(rock, theta); });
+  rock.nu = nu_90;
+  curves.nu.note = "No theory curve: it starts from ν at 90°.";
+  if (std::isfinite(nu_90))
+    curves.nu = sampled("Dashed: the same continuum, with ν at 90°; nothing fitted here.",
+                        [&](double theta) { return goodman_nu(rock, theta); });
+}
+
+void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
+  std::vector<StrengthReading> readings;
+  double ends = 0.0, n_ends = 0.0, strongest = 0.0;
+  for (const TestRecord& t : run.tests) {
+    const double ucs = value_of(t, "ucs");
+    if (!(ucs > 0.0) || t.result.intact) continue;
+    readings.push_back({t.result.theta, ucs});
+    strongest = std::max(strongest, ucs);
+    if (t.result.theta == 0.0 || t.result.theta == 90.0) ends += ucs, n_ends += 1.0;
+  }
+  const double matrix = n_ends > 0.0 ? ends / n_ends : strongest;
+  const JaegerFit fit = fit_jaeger(readings, matrix);
+  if (!fit.ok) {
+    curves.ucs.note = "No theory curve: " + fit.reason + ".";
+    return;
+  }
+  curves.ucs =
+      sampled(fmt::format("Dashed: one plane of weakness (Jaeger 1960), least squares, matrix of {:.1f} MPa "
+                          "({}): c = {:.1f} MPa, φ = {:.1f}°, R² = {:.3f}.",
+                          matrix * 1e-6, n_ends > 0.0 ? "mean at 0° and 90°" : "the strongest",
+                          fit.plane.cohesion * 1e-6, fit.plane.friction, fit.R2),
+              [&](double theta) { return jaeger_sigma_1(fit.plane, matrix, theta, 0.0); });
+}
+
+}  // namespace
+
+double value_of(const TestRecord& test, const std::string& name) {
+  for (const Number& n : test.result.numbers)
+    if (n.name == name) return n.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+TheoryCurves theory_curves(const RunRecord& run) {
+  TheoryCurves curves;
+  add_goodman(run, curves);
+  add_jaeger(run, curves);
+  return curves;
+}
+
+Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
+  Rose rose{std::vector<double>(n_bins, 0.0), std::vector<double>(n_bins, 0.0)};
+  for (const CrackEvent& c : cracks) {
+    double turn =
+        std::atan2(c.normal.x, -c.normal.y) / std::numbers::pi;  // of the crack itself, in half turns
+    turn -= std::floor(turn);
+    const auto bin = std::min(n_bins - 1, static_cast<std::size_t>(turn * static_cast<double>(n_bins)));
+    (c.mode == CrackMode::tension ? rose.tension : rose.shear)[bin] += 1.0;
+  }
+  return rose;
+}
+
+}  // namespace phy

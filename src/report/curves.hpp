@@ -1,0 +1,35 @@
+// Curves for pages and figures that no specimen has measured: theory fitted to the specimens of a run, and
+// the directions of cracks.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/test_record.hpp"
+
+namespace phy {
+
+/// A curve over the inclination; empty, with the reason in `note`, where there is none.
+struct AngleCurve {
+  std::string note;           ///< what it is and how it was fitted, one sentence with the numbers
+  std::vector<double> theta;  ///< [deg]
+  std::vector<double> value;  ///< SI
+};
+
+struct TheoryCurves {
+  AngleCurve E;    ///< Goodman's equivalent continuum fitted to E_tangent [Pa]
+  AngleCurve nu;   ///< the Poisson's ratio of the same continuum [1]
+  AngleCurve ucs;  ///< Jaeger's plane of weakness fitted to ucs [Pa]
+};
+TheoryCurves theory_curves(const RunRecord& run);
+
+/// Cracks by direction: bins of 180/n degrees, anticlockwise from +x; a crack counts once.
+struct Rose {
+  std::vector<double> tension, shear;
+  double bin() const { return 180.0 / static_cast<double>(tension.size()); }
+};
+Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins = 18);
+
+/// Value of a number, NaN where the result has none.
+double value_of(const TestRecord& test, const std::string& name);
+
+}  // namespace phy

@@ -1,0 +1,109 @@
+#include "report/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/units.hpp"
+
+namespace phy {
+namespace {
+
+std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
+
+std::string packing_text(const TestRecord& t) {
+  const Recipe& r = t.recipe;
+  const std::string source =
+      r.packing.file.empty()
+          ? fmt::format("radii between {} and {}, uniform by {}, seed {}",
+                        quantity(r.packing.radius_min, Dimension::length),
+                        quantity(r.packing.radius_max, Dimension::length),
+                        r.packing.distribution == RadiusDistribution::by_number ? "number" : "area",
+                        r.packing.seed)
+          : "imported";
+  return fmt::format(
+      "The specimens are two-dimensional assemblies of {} discs ({}) in a rectangle of {} by {} (width by "
+      "height, load along "
+      "the height). The packing has porosity {:.4f}, coordination number {:.3f} and fabric {:+.4f}; {}.",
+      t.n_grains, source, quantity(r.specimen.width, Dimension::length),
+      quantity(r.specimen.height, Dimension::length), t.packing.porosity, t.packing.coordination,
+      t.packing.fabric,
+      t.stress_free
+          ? "its overlaps are the stress-free state"
+          : fmt::format("it carries a locked-in stress of {:.3f} MPa", t.packing.stress_left * 1e-6));
+}
+
+std::string matrix_text(const MatrixRecipe& m) {
+  const auto p = [](double v) { return quantity(v, Dimension::pressure); };
+  return fmt::format(
+      "The matrix is a bonded-particle model (Potyondy & Cundall 2004): linear contacts (E_c = {}, k_s/k_n = "
+      "{:g}, mu = {:g}) "
+      "and parallel bonds (E_b = {}, k_s/k_n = {:g}, tensile strength {} with standard deviation {}, shear "
+      "strength {} with "
+      "standard deviation {}, radius multiplier {:g}, bond seed {}); grain density {}.",
+      p(m.E_c), m.ks_over_kn, m.mu, p(m.E_b), m.bond_ks_over_kn, p(m.sigma_c), p(m.sigma_c_sd), p(m.tau_c),
+      p(m.tau_c_sd), m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density));
+}
+
+std::string bedding_text(const BeddingRecipe& b) {
+  const auto s = [](double v) { return quantity(v, Dimension::stiffness); };
+  return fmt::format(
+      "Bedding planes, {} apart, are smooth joints (Mas Ivars et al. 2011), assigned by the {}: k_n = {}, "
+      "k_s = {}, mu = {:g}, "
+      "tensile strength {}, cohesion {}, friction angle of the bonded joint {:g} deg, dilation angle {:g} "
+      "deg. theta is the "
+      "inclination of the planes from the horizontal, the load being vertical.",
+      quantity(b.spacing, Dimension::length),
+      b.rule == BeddingRule::zone
+          ? fmt::format("zone rule with a thickness of {}", quantity(b.zone_thickness, Dimension::length))
+          : std::string("crossing rule"),
+      s(b.k_n), s(b.k_s), b.mu, quantity(b.sigma_n, Dimension::pressure),
+      quantity(b.cohesion, Dimension::pressure), b.phi, b.psi);
+}
+
+std::string loading_text(const RunRecord& run) {
+  const TestRecord& t = run.tests.front();
+  double least = t.result.dt, most = t.result.dt;
+  for (const TestRecord& other : run.tests)
+    least = std::min(least, other.result.dt), most = std::max(most, other.result.dt);
+  const Recipe& r = t.recipe;
+  return fmt::format(
+      "Two rigid platens (friction {:g}) closed at {} each. The explicit time step was {:.3g} to {:.3g} s "
+      "({:g} of the "
+      "proven stable step), local damping {:g}, {} precision. A test ended when the stress had fallen to "
+      "{:g} % of the peak or "
+      "the strain exceeded that of the peak by {:g} %.",
+      r.test.platen_friction, quantity(r.test.platen_speed, Dimension::speed), least, most,
+      r.engine.step_safety, r.engine.damping,
+      r.engine.precision == Precision::double_precision ? "double" : "single", 100.0 * r.test.stop_at,
+      100.0 * r.test.post_peak);
+}
+
+std::string definitions_text(const TestRecord& t) {
+  std::string text = "Definitions. ";
+  for (const char* name : {"E_tangent", "nu", "ucs", "sigma_ci", "sigma_cd"})
+    for (const Number& n : t.result.numbers)
+      if (n.name == name && !n.definition.empty()) text += fmt::format("{}: {}. ", name, n.definition);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> methods_text(const RunRecord& run) {
+  if (run.tests.empty()) return {};
+  const TestRecord& t = run.tests.front();
+  std::vector<std::string> text = {packing_text(t), matrix_text(t.recipe.matrix)};
+  for (const BeddingRecipe& b : t.recipe.bedding) text.push_back(bedding_text(b));
+  text.push_back(loading_text(run));
+  text.push_back(definitions_text(t));
+  text.push_back(
+      fmt::format("Computed with {} (packing {}). D.O. Potyondy & P.A. Cundall, A bonded-particle model for "
+                  "rock, Int. J. Rock Mech. "
+                  "Min. Sci. 41 (2004) 1329-1364. D. Mas Ivars et al., The synthetic rock mass approach for "
+                  "jointed rock mass modelling, "
+                  "Int. J. Rock Mech. Min. Sci. 48 (2011) 219-244.",
+                  t.program, t.packing_hash));
+  return text;
+}
+
+}  // namespace phy

@@ -1,0 +1,13 @@
+// The methods section of a paper, written from the completed recipe of a run.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/test_record.hpp"
+
+namespace phy {
+
+/// Paragraphs on model, specimens, loading and definitions, with the literature; ready to cite.
+std::vector<std::string> methods_text(const RunRecord& run);
+
+}  // namespace phy

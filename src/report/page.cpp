@@ -1,0 +1,168 @@
+#include "report/page.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "io/base64.hpp"
+#include "io/scene.hpp"
+#include "io/store.hpp"
+#include "io/toml_in.hpp"
+#include "report/curves.hpp"
+#include "report/methods.hpp"
+
+// The page without data, taken into the program by the assembler.
+asm(".section .rodata\n"
+    "phy_page_begin: .incbin \"" PHY_PAGE
+    "\"\n"
+    "phy_page_end: .byte 0\n"
+    ".previous\n");
+extern "C" const char phy_page_begin[], phy_page_end[];
+
+namespace phy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+template <class T, class Items, class Value>
+std::string packed(const Items& items, Value value) {
+  std::vector<T> numbers;
+  for (const auto& item : items) numbers.push_back(static_cast<T>(value(item)));
+  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+
+Json history_json(const History& history) {
+  Json j;
+  for (const HistoryColumn& c : history_columns())
+    for (const char* name : {"axial_strain", "axial_stress", "lateral_strain_gauge"})
+      if (std::string_view(c.name) == name)
+        j[name] = packed<double>(history.rows, [&](const HistoryRow& row) { return row.*c.value; });
+  return j;
+}
+
+Json cracks_json(const std::vector<CrackEvent>& cracks) {
+  const auto kind = [](const CrackEvent& c) {
+    return (c.mode == CrackMode::shear ? 1 : 0) + (c.place == CrackPlace::bedding ? 2 : 0);
+  };
+  return {{"strain", packed<double>(cracks, [](const CrackEvent& c) { return c.strain; })},
+          {"a", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.a; })},
+          {"b", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.b; })},
+          {"kind", packed<std::uint8_t>(cracks, kind)},
+          {"normal_x", packed<float>(cracks, [](const CrackEvent& c) { return c.normal.x; })},
+          {"normal_y", packed<float>(cracks, [](const CrackEvent& c) { return c.normal.y; })},
+          {"size", packed<float>(cracks, [](const CrackEvent& c) { return c.size; })}};
+}
+
+Json test_json(const TestRecord& t, std::size_t index) {
+  const Rose rose = crack_rose(t.result.cracks);
+  Json bedding = Json::array();
+  for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
+    bedding.push_back({{"theta", t.bedding[i].theta},
+                       {"spacing", t.recipe.bedding[i].spacing},
+                       {"offset", t.recipe.bedding[i].offset}});
+  return {{"result", Json::parse(result_json(t))},
+          {"label", t.result.intact ? "intact" : print_number(t.result.theta) + "°"},
+          {"history", history_json(t.result.history)},
+          {"cracks", cracks_json(t.result.cracks)},
+          {"rose", {{"bin", rose.bin()}, {"tension", rose.tension}, {"shear", rose.shear}}},
+          {"bedding", bedding},
+          {"scene", t.scene.frames.empty() ? Json(nullptr) : Json("scene-" + std::to_string(index))}};
+}
+
+Json curve_json(const AngleCurve& c) { return {{"note", c.note}, {"theta", c.theta}, {"value", c.value}}; }
+
+Json target_json(const Target& t) {
+  return {
+      {"property", to_string(t.property)}, {"theta", t.theta}, {"mean", t.mean}, {"sd", t.sd}, {"n", t.n}};
+}
+
+Json comparisons_json(const std::vector<Comparison>& rows) {
+  Json j = Json::array();
+  for (const Comparison& c : rows)
+    j.push_back({{"property", to_string(c.target.property)},
+                 {"theta", c.target.theta},
+                 {"lab", c.target.mean},
+                 {"lab_sd", c.target.sd},
+                 {"n", c.target.n},
+                 {"mean", number_or_null(c.mean)},
+                 {"sd", number_or_null(c.sd)},
+                 {"low", number_or_null(c.low)},
+                 {"high", number_or_null(c.high)}});
+  return j;
+}
+
+Json calibration_json(const Calibration* c) {
+  if (c == nullptr) return nullptr;
+  Json parameters = Json::array();
+  for (const ParameterEstimate& p : c->parameters)
+    parameters.push_back({{"key", p.key},
+                          {"symbol", p.symbol},
+                          {"unit", p.unit},
+                          {"value", number_or_null(p.value)},
+                          {"low", number_or_null(p.low)},
+                          {"high", number_or_null(p.high)},
+                          {"determined", p.determined},
+                          {"rests_on", p.rests_on},
+                          {"next_test", p.next_test}});
+  return {{"rock", c->rock},
+          {"verdict", to_string(c->verdict.status)},
+          {"findings", c->verdict.findings},
+          {"parameters", parameters},
+          {"fitted", comparisons_json(c->fitted)},
+          {"verification", comparisons_json(c->verification)},
+          {"left_out", comparisons_json(c->left_out)},
+          {"notes", c->notes}};
+}
+
+Json report_json(const RunRecord& run, const PageExtras& extras) {
+  Json j;
+  const TestRecord none;
+  const TestRecord& first = run.tests.empty() ? none : run.tests.front();
+  j["name"] = run.tests.empty() ? "no specimens" : first.recipe.name;
+  j["program"] = first.program;
+  j["tests"] = Json::array();
+  for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
+  j["missing"] = Json::array();
+  for (const MissingTest& m : run.missing) j["missing"].push_back({{"name", m.name}, {"reason", m.reason}});
+  const TheoryCurves curves = theory_curves(run);
+  j["curves"] = {{"E", curve_json(curves.E)}, {"nu", curve_json(curves.nu)}, {"ucs", curve_json(curves.ucs)}};
+  j["laboratory"] = Json::array();
+  for (const Target& t : extras.laboratory) j["laboratory"].push_back(target_json(t));
+  if (extras.calibration != nullptr && extras.laboratory.empty())
+    for (const Comparison& c : extras.calibration->fitted) j["laboratory"].push_back(target_json(c.target));
+  j["calibration"] = calibration_json(extras.calibration);
+  j["methods"] = methods_text(run);
+  j["recipe"] = run.tests.empty() ? "" : write_recipe(first.recipe);
+  return j;
+}
+
+/// JSON inside a script element: no "<" may stand there as such.
+std::string for_script(const Json& j) {
+  std::string text;
+  for (const char c : j.dump(-1, ' ', false, Json::error_handler_t::replace))
+    c == '<' ? text += "\\u003c" : text += c;
+  return text;
+}
+
+}  // namespace
+
+std::string report_page(const RunRecord& run, const PageExtras& extras) {
+  const std::string_view page(phy_page_begin, static_cast<std::size_t>(phy_page_end - phy_page_begin));
+  constexpr std::string_view place = "<!--data-->";
+  const std::size_t at = page.find(place);
+  PHY_CHECK(at != page.npos, "the page has a place for the data");
+  std::string text(page.substr(0, at));
+  text += "<script type=\"application/json\" id=\"report-data\">" + for_script(report_json(run, extras)) +
+          "</script>\n";
+  for (std::size_t i = 0; i < run.tests.size(); ++i)
+    if (!run.tests[i].scene.frames.empty())
+      text += "<script type=\"text/plain\" id=\"scene-" + std::to_string(i) + "\">" +
+              base64(pack_scene(run.tests[i].scene)) + "</script>\n";
+  return text.append(page.substr(at + place.size()));
+}
+
+}  // namespace phy

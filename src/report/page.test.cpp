@@ -1,0 +1,155 @@
+#include "report/page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/base64.hpp"
+#include "io/store.hpp"
+#include "records/assembly.hpp"
+#include "report/curves.hpp"
+#include "theory/goodman.hpp"
+
+namespace phy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::Not;
+
+TestRecord test_at(double theta) {
+  Specimen s = assembly(hexagonal(5, 8, 0.001), MatrixRecipe{});
+  Recipe recipe;
+  recipe.name = "<script>alert('name')</script>";
+  recipe.bedding.resize(1);
+  recipe.test.angles = {0.0, 45.0, 90.0};
+  s.bedding = recipe.bedding;
+  s.bedding[0].theta = theta;
+  s.bedding_report.resize(1);
+  TestResult r;
+  r.name = specimen_name(theta);
+  r.intact = false, r.theta = theta;
+  r.outcome = {Status::not_peaked, "</script><b>no drop</b>", "<!-- raise -->"};
+  r.numbers = {{"ucs", 1e8 / 3.0 * (1.0 + theta / 300.0), "Pa", "largest & first", ""},
+               {"E_tangent", 2e10 + 1e8 / 7.0 * theta, "Pa", "slope", ""},
+               {"nu", std::numeric_limits<double>::quiet_NaN(), "1", "ratio", "too \"few\" rows"}};
+  r.history.rows.resize(3);
+  r.history.rows[2].axial_strain = 1.0 / 3.0;
+  r.cracks.resize(2);
+  r.cracks[1].normal = {0.0, 1.0};
+  for (int k = 0; k < 3; ++k)
+    r.frames.push_back({1.0 * k, 1e-3 * k, 0.0, {s.packing->discs.size(), {0.0F, 0.0F}}});
+  return record_of(recipe, "9.9", s, r);
+}
+
+RunRecord three() {
+  RunRecord run;
+  for (const double theta : {0.0, 45.0, 90.0}) run.tests.push_back(test_at(theta));
+  return run;
+}
+
+/// The block of data in a page, found as a browser finds it: up to the first end tag.
+Json data_of(const std::string& page) {
+  const std::string begin = "id=\"report-data\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  return Json::parse(page.substr(from, page.find("</script", from) - from));
+}
+
+TEST(Page, EveryNumberIsThatOfResultJson) {
+  const RunRecord run = three();
+  const Json data = data_of(report_page(run));
+  ASSERT_EQ(data["tests"].size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(data["tests"][i]["result"], Json::parse(result_json(run.tests[i])));
+  EXPECT_EQ(data["tests"][1]["result"]["numbers"]["ucs"]["value"].get<double>(),
+            1e8 / 3.0 * (1.0 + 45.0 / 300.0));
+  EXPECT_TRUE(data["tests"][1]["result"]["numbers"]["nu"]["value"].is_null());
+}
+
+TEST(Page, TextOfTheUserIsNeverMarkup) {
+  const std::string page = report_page(three());
+  for (const char* bad : {"<script>alert", "<b>no drop", "<!-- raise"})
+    EXPECT_THAT(page, Not(HasSubstr(bad)));
+  EXPECT_EQ(data_of(page)["name"], "<script>alert('name')</script>");
+  EXPECT_EQ(data_of(page)["tests"][0]["result"]["outcome"]["reason"], "</script><b>no drop</b>");
+}
+
+TEST(Page, SaysWhatIsMissingAndStandsWithoutSpecimens) {
+  RunRecord run = three();
+  run.missing = {{"theta = 60 deg", "stopped by the user"}};
+  EXPECT_EQ(data_of(report_page(run))["missing"][0]["reason"], "stopped by the user");
+  RunRecord none;
+  none.missing = run.missing;
+  const Json data = data_of(report_page(none));
+  EXPECT_EQ(data["tests"].size(), 0U);
+  EXPECT_EQ(data["missing"][0]["name"], "theta = 60 deg");
+}
+
+TEST(Page, RefersToNothingOutside) {
+  const std::string page = report_page(three());
+  for (const char* reference : {"src=\"", "href=\"http", "@import", "url(http"})
+    EXPECT_THAT(page, Not(HasSubstr(reference)));
+}
+
+TEST(Page, CarriesCalibrationAndLaboratory) {
+  Calibration c;
+  c.rock = "shale & co";
+  c.verdict = {VerdictStatus::calibrated_except, {"nu at 45 degrees is out by 12 %"}};
+  c.parameters = {{"matrix.E_c", "E_c", "Pa", 3.8e10, 3.5e10, 4e10, 1e9, 1e11, true, "E at 90", ""}};
+  Comparison row;
+  row.target = {Property::ucs, 45.0, 6e7, 3e6, 4, false};
+  row.mean = 5.9e7;
+  c.fitted = {row};
+  PageExtras extras;
+  extras.calibration = &c;
+  const Json data = data_of(report_page(three(), extras));
+  EXPECT_EQ(data["calibration"]["verdict"], "calibrated except");
+  EXPECT_EQ(data["calibration"]["fitted"][0]["mean"].get<double>(), 5.9e7);
+  EXPECT_TRUE(data["calibration"]["fitted"][0]["low"].is_null());
+  EXPECT_EQ(data["laboratory"][0]["mean"].get<double>(), 6e7);
+}
+
+TEST(TheoryCurves, GoThroughReadingsThatTheyMade) {
+  RunRecord run;
+  const JointedRock rock{60e9, 40e9, 8e9, 0.2};
+  for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0}) {
+    TestRecord t = test_at(theta);
+    t.result.numbers = {{"E_tangent", goodman_E(rock, theta), "Pa", "", ""},
+                        {"nu", goodman_nu(rock, theta), "1", "", ""}};
+    run.tests.push_back(t);
+  }
+  const TheoryCurves curves = theory_curves(run);
+  ASSERT_EQ(curves.E.theta.size(), 91U);
+  for (const int theta : {10, 40, 77}) {
+    EXPECT_NEAR(curves.E.value[static_cast<std::size_t>(theta)] / goodman_E(rock, theta), 1.0, 1e-9);
+    EXPECT_NEAR(curves.nu.value[static_cast<std::size_t>(theta)], goodman_nu(rock, theta), 1e-9);
+  }
+  EXPECT_TRUE(curves.ucs.theta.empty());
+  EXPECT_THAT(curves.ucs.note, HasSubstr("No theory curve"));
+}
+
+TEST(CrackRose, CountsCracksByTheirOwnDirection) {
+  std::vector<CrackEvent> cracks(4);
+  cracks[0].normal = {0.0, 1.0};                         // the crack lies along x: 0 degrees
+  cracks[1].normal = {1.0, 0.0};                         // along y: 90
+  cracks[2].normal = {-std::sqrt(0.5), std::sqrt(0.5)};  // along 45
+  cracks[3].normal = {std::sqrt(0.5), -std::sqrt(0.5)};  // the same line, seen from the other side
+  cracks[1].mode = CrackMode::shear;
+  const Rose rose = crack_rose(cracks, 8);  // bins of 22.5 degrees
+  EXPECT_EQ(rose.tension[0] + rose.tension[7], 1.0);
+  EXPECT_EQ(rose.shear[4] + rose.shear[3], 1.0);
+  EXPECT_EQ(rose.tension[2] + rose.tension[1], 2.0);
+}
+
+TEST(Base64, MatchesTheExamplesOfTheStandard) {
+  for (const auto& [bytes, text] :
+       {std::pair{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}})
+    EXPECT_EQ(base64(bytes), text);
+  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,34 @@
+// Cohesion and friction of one plane of weakness from strengths at several inclinations: least squares of
+// Jaeger's theory (theory/jaeger.hpp), unconfined, with the strength of the matrix as a cap.
+//
+//   minimise sum (ucs_i - min(matrix, sigma_1(c, phi; theta_i)))^2,   0 <= c <= matrix/2, 0 <= phi <= 60
+//
+// The sum has kinks where a specimen changes between plane and matrix, and may have several minima: a grid
+// over phi and c, then two rounds of finer grids around the best point. Rejected: Gauss-Newton, which stops
+// at kinks. Flat shoulders are part of the theory; rock is rounder (docs/theory/strength.md), so a low R2 is
+// a finding.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "theory/jaeger.hpp"
+
+namespace phy {
+
+struct StrengthReading {
+  double theta = 0.0;  ///< [deg]
+  double ucs = 0.0;    ///< [Pa]
+};
+
+struct JaegerFit {
+  bool ok = false;
+  std::string reason;  ///< why not, empty when ok
+  Coulomb plane;
+  double R2 = 0.0;  ///< 1 - sum of squares / sum (ucs - mean)^2; NaN when all strengths are equal
+};
+
+/// Needs readings at three inclinations, one of them between 20 and 80 degrees, one weaker than the matrix,
+/// and a positive matrix strength [Pa].
+JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix_ucs);
+
+}  // namespace phy

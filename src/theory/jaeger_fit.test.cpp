@@ -1,0 +1,58 @@
+#include "theory/jaeger_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace phy {
+namespace {
+
+std::vector<StrengthReading> rock_of(double cohesion, double tan_friction, double matrix) {
+  // Coulomb on a plane, unconfined: slip when sin cos s >= c + tan s cos^2.
+  std::vector<StrengthReading> all;
+  for (const double theta : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
+    const double a = theta * std::acos(-1.0) / 180.0;
+    const double drive = std::sin(a) * std::cos(a) - tan_friction * std::cos(a) * std::cos(a);
+    all.push_back({theta, drive > 1e-9 ? std::min(matrix, cohesion / drive) : matrix});
+  }
+  return all;
+}
+
+TEST(JaegerFit, FindsThePlaneThatMadeTheReadings) {
+  for (const double c : {5e6, 18e6, 35e6})
+    for (const double mu : {0.1, 0.4, 0.8}) {
+      const JaegerFit fit = fit_jaeger(rock_of(c, mu, 300e6), 300e6);
+      ASSERT_TRUE(fit.ok) << fit.reason;
+      EXPECT_NEAR(fit.plane.cohesion, c, 1e-3 * c) << mu;
+      EXPECT_NEAR(std::tan(fit.plane.friction * std::acos(-1.0) / 180.0), mu, 2e-3) << c;
+      EXPECT_GT(fit.R2, 0.99999);
+    }
+}
+
+TEST(JaegerFit, NoOtherPlaneNearbyFitsScatteredReadingsBetter) {
+  auto readings = rock_of(20e6, 0.5, 140e6);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i].ucs *= 1.0 + 0.06 * std::sin(2.3 * static_cast<double>(i));
+  const JaegerFit fit = fit_jaeger(readings, 140e6);
+  const auto sum = [&](double c, double phi) {
+    double s = 0.0;
+    for (const auto& r : readings) s += std::pow(r.ucs - jaeger_sigma_1({c, phi}, 140e6, r.theta, 0.0), 2);
+    return s;
+  };
+  const double least = sum(fit.plane.cohesion, fit.plane.friction);
+  for (double c = 10e6; c < 30e6; c += 0.31e6)
+    for (double phi = 15.0; phi < 40.0; phi += 0.37)
+      EXPECT_GE(sum(c, phi), least * (1.0 - 1e-9)) << c << " " << phi;
+}
+
+TEST(JaegerFit, RefusesWhatHoldsNoPlane) {
+  EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {90.0, 1e8}}, 1e8).ok);
+  EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {10.0, 1e8}, {90.0, 1e8}}, 1e8).ok);
+  EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {45.0, -1.0}, {90.0, 1e8}}, 1e8).ok);
+  EXPECT_FALSE(fit_jaeger(rock_of(20e6, 0.5, 140e6), 0.0).ok);
+  EXPECT_NE(fit_jaeger({}, 1e8).reason, "");
+  EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {45.0, 1e8}, {90.0, 1e8}}, 1e8).ok);  // no plane shows
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,275 @@
+// Charts as SVG (Observable Plot): they scale, follow light and dark through CSS colours, and print as vectors.
+import * as Plot from "@observablehq/plot";
+import { Comparison, Curve, LabPoint, Report, Test, crackKinds, lastUpTo } from "./data";
+
+const base = {
+  style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
+  grid: true,
+};
+
+const value = (t: Test, name: string): number | null => t.numbers[name]?.value ?? null;
+
+/** Stress in MPa over strain in per cent; long histories are thinned to what a chart can show. */
+function curvePoints(t: Test) {
+  const step = Math.max(1, Math.floor(t.strain.length / 900));
+  const points: { strain: number; stress: number; name: string }[] = [];
+  let top = 0;
+  for (let i = 0; i < t.stress.length; ++i) if (t.stress[i] > t.stress[top]) top = i;
+  for (let i = 0; i < t.strain.length; ++i)
+    if (i % step === 0 || i === top || i === t.strain.length - 1)
+      points.push({ strain: 100 * t.strain[i], stress: 1e-6 * t.stress[i], name: t.name });
+  return points;
+}
+
+/** Strain at which the loading branch first reaches a stress. */
+function strainAt(t: Test, stress: number | null): number | null {
+  if (stress === null) return null;
+  for (let i = 0; i < t.stress.length; ++i) if (t.stress[i] >= stress) return t.strain[i];
+  return null;
+}
+
+const levels = [
+  { name: "sigma_ci", label: "σci", symbol: "triangle" as const },
+  { name: "sigma_cd", label: "σcd", symbol: "square" as const },
+  { name: "ucs", label: "UCS", symbol: "star" as const },
+];
+
+function marks(t: Test) {
+  return levels.flatMap((l) => {
+    const stress = value(t, l.name);
+    const strain = l.name === "ucs" ? value(t, "peak_strain") : strainAt(t, stress);
+    return stress === null || strain === null
+      ? []
+      : [{ strain: 100 * strain, stress: 1e-6 * stress, symbol: l.symbol, label: l.label, test: t }];
+  });
+}
+
+export interface LinkedChart {
+  node: SVGSVGElement | HTMLElement;
+  x: (strain: number) => number; // strain in per cent to pixels
+  y: (stress: number) => number;
+}
+
+/** All stress-strain curves with damage stresses marked. */
+export function stressStrain(report: Report, width: number, selected: number | null): LinkedChart {
+  const points = report.tests.flatMap((t, i) =>
+    curvePoints(t).map((p) => ({ ...p, color: t.color, fade: selected !== null && selected !== i })),
+  );
+  const all = report.tests.flatMap((t, i) => (selected === null || selected === i ? marks(t) : []));
+  const largest = Math.max(1, ...points.map((p) => p.stress));
+  const node = Plot.plot({
+    ...base,
+    width,
+    height: Math.max(300, Math.min(460, width * 0.52)),
+    marginLeft: 48,
+    marginRight: 20,
+    marginBottom: 42,
+    x: { label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", domain: [0, Math.max(0.01, ...points.map((p) => p.strain))] },
+    y: { label: "axial stress [MPa]", labelArrow: "none", domain: [0, largest * 1.05], nice: true },
+    marks: [
+      Plot.ruleY([0]),
+      Plot.line(points, { x: "strain", y: "stress", z: "name", stroke: "color", strokeWidth: 1.8, strokeOpacity: (d: { fade: boolean }) => (d.fade ? 0.22 : 1) }),
+      Plot.dot(all, { x: "strain", y: "stress", symbol: (d: any) => d.symbol, fill: (d: any) => d.test.color, stroke: "var(--surface)", strokeWidth: 1, r: 5 }),
+      Plot.text(all.filter((m) => m.label === "UCS"), { x: "strain", y: "stress", text: (d) => d.test.label, dy: -13, fill: (d) => d.test.color, fontWeight: 600, stroke: "var(--surface)", strokeWidth: 4 }),
+      Plot.tip(
+        points.filter((p) => !p.fade),
+        Plot.pointer({ x: "strain", y: "stress", title: (d) => `${d.name}\n${d.stress.toFixed(2)} MPa at ${d.strain.toFixed(4)} %`, fill: "var(--surface)" }),
+      ),
+    ],
+  });
+  const [sx, sy] = [node.scale("x")!, node.scale("y")!];
+  return { node: node as SVGSVGElement, x: (v) => sx.apply(v), y: (v) => sy.apply(v) };
+}
+
+/** One specimen: stress, crack counts by kind on the right axis, damage stresses. */
+export function damage(t: Test, width: number): LinkedChart {
+  const points = curvePoints(t);
+  const all = marks(t);
+  const largest = Math.max(1e-9, ...points.map((p) => p.stress)) * 1.12;
+  const n = t.cracks.strain.length;
+  const scale = largest / Math.max(1, n) / 1.12;
+  const areas: { strain: number; low: number; high: number; kind: number }[] = [];
+  const steps = 160;
+  const counts = [0, 0, 0, 0];
+  for (let k = 0, i = 0; k <= steps; ++k) {
+    const strain = (t.end * k) / steps;
+    for (; i < n && t.cracks.strain[i] <= strain; ++i) ++counts[t.cracks.kind[i]];
+    let low = 0;
+    counts.forEach((c, kind) => {
+      areas.push({ strain: 100 * strain, low: low * scale, high: (low + c) * scale, kind });
+      low += c;
+    });
+  }
+  const ticks = [0, 0.5, 1].map((part) => part * n);
+  const node = Plot.plot({
+    ...base,
+    width,
+    height: Math.max(190, width * 0.68),
+    marginLeft: 38,
+    marginRight: 44,
+    marginTop: 26,
+    marginBottom: 34,
+    x: { label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", ticks: 4, domain: [0, Math.max(1e-3, 100 * t.end)] },
+    y: { label: "stress [MPa]", labelArrow: "none", ticks: 5, domain: [0, largest] },
+    marks: [
+      Plot.areaY(areas, { x: "strain", y1: "low", y2: "high", z: "kind", fill: (d: { kind: number }) => `var(${crackKinds[d.kind].variable})`, fillOpacity: 0.55 }),
+      Plot.axisY({ anchor: "left", ticks: 5, label: "stress [MPa]", labelArrow: "none" }),
+      Plot.axisX({ label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", ticks: 4 }),
+      Plot.axisY(ticks.map((v) => v * scale), { anchor: "right", label: "cracks", labelArrow: "none", tickFormat: (v) => Math.round(v / scale).toString() }),
+      Plot.line(points, { x: "strain", y: "stress", stroke: "var(--ink)", strokeWidth: 1.6 }),
+      Plot.dot(all, { x: "strain", y: "stress", symbol: (d: any) => d.symbol, fill: "var(--ink)", stroke: "var(--surface)", r: 4.5 }),
+      ...[all.filter((m) => m.label === "UCS"), all.filter((m) => m.label !== "UCS")].map((some, i) =>
+        Plot.text(some, { x: "strain", y: "stress", text: "label", dx: i === 0 ? 0 : -9, dy: i === 0 ? -13 : 2, textAnchor: i === 0 ? "middle" : "end", stroke: "var(--surface)", strokeWidth: 4, fill: "var(--ink)" }),
+      ),
+    ],
+  });
+  const [sx, sy] = [node.scale("x")!, node.scale("y")!];
+  return { node: node as SVGSVGElement, x: (v) => sx.apply(v), y: (v) => sy.apply(v) };
+}
+
+interface AngleOptions {
+  name: string; // of the number in result.json
+  label: string;
+  factor: number;
+  curve: Curve;
+  property: string; // of laboratory points
+}
+
+/** One number over the inclination: model, theory, laboratory. */
+export function overAngle(report: Report, width: number, o: AngleOptions): SVGSVGElement | HTMLElement {
+  const model = report.tests.flatMap((t) => {
+    const v = value(t, o.name);
+    return t.theta === null || v === null ? [] : [{ theta: t.theta, value: v * o.factor, color: t.color, name: t.name }];
+  });
+  const intact = report.tests.flatMap((t) => {
+    const v = value(t, o.name);
+    return t.theta !== null || v === null ? [] : [{ value: v * o.factor }];
+  });
+  const theory = o.curve.theta.map((theta, i) => ({ theta, value: o.curve.value[i] * o.factor }));
+  const points = report.laboratory.filter((p) => p.property === o.property).map((p: LabPoint) => ({
+    theta: p.theta,
+    value: p.mean * o.factor,
+    low: (p.mean - (1.96 * p.sd) / Math.sqrt(p.n)) * o.factor,
+    high: (p.mean + (1.96 * p.sd) / Math.sqrt(p.n)) * o.factor,
+  }));
+  const top = Math.max(1e-12, ...[...model, ...intact, ...theory].map((d) => d.value), ...points.map((p) => p.high));
+  const far = Math.max(90, ...model.map((m) => m.theta));
+  return Plot.plot({
+    ...base,
+    width,
+    height: Math.max(220, width * 0.66),
+    marginLeft: 46,
+    marginBottom: 40,
+    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [0, far], ticks: far / 15 },
+    y: { label: o.label, labelArrow: "none", domain: [0, top * 1.06], nice: true },
+    marks: [
+      Plot.ruleY([0]),
+      Plot.ruleY(intact, { y: "value", stroke: "var(--intact)", strokeDasharray: "2 4", strokeWidth: 1.4 }),
+      Plot.text(intact, { x: 1, y: "value", text: () => "intact", frameAnchor: "left", textAnchor: "start", dy: -7, fill: "var(--muted)" }),
+      Plot.line(theory, { x: "theta", y: "value", stroke: "var(--theory)", strokeWidth: 1.8, strokeDasharray: "7 4" }),
+      Plot.ruleX(points, { x: "theta", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4 }),
+      Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6 }),
+      Plot.line(model, { x: "theta", y: "value", stroke: "var(--muted)", strokeOpacity: 0.6 }),
+      Plot.dot(model, { x: "theta", y: "value", fill: "color", r: 5, stroke: "var(--surface)", strokeWidth: 1.2, tip: true, title: (d) => `${d.name}\n${d.value.toPrecision(4)}` }),
+    ],
+  }) as SVGSVGElement;
+}
+
+/** Share of each kind of crack, one bar per specimen. */
+export function modeShare(report: Report, width: number): SVGSVGElement | HTMLElement {
+  const parts = report.tests.flatMap((t) => {
+    const counts = crackKinds.map((k) => value(t, k.key) ?? 0);
+    const all = counts.reduce((a, b) => a + b, 0);
+    return all === 0 ? [] : counts.map((c, kind) => ({ label: t.label, share: (100 * c) / all, kind, count: c }));
+  });
+  return Plot.plot({
+    ...base,
+    width,
+    height: Math.max(220, width * 0.66),
+    marginLeft: 46,
+    marginBottom: 40,
+    x: { label: "specimen", labelAnchor: "center", labelArrow: "none", domain: report.tests.map((t) => t.label), padding: 0.22 },
+    y: { label: "share of cracks [%]", labelArrow: "none", domain: [0, 100] },
+    marks: [
+      Plot.barY(parts, { x: "label", y: "share", z: "kind", fill: (d) => `var(${crackKinds[d.kind].variable})`, tip: true, title: (d) => `${d.label}: ${crackKinds[d.kind].label}\n${d.count} cracks, ${d.share.toFixed(1)} %` }),
+      Plot.ruleY([0]),
+    ],
+  }) as SVGSVGElement;
+}
+
+const namespace = "http://www.w3.org/2000/svg";
+
+function svg(name: string, attributes: Record<string, string | number>, text?: string): SVGElement {
+  const e = document.createElementNS(namespace, name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, String(v));
+  if (text !== undefined) e.textContent = text;
+  return e;
+}
+
+/** Sector of a ring between two angles in degrees, anticlockwise from +x. */
+function sector(inner: number, outer: number, from: number, to: number): string {
+  const at = (r: number, degrees: number) => {
+    const a = (degrees * Math.PI) / 180;
+    return `${(r * Math.cos(a)).toFixed(2)},${(-r * Math.sin(a)).toFixed(2)}`;
+  };
+  return `M${at(inner, from)}L${at(outer, from)}A${outer},${outer} 0 0 0 ${at(outer, to)}L${at(inner, to)}A${inner},${inner} 0 0 1 ${at(inner, from)}Z`;
+}
+
+/** Directions of cracks: area of a petal is proportional to their number; the line is the bedding. */
+export function rose(t: Test): SVGElement {
+  const R = 62;
+  const root = svg("svg", { viewBox: "-78 -78 156 156", class: "rose", role: "img", "aria-label": `Crack rose of ${t.name}` });
+  for (const part of [0.5, 1]) root.append(svg("circle", { r: R * part, class: "ring" }));
+  root.append(svg("line", { x1: -R, x2: R, y1: 0, y2: 0, class: "ring" }), svg("line", { x1: 0, x2: 0, y1: -R, y2: R, class: "ring" }));
+  const total = t.rose.tension.map((v, i) => v + t.rose.shear[i]);
+  const largest = Math.max(1, ...total);
+  const radius = (count: number) => R * Math.sqrt(count / largest);
+  total.forEach((count, i) => {
+    if (count === 0) return;
+    for (const half of [0, 180]) {
+      const [from, to] = [i * t.rose.bin + half, (i + 1) * t.rose.bin + half];
+      root.append(svg("path", { d: sector(0, radius(t.rose.shear[i]), from, to), class: "shear" }));
+      root.append(svg("path", { d: sector(radius(t.rose.shear[i]), radius(count), from, to), class: "tension" }));
+    }
+  });
+  if (t.theta !== null) {
+    const a = (t.theta * Math.PI) / 180;
+    const [x, y] = [(R + 9) * Math.cos(a), (R + 9) * Math.sin(a)];
+    root.append(svg("line", { x1: -x, y1: y, x2: x, y2: -y, class: "bedding" }));
+  }
+  root.append(svg("text", { x: R + 3, y: -3, class: "small" }, "0°"), svg("text", { x: 4, y: -R - 4, class: "small" }, "90°"));
+  root.append(svg("title", {}, `${t.name}: ${t.cracks.strain.length} cracks; the largest petal has ${largest}`));
+  return root;
+}
+
+/** Laboratory beside model for one property of a calibration. */
+export function comparison(rows: Comparison[], factor: number, label: string, width: number): SVGSVGElement | HTMLElement {
+  const lab = rows.map((r) => ({ theta: r.theta, value: r.lab * factor, half: ((1.96 * r.lab_sd) / Math.sqrt(r.n)) * factor }));
+  const model = rows.filter((r) => r.mean !== null).map((r) => ({ theta: r.theta, value: r.mean! * factor, low: r.low === null ? null : r.low * factor, high: r.high === null ? null : r.high * factor }));
+  const bounded = model.filter((m) => m.low !== null && m.high !== null);
+  return Plot.plot({
+    ...base,
+    width,
+    height: Math.max(220, width * 0.66),
+    marginLeft: 46,
+    marginBottom: 40,
+    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [-3, 93], ticks: 6 },
+    y: { label, labelArrow: "none", nice: true, zero: true },
+    marks: [
+      Plot.ruleY([0]),
+      Plot.ruleX(bounded, { x: (d) => d.theta + 1.2, y1: "low", y2: "high", stroke: "var(--accent)", strokeWidth: 2 }),
+      Plot.dot(model, { x: (d) => d.theta + 1.2, y: "value", fill: "var(--accent)", r: 5, tip: true }),
+      Plot.ruleX(lab, { x: (d) => d.theta - 1.2, y1: (d) => d.value - d.half, y2: (d) => d.value + d.half, stroke: "var(--ink)", strokeWidth: 1.4 }),
+      Plot.dot(lab, { x: (d) => d.theta - 1.2, y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6 }),
+    ],
+  }) as SVGSVGElement;
+}
+
+/** Stress of a test at an axial strain, straight between rows [Pa]. */
+export function stressAt(t: Test, strain: number): number {
+  const i = lastUpTo(t.strain, strain);
+  if (i < 0) return t.stress[0] ?? 0;
+  if (i + 1 >= t.strain.length) return t.stress[t.stress.length - 1];
+  const part = (strain - t.strain[i]) / (t.strain[i + 1] - t.strain[i] || 1);
+  return t.stress[i] + part * (t.stress[i + 1] - t.stress[i]);
+}

@@ -1,0 +1,289 @@
+// What report.html carries: one block of JSON (the results and their histories) and one scene per specimen.
+// src/report/page.cpp writes it; docs/formats.md describes scenes.
+
+export interface NumberValue {
+  value: number | null;
+  unit: string;
+  definition: string;
+  note?: string;
+}
+
+export interface Curve {
+  note: string;
+  theta: number[];
+  value: number[];
+}
+
+export interface LabPoint {
+  property: string;
+  theta: number;
+  mean: number;
+  sd: number;
+  n: number;
+}
+
+export interface Estimate {
+  key: string;
+  symbol: string;
+  unit: string;
+  value: number | null;
+  low: number;
+  high: number;
+  determined: boolean;
+  rests_on: string;
+  next_test: string;
+}
+
+export interface Comparison {
+  property: string;
+  theta: number;
+  lab: number;
+  lab_sd: number;
+  n: number;
+  mean: number | null;
+  sd: number | null;
+  low: number | null;
+  high: number | null;
+}
+
+export interface Calibration {
+  rock: string;
+  verdict: string;
+  findings: string[];
+  parameters: Estimate[];
+  fitted: Comparison[];
+  verification: Comparison[];
+  left_out: Comparison[];
+  notes: string[];
+}
+
+export interface Rose {
+  bin: number; // width of a bin in degrees
+  tension: number[];
+  shear: number[];
+}
+
+interface RawTest {
+  result: {
+    specimen: string;
+    "theta [deg]"?: number;
+    outcome: { status: string; reason: string; advice: string };
+    numbers: Record<string, NumberValue>;
+    packing: Record<string, unknown>;
+    run: Record<string, number>;
+    result_hash: string;
+  };
+  label: string;
+  history: Record<string, string>;
+  cracks: Record<string, string>;
+  rose: Rose;
+  bedding: { theta: number; spacing: number; offset: number }[];
+  scene: string | null;
+}
+
+interface RawReport {
+  name: string;
+  program: string;
+  tests: RawTest[];
+  missing: { name: string; reason: string }[];
+  curves: { E: Curve; nu: Curve; ucs: Curve };
+  laboratory: LabPoint[];
+  calibration: Calibration | null;
+  methods: string[];
+  recipe: string;
+}
+
+export interface Cracks {
+  strain: Float64Array;
+  a: Uint32Array;
+  b: Uint32Array;
+  kind: Uint8Array; // 0 tension matrix, 1 shear matrix, 2 tension bedding, 3 shear bedding
+  normal_x: Float32Array;
+  normal_y: Float32Array;
+  size: Float32Array;
+}
+
+export interface Test {
+  name: string;
+  label: string; // "30°", "intact"
+  theta: number | null;
+  outcome: { status: string; reason: string; advice: string };
+  numbers: Record<string, NumberValue>;
+  result: RawTest["result"];
+  strain: Float64Array;
+  stress: Float64Array;
+  lateral: Float64Array;
+  cracks: Cracks;
+  rose: Rose;
+  bedding: RawTest["bedding"];
+  color: string;
+  scene: string | null;
+  end: number; // axial strain of the last row
+}
+
+export interface Report extends Omit<RawReport, "tests"> {
+  tests: Test[];
+}
+
+export const crackKinds = [
+  { key: "cracks_tension_matrix", label: "matrix, tension", variable: "--crack-0" },
+  { key: "cracks_shear_matrix", label: "matrix, shear", variable: "--crack-1" },
+  { key: "cracks_tension_bedding", label: "bedding, tension", variable: "--crack-2" },
+  { key: "cracks_shear_bedding", label: "bedding, shear", variable: "--crack-3" },
+];
+
+function bytes(base64: string): Uint8Array {
+  const text = atob(base64);
+  const out = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
+  return out;
+}
+
+const f64 = (s: string) => new Float64Array(bytes(s).buffer as ArrayBuffer);
+const f32 = (s: string) => new Float32Array(bytes(s).buffer as ArrayBuffer);
+const u32 = (s: string) => new Uint32Array(bytes(s).buffer as ArrayBuffer);
+
+const intact = "var(--intact)";
+const ordered = ["#4f6bd8", "#2b93cf", "#12a594", "#5aa343", "#b0920f", "#e0762a", "#d1466f"];
+
+/** One colour per inclination, from blue (0°) to red (90°); intact rock is grey. */
+function colorOf(theta: number | null): string {
+  if (theta === null) return intact;
+  const at = (Math.min(90, Math.max(0, theta > 90 ? 180 - theta : theta)) / 90) * (ordered.length - 1);
+  return ordered[Math.round(at)];
+}
+
+export function readReport(): Report {
+  const raw = JSON.parse(document.getElementById("report-data")!.textContent!) as RawReport;
+  const tests = raw.tests.map((t): Test => {
+    const theta = t.result["theta [deg]"] ?? null;
+    const strain = f64(t.history.axial_strain);
+    return {
+      name: t.result.specimen,
+      label: t.label,
+      theta,
+      outcome: t.result.outcome,
+      numbers: t.result.numbers,
+      result: t.result,
+      strain,
+      stress: f64(t.history.axial_stress),
+      lateral: f64(t.history.lateral_strain_gauge),
+      cracks: {
+        strain: f64(t.cracks.strain),
+        a: u32(t.cracks.a),
+        b: u32(t.cracks.b),
+        kind: bytes(t.cracks.kind),
+        normal_x: f32(t.cracks.normal_x),
+        normal_y: f32(t.cracks.normal_y),
+        size: f32(t.cracks.size),
+      },
+      rose: t.rose,
+      bedding: t.bedding,
+      color: colorOf(theta),
+      scene: t.scene,
+      end: strain.length > 0 ? strain[strain.length - 1] : 0,
+    };
+  });
+  return { ...raw, tests };
+}
+
+/** Index of the last entry that is <= value, or -1; the array ascends. */
+export function lastUpTo(values: ArrayLike<number>, value: number): number {
+  let low = 0;
+  let high = values.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (values[middle] <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+export interface Scene {
+  width: number;
+  height: number;
+  discs: Float32Array; // x, y, r of each disc [m]
+  quantum: number; // of displacements [m]
+  strains: number[];
+  frames: Int16Array[]; // u_x, u_y of each disc in quanta
+  links: Uint32Array; // a, b of each link
+  kinds: Uint8Array;
+  forceStrains: number[];
+  forceMax: number[];
+  forces: Int8Array; // all fields, one after the other
+}
+
+interface SceneHead {
+  "width [m]": number;
+  "height [m]": number;
+  n_discs: number;
+  n_links: number;
+  "disc_quantum [m]": number;
+  "displacement_quantum [m]": number;
+  frames: { axial_strain: number }[];
+  forces: { axial_strain: number; "F_max [N/m]": number }[];
+  sections: [number, number][];
+}
+
+async function inflate(packed: Uint8Array): Promise<Uint8Array> {
+  const stream = new Blob([packed as BlobPart]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Reads the sections of a scene one after the other. */
+function sections(head: SceneHead, plain: Uint8Array) {
+  let at = 0;
+  let section = 0;
+  return (): Int32Array => {
+    const [count, planes] = head.sections[section++];
+    const out = new Int32Array(count);
+    for (let p = 0; p < planes; ++p, at += count)
+      for (let i = 0; i < count; ++i) out[i] |= plain[at + i] << (8 * p);
+    for (let i = 0; i < count; ++i) out[i] = (out[i] >>> 1) ^ -(out[i] & 1);
+    return out;
+  };
+}
+
+export async function readScene(id: string): Promise<Scene> {
+  const all = bytes(document.getElementById(id)!.textContent!.trim());
+  const end = all.indexOf(10);
+  const head = JSON.parse(new TextDecoder().decode(all.subarray(0, end))) as SceneHead;
+  const next = sections(head, await inflate(all.subarray(end + 1)));
+  const n = head.n_discs;
+  const discs = new Float32Array(3 * n);
+  for (let k = 0; k < 3; ++k) next().forEach((v, i) => (discs[3 * i + k] = v * head["disc_quantum [m]"]));
+  const now = new Int32Array(2 * n);
+  const change = new Int32Array(2 * n);
+  const frames = head.frames.map(() => {
+    const second = next();
+    const frame = new Int16Array(2 * n);
+    for (let i = 0; i < 2 * n; ++i) {
+      change[i] += second[i];
+      now[i] += change[i];
+      frame[i < n ? 2 * i : 2 * (i - n) + 1] = now[i];
+    }
+    return frame;
+  });
+  const [a, b, kind] = [next(), next(), next()];
+  const links = new Uint32Array(2 * head.n_links);
+  for (let i = 0, last = 0; i < head.n_links; ++i) {
+    last += a[i];
+    links[2 * i] = last;
+    links[2 * i + 1] = last + b[i];
+  }
+  const forces = new Int8Array(head.n_links * head.forces.length);
+  head.forces.forEach((_, k) => forces.set(next(), k * head.n_links));
+  return {
+    width: head["width [m]"],
+    height: head["height [m]"],
+    discs,
+    quantum: head["displacement_quantum [m]"],
+    strains: head.frames.map((f) => f.axial_strain),
+    frames,
+    links,
+    kinds: Uint8Array.from(kind),
+    forceStrains: head.forces.map((f) => f.axial_strain),
+    forceMax: head.forces.map((f) => f["F_max [N/m]"]),
+    forces,
+  };
+}

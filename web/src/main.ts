@@ -1,0 +1,637 @@
+// Lays the page out and ties the slider, the specimens and the curves together.
+import { damage, comparison, LinkedChart, modeShare, overAngle, rose, stressAt, stressStrain } from "./charts";
+import { Comparison, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
+import { Field, Viewer } from "./viewer";
+
+type Child = Node | string | null | false;
+
+/** Makes an element; text goes in as text, never as markup. */
+function h<K extends keyof HTMLElementTagNameMap>(name: K, attributes: Record<string, string> = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const e = document.createElement(name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  for (const c of children) if (c) e.append(c);
+  return e;
+}
+
+const report: Report = readReport();
+const main = document.getElementById("main")!;
+const contents = document.getElementById("contents")!;
+
+function section(id: string, title: string, ...children: Child[]): HTMLElement {
+  const s = h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
+  main.append(s);
+  contents.append(h("li", {}, h("a", { href: `#${id}` }, title)));
+  return s;
+}
+
+/** Charts that are drawn anew when their place changes its width. */
+const charts: { place: HTMLElement; draw: (width: number) => void; width: number }[] = [];
+const observer = new ResizeObserver(() => redraw());
+
+function redraw(always = false) {
+  for (const c of charts) {
+    const width = Math.floor(c.place.clientWidth);
+    if (width < 10 || (!always && Math.abs(width - c.width) < 2)) continue;
+    c.width = width;
+    c.draw(width);
+  }
+}
+
+function chart(label: string, caption: Child, draw: (width: number, place: HTMLElement) => Node): HTMLElement {
+  const place = h("div", { class: "plot" });
+  charts.push({
+    place,
+    width: 0,
+    draw: (width) => {
+      const node = draw(width, place);
+      if (node instanceof Element) {
+        node.setAttribute("role", "img");
+        node.setAttribute("aria-label", label);
+      }
+      place.querySelector(":scope > svg, :scope > figure")?.remove();
+      place.prepend(node);
+    },
+  });
+  observer.observe(place);
+  return h("figure", {}, h("h3", {}, label), place, caption && h("figcaption", {}, caption));
+}
+
+function heading(t: Test): string {
+  return t.theta === null ? "intact" : `θ = ${t.label}`;
+}
+
+function crackLegend(): HTMLElement {
+  return h("ul", { class: "legend" }, ...crackKinds.map((k) => h("li", {}, h("i", { style: `background: var(${k.variable})` }), k.label)));
+}
+
+// --- what is missing ----------------------------------------------------------------------------------------
+
+function notices(): Child[] {
+  const failed = report.tests.filter((t) => t.outcome.status !== "peaked");
+  const about = (t: Test) => [t.outcome.reason, t.outcome.advice].filter((s) => s.length > 0).join("; ");
+  return [
+    ...failed.map((t) => h("p", { class: "notice" }, h("strong", {}, `${t.name}: ${t.outcome.status}. `), about(t))),
+    ...report.missing.map((m) => h("p", { class: "notice" }, h("strong", {}, `${m.name}: missing. `), m.reason)),
+  ];
+}
+
+// --- slider, specimens, curves ------------------------------------------------------------------------------
+
+let position = 1; // 0 start, 1 end
+let equalStrain = true;
+let selected: number | null = null;
+let viewer: Viewer | null = null;
+const longest = Math.max(1e-9, ...report.tests.map((t) => t.end));
+const strainsNow = () => report.tests.map((t) => Math.min(t.end, position * (equalStrain ? longest : t.end)));
+
+let overview: LinkedChart | null = null;
+let overviewPlace: HTMLElement | null = null;
+const dots: HTMLElement[] = [];
+const multiples: { chart: LinkedChart; dot: HTMLElement; test: number }[] = [];
+const feet: HTMLElement[] = [];
+const slider = h("input", { type: "range", min: "0", max: "1000", value: "1000", step: "1", id: "slider", "aria-label": "Position in the test" });
+const readout = h("output", { for: "slider" });
+
+function setDot(dot: HTMLElement, c: LinkedChart, t: Test, strain: number) {
+  const [x, y] = [c.x(100 * strain), c.y(1e-6 * stressAt(t, strain))];
+  dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+}
+
+/** Brings everything to the slider's position. */
+function update() {
+  const strains = strainsNow();
+  viewer?.show(strains);
+  report.tests.forEach((t, i) => {
+    if (overview && dots[i]) setDot(dots[i], overview, t, strains[i]);
+    if (feet[i]) {
+      const cracks = lastUpTo(t.cracks.strain, strains[i]) + 1;
+      feet[i].textContent = `${(1e-6 * stressAt(t, strains[i])).toFixed(1)} MPa · ${cracks} cracks`;
+    }
+  });
+  for (const m of multiples) setDot(m.dot, m.chart, report.tests[m.test], strains[m.test]);
+  readout.textContent = equalStrain ? `strain ${(100 * position * longest).toFixed(3)} %` : `${(100 * position).toFixed(1)} % of each test`;
+  slider.setAttribute("aria-valuetext", readout.textContent);
+}
+
+function moveTo(p: number) {
+  position = Math.min(1, Math.max(0, p));
+  slider.value = String(Math.round(1000 * position));
+  update();
+}
+
+function select(test: number | null) {
+  selected = selected === test ? null : test;
+  document.querySelectorAll<HTMLElement>("[data-test]").forEach((b) => b.setAttribute("aria-pressed", String(Number(b.dataset.test) === selected)));
+  redraw(true);
+  update();
+}
+
+function playButton(): HTMLElement {
+  const button = h("button", { type: "button", id: "play", "aria-label": "Play the test" }, "▶ Play");
+  let running = false;
+  let last = 0;
+  const tick = (now: number) => {
+    if (!running) return;
+    const step = last === 0 ? 0 : (now - last) / 9000;
+    last = now;
+    moveTo(position + step);
+    if (position >= 1) stop();
+    else requestAnimationFrame(tick);
+  };
+  const stop = () => {
+    running = false;
+    button.textContent = "▶ Play";
+  };
+  button.addEventListener("click", () => {
+    if (running) return stop();
+    running = true;
+    last = 0;
+    if (position >= 1) moveTo(0);
+    button.textContent = "⏸ Pause";
+    requestAnimationFrame(tick);
+  });
+  return button;
+}
+
+function labelled(text: string, control: HTMLElement): HTMLElement {
+  return h("label", {}, text, control);
+}
+
+function choice(options: [string, string][], onChange: (value: string) => void, id: string): HTMLSelectElement {
+  const s = h("select", { id }, ...options.map(([v, text]) => h("option", { value: v }, text)));
+  s.addEventListener("change", () => onChange(s.value));
+  return s;
+}
+
+function check(id: string, on: boolean, onChange: (on: boolean) => void): HTMLInputElement {
+  const c = h("input", { type: "checkbox", id });
+  c.checked = on;
+  c.addEventListener("change", () => onChange(c.checked));
+  return c;
+}
+
+function fieldLegend(v: Viewer, place: HTMLElement) {
+  const ramps = { magnitude: "#30123b,#3e7ef7,#1bcfb0,#c7ee3d,#f3a32e", horizontal: "#2166ac,#92c5de,#f2f2f0,#f4a582,#b2182b" };
+  place.replaceChildren();
+  if (v.state.field === "bedding") return;
+  const micrometres = (1e6 * v.range()).toFixed(0);
+  const signed = v.state.field !== "magnitude";
+  const ramp = signed ? ramps.horizontal : ramps.magnitude;
+  place.append(
+    h("span", {}, signed ? `−${micrometres}` : "0"),
+    h("i", { class: "ramp", style: `background: linear-gradient(90deg, ${ramp})` }),
+    h("span", {}, `${micrometres} µm displacement`),
+  );
+}
+
+function viewControls(v: Viewer, legend: HTMLElement): HTMLElement {
+  const set = (change: () => void) => {
+    change();
+    fieldLegend(v, legend);
+    v.draw();
+  };
+  const zoom = (factor: number) => set(() => (v.state.zoom = Math.min(40, Math.max(1, v.state.zoom * factor))));
+  const button = (text: string, label: string, act: () => void) => {
+    const b = h("button", { type: "button", "aria-label": label }, text);
+    b.addEventListener("click", act);
+    return b;
+  };
+  const magnify = h("input", { type: "range", min: "0", max: "100", value: "0", id: "magnify" });
+  const factor = h("span", {}, "× 1");
+  magnify.addEventListener("input", () =>
+    set(() => {
+      v.state.magnify = Math.round(Math.pow(50, Number(magnify.value) / 100));
+      factor.textContent = `× ${v.state.magnify}`;
+    }),
+  );
+  const only = choice(
+    [["", "all, side by side"], ...report.tests.map((t, i): [string, string] => [String(i), t.name])],
+    (value) => {
+      v.state.only = value === "" ? null : Number(value);
+      v.layout();
+    },
+    "only",
+  );
+  return h(
+    "div",
+    { class: "controls" },
+    labelled("Show", only),
+    labelled("Colour", choice([["bedding", "bedding"], ["magnitude", "displacement"], ["horizontal", "displacement, horizontal"], ["vertical", "displacement, vertical"]], (value) => set(() => (v.state.field = value as Field)), "field")),
+    labelled("Cracks", check("show-cracks", true, (on) => set(() => (v.state.cracks = on)))),
+    labelled("Contact forces", check("show-forces", false, (on) => set(() => (v.state.forces = on)))),
+    labelled("Movement", magnify),
+    factor,
+    h("span", {}, button("+", "Zoom in", () => zoom(1.5)), " ", button("−", "Zoom out", () => zoom(1 / 1.5)), " ", button("Reset view", "Reset the view", () => set(() => Object.assign(v.state, { zoom: 1, x: 0, y: 0 })))),
+  );
+}
+
+/** Dragging pans, the wheel with a modifier and two fingers zoom, a click selects. */
+function pointing(v: Viewer) {
+  const c = v.canvas;
+  const pointers = new Map<number, { x: number; y: number }>();
+  let travelled = 0;
+  const pan = (dx: number, dy: number) => {
+    if (v.cells.length === 0) return;
+    const cell = v.cells[0];
+    const metres = v.metresPerPixel(cell);
+    const width = 1 / (metres * cell.width) > 0 ? cell.width * metres * v.state.zoom : 1;
+    v.state.x -= (dx * metres) / (width / 1.08);
+    v.state.y += (dy * metres) / (width / 1.08);
+    v.draw();
+  };
+  const zoomBy = (factor: number) => {
+    v.state.zoom = Math.min(40, Math.max(1, v.state.zoom * factor));
+    v.draw();
+  };
+  c.addEventListener("pointerdown", (e) => {
+    pointers.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    travelled = 0;
+    if (v.state.zoom > 1 || e.pointerType === "mouse") c.setPointerCapture(e.pointerId);
+  });
+  c.addEventListener("pointermove", (e) => {
+    const before = pointers.get(e.pointerId);
+    if (!before) return;
+    const others = [...pointers].filter(([id]) => id !== e.pointerId).map(([, p]) => p);
+    if (others.length === 1) {
+      const [o] = others;
+      zoomBy(Math.hypot(e.clientX - o.x, e.clientY - o.y) / Math.max(1, Math.hypot(before.x - o.x, before.y - o.y)));
+    } else {
+      travelled += Math.abs(e.clientX - before.x) + Math.abs(e.clientY - before.y);
+      c.classList.add("panning");
+      pan(e.clientX - before.x, e.clientY - before.y);
+    }
+    pointers.set(e.pointerId, { x: e.clientX, y: e.clientY });
+  });
+  const end = (e: PointerEvent) => {
+    pointers.delete(e.pointerId);
+    c.classList.remove("panning");
+  };
+  c.addEventListener("pointerup", end);
+  c.addEventListener("pointercancel", end);
+  c.addEventListener("click", (e) => {
+    if (travelled > 4) return;
+    const box = c.getBoundingClientRect();
+    const [x, y] = [e.clientX - box.left, e.clientY - box.top];
+    const hit = v.cells.find((cell) => x >= cell.left && x < cell.left + cell.width && y >= cell.top && y < cell.top + cell.height);
+    if (hit) select(hit.test);
+  });
+  c.addEventListener(
+    "wheel",
+    (e) => {
+      if (!e.ctrlKey && !e.metaKey && document.activeElement !== c) return;
+      e.preventDefault();
+      zoomBy(Math.exp(-e.deltaY * 0.002));
+    },
+    { passive: false },
+  );
+  c.addEventListener("keydown", (e) => {
+    const step = 40;
+    const act: Record<string, () => void> = {
+      "+": () => zoomBy(1.3),
+      "=": () => zoomBy(1.3),
+      "-": () => zoomBy(1 / 1.3),
+      ArrowLeft: () => pan(step, 0),
+      ArrowRight: () => pan(-step, 0),
+      ArrowUp: () => pan(0, step),
+      ArrowDown: () => pan(0, -step),
+      ",": () => moveTo(position - 0.01),
+      ".": () => moveTo(position + 0.01),
+    };
+    if (!act[e.key]) return;
+    e.preventDefault();
+    act[e.key]();
+  });
+}
+
+function specimens() {
+  const canvas = h("canvas", { id: "view", tabindex: "0", role: "img", "aria-label": "Specimens. Plus and minus zoom, arrows pan, comma and full stop move through the test." });
+  const overlay = h("div", { class: "cells" });
+  const legend = h("span", { class: "legend" });
+  const place = h("div", { class: "viewer" }, canvas, overlay);
+  const mode = choice(
+    [["strain", "at equal strain"], ["part", "at equal part of each test"]],
+    (value) => {
+      equalStrain = value === "strain";
+      update();
+    },
+    "mode",
+  );
+  slider.addEventListener("input", () => {
+    position = Number(slider.value) / 1000;
+    update();
+  });
+  const transport = h("div", { class: "controls" }, h("div", { class: "transport" }, playButton(), slider, readout), labelled("Specimens", mode));
+  const hint = h("p", { class: "muted" }, "Slide through the test; a click on a specimen brings its curve forward. Drag to pan, Ctrl + wheel or + and − to zoom.");
+  const target = section("specimens", "Specimens", hint);
+  if (!report.tests.some((t) => t.scene)) {
+    target.append(h("p", { class: "notice" }, "These results hold no displacement fields (test.n_frames), so the specimens cannot be drawn."));
+    return;
+  }
+  target.append(place, transport);
+  try {
+    viewer = new Viewer(canvas, report.tests, () => {
+      overlay.replaceChildren();
+      feet.length = 0;
+      for (const cell of viewer!.cells) {
+        const t = report.tests[cell.test];
+        const at = (top: number) => `left:${cell.left}px;width:${cell.width}px;top:${top}px`;
+        const foot = h("div", { class: "foot", style: at(cell.top + cell.height) });
+        feet[cell.test] = foot;
+        overlay.append(h("div", { class: "head", style: `${at(cell.top - 24)};color:${t.color}` }, heading(t)), foot);
+        if (cell.width < 150) foot.style.whiteSpace = "normal";
+      }
+      update();
+    });
+  } catch (error) {
+    place.replaceWith(h("p", { class: "notice" }, `The specimens cannot be drawn: ${(error as Error).message}.`));
+    return;
+  }
+  target.append(viewControls(viewer, legend), legend, crackLegend());
+  pointing(viewer);
+  new ResizeObserver(() => viewer!.layout()).observe(place);
+}
+
+// --- charts --------------------------------------------------------------------------------------------------
+
+function curves() {
+  const legend = h(
+    "ul",
+    { class: "legend" },
+    ...report.tests.map((t, i) => {
+      const b = h("button", { type: "button", "data-test": String(i), "aria-pressed": "false" }, h("i", { style: `background:${t.color}` }), t.label);
+      b.addEventListener("click", () => select(i));
+      return h("li", {}, b);
+    }),
+    h("li", {}, "▲ σci  ■ σcd  ★ UCS"),
+  );
+  const all = chart("Stress and strain", "Mean stress of both platens over the strain between them. Dots follow the slider.", (width, place) => {
+    overviewPlace = place;
+    overview = stressStrain(report, width, selected);
+    if (dots.length === 0)
+      report.tests.forEach((t) => {
+        const dot = h("i", { class: "cursor", style: `background:${t.color}` });
+        dots.push(dot);
+        place.append(dot);
+      });
+    return overview.node;
+  });
+  const grid = h("div", { class: "grid small" });
+  report.tests.forEach((t, i) => {
+    const entry: { chart: LinkedChart | null; dot: HTMLElement } = { chart: null, dot: h("i", { class: "cursor", style: "background:var(--ink)" }) };
+    grid.append(
+      chart(heading(t), null, (width, place) => {
+        const linked = damage(t, width);
+        if (!entry.chart) place.append(entry.dot);
+        const known = multiples.find((m) => m.test === i);
+        if (known) known.chart = linked;
+        else multiples.push({ chart: linked, dot: entry.dot, test: i });
+        entry.chart = linked;
+        return linked.node;
+      }),
+    );
+  });
+  section("curves", "Curves", legend, all, h("h3", {}, "Damage: stress (line, left) and cracks by kind (areas, right)"), crackLegend(), grid);
+}
+
+function anisotropy() {
+  const c = report.curves;
+  const legend = h(
+    "ul",
+    { class: "legend" },
+    h("li", {}, h("i", { style: "background:var(--muted);border-radius:50%" }), "model"),
+    h("li", {}, h("i", { class: "line", style: "color:var(--theory)" }), "theory"),
+    report.laboratory.length > 0 && h("li", {}, "◇ laboratory, 95 % interval of the mean"),
+  );
+  const one = (name: string, label: string, title: string, factor: number, curve: Report["curves"]["E"], property: string) =>
+    chart(title, curve.note, (width) => overAngle(report, width, { name, label, factor, curve, property }));
+  section(
+    "anisotropy",
+    "Anisotropy",
+    legend,
+    h(
+      "div",
+      { class: "grid" },
+      one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, "E"),
+      one("ucs", "UCS [MPa]", "Uniaxial compressive strength", 1e-6, c.ucs, "UCS"),
+      one("nu", "ν", "Poisson’s ratio", 1, c.nu, "nu"),
+      chart("How it broke", crackLegend(), (width) => modeShare(report, width)),
+    ),
+  );
+}
+
+function roses() {
+  const grid = h("div", { class: "grid roses" });
+  for (const t of report.tests)
+    grid.append(h("figure", {}, h("h3", {}, heading(t)), rose(t) as unknown as Node, h("figcaption", {}, `${t.cracks.strain.length} cracks`)));
+  section(
+    "roses",
+    "Directions of cracks",
+    h("p", { class: "muted" }, "Directions of the broken bonds and joints of the whole test; the load acts along 90°. The area of a petal is proportional to the number of cracks; the dashed line is the bedding."),
+    h("ul", { class: "legend" }, h("li", {}, h("i", { style: "background:var(--crack-0)" }), "tension"), h("li", {}, h("i", { style: "background:var(--crack-1)" }), "shear")),
+    grid,
+  );
+}
+
+// --- tables --------------------------------------------------------------------------------------------------
+
+interface Column {
+  name: string;
+  head: string;
+  unit: string;
+  factor: number;
+  digits: number;
+}
+
+const columns: Column[] = [
+  { name: "E_tangent", head: "E tangent", unit: "GPa", factor: 1e-9, digits: 2 },
+  { name: "E_secant", head: "E secant", unit: "GPa", factor: 1e-9, digits: 2 },
+  { name: "nu", head: "ν", unit: "", factor: 1, digits: 3 },
+  { name: "ucs", head: "UCS", unit: "MPa", factor: 1e-6, digits: 2 },
+  { name: "peak_strain", head: "strain at peak", unit: "%", factor: 100, digits: 4 },
+  { name: "sigma_ci", head: "σci", unit: "MPa", factor: 1e-6, digits: 2 },
+  { name: "sigma_cd", head: "σcd", unit: "MPa", factor: 1e-6, digits: 2 },
+  ...crackKinds.map((k) => ({ name: k.key, head: k.label, unit: "cracks", factor: 1, digits: 0 })),
+  { name: "energy_error", head: "energy error", unit: "", factor: 1, digits: 5 },
+];
+
+function cell(t: Test, c: Column): HTMLElement {
+  const n = t.numbers[c.name];
+  const known = n && n.value !== null;
+  const bound = known && n.note?.startsWith("below") ? "<" : "";
+  const td = h("td", { "data-number": c.name }, known ? bound + (n.value! * c.factor).toFixed(c.digits) : "–");
+  if (n?.note) td.title = n.note;
+  return td;
+}
+
+function numberTable(): HTMLElement {
+  const used = columns.filter((c) => report.tests.some((t) => t.numbers[c.name]));
+  return h(
+    "div",
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": "Table of results" },
+    h(
+      "table",
+      { id: "numbers" },
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "specimen"), ...used.map((c) => h("th", { scope: "col" }, c.head, h("small", {}, c.unit))), h("th", { scope: "col", class: "words" }, "outcome"))),
+      h(
+        "tbody",
+        {},
+        ...report.tests.map((t) => h("tr", { "data-specimen": t.name }, h("th", { scope: "row" }, t.label), ...used.map((c) => cell(t, c)), h("td", { class: "words" }, t.outcome.status))),
+        ...report.missing.map((m) => h("tr", {}, h("th", { scope: "row" }, m.name), h("td", { class: "words", colspan: String(used.length + 1) }, "missing"))),
+      ),
+    ),
+  );
+}
+
+/** Every number of result.json with all its digits. */
+function everyNumber(): HTMLElement {
+  const names = [...new Set(report.tests.flatMap((t) => Object.keys(t.numbers)))];
+  const of = (name: string) => report.tests.find((t) => t.numbers[name])!.numbers[name];
+  const table = h(
+    "table",
+    {},
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "number"), h("th", { scope: "col" }, "unit"), ...report.tests.map((t) => h("th", { scope: "col" }, t.label)), h("th", { scope: "col", class: "words" }, "definition"))),
+    h(
+      "tbody",
+      {},
+      ...names.map((name) =>
+        h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, of(name).unit), ...report.tests.map((t) => h("td", {}, t.numbers[name]?.value === null || !t.numbers[name] ? "–" : t.numbers[name].value!.toPrecision(5))), h("td", { class: "words" }, of(name).definition)),
+      ),
+    ),
+  );
+  return h("details", {}, h("summary", {}, `All ${names.length} numbers with their definitions`), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "All numbers" }, table));
+}
+
+function tables() {
+  section("tables", "Tables", h("p", { class: "muted" }, "“<”: an upper bound; “–”: could not be determined (the cell says why). All digits are in result.json of each specimen."), numberTable(), everyNumber());
+}
+
+// --- calibration ---------------------------------------------------------------------------------------------
+
+const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"] };
+
+function friendly(value: number | null, unit: string): string {
+  if (value === null || !Number.isFinite(value)) return "–";
+  const giga = unit.startsWith("Pa") && Math.abs(value) >= 1e9;
+  const mega = unit.startsWith("Pa") && !giga;
+  return `${(value * (giga ? 1e-9 : mega ? 1e-6 : 1)).toPrecision(4)}${unit === "1" ? "" : ` ${giga ? "G" : mega ? "M" : ""}${unit}`}`;
+}
+
+function comparisonTable(rows: Comparison[], caption: string): Child {
+  if (rows.length === 0) return null;
+  const f = (r: Comparison, v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
+  return h(
+    "div",
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+    h(
+      "table",
+      {},
+      h("caption", {}, caption),
+      h("thead", {}, h("tr", {}, ...["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd", "95 % interval", "error [%]"].map((x) => h("th", { scope: "col" }, x)))),
+      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, scales[r.property]?.[1] ?? r.property), ...[String(r.theta), f(r, r.lab), f(r, r.lab_sd), String(r.n), f(r, r.mean), f(r, r.sd), r.low === null ? "–" : `${f(r, r.low)} … ${f(r, r.high)}`, r.mean === null ? "–" : (100 * (r.mean / r.lab - 1)).toFixed(1)].map((x) => h("td", {}, x))))),
+    ),
+  );
+}
+
+function calibration() {
+  const c = report.calibration;
+  if (!c) return;
+  const properties = [...new Set(c.fitted.map((r) => r.property))];
+  section(
+    "calibration",
+    "Calibration",
+    h("div", { class: "notice verdict" }, h("strong", {}, `${c.rock}: ${c.verdict}. `), ...c.findings.map((f) => h("p", {}, f))),
+    h("ul", { class: "legend" }, h("li", {}, "◇ laboratory, 95 % interval of the mean"), h("li", {}, h("i", { style: "background:var(--accent);border-radius:50%" }), "calibrated model")),
+    h(
+      "div",
+      { class: "grid" },
+      ...properties.map((p) => {
+        const [factor, label] = scales[p] ?? [1, p];
+        return chart(label, null, (width) => comparison((c.verification.some((r) => r.property === p) ? c.verification : c.fitted).filter((r) => r.property === p), factor, label, width));
+      }),
+    ),
+    comparisonTable(c.fitted, "On the packings of the fit"),
+    comparisonTable(c.verification, "On packings that the fit has not seen"),
+    comparisonTable(c.left_out, "Each angle predicted from the others"),
+    h("h3", {}, "What the data determine"),
+    h(
+      "div",
+      { class: "scroll", tabindex: "0", role: "region", "aria-label": "Parameters" },
+      h(
+        "table",
+        {},
+        h("thead", {}, h("tr", {}, ...["parameter", "value", "95 % interval", "determined"].map((x) => h("th", { scope: "col" }, x)), h("th", { class: "words" }, "rests on"), h("th", { class: "words" }, "next test"))),
+        h("tbody", {}, ...c.parameters.map((p) => h("tr", {}, h("th", { scope: "row" }, p.key), h("td", {}, friendly(p.value, p.unit)), h("td", {}, `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`), h("td", {}, p.determined ? "yes" : "no"), h("td", { class: "words" }, p.rests_on), h("td", { class: "words" }, p.next_test)))),
+      ),
+    ),
+    ...c.notes.map((n) => h("p", { class: "muted" }, n)),
+  );
+}
+
+// --- text ----------------------------------------------------------------------------------------------------
+
+function copyButton(text: string): HTMLElement {
+  const b = h("button", { type: "button" }, "Copy");
+  b.addEventListener("click", async () => {
+    await navigator.clipboard?.writeText(text);
+    b.textContent = "Copied";
+    setTimeout(() => (b.textContent = "Copy"), 1500);
+  });
+  return b;
+}
+
+function texts() {
+  section("methods", "Methods", ...report.methods.map((p) => h("p", {}, p)), copyButton(report.methods.join("\n\n")));
+  section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe));
+  const hashes = report.tests.map((t) => `${t.label} ${t.result.result_hash}`).join(", ");
+  document.getElementById("footer")!.append(h("p", {}, `${report.program}. Fingerprints of the results: ${hashes}.`));
+}
+
+// --- start ---------------------------------------------------------------------------------------------------
+
+function theme() {
+  const root = document.documentElement;
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  let chosen: string | null = null;
+  const apply = () => {
+    root.dataset.theme = chosen ?? (system.matches ? "dark" : "light");
+    viewer?.readColors();
+    viewer?.draw();
+  };
+  system.addEventListener("change", apply);
+  document.getElementById("theme")!.addEventListener("click", () => {
+    chosen = root.dataset.theme === "dark" ? "light" : "dark";
+    apply();
+  });
+  apply();
+}
+
+function start() {
+  document.title = `${report.name} – Phyllite report`;
+  document.getElementById("title")!.textContent = report.name;
+  const n = report.tests.length;
+  const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
+  document.getElementById("subtitle")!.textContent = `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak · ${report.program}`;
+  theme();
+  main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
+  specimens();
+  curves();
+  calibration();
+  anisotropy();
+  roses();
+  tables();
+  texts();
+  redraw();
+  update();
+  viewer?.layout();
+  performance.mark("interactive");
+  viewer?.load().then(() => {
+    document.documentElement.dataset.ready = "true";
+    viewer!.layout();
+  });
+  if (!viewer) document.documentElement.dataset.ready = "true";
+  addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  // For tests: the script time of the last frames.
+  (window as unknown as { phyllite: unknown }).phyllite = { viewer, moveTo, report };
+}
+
+start();
