@@ -33,6 +33,16 @@ TEST(Random, UniformStaysInside) {
   EXPECT_NEAR(sum / 1e5, 0.5, 3.0 * std::sqrt(1.0 / 12.0 / 1e5));
 }
 
+TEST(Random, UniformNeverRoundsToItsEnds) {
+  const std::uint64_t last = (std::uint64_t{1} << 53U) - 1;
+  EXPECT_EQ(open_unit(0), 0x1.0p-54);
+  EXPECT_EQ(open_unit(last), 1.0 - 0x1.0p-53);
+  EXPECT_EQ(open_unit(last - 1), 1.0 - 0x1.0p-52);  // ties to even: the half is lost
+  EXPECT_EQ(open_unit(std::uint64_t{1} << 51U), 0.25 + 0x1.0p-54);
+  EXPECT_TRUE(std::isfinite(normal_quantile(open_unit(0))));
+  EXPECT_TRUE(std::isfinite(normal_quantile(open_unit(last))));
+}
+
 TEST(Random, NormalQuantile) {
   EXPECT_EQ(normal_quantile(0.5), 0.0);
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);

@@ -28,12 +28,18 @@ constexpr PhiloxBlock philox4x32(PhiloxBlock counter, std::array<std::uint32_t, 
 /// What a random number is for. Two purposes never share a number.
 enum class Stream : std::uint32_t { radius = 1, position = 2, bond_tension = 3, bond_shear = 4, test = 99 };
 
+/// The number (bits + 1/2) 2^-53 of the open interval (0, 1), bits < 2^53. Above 1/2 the half is lost in the
+/// rounding; the largest would round to 1 and is held below it.
+constexpr double open_unit(std::uint64_t bits) {
+  const double u = (static_cast<double>(bits) + 0.5) * 0x1.0p-53;
+  return u < 1.0 ? u : 1.0 - 0x1.0p-53;
+}
+
 /// Uniform in the open interval (0, 1), with 53 random bits.
 inline double uniform(std::uint32_t seed, Stream stream, std::uint32_t a, std::uint32_t b = 0,
                       std::uint32_t c = 0) {
   const PhiloxBlock r = philox4x32({a, b, c, 0}, {seed, static_cast<std::uint32_t>(stream)});
-  const std::uint64_t bits = (static_cast<std::uint64_t>(r[0]) << 21U) ^ (r[1] >> 11U);
-  return (static_cast<double>(bits) + 0.5) * 0x1.0p-53;
+  return open_unit((static_cast<std::uint64_t>(r[0]) << 21U) ^ (r[1] >> 11U));
 }
 
 /// Quantile of the standard normal distribution, 0 < p < 1: Wichura 1988, algorithm AS 241 (PPND16), Applied

@@ -5,8 +5,10 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <new>
+#include <system_error>
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
@@ -55,6 +57,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::system_error(errno, std::generic_category());
   return session.exit_code;
 }
 
@@ -72,6 +76,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "not enough memory; use fewer grains, or fewer lanes (--lanes)\n");
     return 4;
+  } catch (const std::system_error& e) {  // a full disk behind a redirected output
+    fmt::print(stderr, "{}: {}\n", std::ferror(stdout) != 0 ? "standard output cannot be written" : "system",
+               e.what());
+    return 3;
   } catch (const std::exception& e) {
     fmt::print(stderr, "internal error, please report it: {}\n", e.what());
     return 4;

@@ -14,9 +14,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "io/csv.hpp"
 #include "io/file.hpp"
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
@@ -349,6 +353,31 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
   }
 }
 
+/// What a recipe and the discs that it imports say against each other.
+std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& where) {
+  const DiscFile file = parse_discs(read_file(recipe.packing.file), recipe.packing.file);
+  std::vector<Problem> problems;
+  const auto length = [](double v) { return print_quantity(v, Dimension::length); };
+  const auto differs = [](double box, double size) {
+    return box > 0.0 && std::fabs(box - size) > 1e-6 * box;
+  };
+  for (const auto& [key, box, size] : {std::tuple{"width", file.width, recipe.specimen.width},
+                                       std::tuple{"height", file.height, recipe.specimen.height}})
+    if (differs(box, size))
+      problems.push_back({where, std::string("specimen.") + key, length(size),
+                          "the box of " + recipe.packing.file + ", " + length(box),
+                          std::string("write ") + key + " = \"" + length(box) + "\" under [specimen]"});
+  double largest = 0.0;
+  for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
+  for (std::size_t i = 0; i < recipe.bedding.size(); ++i)
+    if (recipe.bedding[i].spacing < largest)
+      problems.push_back({where, "bedding[" + std::to_string(i) + "].spacing",
+                          length(recipe.bedding[i].spacing),
+                          "at least the largest grain diameter, " + length(largest),
+                          "use a wider spacing or smaller grains"});
+  return problems;
+}
+
 /// The table of a whole text. Throws InputError where nothing can be read; else problems are added.
 toml::table parse_checked(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -374,7 +403,15 @@ TomlValue parse_toml(std::string_view text, const std::string& where, std::vecto
   return tree_of(parse_checked(text, where, problems));
 }
 
-Recipe read_recipe(const std::string& path) { return parse_recipe(read_file(path), path); }
+Recipe read_recipe(const std::string& path) {
+  Recipe recipe = parse_recipe(read_file(path), path);
+  if (recipe.packing.file.empty()) return recipe;
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  recipe.packing.file = (folder / recipe.packing.file).lexically_normal().string();
+  std::vector<Problem> problems = disc_problems(recipe, path);
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return recipe;
+}
 
 const TomlValue* TomlValue::find(std::string_view key) const {
   for (std::size_t i = 0; i < keys.size(); ++i)

@@ -7,7 +7,9 @@
 
 namespace phy {
 
-/// Reads, checks and completes a recipe. Throws IoError (unreadable) or InputError with every problem found.
+/// Reads, checks and completes a recipe. packing.file is found from the recipe's folder, becomes absolute,
+/// and its box and grains are held against the recipe. Throws IoError (unreadable) or InputError with every
+/// problem found.
 Recipe read_recipe(const std::string& path);
 /// The same from text; `where` names the source in messages.
 Recipe parse_recipe(std::string_view text, const std::string& where);

@@ -98,6 +98,7 @@ bool UniaxialTest::after_block() {
       begin();
       return false;
     }
+    jumped_ = true;
     phase_ = Phase::load;
     group_.hold_bonds(lane_, specimen_->matrix.unbreakable);
     group_.drive_platens(lane_, true);
@@ -170,7 +171,7 @@ TestResult UniaxialTest::take_result() {
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(group_.row(lane_).step);
   AnalysisOptions options;
-  options.jump_strain = may_jump_ ? 0.0 : recipe_.test.jump_strain;
+  options.jump_strain = jumped_ ? recipe_.test.jump_strain : 0.0;
   result_.numbers = analyse(result_.history, result_.cracks, options);
   result_.hash = hash_of(result_);
   return std::move(result_);

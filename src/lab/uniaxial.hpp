@@ -53,6 +53,7 @@ class UniaxialTest {
   int lane_;
   Phase phase_ = Phase::settle;
   bool may_jump_;
+  bool jumped_ = false;      // the jump was made and kept
   std::int64_t blocks_ = 0;  // in this phase
   Moments<Snapshot> snapshots_;
   Moments<Frame> frames_;

@@ -102,7 +102,7 @@ void add_packing(List& l) {
   Field f;
   f.kind = FieldKind::text, f.table = "packing", f.key = "file";
   f.meaning =
-      "CSV of discs to import instead of making a packing (from the working directory); empty: make one";
+      "CSV of discs to import instead of making a packing (from the recipe's folder); empty: make one";
   f.get_text = [](const Recipe& r) { return r.packing.file; };
   f.set_text = [](Recipe& r, const std::string& s) { r.packing.file = s; };
   l.fields.push_back(f);

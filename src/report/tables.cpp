@@ -131,8 +131,28 @@ std::string press_table(const Results& results, int terminal_width) {
   return as_list(all, results);
 }
 
-std::string outcome_lines(const Results& results) {
+std::string missing_numbers(const Results& results) {
+  std::vector<std::pair<std::string, std::string>> told;  // reason, tests
+  for (const TestResult& r : results) {
+    for (const Number& n : r.numbers) {
+      const bool in_table = n.name == "sigma_ci" || n.name == "sigma_cd";
+      if (!in_table || r.outcome.status != Status::peaked || std::isfinite(n.value)) continue;
+      const std::string reason = n.name + " -: " + n.note;
+      const auto it =
+          std::find_if(told.begin(), told.end(), [&](const auto& t) { return t.first == reason; });
+      if (it == told.end())
+        told.emplace_back(reason, r.name);
+      else
+        it->second += ", " + r.name;
+    }
+  }
   std::string text;
+  for (const auto& [reason, tests] : told) text += fmt::format("{} ({})\n", reason, tests);
+  return text;
+}
+
+std::string outcome_lines(const Results& results) {
+  std::string text = missing_numbers(results);
   for (const TestResult& r : results) {
     if (r.outcome.status == Status::peaked) continue;
     text += r.name + ": " + to_string(r.outcome.status);

@@ -13,7 +13,11 @@ namespace phy {
 /// "-": could not be determined; "<": an upper bound (the number's note begins with "below").
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 
-/// One line per specimen that did not succeed: why, and what to do; empty when all went well.
+/// Why a "-" stands under sigma_ci or sigma_cd of a test that succeeded, once per reason.
+std::string missing_numbers(const std::vector<TestResult>& results);
+
+/// The missing numbers, then one line per specimen that did not succeed: why, and what to do; empty when all
+/// went well.
 std::string outcome_lines(const std::vector<TestResult>& results);
 
 }  // namespace phy

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <limits>
 #include <sstream>
 
@@ -104,6 +106,16 @@ TEST(PressTable, NamesWhenTheAnglesDoNotTellSpecimensApart) {
 TEST(PressTable, NoResultsGiveTheHeadOnly) {
   EXPECT_THAT(press_table({}, 0), HasSubstr("UCS"));
   EXPECT_EQ(press_table({}, 20), "");
+}
+
+TEST(OutcomeLines, SayWhyADashStandsInTheTable) {
+  std::vector<TestResult> all(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[i].name = "test " + std::to_string(i);
+    all[i].outcome = {Status::peaked, "", ""};
+    all[i].numbers = {{"sigma_cd", i == 1 ? 40e6 : std::nan(""), "Pa", "", i == 1 ? "" : "it never turns"}};
+  }
+  EXPECT_EQ(outcome_lines(all), "sigma_cd -: it never turns (test 0, test 2)\n");
 }
 
 TEST(OutcomeLines, SayWhatFailedAndWhatToDo) {

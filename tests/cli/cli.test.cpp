@@ -1,55 +1,21 @@
 // The program as a user meets it: exit codes, messages, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
+
+#include "../program.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Cli : public testing::Test {
- protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-cli-" + std::to_string(::getpid()));
-  std::string output;
-  void SetUp() override {
-    fs::create_directories(folder);
-    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  int run(const std::string& arguments) {
-    output.clear();
-    FILE* pipe = ::popen((std::string(PHY_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
-    std::array<char, 4096> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) output += buffer.data();
-    const int status = ::pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder / name) << text;
-    return (folder / name).string();
-  }
-  std::string small_recipe(const std::string& more = "") const {
-    return write(
-        "small.toml",
-        "name = \"small\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
-        "[matrix]\nsigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
-        "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" +
-            more);
-  }
-  std::string out() const { return (folder / "out").string(); }
-};
+class Cli : public ProgramTest {};
 
 TEST_F(Cli, VersionAndHelp) {
   EXPECT_EQ(run("--version"), 0);
@@ -112,25 +78,48 @@ TEST_F(Cli, ATestThatNeverPeaksIsStoredAndExitsWith1) {
   EXPECT_TRUE(fs::exists(fs::path(out()) / "intact" / "result.json"));
 }
 
+// Thirty tests one after the other; Ctrl-C as soon as the first result is there.
 TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
-  const std::string recipe = small_recipe("stop_at = 0\npost_peak = 0\nmax_strain = 0.19\n");
+  std::string angles = "angles = [\"0 deg\"";
+  for (int i = 1; i < 30; ++i) angles += ", \"" + std::to_string(6 * i) + " deg\"";
+  const std::string recipe =
+      write("many.toml",
+            "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
+            "spacing = \"2 mm\"\n[test]\n" +
+                angles + "]\nplaten_speed = \"0.2 m/s\"\n");
   const pid_t child = ::fork();
   if (child == 0) {
     const std::string log = (folder / "log").string();
-    ::freopen(log.c_str(), "w", stdout);
-    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--out", out().c_str(),
-            nullptr);
+    if (std::freopen(log.c_str(), "w", stdout) == nullptr) ::_exit(126);
+    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--lanes", "1", "--out",
+            out().c_str(), nullptr);
     ::_exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  ::kill(child, SIGINT);
+  const auto n_results = [&] {
+    int n = 0;
+    if (fs::exists(out()))
+      for (const auto& entry : fs::directory_iterator(out()))
+        if (fs::exists(entry.path() / "result.json")) ++n;
+    return n;
+  };
   int status = 0;
+  while (n_results() == 0 && ::waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(child, SIGINT);
   ::waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
+  ASSERT_TRUE(WIFEXITED(status)) << "the signal must not kill it";
   EXPECT_EQ(WEXITSTATUS(status), 1);
   std::ifstream in(folder / "log");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_THAT(text, HasSubstr("stopped by the user"));
+  EXPECT_THAT(text, HasSubstr("interrupted: not started; run the same recipe again"));
+  EXPECT_GE(n_results(), 1);
+  EXPECT_LT(n_results(), 30);
+  for (const auto& entry : fs::directory_iterator(out())) {
+    EXPECT_TRUE(entry.is_directory()) << entry.path() << " is half a result";
+    std::ifstream file(entry.path() / "result.json");
+    EXPECT_NE(nlohmann::json::parse(file)["outcome"]["status"], "interrupted");
+    EXPECT_TRUE(fs::exists(entry.path() / "history.csv"));
+  }
 }
 
 TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {

@@ -1,0 +1,47 @@
+// The program as a child process, in a folder of its own.
+#pragma once
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+class ProgramTest : public testing::Test {
+ protected:
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("phyllite-cli-" + std::to_string(::getpid()));
+  std::string output;
+  void SetUp() override {
+    std::filesystem::create_directories(folder);
+    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  int run(const std::string& arguments) { return run_line(std::string(PHY_PROGRAM) + " " + arguments); }
+  /// Runs a line of shell; what it prints is in `output`. The exit code, or -1 after a signal.
+  int run_line(const std::string& line) {
+    output.clear();
+    FILE* pipe = ::popen(("{ " + line + "; } 2>&1").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) output += buffer.data();
+    const int status = ::pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+  std::string small_recipe(const std::string& more = "") const {
+    return write(
+        "small.toml",
+        "name = \"small\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
+        "[matrix]\nsigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
+        "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" +
+            more);
+  }
+  std::string out() const { return (folder / "out").string(); }
+};
