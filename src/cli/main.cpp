@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   phy::add_verify_command(app, session);
   phy::add_recipe_command(app, session);
   phy::add_contact_command(app, session);
+  phy::add_study_command(app, session);
   phy::add_elastic_command(app, session);
   phy::add_rock_command(app, session);
   phy::add_show_command(app, session);

@@ -9,16 +9,21 @@ namespace phy {
 // A test's length is not known before its peak, so the remaining time is estimated from finished specimens
 // only.
 void ProgressLine::update(const Progress& p) {
+  show([&](double seconds) {
+    std::string left = "remaining time unknown until the first specimen ends";
+    if (p.n_done > 0)
+      left = fmt::format("about {:.0f} s left",
+                         seconds / static_cast<double>(p.n_done) * static_cast<double>(p.n_total - p.n_done));
+    return fmt::format("{}/{} specimens, {:.0f} cycles/s, {:.0f} s, {}", p.n_done, p.n_total,
+                       p.steps_done / seconds, seconds, left);
+  });
+}
+
+void ProgressLine::show(const std::function<std::string(double)>& say) {
   const auto now = Clock::now();
   if (std::chrono::duration<double>(now - shown_).count() < (terminal_ ? 0.2 : 10.0)) return;
   shown_ = now;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::string left = "remaining time unknown until the first specimen ends";
-  if (p.n_done > 0)
-    left = fmt::format("about {:.0f} s left",
-                       seconds / static_cast<double>(p.n_done) * static_cast<double>(p.n_total - p.n_done));
-  std::string text = fmt::format("{}/{} specimens, {:.0f} cycles/s, {:.0f} s, {}", p.n_done, p.n_total,
-                                 p.steps_done / seconds, seconds, left);
+  std::string text = say(std::chrono::duration<double>(now - start_).count());
   if (terminal_) {
     if (static_cast<int>(text.size()) >= width_) text.resize(static_cast<std::size_t>(width_ - 1));
     fmt::print(stderr, "\r\033[K{}", text);

@@ -1,6 +1,7 @@
 // One line of progress on a terminal; plain lines, and few of them, elsewhere. Written to standard error.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "study/scheduler.hpp"
@@ -12,6 +13,8 @@ class ProgressLine {
   ProgressLine(bool terminal, int width)
       : terminal_(terminal), width_(width), start_(Clock::now()), shown_(start_) {}
   void update(const Progress& progress);
+  /// Shows `text(seconds since the start)` unless the last update was a moment ago.
+  void show(const std::function<std::string(double)>& text);
   /// A message that stays.
   void note(const std::string& text);
   void finish();

@@ -12,8 +12,6 @@
 namespace phy {
 namespace {
 
-constexpr int patience_ms = 60000;
-
 std::string remedy_for(int code) {
   switch (code & 0xff) {
     case SQLITE_NOTADB:
@@ -29,7 +27,7 @@ std::string remedy_for(int code) {
 
 }  // namespace
 
-Database::Database(const std::string& path) : path_(path) {
+Database::Database(const std::string& path, int patience_ms) : path_(path) {
   make_folder(std::filesystem::path(path).parent_path().string());
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
   if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {

@@ -13,8 +13,8 @@ namespace phy {
 
 class Database {
  public:
-  /// Opens or makes the file. Waits up to a minute for other processes before any call gives up.
-  explicit Database(const std::string& path);
+  /// Opens or makes the file. Waits up to `patience_ms` for other processes before any call gives up.
+  explicit Database(const std::string& path, int patience_ms = 60000);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;

@@ -10,95 +10,101 @@
 #include "lab/uniaxial.hpp"
 
 namespace phy {
-namespace {
-
 double thread_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// What the workers share.
+namespace {
+
+/// A test in a lane.
+struct Seat {
+  Job job;
+  std::optional<UniaxialTest> test;  // refers to the job's recipe
+  double seconds = 0.0;
+};
+
+void fill_seat(const LaneHooks& hooks, LaneGroup& group, Seat& seat, int lane) {
+  seat.test.reset();
+  std::optional<Job> job = hooks.next();
+  if (!job) return group.clear(lane);
+  seat.job = std::move(*job);
+  seat.seconds = 0.0;
+  seat.test.emplace(seat.job.specimen, *seat.job.recipe, group, lane);
+}
+
+void close_seat(const LaneHooks& hooks, Seat& seat) {
+  TestResult result = seat.test->take_result();
+  result.seconds = seat.seconds;
+  hooks.done(seat.job.index, std::move(result));
+}
+
+/// What the workers of run_tests share.
 struct Desk {
   const std::vector<std::shared_ptr<const Specimen>>& specimens;
-  const Recipe& recipe;
+  std::shared_ptr<const Recipe> recipe;
   const ScheduleHooks& hooks;
   std::vector<TestResult> results;
   std::mutex mutex;
-  std::size_t next = 0;
+  std::size_t n_taken = 0;
   Progress progress;
   std::exception_ptr error;
 
   bool stopped() const { return hooks.stop != nullptr && hooks.stop->load(); }
-  std::optional<std::size_t> take() {
+  std::optional<Job> next() {
     const std::lock_guard lock(mutex);
-    if (stopped() || error || next == specimens.size()) return std::nullopt;
-    return next++;
+    if (stopped() || error || n_taken == specimens.size()) return std::nullopt;
+    const std::size_t i = n_taken++;
+    return Job{specimens[i], recipe, i};
   }
-  void deliver(std::size_t index, TestResult result) {
+  void done(std::size_t index, TestResult result) {
     const std::lock_guard lock(mutex);
     results[index] = std::move(result);
     ++progress.n_done;
     if (hooks.on_result) hooks.on_result(index, results[index]);
   }
-  void report(double steps) {
+  void block(double steps) {
     const std::lock_guard lock(mutex);
     progress.steps_done += steps;
     if (hooks.on_progress) hooks.on_progress(progress);
   }
-};
-
-/// A test in a lane.
-struct Seat {
-  std::optional<UniaxialTest> test;
-  std::size_t index = 0;
-  double seconds = 0.0;
-};
-
-void fill_seat(Desk& desk, LaneGroup& group, Seat& seat, int lane) {
-  seat.test.reset();
-  if (const auto index = desk.take()) {
-    seat.index = *index;
-    seat.seconds = 0.0;
-    seat.test.emplace(desk.specimens[*index], desk.recipe, group, lane);
-  } else {
-    group.clear(lane);
+  LaneHooks for_lanes() {
+    return {[this] { return next(); },
+            [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
+            [this](double steps, double) { block(steps); }, [this] { return stopped(); }};
   }
-}
+};
 
-void close_seat(Desk& desk, Seat& seat) {
-  TestResult result = seat.test->take_result();
-  result.seconds = seat.seconds;
-  desk.deliver(seat.index, std::move(result));
-}
+}  // namespace
 
-void work(Desk& desk, const GroupOptions& options) {
-  const std::unique_ptr<LaneGroup> group = make_group(desk.specimens.front()->packing, options);
+void run_lanes(const std::shared_ptr<const Packing>& packing, const GroupOptions& options,
+               const LaneHooks& hooks) {
+  const std::unique_ptr<LaneGroup> group = make_group(packing, options);
   std::vector<Seat> seats(static_cast<std::size_t>(options.lanes));
-  for (int lane = 0; lane < options.lanes; ++lane)
-    fill_seat(desk, *group, seats[static_cast<std::size_t>(lane)], lane);
+  const auto each = [&](auto&& action) {
+    for (int lane = 0; lane < options.lanes; ++lane) action(seats[static_cast<std::size_t>(lane)], lane);
+  };
+  each([&](Seat& seat, int lane) { fill_seat(hooks, *group, seat, lane); });
   for (;;) {
     int busy = 0;
     for (const Seat& seat : seats) busy += seat.test ? 1 : 0;
     if (busy == 0) return;
     const double before = thread_seconds();
     group->advance();
-    const double share = (thread_seconds() - before) / busy;
-    desk.report(static_cast<double>(busy) * options.interval);
-    for (int lane = 0; lane < options.lanes; ++lane) {
-      Seat& seat = seats[static_cast<std::size_t>(lane)];
-      if (!seat.test) continue;
-      seat.seconds += share;
+    const double seconds = thread_seconds() - before;
+    hooks.block(static_cast<double>(busy) * options.interval, seconds);
+    each([&](Seat& seat, int lane) {
+      if (!seat.test) return;
+      seat.seconds += seconds / busy;
       bool over = seat.test->after_block();
-      if (!over && desk.stopped()) seat.test->interrupt(), over = true;
-      if (!over) continue;
-      close_seat(desk, seat);
-      fill_seat(desk, *group, seat, lane);
-    }
+      if (!over && hooks.stopped()) seat.test->interrupt(), over = true;
+      if (!over) return;
+      close_seat(hooks, seat);
+      fill_seat(hooks, *group, seat, lane);
+    });
   }
 }
-
-}  // namespace
 
 int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine) {
   const bool single = precision == Precision::single_precision;
@@ -115,7 +121,8 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
-  Desk desk{specimens, recipe, hooks, std::vector<TestResult>(specimens.size()), {}, 0, {}, nullptr};
+  const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
+  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, 0, {}, nullptr};
   if (specimens.empty()) return {};
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     desk.results[i].name = specimens[i]->name;
@@ -135,7 +142,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
     for (std::size_t i = 0; i < std::min(n_groups, static_cast<std::size_t>(machine.threads)); ++i)
       workers.emplace_back([&desk, &options] {
         try {
-          work(desk, options);
+          run_lanes(desk.specimens.front()->packing, options, desk.for_lanes());
         } catch (...) {
           const std::lock_guard lock(desk.mutex);
           if (!desk.error) desk.error = std::current_exception();

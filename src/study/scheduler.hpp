@@ -8,9 +8,11 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/kernels.hpp"
+#include "engine/lane_group.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
@@ -36,6 +38,29 @@ struct ScheduleHooks {
   std::function<void(const Progress&)> on_progress;                     ///< from a worker, one at a time
   const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
+
+/// One test for a lane.
+struct Job {
+  std::shared_ptr<const Specimen> specimen;
+  std::shared_ptr<const Recipe> recipe;  ///< of the precision and block length of the group
+  std::size_t index = 0;                 ///< given back with the result
+};
+
+/// Where a group gets its work and leaves its results. Called from the thread that runs the group.
+struct LaneHooks {
+  std::function<std::optional<Job>()> next;  ///< nothing: no more work of this packing
+  std::function<void(std::size_t index, TestResult)> done;
+  std::function<void(double steps, double seconds)> block;  ///< cycles times specimens, thread CPU time
+  std::function<bool()> stopped;
+};
+
+/// Fills the lanes of one group of this packing until `next` has no more and all lanes are over. What is
+/// stopped is handed over as interrupted.
+void run_lanes(const std::shared_ptr<const Packing>& packing, const GroupOptions& options,
+               const LaneHooks& hooks);
+
+/// CPU time of the calling thread [s].
+double thread_seconds();
 
 /// Results in the order of `specimens`; unfinished ones carry Status::interrupted.
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,

@@ -181,9 +181,9 @@ void write_specimen(Database& database, const std::string& key, const std::strin
 
 }  // namespace
 
-Store::Store(const std::string& path) : database_(path), owner_(new_owner()) {
-  refuse_network(path);
-  make_tables();
+Store::Store(const std::string& path, Sharing sharing) : database_(path), owner_(new_owner()) {
+  if (sharing == Sharing::shared) refuse_network(path);
+  make_tables(sharing);
 }
 
 Store::~Store() {
@@ -193,7 +193,8 @@ Store::~Store() {
   }
 }
 
-void Store::make_tables() {
+void Store::make_tables(Sharing sharing) {
+  if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   // Changing to WAL needs the file for oneself for a moment; SQLite does not wait for that by itself.
   for (int i = 0;; ++i) {
     try {

@@ -47,11 +47,15 @@ struct MergeReport {
   std::vector<std::string> different;  ///< keys whose results differ between the two stores; ours is kept
 };
 
+/// Who else may open the store meanwhile. `alone` holds it for one process, which is safe on network file
+/// systems too: for shards.
+enum class Sharing { shared, alone };
+
 /// Safe to use from several threads.
 class Store {
  public:
   /// Opens or makes the store. Throws IoError: unreadable, no store, another format, network file system.
-  explicit Store(const std::string& path);
+  explicit Store(const std::string& path, Sharing sharing = Sharing::shared);
   ~Store();
 
   Claim claim(const std::string& key);
@@ -78,7 +82,7 @@ class Store {
   MergeReport merge(const std::string& other_path);
 
  private:
-  void make_tables();
+  void make_tables(Sharing sharing);
   mutable std::mutex mutex_;
   mutable Database database_;
   std::string owner_;

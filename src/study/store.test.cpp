@@ -242,6 +242,17 @@ TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
   EXPECT_THAT(message_of([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
 }
 
+TEST_F(StoreTest, AShardHasItsStoreForItself) {
+  {
+    Store mine(file(), Sharing::alone);
+    mine.put("k", "r", some_result(1));
+    EXPECT_FALSE(fs::exists(file() + "-shm")) << "no memory shared with other processes";
+    Database other(file(), 10);
+    EXPECT_THAT(message_of([&] { other.execute("SELECT * FROM specimen"); }), HasSubstr("keeps it locked"));
+  }
+  EXPECT_EQ(Store(file()).size(), 1u);
+}
+
 TEST_F(StoreTest, ADamagedHistoryIsTold) {
   Store store(file());
   store.put("k", "r", some_result(1));

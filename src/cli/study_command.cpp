@@ -1,0 +1,325 @@
+// `phyllite study STUDY` and `study status | resume | export | merge`: a folder with study.toml, recipe.toml
+// and the store study.sqlite (of a shard: shard-I-of-N.sqlite).
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "genesis/cache.hpp"
+#include "io/file.hpp"
+#include "study/runner.hpp"
+#include "study/study_in.hpp"
+#include "study/table.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_requested{false};
+void on_interrupt(int) {
+  stop_requested = true;
+  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends at once; finished specimens are in the store already
+}
+
+struct StudyArguments {
+  std::string study, folder, shard, csv;
+  std::vector<std::string> stores;
+  std::string out;
+  int slurm = 0;
+  bool dry_run = false, reference = false;
+};
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  char rest = 0;
+  const bool ok = text.empty() || (std::sscanf(text.c_str(), "%d/%d%c", &shard.i, &shard.n, &rest) == 2 &&
+                                   shard.n >= 1 && shard.i >= 1 && shard.i <= shard.n);
+  if (!ok)
+    throw InputError(
+        Problem{"command line", "--shard", text, "i/n with 1 <= i <= n", "for example --shard 3/10"});
+  return shard;
+}
+
+std::string store_file(const std::string& folder, const Shard& shard) {
+  return (fs::path(folder) /
+          (shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n)))
+      .string();
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// CPU seconds per cost: of finished tests, else the usual value.
+double seconds_per_cost(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+  double seconds = 0.0, cost = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i]) seconds += rows[i]->result.seconds, cost += plan.tests[i].cost;
+  return cost > 0.0 ? seconds / cost : usual_seconds_per_cost(plan.study.base.engine.precision);
+}
+
+std::size_t n_packings_to_make(const Plan& plan) {
+  std::size_t n = 0;
+  for (const Batch& b : plan.batches) {
+    if (b.tests.empty()) continue;
+    const Recipe& r = plan.tests[b.tests.front()].recipe;
+    if (r.packing.file.empty() &&
+        !fs::exists(cache_file(default_cache_folder(), packing_key(r.specimen, r.packing, r.matrix))))
+      ++n;
+  }
+  return n;
+}
+
+void print_plan(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows, int threads) {
+  std::size_t mine = 0, left = 0;
+  double cost = 0.0;
+  for (const Batch& b : plan.batches)
+    for (const std::size_t t : b.tests) {
+      ++mine;
+      if (!rows[t]) ++left, cost += plan.tests[t].cost;
+    }
+  const Study& s = plan.study;
+  fmt::print("study     {} ({}), {} parameter(s)\n", s.name, to_string(s.design), s.vary.size());
+  fmt::print("          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
+             plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(), plan.tests.size());
+  if (mine < plan.tests.size()) fmt::print("shard     {} of them are this part's\n", mine);
+  const std::size_t to_make = n_packings_to_make(plan);
+  fmt::print("press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
+             s.base.engine.precision == Precision::double_precision ? "double" : "single",
+             s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
+  fmt::print("expected  {} to run, about {} on {} thread(s){}\n", left,
+             duration(cost * seconds_per_cost(plan, rows) / threads), threads,
+             to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
+}
+
+/// Outcomes other than a peak, with advice. Returns their number.
+std::size_t print_failures(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+  std::size_t n = 0;
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
+    if (n++ == 0) fmt::print("\nwithout a peak:\n");
+    const auto run =
+        std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
+    const Outcome& o = rows[t]->result.outcome;
+    fmt::print("  {}, packing {}, {}: {}: {}{}{}\n", rows[t]->result.name, run->packing,
+               describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
+               o.advice.empty() ? "" : "; ", o.advice);
+  }
+  return n;
+}
+
+std::size_t n_unfinished(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+  std::size_t n = 0;
+  for (const Batch& b : plan.batches)
+    for (const std::size_t t : b.tests) n += rows[t] ? 0 : 1;
+  return n;
+}
+
+std::string progress_text(const StudyProgress& p, double seconds, std::size_t n_total) {
+  std::string text = fmt::format("{}/{} specimens", p.n_done, n_total);
+  if (p.n_failed > 0) text += fmt::format(" ({} without a peak)", p.n_failed);
+  text += fmt::format(", {:.0f} s", seconds);
+  if (p.work <= 0.0) return text + ", starting";
+  return text + fmt::format(", {:.0f} per minute, about {} left",
+                            60.0 * static_cast<double>(p.n_new) / seconds, duration(p.seconds_left(seconds)));
+}
+
+struct StudyRun {
+  WorkReport report;
+  std::size_t n_new = 0;
+};
+
+StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int threads) {
+  MachineOptions machine;
+  machine.isa = native_isa();
+  machine.threads = threads;
+  ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  StudyHooks hooks;
+  hooks.stop = &stop_requested;
+  hooks.on_progress = [&](const StudyProgress& p) {
+    line.show([&](double seconds) { return progress_text(p, seconds, p.n_total); });
+  };
+  hooks.on_result = [&](const PlannedTest&, const TestResult& r) {
+    if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);
+  };
+  StoreDesk desk(plan, store, hooks, machine.threads);
+  const WorkReport report = work_at(desk, plan, machine);
+  line.finish();
+  return {report, desk.progress().n_new};
+}
+
+int finish_study(const Plan& plan, const Store& store, const std::string& folder, const StudyRun& run) {
+  const auto rows = rows_of(plan, store);
+  write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
+  const std::size_t n_bad = print_failures(plan, rows), n_left = n_unfinished(plan, rows);
+  const WorkReport& report = run.report;
+  fmt::print("\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
+             report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
+             report.cpu_seconds, 100.0 * report.idle);
+  fmt::print("store of {} with hash {}\n", store.size(), store.hash());
+  fmt::print("table in {}\n", (fs::path(folder) / "results.csv").string());
+  if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
+  return n_bad + n_left > 0 ? 1 : 0;
+}
+
+int run_study(const Study& study, const StudyArguments& args, const std::string& folder,
+              const Session& session) {
+  const Shard shard = parse_shard(args.shard);
+  const Plan plan = make_plan(study, shard);
+  const int threads = session.threads > 0 ? session.threads : available_cores();
+  const std::string file = store_file(folder, shard);
+  if (args.dry_run) {
+    std::vector<std::optional<StoredResult>> rows(plan.tests.size());
+    if (fs::exists(file)) rows = rows_of(plan, Store(file));
+    print_plan(plan, rows, threads);
+    return 0;
+  }
+  check_writable(folder);
+  for (const auto& [name, content] : study_files(study))
+    write_file((fs::path(folder) / name).string(), content);
+  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
+  print_plan(plan, rows_of(plan, store), threads);
+  std::fflush(stdout);
+  const StudyRun run = run_plan(plan, store, session, threads);
+  return finish_study(plan, store, folder, run);
+}
+
+/// A folder of an earlier run, with its study.
+Study study_in(const std::string& folder) {
+  const std::string file = (fs::path(folder) / "study.toml").string();
+  if (!fs::exists(file))
+    throw IoError(folder + ": is no folder of a study (no study.toml); name the --out of `phyllite study`");
+  return read_study(file);
+}
+
+int status_of(const StudyArguments& args, const Session& session) {
+  const Plan plan = make_plan(study_in(args.folder));
+  const Store store(store_file(args.folder, {}));
+  const auto rows = rows_of(plan, store);
+  print_plan(plan, rows, session.threads > 0 ? session.threads : available_cores());
+  const std::size_t n_left = n_unfinished(plan, rows), n_bad = print_failures(plan, rows);
+  fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n",
+             plan.tests.size() - n_left, plan.tests.size(), store.n_claimed(), n_bad, store.hash());
+  return n_left + n_bad > 0 ? 1 : 0;
+}
+
+int export_study(const StudyArguments& args) {
+  const Plan plan = make_plan(study_in(args.folder));
+  const std::string text = study_csv(plan, rows_of(plan, Store(store_file(args.folder, {}))));
+  if (args.csv.empty())
+    fmt::print("{}", text);
+  else
+    write_file(args.csv, text);
+  return 0;
+}
+
+int merge_stores(const StudyArguments& args) {
+  std::vector<std::string> stores = args.stores;
+  if (stores.empty())
+    for (const auto& entry : fs::directory_iterator(args.folder))
+      if (entry.path().filename().string().starts_with("shard-") && entry.path().extension() == ".sqlite")
+        stores.push_back(entry.path().string());
+  std::sort(stores.begin(), stores.end());
+  if (stores.empty())
+    throw IoError(args.folder + ": holds no shard-*.sqlite; name the stores behind the folder");
+  Store store(store_file(args.folder, {}));
+  std::size_t n_different = 0;
+  for (const std::string& name : stores) {
+    const MergeReport report = store.merge(name);
+    fmt::print("{}: {} added, {} known\n", name, report.n_added, report.n_known);
+    for (const std::string& key : report.different)
+      fmt::print("  {} differs from the row that is there, which stays\n", key);
+    n_different += report.different.size();
+  }
+  fmt::print("store of {} with hash {}\n", store.size(), store.hash());
+  return n_different > 0 ? 1 : 0;
+}
+
+std::string slurm_script(const StudyArguments& args, const std::string& folder, const std::string& name) {
+  return fmt::format(
+      "#!/bin/sh\n"
+      "# Job array for Slurm: sbatch this file; when all parts are done: phyllite study merge {1}\n"
+      "# A part that was cancelled or has run out of time goes on where it was when it is submitted again.\n"
+      "#SBATCH --job-name={3}\n#SBATCH --array=1-{2}\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=4\n"
+      "#SBATCH --time=02:00:00\n"
+      "exec phyllite --threads \"$SLURM_CPUS_PER_TASK\" study \"{0}\" --out \"{1}\" "
+      "--shard \"$SLURM_ARRAY_TASK_ID/{2}\"\n",
+      args.study, folder, args.slurm, name);
+}
+
+std::string reference() {
+  std::string text =
+      "\n# Keys of a study\n\nWritten by `phyllite study --reference`. Quantities carry units as in a "
+      "recipe.\n\n"
+      "| table | key | allowed | meaning |\n|---|---|---|---|\n";
+  for (const StudyKey& k : study_keys())
+    text += fmt::format("| {} | `{}` | {} | {} |\n",
+                        k.table.empty()     ? "top level"
+                        : k.table == "vary" ? "[[vary]]"
+                                            : "[" + k.table + "]",
+                        k.key, k.expected, k.meaning);
+  return text;
+}
+
+int study_verb(const StudyArguments& args, const Session& session) {
+  if (args.reference) {
+    fmt::print("{}", reference());
+    return 0;
+  }
+  if (args.study.empty())
+    throw InputError(
+        Problem{"command line", "STUDY", "", "a study file", "phyllite study --help shows all verbs"});
+  const Study study = read_study(args.study);
+  const std::string folder =
+      args.out.empty() ? (fs::path("results") / fs::path(args.study).stem()).string() : args.out;
+  if (args.slurm > 0) {
+    fmt::print("{}", slurm_script(args, folder, fs::path(args.study).stem().string()));
+    return 0;
+  }
+  return run_study(study, args, folder, session);
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<StudyArguments>();
+  CLI::App* study = app.add_subcommand("study", "run many specimens: parameters, packings, angles");
+  study->add_option("study", args->study, "study file (TOML)");
+  study->add_option("--out", args->out, "folder for the store and the table; default results/NAME");
+  study->add_option("--shard", args->shard, "run part i of n only, i/n, into a store of its own");
+  study->add_option("--slurm", args->slurm, "print a job script that runs the study in N parts")
+      ->check(CLI::Range(1, 10000));
+  study->add_flag("--dry-run", args->dry_run, "tell the number of runs and the expected time, run nothing");
+  study->add_flag("--reference", args->reference, "print all keys of a study file");
+  study->require_subcommand(0, 1);
+  const auto verb = [&](const char* name, const char* meaning) {
+    CLI::App* sub = study->add_subcommand(name, meaning);
+    sub->add_option("folder", args->folder, "folder of the study (its --out)")->required();
+    return sub;
+  };
+  CLI::App* status = verb("status", "what is finished, what failed, what is left");
+  CLI::App* resume = verb("resume", "run what is left");
+  CLI::App* csv = verb("export", "the table of all specimens as CSV");
+  csv->add_option("--csv", args->csv, "file to write; default: standard output");
+  CLI::App* merge = verb("merge", "join the stores of shards");
+  merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
+  study->callback([=, &session] {
+    std::signal(SIGINT, on_interrupt);
+    session.exit_code = *status   ? status_of(*args, session)
+                        : *resume ? run_study(study_in(args->folder), *args, args->folder, session)
+                        : *csv    ? export_study(*args)
+                        : *merge  ? merge_stores(*args)
+                                  : study_verb(*args, session);
+  });
+}
+
+}  // namespace phy

@@ -1,0 +1,81 @@
+// What a study varies, and the points that it visits.
+//
+//   one_at_a_time     every parameter through its levels, the others at their base
+//   full_factorial    every combination of levels
+//   list              the rows of a CSV table
+//   latin_hypercube   `samples` points, every parameter once in each of `samples` equal slices (McKay,
+//   Beckman
+//                     & Conover 1979, Technometrics 21:239-245)
+//   sobol             the first `samples` points of Sobol's sequence without its origin (Boost, direction
+//                     numbers of Joe & Kuo 2008): fills the space evenly, can be prolonged
+//   morris            `samples` random walks through a grid of four levels, one parameter a step: elementary
+//                     effects for screening (Morris 1991, Technometrics 33:161-174)
+//   saltelli          `samples` (k + 2) points for Sobol's variance indices of k parameters (Saltelli et al.
+//                     2010, Computer Physics Communications 181:259-270)
+//
+// Every point is run on every packing seed and every bond seed: replicates, over which means and intervals
+// are taken. All random choices depend on `seed` alone.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/recipe.hpp"
+#include "records/recipe_schema.hpp"
+
+namespace phy {
+
+enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
+constexpr int n_designs = 7;
+const char* to_string(Design design);
+
+/// A key of the recipe; of the bedding either one set or all sets alike.
+struct RecipeKey {
+  const Field* field = nullptr;
+  int set = -1;  ///< bedding set, -1: all
+
+  std::string path() const;                      ///< "bedding.k_n", "bedding[1].k_n"
+  std::string unit() const;                      ///< of the values: "Pa/m", "1"
+  double get(const Recipe& recipe) const;        ///< of all sets: the first
+  void put(Recipe& recipe, double value) const;  ///< choices and booleans by their place in the list
+  std::string print(double value) const;         ///< as in a file, without quotes: "3360 GPa/m", "zone"
+};
+
+/// One varied parameter: a list of levels, or a range.
+struct Factor {
+  RecipeKey key;
+  std::vector<double> levels;  ///< in the order given; empty: the range counts
+  double from = 0.0, to = 0.0;
+  bool logarithmic = false;
+
+  /// The value at u in [0, 1]: along the range, or the level in whose equal share u falls. Whole-numbered
+  /// keys are rounded.
+  double at(double u) const;
+};
+
+struct Study {
+  std::string name;
+  Recipe base;
+  Design design = Design::one_at_a_time;
+  std::vector<Factor> vary;
+  std::vector<std::vector<double>> rows;  ///< of the list design
+  std::int64_t samples = 64;
+  std::int64_t seed = 1;
+  std::vector<std::int64_t> packings;    ///< packing seeds; at least one
+  std::vector<std::int64_t> bond_seeds;  ///< at least one
+};
+
+/// One setting of all varied parameters, in the order of Study::vary.
+struct Point {
+  std::vector<double> values;
+  int moved = -1;  ///< one_at_a_time: the parameter off its base, -1 at the base; morris: moved by this step
+};
+
+std::vector<Point> points_of(const Study& study);
+
+/// The base recipe at a point, on one packing and bond seed.
+Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, std::int64_t bond_seed);
+
+/// "bedding.k_n = 840 GPa/m, bedding.mu = 0.4"; empty if nothing varies.
+std::string describe(const Study& study, const Point& point);
+
+}  // namespace phy

@@ -1,0 +1,229 @@
+// Do designs visit the points that their definitions ask for, and does a study file say all its problems?
+#include "study/design.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "base/check.hpp"
+#include "io/file.hpp"
+#include "study/plan.hpp"
+#include "study/study_in.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class StudyFile : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("phyllite-design-" + std::to_string(::getpid()));
+  void SetUp() override {
+    write_file(
+        at("base.toml"),
+        "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\nseed = 7\n[[bedding]]\n"
+        "spacing = \"2 mm\"\n[[bedding]]\ntheta = \"90 deg\"\nspacing = \"4 mm\"\nk_n = \"1000 GPa/m\"\n");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::string at(const char* name) const { return (folder / name).string(); }
+  Study read(const std::string& text) const {
+    write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
+    return read_study(at("study.toml"));
+  }
+  std::string problems_of(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no problem";
+  }
+};
+
+const char* three_levels =
+    "[[vary]]\nkey = \"bedding[0].k_n\"\ntimes = [0.5, 1, 2]\n[[vary]]\nkey = \"bedding.mu\"\nvalues = [0.2, "
+    "0.4]\n";
+const char* two_ranges =
+    "[[vary]]\nkey = \"bedding.k_n\"\nfrom = \"10 GPa/m\"\nto = \"1000 GPa/m\"\nscale = \"log\"\n"
+    "[[vary]]\nkey = \"bedding.mu\"\nfrom = 0.2\nto = 1.2\n";
+
+TEST_F(StudyFile, OneAtATimeStartsAtTheBaseAndLeavesTheOthersThere) {
+  const Study s = read(three_levels);
+  const std::vector<Point> points = points_of(s);
+  ASSERT_EQ(points.size(), 4u);  // base, 0.5 k_n, 2 k_n, mu 0.2: what equals the base is not repeated
+  EXPECT_THAT(points[0].values, ElementsAre(3360e9, 0.4));
+  EXPECT_THAT(points[1].values, ElementsAre(1680e9, 0.4));
+  EXPECT_THAT(points[2].values, ElementsAre(6720e9, 0.4));
+  EXPECT_THAT(points[3].values, ElementsAre(3360e9, 0.2));
+  EXPECT_THAT((std::vector<int>{points[0].moved, points[1].moved, points[3].moved}), ElementsAre(-1, 0, 1));
+  EXPECT_EQ(describe(s, points[3]), "bedding[0].k_n = 3360 GPa/m, bedding.mu = 0.2");
+}
+
+TEST_F(StudyFile, KeysOfOneOrAllBeddingSets) {
+  const Study s = read(three_levels);
+  const Recipe r = recipe_at(s, points_of(s)[3], 5, 6);
+  EXPECT_EQ(r.packing.seed, 5);
+  EXPECT_EQ(r.matrix.bond_seed, 6);
+  EXPECT_EQ(r.bedding[0].k_n, 3360e9);
+  EXPECT_EQ(r.bedding[1].k_n, 1000e9);
+  EXPECT_EQ(r.bedding[0].mu, 0.2);
+  EXPECT_EQ(r.bedding[1].mu, 0.2);
+}
+
+TEST_F(StudyFile, FullFactorialHasEveryCombinationOnce) {
+  std::set<std::vector<double>> seen;
+  for (const Point& p : points_of(read(std::string("design = \"full_factorial\"\n") + three_levels)))
+    seen.insert(p.values);
+  EXPECT_EQ(seen.size(), 6u);
+}
+
+TEST_F(StudyFile, LatinHypercubeHasOnePointInEverySlice) {
+  const Study s = read(std::string("design = \"latin_hypercube\"\nsamples = 40\n") + two_ranges);
+  std::set<int> first, second;
+  for (const Point& p : points_of(s)) {
+    first.insert(static_cast<int>(20 * std::log10(p.values[0] / 10e9)));
+    second.insert(static_cast<int>(40 * (p.values[1] - 0.2)));
+  }
+  EXPECT_EQ(first.size(), 40u);
+  EXPECT_EQ(second.size(), 40u);
+  Study other = s;
+  other.seed = 2;
+  EXPECT_NE(points_of(s)[0].values, points_of(other)[0].values);
+  EXPECT_EQ(points_of(s)[7].values, points_of(s)[7].values);
+}
+
+TEST_F(StudyFile, SobolPointsFillDyadicBoxesEvenly) {
+  const Study s = read(std::string("design = \"sobol\"\nsamples = 63\n") + two_ranges);
+  std::map<std::pair<int, int>, int> count;
+  for (const Point& p : points_of(s))
+    ++count[{static_cast<int>(4 * std::log10(p.values[0] / 10e9) + 1e-9),
+             static_cast<int>(8 * (p.values[1] - 0.2) + 1e-9)}];
+  EXPECT_EQ(count.size(), 64u - 1u) << "64 boxes, one point each; the origin's is left out";
+  EXPECT_NEAR(points_of(s)[0].values[1], 0.7, 1e-12) << "the first point is the centre";
+}
+
+TEST_F(StudyFile, MorrisWalksMoveOneParameterAStep) {
+  const Study s = read(std::string("design = \"morris\"\nsamples = 5\n") + two_ranges);
+  const std::vector<Point> points = points_of(s);
+  ASSERT_EQ(points.size(), 15u);
+  for (std::size_t w = 0; w < points.size(); w += 3) {
+    std::set<int> moved;
+    for (std::size_t i = w + 1; i < w + 3; ++i) {
+      moved.insert(points[i].moved);
+      for (int k = 0; k < 2; ++k) {
+        const bool changed = points[i].values[static_cast<std::size_t>(k)] !=
+                             points[i - 1].values[static_cast<std::size_t>(k)];
+        EXPECT_EQ(changed, k == points[i].moved);
+      }
+      if (points[i].moved == 1) {
+        EXPECT_NEAR(std::abs(points[i].values[1] - points[i - 1].values[1]), 2.0 / 3.0, 1e-12);
+      }
+    }
+    EXPECT_THAT(moved, ElementsAre(0, 1));
+  }
+}
+
+TEST_F(StudyFile, SaltelliBlocksMixTwoPoints) {
+  const std::vector<Point> points =
+      points_of(read(std::string("design = \"saltelli\"\nsamples = 6\n") + two_ranges));
+  ASSERT_EQ(points.size(), 24u);
+  for (std::size_t b = 0; b < points.size(); b += 4) {
+    const auto &A = points[b].values, &B = points[b + 3].values;
+    EXPECT_THAT(points[b + 1].values, ElementsAre(B[0], A[1]));
+    EXPECT_THAT(points[b + 2].values, ElementsAre(A[0], B[1]));
+  }
+}
+
+TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
+  write_file(at("points.csv"),
+             "bedding.k_n [GPa/m], bedding.rule ,packing.seed\r\n100,zone,3\n 200 ,crossing,4\n");
+  const Study s = read("design = \"list\"\nfile = \"points.csv\"\n");
+  ASSERT_EQ(s.rows.size(), 2u);
+  EXPECT_THAT(s.rows[0], ElementsAre(100e9, 1.0, 3.0));
+  EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 4.0));
+  write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
+  const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
+  for (const char* part :
+       {"points.csv:2: row", "points.csv:3: bedding.k_n = -1", "bedding.rule = ring", "points.csv:4"})
+    EXPECT_THAT(told, HasSubstr(part));
+}
+
+TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {
+  const std::string told = problems_of(
+      "design = \"sobl\"\nsamples = 0\nbedding.k_n = 3\npackings = [1, 1]\n[[vary]]\nkey = \"bedding.kn\"\n"
+      "times = [1]\n[[vary]]\nkey = \"bedding.k_s\"\nvalues = [\"3 GPa\", 3]\n[[vary]]\nkey = "
+      "\"test.angles\"\n"
+      "values = [1]\n[[vary]]\nkey = \"bedding.mu\"\nfrom = 0.1\n[[vary]]\nkey = \"bedding[5].mu\"\nvalues = "
+      "[1]\n"
+      "[[vary]]\nkey = \"bedding.psi\"\nfrom = \"2 deg\"\nto = \"1 deg\"\n[set]\n\"test.stop\" = 1\n");
+  for (const char* part :
+       {"study.toml:2: design", "did you mean \"sobol\"", "study.toml:3: samples", "study.toml:4: bedding",
+        "study.toml:5: packings", "did you mean \"bedding.k_n\"", "has the wrong unit", "has no unit",
+        "with one number, choice or switch", "one of: values; times; from and to",
+        "a bedding set of the base recipe", "exchange the two", "did you mean \"test.stop_at\""})
+    EXPECT_THAT(told, HasSubstr(part));
+}
+
+TEST_F(StudyFile, PointsThatNoRecipeMayHaveAreRefused) {
+  EXPECT_THAT(problems_of("[[vary]]\nkey = \"bedding[0].zone_thickness\"\nvalues = [\"1 mm\", \"3 mm\"]\n"),
+              HasSubstr("zone_thickness = 3 mm: bedding[0].zone_thickness"));
+  EXPECT_THAT(problems_of("design = \"full_factorial\"\nsamples = 1\n" + std::string(two_ranges)),
+              HasSubstr("values or times with this design"));
+}
+
+TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
+  write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
+  for (const std::string& text :
+       {std::string(three_levels) + "[set]\n\"engine.precision\" = \"float\"\n",
+        "design = \"sobol\"\n" + std::string(two_ranges),
+        std::string("design = \"list\"\nfile = \"points.csv\"\npackings = [4, 5]\n")}) {
+    const Study in = read(text);
+    for (const auto& [name, content] : study_files(in)) write_file(at(("copy/" + name).c_str()), content);
+    const Study out = read_study(at("copy/study.toml"));
+    const Plan a = make_plan(in), b = make_plan(out);
+    ASSERT_EQ(a.tests.size(), b.tests.size());
+    for (std::size_t i = 0; i < a.tests.size(); ++i) EXPECT_EQ(a.tests[i].key, b.tests[i].key);
+    EXPECT_EQ(in.name, out.name);
+  }
+}
+
+TEST(PaperStudy, Has175DistinctLayeredSpecimensAndTheIntactOne) {
+  const Plan plan = make_plan(read_study(PHY_SOURCE_DIR "/examples/paper/study.toml"));
+  EXPECT_EQ(plan.points.size(), 25u);  // the base once, 6 parameters x 4 other values
+  EXPECT_EQ(plan.runs.size(), 25u * 8u);
+  EXPECT_EQ(plan.tests.size(), 175u + 1u);
+  EXPECT_EQ(plan.batches.size(), 1u);
+}
+
+TEST_F(StudyFile, ShardsPartTheWork) {
+  const Study s = read(std::string("packings = [1, 2]\n") + three_levels);
+  const Plan whole = make_plan(s);
+  std::multiset<std::size_t> dealt;
+  std::size_t least = 1000, most = 0;
+  for (int i = 1; i <= 3; ++i) {
+    std::size_t n = 0;
+    for (const Batch& b : make_plan(s, {i, 3}).batches)
+      for (const std::size_t t : b.tests) dealt.insert(t), ++n;
+    least = std::min(least, n), most = std::max(most, n);
+  }
+  EXPECT_EQ(dealt.size(), whole.tests.size());
+  EXPECT_EQ(std::set<std::size_t>(dealt.begin(), dealt.end()).size(), whole.tests.size());
+  EXPECT_LE(most - least, 1u);
+}
+
+TEST(PaperStudy, LongTestsComeFirst) {
+  const Plan plan = make_plan(read_study(PHY_SOURCE_DIR "/examples/paper/study.toml"));
+  const auto& order = plan.batches[0].tests;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    EXPECT_GE(plan.tests[order[i - 1]].cost, plan.tests[order[i]].cost);
+  EXPECT_EQ(plan.tests[order.back()].recipe.bedding[0].theta, 75.0);  // weakest strain at the peak
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,103 @@
+#include "study/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "base/exact_math.hpp"
+#include "genesis/cache.hpp"
+#include "study/experiment.hpp"
+#include "theory/goodman.hpp"
+#include "theory/jaeger.hpp"
+
+namespace phy {
+namespace {
+
+// Rules of thumb from the paper's specimen (docs/paper.md): macro over micro.
+constexpr double modulus_factor = 0.9;    // E over E_c + E_b
+constexpr double strength_factor = 2.7;   // UCS over the weaker bond strength
+constexpr double stiffness_factor = 1.8;  // K over k, for n and s
+constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
+constexpr double step_factor = 1.3;       // dt over sqrt(m/k) of the smallest grain
+
+double expected_cost(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
+  const double dt = step_factor * r.engine.step_safety / 0.92 * std::sqrt(mass / (m.E_c + m.E_b));
+  const double strain =
+      std::max(0.1 * expected_peak_strain(r),
+               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
+  const double cycles = strain * r.specimen.height / (2.0 * r.test.platen_speed * dt);
+  const double mean = 0.5 * (r.packing.radius_min + r.packing.radius_max);
+  const double n_grains = r.packing.n_grains > 0
+                              ? static_cast<double>(r.packing.n_grains)
+                              : 0.85 * r.specimen.width * r.specimen.height / (pi * mean * mean);
+  return cycles * n_grains;
+}
+
+using BatchName = std::tuple<std::string, Precision, std::int64_t>;
+
+BatchName batch_name(const Recipe& r) {
+  return {r.packing.file.empty() ? packing_key(r.specimen, r.packing, r.matrix) : r.packing.file,
+          r.engine.precision, r.test.history_interval};
+}
+
+/// Batches, longest tests first; equal ones in the order of the design.
+void make_batches(Plan& plan, const Shard& shard) {
+  std::map<BatchName, std::size_t> numbers;
+  for (std::size_t t = 0; t < plan.tests.size(); ++t) {
+    const auto [it, is_new] = numbers.emplace(batch_name(plan.tests[t].recipe), plan.batches.size());
+    if (is_new) plan.batches.emplace_back();
+    plan.tests[t].batch = it->second;
+    plan.batches[it->second].tests.push_back(t);
+  }
+  std::size_t dealt = 0;
+  for (Batch& batch : plan.batches) {
+    std::stable_sort(batch.tests.begin(), batch.tests.end(),
+                     [&](std::size_t a, std::size_t b) { return plan.tests[a].cost > plan.tests[b].cost; });
+    std::erase_if(batch.tests, [&](std::size_t) {
+      return dealt++ % static_cast<std::size_t>(shard.n) != static_cast<std::size_t>(shard.i - 1);
+    });
+  }
+}
+
+}  // namespace
+
+double expected_peak_strain(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  const double E = modulus_factor * (m.E_c + m.E_b), ucs = strength_factor * std::min(m.sigma_c, m.tau_c);
+  if (r.bedding.empty()) return ucs / E;
+  const BeddingRecipe& b = r.bedding.front();
+  const JointedRock rock{E, stiffness_factor * b.k_n * b.spacing, stiffness_factor * b.k_s * b.spacing, 0.0};
+  return jaeger_sigma_1({b.cohesion, b.phi}, ucs, b.theta, 0.0) / goodman_E(rock, b.theta);
+}
+
+double usual_seconds_per_cost(Precision precision) {
+  // 2.6 contacts per grain times the measured time per contact and cycle of mixed groups (README).
+  return 2.6 * (precision == Precision::single_precision ? 3e-9 : 6e-9);
+}
+
+Plan make_plan(const Study& study, const Shard& shard) {
+  Plan plan;
+  plan.study = study;
+  plan.points = points_of(study);
+  std::map<std::string, std::size_t> known;
+  for (std::size_t p = 0; p < plan.points.size(); ++p)
+    for (const std::int64_t packing : study.packings)
+      for (const std::int64_t bond_seed : study.bond_seeds) {
+        Recipe recipe = recipe_at(study, plan.points[p], packing, bond_seed);
+        recipe.test.n_snapshots = 0;  // the store keeps none
+        const std::vector<Recipe> singles = single_recipes(recipe);
+        for (std::size_t place = 0; place < singles.size(); ++place) {
+          const std::string key = specimen_key(singles[place]);
+          const auto [it, is_new] = known.emplace(key, plan.tests.size());
+          if (is_new) plan.tests.push_back({key, singles[place], expected_cost(singles[place]), 0});
+          plan.runs.push_back({p, packing, bond_seed, place, it->second});
+        }
+      }
+  make_batches(plan, shard);
+  return plan;
+}
+
+}  // namespace phy

@@ -1,0 +1,58 @@
+// From a study to its work: every point on every packing and bond seed falls apart into specimens; specimens
+// that occur twice (the base of one_at_a_time, the intact rock) are run once.
+//
+// Tests of one packing and one block length can share a group of lanes: a batch. Within a batch the longest
+// come first, so that lanes and cores run dry together. The length of a test is not known before its peak; a
+// guess is enough for the order and, scaled by what finished tests took, for the remaining time.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/design.hpp"
+
+namespace phy {
+
+/// A specimen's place in the design.
+struct Run {
+  std::size_t point = 0;
+  std::int64_t packing = 0, bond_seed = 0;
+  std::size_t place = 0;  ///< among the specimens of the point: the angles, then the intact rock
+  std::size_t test = 0;   ///< in Plan::tests
+};
+
+/// One test to be run.
+struct PlannedTest {
+  std::string key;    ///< specimen_key
+  Recipe recipe;      ///< of this one specimen
+  double cost = 0.0;  ///< expected [cycles times grains], a guess
+  std::size_t batch = 0;
+};
+
+/// Tests that can share a group, longest first.
+struct Batch {
+  std::vector<std::size_t> tests;
+};
+
+struct Plan {
+  Study study;
+  std::vector<Point> points;
+  std::vector<Run> runs;  ///< by point, packing, bond seed, place
+  std::vector<PlannedTest> tests;
+  std::vector<Batch> batches;
+};
+
+/// Part i of n of the tests, i = 1 ... n. Every part has its share of long and short tests.
+struct Shard {
+  int i = 1, n = 1;
+};
+
+Plan make_plan(const Study& study, const Shard& shard = {});
+
+/// Axial strain at which a specimen is expected to peak, from Goodman's modulus and Jaeger's strength with
+/// rules of thumb for the macro values. Within a factor of two for the usual rocks; decides no result.
+double expected_peak_strain(const Recipe& single);
+
+/// Seconds of CPU per unit of cost when nothing has been measured.
+double usual_seconds_per_cost(Precision precision);
+
+}  // namespace phy

@@ -1,0 +1,263 @@
+#include "study/runner.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "base/check.hpp"
+#include "io/toml_in.hpp"
+#include "study/experiment.hpp"
+
+namespace phy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto patience = std::chrono::milliseconds(300);  // between looks at what runs elsewhere
+constexpr auto renewal = std::chrono::seconds(20);         // well within lease_seconds
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A test that could not even begin.
+TestResult not_made(const PlannedTest& test, const std::string& reason) {
+  TestResult r;
+  r.intact = test.recipe.bedding.empty();
+  r.theta = r.intact ? 0.0 : test.recipe.bedding.front().theta;
+  r.name = "specimen not made";
+  r.outcome = {Status::not_settled, reason, "change the packing or the bedding of this point"};
+  r.hash = hash_of(r);
+  return r;
+}
+
+/// One worker thread.
+class Worker {
+ public:
+  Worker(Desk& desk, const Plan& plan, const MachineOptions& machine, const std::atomic<bool>& broken)
+      : desk_(desk), plan_(plan), machine_(machine), broken_(broken) {}
+
+  void run() {
+    while (!stopped()) {
+      const Assignment a = desk_.enter();
+      if (a.kind == Assignment::Kind::finished) return;
+      if (a.kind == Assignment::Kind::wait) {
+        std::this_thread::sleep_for(patience);
+        continue;
+      }
+      run_batch(a);
+      desk_.leave(a.batch);
+    }
+  }
+
+ private:
+  Desk& desk_;
+  const Plan& plan_;
+  const MachineOptions& machine_;
+  const std::atomic<bool>& broken_;  // another worker has failed
+  std::shared_ptr<const Packing> packing_;
+
+  bool stopped() { return broken_.load() || desk_.stopped(); }
+
+  void run_batch(const Assignment& a) {
+    const Recipe& any = plan_.tests[plan_.batches[a.batch].tests.front()].recipe;
+    try {
+      packing_ = packing_of(any);
+    } catch (const InputError& e) {
+      while (const auto test = desk_.take(a.batch))
+        desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
+      return;
+    }
+    GroupOptions options;
+    options.isa = machine_.isa;
+    options.precision = any.engine.precision;
+    MachineOptions alone = machine_;
+    alone.threads = 1;
+    options.lanes = lanes_for(a.n_tests, any.engine.precision, alone);
+    options.skew = machine_.skew;
+    options.interval = static_cast<int>(any.test.history_interval);
+    run_lanes(
+        packing_, options,
+        {[&] { return next(a.batch); },
+         [&](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
+         [&](double steps, double) { desk_.count(steps * static_cast<double>(packing_->discs.size())); },
+         [&] { return stopped(); }});
+  }
+  std::optional<Job> next(std::size_t batch) {
+    while (!stopped()) {
+      const auto test = desk_.take(batch);
+      if (!test) return {};
+      const Recipe& recipe = plan_.tests[*test].recipe;
+      try {
+        return Job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
+      } catch (const InputError& e) {
+        desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
+      }
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+double StudyProgress::seconds_left(double seconds) const {
+  const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;
+  return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
+}
+
+StoreDesk::StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers)
+    : plan_(plan),
+      store_(store),
+      hooks_(hooks),
+      n_workers_(n_workers),
+      waiting_(plan.batches.size()),
+      n_inside_(plan.batches.size()) {
+  for (std::size_t b = 0; b < plan.batches.size(); ++b) {
+    std::vector<std::string> keys;
+    for (const std::size_t t : plan.batches[b].tests) keys.push_back(plan.tests[t].key);
+    const auto rows = store.rows(keys);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const std::size_t test = plan.batches[b].tests[i];
+      ++progress_.n_total;
+      progress_.cost_left += plan.tests[test].cost;
+      if (rows[i])
+        finish(test, rows[i]->result.outcome.status != Status::peaked);
+      else
+        waiting_[b].push_back(test);
+    }
+  }
+  keeper_ = std::jthread([this](const std::stop_token& stop) { keep_claims(stop); });
+}
+
+StoreDesk::~StoreDesk() { keeper_.request_stop(); }
+
+void StoreDesk::keep_claims(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, stop, renewal, [] { return false; }) && !stop.stop_requested()) {
+    lock.unlock();
+    try {
+      store_.renew();
+    } catch (const IoError&) {  // the next writer tells; until then the lease runs on
+    }
+    lock.lock();
+  }
+}
+
+void StoreDesk::finish(std::size_t test, bool failed) {
+  ++progress_.n_done;
+  progress_.n_failed += failed ? 1 : 0;
+  progress_.cost_left -= plan_.tests[test].cost;
+}
+
+/// What others had may be finished, or free again.
+void StoreDesk::look_again() {
+  std::vector<std::size_t> still;
+  for (const std::size_t test : elsewhere_) {
+    const PlannedTest& t = plan_.tests[test];
+    const Claim claim = store_.claim(t.key);
+    if (claim == Claim::elsewhere) still.push_back(test);
+    if (claim == Claim::mine) store_.release(t.key), waiting_[t.batch].push_back(test);
+    if (claim == Claim::done)
+      finish(test, store_.rows({t.key}).front()->result.outcome.status != Status::peaked);
+  }
+  elsewhere_ = std::move(still);
+}
+
+Assignment StoreDesk::enter() {
+  const std::lock_guard lock(mutex_);
+  if (stopped()) return {};
+  const auto pick = [&] {
+    std::size_t best = waiting_.size();
+    double most = 0.0;
+    for (std::size_t b = 0; b < waiting_.size(); ++b) {
+      const double share = static_cast<double>(waiting_[b].size()) / static_cast<double>(n_inside_[b] + 1);
+      if (share > most) most = share, best = b;
+    }
+    return best;
+  };
+  std::size_t batch = pick();
+  if (batch == waiting_.size()) look_again(), batch = pick();
+  if (batch == waiting_.size())
+    return {elsewhere_.empty() ? Assignment::Kind::finished : Assignment::Kind::wait, 0, 0};
+  std::size_t n_waiting = 0;
+  for (const auto& queue : waiting_) n_waiting += queue.size();
+  const auto workers = static_cast<std::size_t>(n_workers_);
+  ++n_inside_[batch];
+  return {Assignment::Kind::work, batch,
+          std::min(waiting_[batch].size(), (n_waiting + workers - 1) / workers)};
+}
+
+void StoreDesk::leave(std::size_t batch) {
+  const std::lock_guard lock(mutex_);
+  --n_inside_[batch];
+}
+
+std::optional<std::size_t> StoreDesk::take(std::size_t batch) {
+  const std::lock_guard lock(mutex_);
+  auto& queue = waiting_[batch];
+  while (!queue.empty() && !stopped()) {
+    const std::size_t test = queue.front();
+    queue.pop_front();
+    const Claim claim = store_.claim(plan_.tests[test].key);
+    if (claim == Claim::mine) return test;
+    elsewhere_.push_back(test);  // or done meanwhile: look_again finds out
+  }
+  return {};
+}
+
+void StoreDesk::deliver(std::size_t test, const TestResult& result) {
+  const PlannedTest& t = plan_.tests[test];
+  if (result.outcome.status == Status::interrupted) return store_.release(t.key);
+  store_.put(t.key, write_recipe(t.recipe), result);
+  const std::lock_guard lock(mutex_);
+  finish(test, result.outcome.status != Status::peaked);
+  ++progress_.n_new;
+  progress_.cost_new += t.cost;
+  progress_.work_new += static_cast<double>(result.n_steps * t.recipe.packing.n_grains);
+  if (hooks_.on_result) hooks_.on_result(t, result);
+  if (hooks_.on_progress) hooks_.on_progress(progress_);
+}
+
+void StoreDesk::count(double work) {
+  const std::lock_guard lock(mutex_);
+  progress_.work += work;
+  if (hooks_.on_progress) hooks_.on_progress(progress_);
+}
+
+StudyProgress StoreDesk::progress() {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) {
+  PHY_CHECK(machine.threads > 0, "at least one worker");
+  const auto start = Clock::now();
+  std::mutex mutex;
+  std::exception_ptr error;
+  std::atomic<bool> broken{false};
+  std::vector<double> ends;
+  WorkReport report;
+  {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < machine.threads; ++i)
+      workers.emplace_back([&] {
+        std::exception_ptr mine;
+        try {
+          Worker(desk, plan, machine, broken).run();
+        } catch (...) {
+          mine = std::current_exception();
+          broken = true;
+        }
+        const std::lock_guard lock(mutex);
+        if (mine && !error) error = mine;
+        ends.push_back(seconds_since(start));
+        report.cpu_seconds += thread_seconds();
+      });
+  }
+  if (error) std::rethrow_exception(error);
+  report.wall_seconds = *std::max_element(ends.begin(), ends.end());
+  for (const double end : ends)
+    report.idle += (report.wall_seconds - end) / (report.wall_seconds * static_cast<double>(ends.size()));
+  return report;
+}
+
+}  // namespace phy

@@ -1,0 +1,107 @@
+// Runs the tests of a plan: worker threads, each with one group of lanes at a time, fed from one desk.
+//
+// The desk gives out tests and takes results. StoreDesk owns the store: it claims a test before giving it
+// out, so that other processes on the same store leave it alone, and stores the result as soon as it is
+// there. With MPI the other ranks talk to the desk of rank 0 (study/mpi.hpp); nothing else in a worker
+// changes.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "study/plan.hpp"
+#include "study/scheduler.hpp"
+#include "study/store.hpp"
+
+namespace phy {
+
+/// Where a study stands.
+struct StudyProgress {
+  std::size_t n_done = 0;    ///< finished, by whomever
+  std::size_t n_failed = 0;  ///< of these: no peak
+  std::size_t n_new = 0;     ///< of these: finished by this run
+  std::size_t n_total = 0;
+  double cost_new = 0.0, cost_left = 0.0;  ///< expected cost of what this run has finished, and of the rest
+  double work = 0.0;                       ///< cycles times grains of this run, the unit of cost
+  double work_new = 0.0;                   ///< of these: of finished tests
+
+  /// Seconds to go after `seconds` of work: the expected cost, scaled by what finished tests really took.
+  double seconds_left(double seconds) const;
+};
+
+struct StudyHooks {
+  std::function<void(const PlannedTest&, const TestResult&)> on_result;  ///< one at a time
+  std::function<void(const StudyProgress&)> on_progress;                 ///< one at a time
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// A worker's next packing.
+struct Assignment {
+  enum class Kind { work, wait, finished };
+  Kind kind = Kind::finished;
+  std::size_t batch = 0;
+  std::size_t n_tests = 0;  ///< a fair share of the batch, for the number of lanes
+};
+
+class Desk {
+ public:
+  virtual ~Desk() = default;
+  /// A packing to work on. `wait`: all that is left runs elsewhere; ask again a little later.
+  virtual Assignment enter() = 0;
+  virtual void leave(std::size_t batch) = 0;
+  /// The next test of the batch.
+  virtual std::optional<std::size_t> take(std::size_t batch) = 0;
+  /// A result, or an interrupted test.
+  virtual void deliver(std::size_t test, const TestResult& result) = 0;
+  /// Progress: cycles times grains.
+  virtual void count(double work) = 0;
+  virtual bool stopped() = 0;
+};
+
+class StoreDesk : public Desk {
+ public:
+  StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers);
+  ~StoreDesk() override;
+  Assignment enter() override;
+  void leave(std::size_t batch) override;
+  std::optional<std::size_t> take(std::size_t batch) override;
+  void deliver(std::size_t test, const TestResult& result) override;
+  void count(double work) override;
+  bool stopped() override { return hooks_.stop != nullptr && hooks_.stop->load(); }
+  StudyProgress progress();
+
+ private:
+  void finish(std::size_t test, bool failed);
+  void look_again();
+  void keep_claims(const std::stop_token& stop);
+
+  const Plan& plan_;
+  Store& store_;
+  const StudyHooks& hooks_;
+  const int n_workers_;
+  std::mutex mutex_;
+  StudyProgress progress_;
+  std::vector<std::deque<std::size_t>> waiting_;  // per batch, longest first
+  std::vector<std::size_t> n_inside_;             // workers per batch
+  std::vector<std::size_t> elsewhere_;            // claimed by other processes
+  std::condition_variable_any wake_;
+  std::jthread keeper_;
+};
+
+/// What the workers did.
+struct WorkReport {
+  double cpu_seconds = 0.0;   ///< of all workers
+  double wall_seconds = 0.0;  ///< from the first start to the last end
+  double idle = 0.0;          ///< share of workers' time after they had run dry
+};
+
+/// Works at the desk until it is finished or stopped. Rethrows the first exception of a worker.
+WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine);
+
+}  // namespace phy

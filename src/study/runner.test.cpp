@@ -1,0 +1,160 @@
+// Does a study give the same store whatever the threads, the company in the lanes, and the processes at it?
+#include "study/runner.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
+#include "io/file.hpp"
+#include "study/experiment.hpp"
+#include "study/study_in.hpp"
+#include "study/table.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Runner : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("phyllite-runner-" + std::to_string(::getpid()));
+  void SetUp() override {
+    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    write_file(at("base.toml"),
+               "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nn_grains = 143\n[matrix]\n"
+               "sigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
+               "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.5 m/s\"\n");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::string at(const char* name) const { return (folder / name).string(); }
+  Plan plan(const std::string& text, Shard shard = {}) const {
+    write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
+    return make_plan(read_study(at("study.toml")), shard);
+  }
+  static WorkReport work(const Plan& plan, Store& store, int threads, const StudyHooks& hooks = {}) {
+    MachineOptions machine;
+    machine.isa = native_isa();
+    machine.threads = threads;
+    StoreDesk desk(plan, store, hooks, threads);
+    return work_at(desk, plan, machine);
+  }
+};
+
+const char* two_packings =
+    "packings = [1, 2]\n[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n"
+    "[[vary]]\nkey = \"engine.precision\"\nvalues = [\"double\", \"float\"]\n";
+
+TEST_F(Runner, ThreadsAndLanesChangeNothing) {
+  const Plan p = plan(two_packings);
+  Store one(at("1.sqlite")), four(at("4.sqlite"));
+  work(p, one, 1);
+  work(p, four, 4);
+  EXPECT_EQ(one.size(), p.tests.size());
+  EXPECT_EQ(one.hash(), four.hash());
+}
+
+TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
+  const Plan p = plan(two_packings);
+  Store store(at("s.sqlite"));
+  work(p, store, 2);
+  for (const std::size_t t : {std::size_t{0}, p.tests.size() - 1}) {
+    const Recipe& r = p.tests[t].recipe;
+    const auto results = run_tests({specimen_of(packing_of(r), r)}, r, {1, 0, 4, native_isa()});
+    const auto row = store.find(p.tests[t].key);
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->result.hash, results[0].hash);
+    EXPECT_EQ(hash_of(row->result).size(), results[0].hash.size());
+    EXPECT_EQ(row->result.history.rows.size(), results[0].history.rows.size());
+  }
+}
+
+TEST_F(Runner, ShardsMergeToTheWhole) {
+  Store whole(at("whole.sqlite")), joined(at("joined.sqlite"));
+  work(plan(two_packings), whole, 2);
+  for (int i = 1; i <= 3; ++i) {
+    const std::string file = at(("part" + std::to_string(i)).c_str());
+    {
+      Store part(file, Sharing::alone);
+      work(plan(two_packings, {i, 3}), part, 1);
+    }
+    EXPECT_TRUE(joined.merge(file).different.empty());
+  }
+  EXPECT_EQ(joined.hash(), whole.hash());
+}
+
+TEST_F(Runner, TwoStudiesShareWhatIsTheSame) {
+  Store store(at("s.sqlite"));
+  work(plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1]\n"), store, 1);
+  std::size_t n = 0;
+  StudyHooks hooks;
+  hooks.on_result = [&](const PlannedTest&, const TestResult&) { ++n; };
+  work(plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n"), store, 1, hooks);
+  EXPECT_EQ(n, 2u) << "the new level at two angles; the intact rock is known";
+}
+
+TEST_F(Runner, StopKeepsWhatIsFinishedAndGivesTheRestBack) {
+  const Plan p = plan(two_packings);
+  Store store(at("s.sqlite")), whole(at("whole.sqlite"));
+  std::atomic<bool> stop{false};
+  StudyHooks hooks;
+  hooks.stop = &stop;
+  hooks.on_result = [&](const PlannedTest&, const TestResult&) { stop = true; };
+  work(p, store, 1, hooks);
+  EXPECT_GE(store.size(), 1u);
+  EXPECT_LT(store.size(), p.tests.size());
+  EXPECT_EQ(store.n_claimed(), 0u);
+  work(p, store, 2);
+  work(p, whole, 2);
+  EXPECT_EQ(store.hash(), whole.hash());
+}
+
+TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
+  const Plan p =
+      plan("design = \"full_factorial\"\n[[vary]]\nkey = \"test.max_strain\"\nvalues = [0.0005, 0.05]\n");
+  Store store(at("s.sqlite"));
+  const StudyHooks none;
+  StoreDesk desk(p, store, none, 1);
+  MachineOptions machine;
+  machine.isa = native_isa();
+  work_at(desk, p, machine);
+  EXPECT_EQ(desk.progress().n_failed, 3u);
+  EXPECT_EQ(desk.progress().n_done, 6u);
+  std::size_t n_advised = 0;
+  for (const StoredResult& row : store.rows())
+    if (row.result.outcome.status == Status::not_peaked) n_advised += !row.result.outcome.advice.empty();
+  EXPECT_EQ(n_advised, 3u);
+}
+
+// Discs beside the box cannot be adopted: that is an outcome of this point, not the end of the study.
+TEST_F(Runner, APackingThatCannotBeMadeIsAnOutcome) {
+  write_file(at("discs.csv"), "x [m],y [m],r [m]\n1,1,0.001\n");
+  const Plan p = plan("[set]\n\"packing.seed\" = 3\n");
+  Plan broken = p;
+  for (PlannedTest& t : broken.tests) t.recipe.packing.file = at("discs.csv");
+  Store store(at("s.sqlite"));
+  work(broken, store, 2);
+  ASSERT_EQ(store.size(), 3u);
+  for (const StoredResult& row : store.rows()) {
+    EXPECT_EQ(row.result.outcome.status, Status::not_settled);
+    EXPECT_FALSE(row.result.outcome.advice.empty());
+  }
+}
+
+TEST_F(Runner, TheTableHasARowPerSpecimenOfTheDesign) {
+  const Plan p =
+      plan("packings = [1, 2]\n[[vary]]\nkey = \"bedding.rule\"\nvalues = [\"zone\", \"crossing\"]\n");
+  Store store(at("s.sqlite"));
+  const std::string empty = study_csv(p, rows_of(p, store));
+  EXPECT_EQ(std::count(empty.begin(), empty.end(), '\n'), 1 + 12);
+  work(p, store, 2);
+  const std::string text = study_csv(p, rows_of(p, store));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 12);
+  EXPECT_EQ(text.find("not run"), text.npos);
+  for (const char* part : {"bedding.rule,", ",ucs [Pa],", ",crossing,", ",peaked,"})
+    EXPECT_NE(text.find(part), text.npos) << part;
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,28 @@
+// Studies as TOML files. Keys, units and messages follow the recipe; all problems are told at once.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/design.hpp"
+
+namespace phy {
+
+/// One key of a study file: THE list, from which the reader's hints and the reference come.
+struct StudyKey {
+  std::string table;  ///< "" = top level, "vary" = [[vary]], "set" = [set]
+  std::string key;
+  std::string expected;
+  std::string meaning;
+};
+const std::vector<StudyKey>& study_keys();
+
+/// Reads and checks a study, its base recipe and its list of points. Paths in the file count from its folder.
+/// Throws IoError, or InputError with every problem found.
+Study read_study(const std::string& path);
+
+/// The same study as files that need nothing else beside them: study.toml, recipe.toml (the completed base)
+/// and, for a list, points.csv. Pairs of name and content.
+std::vector<std::pair<std::string, std::string>> study_files(const Study& study);
+
+}  // namespace phy

@@ -1,0 +1,74 @@
+#include "study/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/analyse.hpp"
+
+namespace phy {
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == text.npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string cell(double v) { return std::isfinite(v) ? print_number(v) : ""; }
+
+/// Names with units of all numbers, in the order of their first appearance.
+std::vector<std::pair<std::string, std::string>> numbers_in(
+    const std::vector<std::optional<StoredResult>>& rows) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const auto& row : rows)
+    if (row)
+      for (const Number& n : row->result.numbers)
+        if (std::find(names.begin(), names.end(), std::pair{n.name, n.unit}) == names.end())
+          names.emplace_back(n.name, n.unit);
+  return names;
+}
+
+}  // namespace
+
+std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+  const auto numbers = numbers_in(rows);
+  std::string text = "point,packing,bond_seed,theta [deg],intact";
+  for (const Factor& f : plan.study.vary)
+    text += "," + f.key.path() + (f.key.field->dimension == Dimension::none ? "" : " [" + f.key.unit() + "]");
+  for (const auto& [name, unit] : numbers) text += "," + name + " [" + unit + "]";
+  text += ",n_cracks,n_steps,cpu [s],status,reason,result_hash,key\n";
+  for (const Run& run : plan.runs) {
+    const PlannedTest& test = plan.tests[run.test];
+    const bool intact = test.recipe.bedding.empty();
+    text += std::to_string(run.point) + "," + std::to_string(run.packing) + "," +
+            std::to_string(run.bond_seed) + "," +
+            (intact ? "" : print_number(test.recipe.bedding.front().theta)) + (intact ? ",1" : ",0");
+    for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
+      const RecipeKey& key = plan.study.vary[k].key;
+      const double v = plan.points[run.point].values[k];
+      text += "," + (key.field->kind == FieldKind::choice ? key.print(v) : print_number(v));
+    }
+    const std::optional<StoredResult>& row = rows[run.test];
+    for (const auto& [name, unit] : numbers) {
+      const Number* n = row ? find(row->result.numbers, name) : nullptr;
+      text += "," + (n != nullptr ? cell(n->value) : "");
+    }
+    if (row)
+      text += "," + std::to_string(row->n_cracks) + "," + std::to_string(row->result.n_steps) + "," +
+              print_number(row->result.seconds) + "," + to_string(row->result.outcome.status) + "," +
+              quoted(row->result.outcome.reason) + "," + row->result.hash + ",";
+    else
+      text += ",,,,not run,,,";
+    text += test.key + "\n";
+  }
+  return text;
+}
+
+std::vector<std::optional<StoredResult>> rows_of(const Plan& plan, const Store& store) {
+  std::vector<std::string> keys;
+  for (const PlannedTest& t : plan.tests) keys.push_back(t.key);
+  return store.rows(keys);
+}
+
+}  // namespace phy

@@ -1,0 +1,19 @@
+// The results of a study as one tidy table: a row per specimen of the design, units in the header.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/plan.hpp"
+#include "study/store.hpp"
+
+namespace phy {
+
+/// CSV with the point, the seeds, the specimen, every varied key, the outcome and every number that any
+/// specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows` belong to plan.tests.
+std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows);
+
+/// The rows of all tests of the plan.
+std::vector<std::optional<StoredResult>> rows_of(const Plan& plan, const Store& store);
+
+}  // namespace phy
