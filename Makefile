@@ -4,7 +4,7 @@
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
-            libsqlite3-dev zlib1g-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+            libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 .PHONY: web deps build demo demo-press test bench lint docs clean soak
@@ -43,7 +43,7 @@ tidy: build
 	@git ls-files 'src/*.cpp' | grep -v test | xargs clang-tidy -p $(BUILD) --quiet
 
 docs: build
-	$(BUILD)/phyllite recipe --reference > docs/reference.md
+	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference) > docs/reference.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
 
 # The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).

@@ -1,0 +1,152 @@
+// Studies as a user meets them: the plan, the table, resumption, shards, and what a kill leaves behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "../program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class StudyCli : public ProgramTest {
+ protected:
+  /// 3 settings x 2 angles + intact, on each packing.
+  std::string study(const std::string& more = "packings = [1, 2]\n") const {
+    small_recipe("max_strain = 0.03\n");
+    return write("study.toml", "recipe = \"small.toml\"\n" + more +
+                                   "[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");
+  }
+  std::string at(const char* name) const { return (folder / name).string(); }
+  std::string read(const std::string& file) const {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// "hash 0123456789abcdef" of the last output.
+  std::string hash() const {
+    const std::size_t at = output.rfind("hash ");
+    return at == output.npos ? "no hash in: " + output : output.substr(at + 5, 16);
+  }
+  pid_t start(const std::vector<std::string>& words) const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    std::vector<char*> arguments;
+    for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
+    arguments.push_back(nullptr);
+    ::freopen("/dev/null", "w", stdout);
+    ::freopen("/dev/null", "w", stderr);
+    ::execv(PHY_PROGRAM, arguments.data());
+    ::_exit(127);
+  }
+};
+
+TEST_F(StudyCli, TellsThePlanRunsItAndLeavesATable) {
+  const std::string file = study();
+  ASSERT_EQ(run("study " + file + " --dry-run --out " + out()), 0) << output;
+  EXPECT_THAT(output,
+              HasSubstr("3 points x 2 packing(s) x 1 bond seed(s) = 18 specimens, 14 of them distinct"));
+  EXPECT_THAT(output, HasSubstr("2 packing(s) to make"));
+  EXPECT_FALSE(fs::exists(out()));
+  ASSERT_EQ(run("study " + file + " --threads 2 --out " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("14 run in"));
+  const std::string first = hash();
+  ASSERT_EQ(run("study status " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("14 of 14 finished"));
+  EXPECT_EQ(hash(), first);
+  ASSERT_EQ(run("study resume " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("0 run in"));
+  EXPECT_EQ(hash(), first);
+  ASSERT_EQ(run("study export " + out() + " --csv " + at("table.csv")), 0) << output;
+  EXPECT_EQ(read(at("table.csv")), read(out() + "/results.csv"));
+  const std::string table = read(at("table.csv"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 19);
+}
+
+TEST_F(StudyCli, ReadsBackInPandasOrTheStandardLibrary) {
+  ASSERT_EQ(run("study " + study() + " --out " + out()), 0) << output;
+  const std::string script =
+      write("check.py",
+            "import csv, sqlite3, sys, zlib\n"
+            "rows = list(csv.DictReader(open(sys.argv[1] + '/results.csv')))\n"
+            "assert len(rows) == 18 and all(float(r['ucs [Pa]']) > 1e6 for r in rows)\n"
+            "db = sqlite3.connect(sys.argv[1] + '/study.sqlite')\n"
+            "q = 'SELECT value, history FROM specimen JOIN number USING (key) WHERE number.name=?'\n"
+            "for ucs, blob in db.execute(q, ('ucs',)):\n"
+            "    h = csv.DictReader(zlib.decompress(blob).decode().splitlines())\n"
+            "    assert max(float(r['axial_stress [Pa]']) for r in h) == ucs\n");
+  EXPECT_EQ(std::system(("python3 " + script + " " + out()).c_str()), 0);
+}
+
+TEST_F(StudyCli, KilledAtTwentyMomentsItEndsWithTheSameHash) {
+  const std::string file = study("packings = [1, 2, 3]\nbond_seeds = [1, 2]\n");
+  ASSERT_EQ(run("study " + file + " --threads 2 --out " + at("calm")), 0) << output;
+  const std::string undisturbed = hash();
+  std::minstd_rand moment(5);
+  int n_killed = 0;
+  for (int i = 0; i < 20; ++i) {
+    const pid_t child = start({"phyllite", "study", file, "--threads", "2", "--out", out()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(10 + moment() % 70));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    n_killed += WIFSIGNALED(status) ? 1 : 0;
+  }
+  EXPECT_GE(n_killed, 5) << "the study is too short to be killed";
+  ASSERT_EQ(run("study resume " + out()), 0) << output;
+  EXPECT_EQ(hash(), undisturbed);
+}
+
+TEST_F(StudyCli, TwoProcessesShareTheWork) {
+  const std::string file = study("packings = [1, 2, 3]\n");
+  ASSERT_EQ(run("study " + file + " --threads 2 --out " + at("one")), 0) << output;
+  const std::string alone = hash();
+  const pid_t other = start({"phyllite", "study", file, "--threads", "1", "--out", out()});
+  ASSERT_EQ(run("study " + file + " --threads 1 --out " + out()), 0) << output;
+  EXPECT_EQ(hash(), alone);
+  int status = 0;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST_F(StudyCli, ShardsMergeToTheSameStore) {
+  const std::string file = study();
+  ASSERT_EQ(run("study " + file + " --out " + at("whole")), 0) << output;
+  const std::string whole = hash();
+  for (const char* part : {"1/3", "2/3", "3/3"})
+    ASSERT_EQ(run("study " + file + " --shard " + part + " --out " + out()), 0) << output;
+  ASSERT_EQ(run("study merge " + out()), 0) << output;
+  EXPECT_EQ(hash(), whole);
+  EXPECT_EQ(run("study status " + out()), 0) << output;
+  EXPECT_EQ(run("study " + file + " --shard 4/3"), 2);
+  EXPECT_THAT(output, HasSubstr("i/n with 1 <= i <= n"));
+  EXPECT_EQ(run("study " + file + " --slurm 8 --out " + out()), 0);
+  EXPECT_THAT(output, HasSubstr("#SBATCH --array=1-8"));
+}
+
+TEST_F(StudyCli, FailuresAreListedAndExitWith1) {
+  const std::string file = study("packings = [1]\n[set]\n\"test.max_strain\" = 0.001\n");
+  EXPECT_EQ(run("study " + file + " --out " + out()), 1) << output;
+  EXPECT_THAT(output, HasSubstr("without a peak"));
+  EXPECT_THAT(output, HasSubstr("raise test.max_strain"));
+  EXPECT_EQ(run("study status " + out()), 1) << output;
+}
+
+TEST_F(StudyCli, MistakesHaveTheirExitCodes) {
+  EXPECT_EQ(run("study " + write("bad.toml", "recipe = \"none.toml\"\ndesign = \"sobl\"\n")), 2);
+  EXPECT_THAT(output, HasSubstr("bad.toml:1: recipe"));
+  EXPECT_THAT(output, HasSubstr("did you mean \"sobol\""));
+  EXPECT_EQ(run("study"), 2);
+  EXPECT_EQ(run("study status " + at("nowhere")), 3);
+  EXPECT_EQ(run("study merge " + folder.string()), 3);
+  EXPECT_EQ(run("study " + at("missing.toml")), 3);
+}
+
+}  // namespace
