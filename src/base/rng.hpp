@@ -26,7 +26,14 @@ constexpr PhiloxBlock philox4x32(PhiloxBlock counter, std::array<std::uint32_t, 
 }
 
 /// What a random number is for. Two purposes never share a number.
-enum class Stream : std::uint32_t { radius = 1, position = 2, bond_tension = 3, bond_shear = 4, design = 5, test = 99 };
+enum class Stream : std::uint32_t {
+  radius = 1,
+  position = 2,
+  bond_tension = 3,
+  bond_shear = 4,
+  design = 5,
+  test = 99
+};
 
 /// The number (bits + 1/2) 2^-53 of the open interval (0, 1), bits < 2^53. Above 1/2 the half is lost in the
 /// rounding; the largest would round to 1 and is held below it.
