@@ -1,5 +1,5 @@
 # make deps   install what is missing (Debian packages)      make demo   crush the paper's specimen at seven angles
-# make web    bundle report.html anew
+# make web    bundle report.html anew                         make browser  look at report.html in Chromium
 # make test   build and run all tests                         make bench  measure the speed of the press
 BUILD := build/release
 JOBS := $(shell nproc)
@@ -7,7 +7,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
             libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: web deps build demo demo-press test bench lint docs clean soak
+.PHONY: web browser deps build demo demo-press test bench lint docs clean soak
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -49,6 +49,10 @@ docs: build
 # The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).
 web:
 	@cd web && npm ci --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
+
+# The report in Debian's Chromium; needs node and chromium beside `make deps`.
+browser: build web
+	@PHYLLITE=$(BUILD)/phyllite node --test tests/browser/
 
 clean:
 	rm -rf build results

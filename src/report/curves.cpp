@@ -122,10 +122,10 @@ TheoryCurves theory_curves(const RunRecord& run) {
 Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
   Rose rose{std::vector<double>(n_bins, 0.0), std::vector<double>(n_bins, 0.0)};
   for (const CrackEvent& c : cracks) {
-    double turn =
-        std::atan2(c.normal.x, -c.normal.y) / std::numbers::pi;  // of the crack itself, in half turns
-    turn -= std::floor(turn);
-    const auto bin = std::min(n_bins - 1, static_cast<std::size_t>(turn * static_cast<double>(n_bins)));
+    const double turn =
+        std::atan2(c.normal.x, -c.normal.y) / std::numbers::pi;  // of the crack, in half turns
+    const double n = static_cast<double>(n_bins), place = std::round((turn - std::floor(turn)) * n);
+    const auto bin = static_cast<std::size_t>(place) % n_bins;
     (c.mode == CrackMode::tension ? rose.tension : rose.shear)[bin] += 1.0;
   }
   return rose;

@@ -22,7 +22,8 @@ struct TheoryCurves {
 };
 TheoryCurves theory_curves(const RunRecord& run);
 
-/// Cracks by direction: bins of 180/n degrees, anticlockwise from +x; a crack counts once.
+/// Cracks by direction, anticlockwise from +x: bin k is 180/n degrees wide around k times that, so that a
+/// direction along the axes lies in the middle of a bin. A crack counts once.
 struct Rose {
   std::vector<double> tension, shear;
   double bin() const { return 180.0 / static_cast<double>(tension.size()); }

@@ -38,7 +38,7 @@ std::string packed(const Items& items, Value value) {
 Json history_json(const History& history) {
   Json j;
   for (const HistoryColumn& c : history_columns())
-    for (const char* name : {"axial_strain", "axial_stress", "lateral_strain_gauge"})
+    for (const char* name : {"axial_strain", "axial_stress"})
       if (std::string_view(c.name) == name)
         j[name] = packed<double>(history.rows, [&](const HistoryRow& row) { return row.*c.value; });
   return j;

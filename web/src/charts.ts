@@ -7,6 +7,12 @@ const base = {
   grid: true,
 };
 
+/** Ticks every 15 degrees, or 30 where it is narrow. */
+const angles = (far: number, width: number) => {
+  const step = width < 280 ? 30 : 15;
+  return Array.from({ length: Math.floor(far / step) + 1 }, (_, i) => i * step);
+};
+
 const value = (t: Test, name: string): number | null => t.numbers[name]?.value ?? null;
 
 /** Stress in MPa over strain in per cent; long histories are thinned to what a chart can show. */
@@ -160,7 +166,7 @@ export function overAngle(report: Report, width: number, o: AngleOptions): SVGSV
     height: Math.max(220, width * 0.66),
     marginLeft: 46,
     marginBottom: 40,
-    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [0, far], ticks: far / 15 },
+    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [0, far], ticks: angles(far, width) },
     y: { label: o.label, labelArrow: "none", domain: [0, top * 1.06], nice: true },
     marks: [
       Plot.ruleY([0]),
@@ -227,7 +233,7 @@ export function rose(t: Test): SVGElement {
   total.forEach((count, i) => {
     if (count === 0) return;
     for (const half of [0, 180]) {
-      const [from, to] = [i * t.rose.bin + half, (i + 1) * t.rose.bin + half];
+      const [from, to] = [(i - 0.5) * t.rose.bin + half, (i + 0.5) * t.rose.bin + half];
       root.append(svg("path", { d: sector(0, radius(t.rose.shear[i]), from, to), class: "shear" }));
       root.append(svg("path", { d: sector(radius(t.rose.shear[i]), radius(count), from, to), class: "tension" }));
     }
@@ -253,7 +259,7 @@ export function comparison(rows: Comparison[], factor: number, label: string, wi
     height: Math.max(220, width * 0.66),
     marginLeft: 46,
     marginBottom: 40,
-    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [-3, 93], ticks: 6 },
+    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [-3, 93], ticks: angles(90, width) },
     y: { label, labelArrow: "none", nice: true, zero: true },
     marks: [
       Plot.ruleY([0]),

@@ -112,7 +112,6 @@ export interface Test {
   result: RawTest["result"];
   strain: Float64Array;
   stress: Float64Array;
-  lateral: Float64Array;
   cracks: Cracks;
   rose: Rose;
   bedding: RawTest["bedding"];
@@ -133,6 +132,8 @@ export const crackKinds = [
 ];
 
 function bytes(base64: string): Uint8Array {
+  const known = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array };
+  if (known.fromBase64) return known.fromBase64(base64);
   const text = atob(base64);
   const out = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
@@ -167,7 +168,6 @@ export function readReport(): Report {
       result: t.result,
       strain,
       stress: f64(t.history.axial_stress),
-      lateral: f64(t.history.lateral_strain_gauge),
       cracks: {
         strain: f64(t.cracks.strain),
         a: u32(t.cracks.a),

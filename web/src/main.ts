@@ -1,7 +1,7 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { damage, comparison, LinkedChart, modeShare, overAngle, rose, stressAt, stressStrain } from "./charts";
 import { Comparison, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
-import { Field, Viewer } from "./viewer";
+import { Field, Viewer, headHeight } from "./viewer";
 
 type Child = Node | string | null | false;
 
@@ -26,15 +26,25 @@ function section(id: string, title: string, ...children: Child[]): HTMLElement {
 
 /** Charts that are drawn anew when their place changes its width. */
 const charts: { place: HTMLElement; draw: (width: number) => void; width: number }[] = [];
-const observer = new ResizeObserver(() => redraw());
+const observer = new ResizeObserver(() => opened && redraw());
+let opened = false; // the charts below the first come one by one, after the page has opened
 
-function redraw(always = false) {
-  for (const c of charts) {
+function redraw(always = false, some = charts) {
+  for (const c of some) {
     const width = Math.floor(c.place.clientWidth);
     if (width < 10 || (!always && Math.abs(width - c.width) < 2)) continue;
     c.width = width;
     c.draw(width);
   }
+}
+
+async function drawRest() {
+  for (const c of charts) {
+    await new Promise((next) => setTimeout(next));
+    redraw(false, [c]);
+  }
+  opened = true;
+  update();
 }
 
 function chart(label: string, caption: Child, draw: (width: number, place: HTMLElement) => Node): HTMLElement {
@@ -105,7 +115,7 @@ function update() {
     if (overview && dots[i]) setDot(dots[i], overview, t, strains[i]);
     if (feet[i]) {
       const cracks = lastUpTo(t.cracks.strain, strains[i]) + 1;
-      feet[i].textContent = `${(1e-6 * stressAt(t, strains[i])).toFixed(1)} MPa · ${cracks} cracks`;
+      feet[i].textContent = `${(1e-6 * stressAt(t, strains[i])).toFixed(1)} MPa\n${cracks} cracks`;
     }
   });
   for (const m of multiples) setDot(m.dot, m.chart, report.tests[m.test], strains[m.test]);
@@ -337,8 +347,7 @@ function specimens() {
         const at = (top: number) => `left:${cell.left}px;width:${cell.width}px;top:${top}px`;
         const foot = h("div", { class: "foot", style: at(cell.top + cell.height) });
         feet[cell.test] = foot;
-        overlay.append(h("div", { class: "head", style: `${at(cell.top - 24)};color:${t.color}` }, heading(t)), foot);
-        if (cell.width < 150) foot.style.whiteSpace = "normal";
+        overlay.append(h("div", { class: "head", style: `${at(cell.top - headHeight)};color:${t.color}` }, heading(t)), foot);
       }
       update();
     });
@@ -410,11 +419,11 @@ function anisotropy() {
     legend,
     h(
       "div",
-      { class: "grid" },
+      { class: "grid four" },
       one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, "E"),
       one("ucs", "UCS [MPa]", "Uniaxial compressive strength", 1e-6, c.ucs, "UCS"),
       one("nu", "ν", "Poisson’s ratio", 1, c.nu, "nu"),
-      chart("How it broke", crackLegend(), (width) => modeShare(report, width)),
+      chart("Failure mode: share of broken bonds and joints", crackLegend(), (width) => modeShare(report, width)),
     ),
   );
 }
@@ -427,7 +436,7 @@ function roses() {
     "roses",
     "Directions of cracks",
     h("p", { class: "muted" }, "Directions of the broken bonds and joints of the whole test; the load acts along 90°. The area of a petal is proportional to the number of cracks; the dashed line is the bedding."),
-    h("ul", { class: "legend" }, h("li", {}, h("i", { style: "background:var(--crack-0)" }), "tension"), h("li", {}, h("i", { style: "background:var(--crack-1)" }), "shear")),
+    h("ul", { class: "legend" }, h("li", {}, h("i", { style: "background:var(--crack-0)" }), "tension"), h("li", {}, h("i", { style: "background:var(--crack-1)" }), "shear"), h("li", {}, h("i", { class: "line" }), "bedding")),
     grid,
   );
 }
@@ -598,6 +607,14 @@ function theme() {
     viewer?.draw();
   };
   system.addEventListener("change", apply);
+  // Paper is light: the specimens are drawn with light colours for it, everything is unfolded.
+  addEventListener("beforeprint", () => {
+    root.dataset.theme = "light";
+    document.querySelectorAll("details").forEach((d) => (d.open = true));
+    viewer?.readColors();
+    viewer?.drawNow();
+  });
+  addEventListener("afterprint", apply);
   document.getElementById("theme")!.addEventListener("click", () => {
     chosen = root.dataset.theme === "dark" ? "light" : "dark";
     apply();
@@ -620,16 +637,16 @@ function start() {
   roses();
   tables();
   texts();
-  redraw();
+  redraw(false, charts.slice(0, 1));
   update();
   viewer?.layout();
   performance.mark("interactive");
-  viewer?.load().then(() => {
-    document.documentElement.dataset.ready = "true";
-    viewer!.layout();
-  });
-  if (!viewer) document.documentElement.dataset.ready = "true";
-  addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  drawRest()
+    .then(() => viewer?.load())
+    .then(() => {
+      document.documentElement.dataset.ready = "true";
+      viewer?.layout();
+    });
   // For tests: the script time of the last frames.
   (window as unknown as { phyllite: unknown }).phyllite = { viewer, moveTo, report };
 }

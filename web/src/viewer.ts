@@ -17,6 +17,8 @@ export interface ViewState {
 }
 
 const rows = 256; // width of the displacement texture
+export const headHeight = 24; // above a specimen: its name [CSS pixels]
+const footHeight = 42; // below: stress and cracks, two lines
 
 const common = `#version 300 es
 precision highp float;
@@ -304,11 +306,11 @@ export class Viewer {
     this.cells = shown.map((test, k) => ({
       test,
       left: (k % even) * cellWidth,
-      top: Math.floor(k / even) * (cellHeight + 46) + 24,
+      top: Math.floor(k / even) * (cellHeight + headHeight + footHeight) + headHeight,
       width: cellWidth,
       height: cellHeight,
     }));
-    const height = lines * (cellHeight + 46);
+    const height = lines * (cellHeight + headHeight + footHeight);
     this.canvas.style.height = `${height}px`;
     const dpr = Math.min(2, window.devicePixelRatio || 1);
     const [w, h] = [Math.round(width * dpr), Math.round(height * dpr)];

@@ -1,0 +1,247 @@
+// report.html in Debian's Chromium, made by the program from small runs: what a reader sees and does, pixels included.
+// `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
+
+const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
+const folder = mkdtempSync(join(tmpdir(), "phyllite-browser-"));
+const hostile = `</script><b id='bad'>rock & <!-- "co" 'al'`;
+let browser;
+let pictures; // a page that reads pixels of screenshots
+
+const recipe = (name, more) =>
+  `name = ${JSON.stringify(name)}\n[packing]\n${more}\n[[bedding]]\nspacing = "2 mm"\n[test]\nintact = true\nplaten_speed = "0.2 m/s"\n`;
+const small = `n_grains = 330\n[matrix]\nsigma_c = "40 MPa"\ntau_c = "40 MPa"\n[specimen]\nwidth = "8 mm"\nheight = "16 mm"`;
+
+function run(name, text) {
+  const file = join(folder, `${name}.toml`);
+  writeFileSync(file, text);
+  const { status, stderr } = spawnSync(phyllite, ["--threads", "2", "run", file, "--out", join(folder, name)], { encoding: "utf8" });
+  assert.ok(status === 0 || status === 1, stderr); // 1: a test ended before its peak
+  return join(folder, name);
+}
+
+const report = (result) => execFileSync(phyllite, ["report", result], { encoding: "utf8" });
+const results = (result) =>
+  readdirSync(result)
+    .filter((entry) => !entry.includes("."))
+    .map((entry) => JSON.parse(readFileSync(join(result, entry, "result.json"), "utf8")));
+
+/** Opens the report of a result; whatever goes wrong on the page or wants the network is in `trouble`. */
+async function open(result, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.trouble = [];
+  page.on("console", (m) => ["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall") && page.trouble.push(m.text()));
+  page.on("pageerror", (e) => page.trouble.push(String(e)));
+  page.on("request", (r) => !/^(file|data|blob):/.test(r.url()) && page.trouble.push(r.url()));
+  await page.goto(`file://${join(result, "report.html")}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout: 60000 });
+  return page;
+}
+
+const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Number of colours in an element as it is seen, and a fingerprint of all its pixels. */
+async function seen(page, selector) {
+  await settled(page);
+  const png = (await page.locator(selector).first().screenshot()).toString("base64");
+  return pictures.evaluate(async (text) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+    let print = 0;
+    for (const p of pixels) print = (Math.imul(print, 31) + p) | 0;
+    return { colors: new Set(pixels).size, print };
+  }, png);
+}
+
+let press; // two angles and the intact specimen, small
+let many; // seven angles of the paper's number of discs, stopped early
+
+before(async () => {
+  press = run("press", recipe(hostile, small) + `angles = ["0 deg", "45 deg"]\n`);
+  const angles = [0, 15, 30, 45, 60, 75, 90].map((a) => `"${a} deg"`).join(", ");
+  many = run("many", recipe("many", "n_grains = 7481").replace("intact = true", "intact = false") + `angles = [${angles}]\nmax_strain = 2e-4\n[engine]\nprecision = "float"\n`);
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+  pictures = await browser.newPage();
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("loads without a message, a warning or the network", async () => {
+  const page = await open(press);
+  assert.deepEqual(page.trouble, []);
+});
+
+test("text of the user stays text", async () => {
+  const page = await open(press);
+  assert.equal(await page.locator("h1").textContent(), hostile);
+  assert.equal(await page.locator("#bad").count(), 0);
+  assert.ok((await page.locator("#recipe pre").textContent()).includes("angles = "));
+});
+
+test("numbers are those of result.json to the printed digits", async () => {
+  const page = await open(press);
+  const units = { GPa: 1e-9, MPa: 1e-6, "%": 100, "": 1, cracks: 1 };
+  let compared = 0;
+  for (const result of results(press)) {
+    const row = page.locator(`#numbers tr[data-specimen="${result.specimen}"] td[data-number]`);
+    for (const cell of await row.all()) {
+      const [name, text, unit] = await cell.evaluate((td) => [td.dataset.number, td.textContent, td.closest("table").tHead.rows[0].cells[td.cellIndex].querySelector("small").textContent]);
+      const { value } = result.numbers[name] ?? { value: null };
+      if (value === null) {
+        assert.equal(text, "–", name);
+        continue;
+      }
+      const digits = (text.split(".")[1] ?? "").length;
+      const shown = Number(text.replace("<", ""));
+      assert.ok(Math.abs(shown - value * units[unit]) <= 0.5000001 * 10 ** -digits, `${result.specimen} ${name}: ${text} against ${value}`);
+      ++compared;
+    }
+    assert.ok((await page.locator("#footer").textContent()).includes(result.result_hash));
+  }
+  assert.ok(compared > 25, `${compared} numbers compared`);
+});
+
+test("every chart is drawn, the specimens too", async () => {
+  const page = await open(press);
+  const charts = page.locator("figure svg");
+  assert.ok((await charts.count()) >= 1 + 3 + 4 + 3); // curves, damage, anisotropy, roses
+  for (let i = 0; i < (await charts.count()); ++i) {
+    await charts.nth(i).evaluate((node, k) => node.setAttribute("data-chart", k), i);
+    const { colors } = await seen(page, `[data-chart="${i}"]`);
+    assert.ok(colors > 12, `chart ${i} has ${colors} colours`);
+  }
+  assert.ok((await seen(page, "#view")).colors > 200);
+});
+
+test("the slider moves specimens, dots and numbers", async () => {
+  const page = await open(press);
+  const dot = () => page.locator("#curves .cursor").first().evaluate((d) => d.style.transform);
+  const foot = () => page.locator(".cells .foot").first().textContent();
+  const end = [await seen(page, "#view"), await dot(), await foot()];
+  await page.locator("#slider").fill("300");
+  const early = [await seen(page, "#view"), await dot(), await foot()];
+  assert.notEqual(early[0].print, end[0].print);
+  assert.notEqual(early[1], end[1]);
+  assert.notEqual(early[2], end[2]);
+  await page.locator("#slider").fill("0");
+  assert.match(await foot(), /\b0 cracks/);
+});
+
+test("colours, forces, zoom and one specimen change the picture", async () => {
+  const page = await open(press);
+  let last = await seen(page, "#view");
+  const changes = [
+    () => page.locator("#field").selectOption("vertical"),
+    () => page.locator("#show-forces").check(),
+    () => page.locator("#show-cracks").uncheck(),
+    () => page.getByRole("button", { name: "Zoom in" }).click(),
+    () => page.locator("#only").selectOption("1"),
+  ];
+  for (const change of changes) {
+    await change();
+    const now = await seen(page, "#view");
+    assert.notEqual(now.print, last.print, String(change));
+    last = now;
+  }
+});
+
+test("everything is reached by keyboard", async () => {
+  const page = await open(press);
+  const reached = new Set();
+  for (let i = 0; i < 80; ++i) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label") || document.activeElement.textContent));
+  }
+  for (const id of ["theme", "view", "play", "slider", "mode", "only", "field", "show-cracks", "show-forces", "magnify", "Zoom in", "Table of results"])
+    assert.ok(reached.has(id), `${id} among ${[...reached].join(", ")}`);
+  await page.locator("#slider").focus();
+  const before = await seen(page, "#view");
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("PageDown");
+  assert.notEqual((await seen(page, "#view")).print, before.print);
+});
+
+test("light and dark", async () => {
+  const ground = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
+  const [light, dark] = [await open(press), await open(press, { colorScheme: "dark" })];
+  assert.ok((await ground(light)) > 200 && (await ground(dark)) < 60);
+  assert.notEqual((await seen(light, "#view")).print, (await seen(dark, "#view")).print);
+  await light.locator("#theme").click();
+  assert.ok((await ground(light)) < 60);
+});
+
+for (const [width, height] of [[390, 844], [1920, 1080]])
+  test(`works at ${width} px`, async () => {
+    const page = await open(press, { viewport: { width, height } });
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+    assert.ok((await seen(page, "#view")).colors > 200);
+    const covered = await page.evaluate(() => {
+      const boxes = [...document.querySelectorAll(".cells div")].map((d) => d.getBoundingClientRect());
+      return boxes.some((a, i) => boxes.some((b, k) => k > i && a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+    });
+    assert.equal(covered, false, "labels do not cover one another");
+  });
+
+test("prints without cut figures, in light colours", async () => {
+  const page = await open(press, { colorScheme: "dark" });
+  const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+  assert.ok(pdf.length > 50000 && pdf.subarray(0, 5).toString() === "%PDF-");
+  const [width, height] = [(297 - 24) / 25.4 * 96, (210 - 24) / 25.4 * 96]; // A4 across, less the margins
+  await page.setViewportSize({ width: Math.floor(width), height: Math.floor(height) });
+  await page.emulateMedia({ media: "print" });
+  await settled(page);
+  const cut = await page.evaluate(([w, h]) =>
+    [...document.querySelectorAll("figure, table, canvas, pre")].filter((e) => {
+      const box = e.getBoundingClientRect();
+      return box.right > w + 1 || ((e.tagName === "FIGURE" || e.tagName === "CANVAS") && box.height > h);
+    }).map((e) => `${e.tagName} ${e.textContent.slice(0, 40)} ${JSON.stringify(e.getBoundingClientRect())}`), [width, height]);
+  assert.deepEqual(cut, []);
+});
+
+test("a page says which specimens failed or are missing", async () => {
+  const broken = run("broken", recipe("broken", small) + `angles = ["0 deg", "45 deg"]\nmax_strain = 5e-4\n`);
+  rmSync(join(broken, "intact"), { recursive: true });
+  writeFileSync(join(broken, "theta___0_deg", "result.json"), "<b>{");
+  report(broken);
+  const page = await open(broken);
+  assert.deepEqual(page.trouble, []);
+  const text = (await page.locator(".notice").allTextContents()).join("\n");
+  assert.match(text, /theta = 45 deg: not peaked.*raise test\.max_strain/);
+  assert.match(text, /intact: missing/);
+  assert.match(text, /theta___0_deg: missing/);
+});
+
+test("seven specimens of 7481 discs: written and open soon, little script per frame", async (t) => {
+  const [, size, seconds] = report(many).match(/([\d.]+) MB, written in ([\d.]+) s/);
+  const page = await open(many);
+  const open_ms = await page.evaluate(() => performance.getEntriesByName("interactive")[0].startTime);
+  const frames = await page.evaluate(() => {
+    const times = [];
+    for (let i = 0; i <= 60; ++i) {
+      const start = performance.now();
+      phyllite.moveTo(i / 60);
+      phyllite.viewer.drawNow();
+      times.push(performance.now() - start);
+    }
+    return times.sort((a, b) => a - b);
+  });
+  const median = frames[30];
+  t.diagnostic(`${size} MB in ${seconds} s; interactive after ${open_ms.toFixed(0)} ms; ${median.toFixed(2)} ms of script per frame`);
+  assert.deepEqual(page.trouble, []);
+  assert.ok(Number(size) <= 10 && Number(seconds) <= 2 && median <= 4);
+  assert.ok(open_ms <= 3000); // 1 s on a quiet machine; a loaded one has no say in whether the page is right
+});
