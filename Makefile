@@ -7,7 +7,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
             libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: web browser deps build demo demo-press test bench lint docs clean soak
+.PHONY: deps build demo demo-press test soak deps-soak bench lint tidy docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -28,6 +28,10 @@ test: build
 	@python3 tools/check_floors.py
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
 
+deps-soak: deps
+	@dpkg-query -W -f='$${Status}' python3-vtk9 2>/dev/null | grep -q 'ok installed' || \
+	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends python3-vtk9
+
 soak: build
 	@ctest --test-dir $(BUILD) --output-on-failure -L soak
 
@@ -40,7 +44,7 @@ lint:
 	@python3 tools/check_floors.py
 
 tidy: build
-	@git ls-files 'src/*.cpp' | grep -v test | xargs clang-tidy -p $(BUILD) --quiet
+	@git ls-files 'src/*.cpp' | grep -v '\.test\.' | xargs -P $(JOBS) -n 2 clang-tidy -p $(BUILD) --quiet 2>/dev/null
 
 docs: build
 	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference) > docs/reference.md

@@ -1,7 +1,13 @@
 // Nanoseconds per contact, step and specimen of the press with everything of a normal run switched on: energy
 // books, cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at
 // the start. Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
+// UCS_per_minute: whole tests per minute and core at that speed, with the recipe's time step, platen speed
+// and stop rule; how many cycles such a test takes is counted once, by running the seven angles to their end
+// in single precision.
 #include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <thread>
 
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
@@ -24,6 +30,21 @@ const std::vector<std::shared_ptr<const Specimen>>& paper_specimens() {
     return list;
   }();
   return all;
+}
+
+/// Mean cycles of a whole test: of 45 degrees alone, or of the seven angles.
+double cycles_per_test(std::size_t angles) {
+  static const std::vector<TestResult> results = [] {
+    Recipe recipe;
+    recipe.engine.precision = Precision::single_precision;
+    MachineOptions machine;
+    machine.isa = native_isa();
+    machine.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return run_tests(paper_specimens(), recipe, machine);
+  }();
+  double sum = 0.0;
+  for (const TestResult& r : results) sum += static_cast<double>(r.n_steps);
+  return angles == 1 ? static_cast<double>(results[3].n_steps) : sum / static_cast<double>(results.size());
 }
 
 /// One group: `angles` = 1: all lanes at 45 degrees; 7: the lanes take the seven angles in turn.
@@ -53,6 +74,9 @@ void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std
                          static_cast<double>(group->n_contacts(0));
   state.counters["per_contact_step"] =
       benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  const double cycles = static_cast<double>(state.iterations()) * options.interval * lanes;
+  state.counters["UCS_per_minute"] =
+      benchmark::Counter(60.0 * cycles / cycles_per_test(angles), benchmark::Counter::kIsRate);
 }
 
 #define PRESS(name, isa, precision, lanes, angles)                                          \
