@@ -37,10 +37,15 @@ struct RunArguments {
   bool no_cache = false;
 };
 
+/// theta_45_deg of "theta = 45 deg": letters, digits, point and minus stay, runs of anything else become one
+/// _.
 std::string file_name(const std::string& specimen) {
   std::string name;
   for (const char c : specimen)
-    name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
+      name += c;
+    else if (!name.ends_with('_'))
+      name += '_';
   return name;
 }
 
@@ -121,7 +126,7 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   machine.threads = session.threads > 0 ? session.threads : available_cores();
   machine.lanes = args.lanes;
   machine.skew = args.skew;
-  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lanes of {}, {} thread(s)\n",
+  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lane(s) of {}, {} thread(s)\n",
              made.specimens.size(), recipe.test.platen_speed,
              recipe.engine.precision == Precision::double_precision ? "double" : "single",
              lanes_for(made.specimens.size(), recipe.engine.precision, machine), to_string(machine.isa),

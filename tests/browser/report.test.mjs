@@ -215,14 +215,14 @@ test("prints without cut figures, in light colours", async () => {
 test("a page says which specimens failed or are missing", async () => {
   const broken = run("broken", recipe("broken", small) + `angles = ["0 deg", "45 deg"]\nmax_strain = 5e-4\n`);
   rmSync(join(broken, "intact"), { recursive: true });
-  writeFileSync(join(broken, "theta___0_deg", "result.json"), "<b>{");
+  writeFileSync(join(broken, "theta_0_deg", "result.json"), "<b>{");
   report(broken);
   const page = await open(broken);
   assert.deepEqual(page.trouble, []);
   const text = (await page.locator(".notice").allTextContents()).join("\n");
   assert.match(text, /theta = 45 deg: not peaked.*raise test\.max_strain/);
   assert.match(text, /intact: missing/);
-  assert.match(text, /theta___0_deg: missing/);
+  assert.match(text, /theta_0_deg: missing/);
 });
 
 test("seven specimens of 7481 discs: written and open soon, little script per frame", async (t) => {

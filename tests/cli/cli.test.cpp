@@ -28,7 +28,7 @@ TEST_F(Cli, VersionAndHelp) {
 TEST_F(Cli, RunLeavesCompleteResults) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   EXPECT_THAT(output, HasSubstr("UCS"));
-  for (const char* name : {"theta___45_deg", "theta___60_deg", "intact"}) {
+  for (const char* name : {"theta_45_deg", "theta_60_deg", "intact"}) {
     const fs::path file = fs::path(out()) / name / "result.json";
     ASSERT_TRUE(fs::exists(file)) << file;
     std::ifstream in(file);
@@ -52,7 +52,7 @@ TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   EXPECT_EQ(run("report " + out() + " --out " + (folder / "page.html").string()), 0);
   EXPECT_THAT(output, HasSubstr("intact: missing"));
   EXPECT_GT(fs::file_size(folder / "page.html"), 100000U);
-  EXPECT_EQ(run("show " + out() + "/theta___45_deg"), 0);
+  EXPECT_EQ(run("show " + out() + "/theta_45_deg"), 0);
   EXPECT_EQ(run("show " + folder.string()), 2);
   EXPECT_EQ(run("show /nonexistent"), 3);
 }
