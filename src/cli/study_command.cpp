@@ -1,5 +1,5 @@
-// `phyllite study STUDY` and `study status | resume | export | merge`: a folder with study.toml, recipe.toml
-// and the store study.sqlite (of a shard: shard-I-of-N.sqlite).
+// `phyllite study STUDY` and `study status | resume | export | effects | merge`: a folder with study.toml,
+// recipe.toml and the store study.sqlite (of a shard: shard-I-of-N.sqlite).
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
+#include "study/effects.hpp"
 #include "study/runner.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -157,16 +158,25 @@ StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int th
   return {report, desk.progress().n_new};
 }
 
+/// Prints the effects and writes them into a folder.
+void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder) {
+  fmt::print("{}", effects_text(plan, rows));
+  if (plan.study.vary.empty()) return;
+  write_file((fs::path(folder) / "responses.csv").string(), responses_csv(plan, rows));
+  write_file((fs::path(folder) / "effects.csv").string(), effects_csv(plan, rows));
+}
+
 int finish_study(const Plan& plan, const Store& store, const std::string& folder, const StudyRun& run) {
   const auto rows = rows_of(plan, store);
   write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
+  tell_effects(plan, rows, folder);
   const std::size_t n_bad = print_failures(plan, rows), n_left = n_unfinished(plan, rows);
   const WorkReport& report = run.report;
   fmt::print("\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
              report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
              report.cpu_seconds, 100.0 * report.idle);
   fmt::print("store of {} with hash {}\n", store.size(), store.hash());
-  fmt::print("table in {}\n", (fs::path(folder) / "results.csv").string());
+  fmt::print("tables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
   return n_bad + n_left > 0 ? 1 : 0;
 }
@@ -219,6 +229,13 @@ int export_study(const StudyArguments& args) {
     fmt::print("{}", text);
   else
     write_file(args.csv, text);
+  return 0;
+}
+
+int effects_of_study(const StudyArguments& args) {
+  const Plan plan = make_plan(study_in(args.folder));
+  tell_effects(plan, rows_of(plan, Store(store_file(args.folder, {}))),
+               args.out.empty() ? args.folder : args.out);
   return 0;
 }
 
@@ -310,15 +327,18 @@ void add_study_command(CLI::App& app, Session& session) {
   CLI::App* resume = verb("resume", "run what is left");
   CLI::App* csv = verb("export", "the table of all specimens as CSV");
   csv->add_option("--csv", args->csv, "file to write; default: standard output");
+  CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of what is finished");
+  effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's");
   CLI::App* merge = verb("merge", "join the stores of shards");
   merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
   study->callback([=, &session] {
     std::signal(SIGINT, on_interrupt);
-    session.exit_code = *status   ? status_of(*args, session)
-                        : *resume ? run_study(study_in(args->folder), *args, args->folder, session)
-                        : *csv    ? export_study(*args)
-                        : *merge  ? merge_stores(*args)
-                                  : study_verb(*args, session);
+    session.exit_code = *status    ? status_of(*args, session)
+                        : *resume  ? run_study(study_in(args->folder), *args, args->folder, session)
+                        : *csv     ? export_study(*args)
+                        : *effects ? effects_of_study(*args)
+                        : *merge   ? merge_stores(*args)
+                                   : study_verb(*args, session);
   });
 }
 

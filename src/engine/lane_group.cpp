@@ -64,6 +64,30 @@ struct Lane {
   LaneHealth health;
   std::vector<CrackEvent> cracks;
   std::int64_t n_contacts = 0;
+  std::vector<PairKey> near;  // of this lane's last search
+  bool searched = false;
+};
+
+/// A union of lists of pairs. The lanes agree on nearly all of them, so a pair is looked for among the few of
+/// its upper grain; sorting all lists together takes ten times as long.
+class PairUnion {
+ public:
+  explicit PairUnion(std::size_t n_grains) : of_(n_grains) {}
+  void add(PairKey key) {
+    std::vector<PairKey>& known = of_[static_cast<std::size_t>(key_b(key))];
+    if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+  }
+  std::vector<PairKey> sorted() {
+    std::vector<PairKey> all;
+    for (std::vector<PairKey>& of : of_) {
+      std::sort(of.begin(), of.end());
+      all.insert(all.end(), of.begin(), of.end());
+    }
+    return all;
+  }
+
+ private:
+  std::vector<std::vector<PairKey>> of_;
 };
 
 template <class T>
@@ -161,7 +185,8 @@ class Group final : public LaneGroup {
   void allocate();
   void reset_lane(int lane);
   void rebuild();
-  void collect_pairs(std::vector<PairKey>& pairs) const;
+  void search(std::size_t lane);
+  std::vector<PairKey> collect_pairs();
   void carry_state(const std::vector<PairKey>& pairs);
   void fill_lane(std::size_t lane);
   void make_constants();
@@ -179,6 +204,7 @@ class Group final : public LaneGroup {
   void keep_books(std::size_t lane);
   void write_row(std::size_t lane);
   void watch(std::size_t lane);
+  double moved(std::size_t lane) const;  // the farthest grain since the lane's last search [m]
   void watch_motion();
   double sample(int field, std::size_t lane) const {
     return sample_[static_cast<std::size_t>(field) * W_ + lane];
@@ -382,33 +408,40 @@ void Group<T>::set_motion(int lane, std::uint32_t id, const GrainState& state, V
 // --- the list of near pairs
 // -----------------------------------------------------------------------------------------
 
+/// Searches lanes that have moved far enough that their list would not last; the others keep theirs.
 template <class T>
-void Group<T>::collect_pairs(std::vector<PairKey>& pairs) const {
-  bool reference_done = false;
+void Group<T>::search(std::size_t l) {
+  Lane& lane = lanes_[l];
+  if (lane.searched && 4.0 * moved(l) < skin_) return;
+  lane.near.clear();
   std::vector<Vec2> x(n_grains());
+  for (std::size_t g = 0; g < n_grains(); ++g) {
+    built_at_[g * W_ + l] = displacement(g, l);
+    x[g] = x0_[g] + built_at_[g * W_ + l];
+  }
+  near_pairs(x, radius_, skin_, lane.near);
+  if (lane.fresh)
+    for (const Contact& c : lane.specimen->contacts)
+      lane.near.push_back(pair_key(static_cast<std::uint32_t>(layout_.rank[c.a]),
+                                   static_cast<std::uint32_t>(layout_.rank[c.b])));
+  lane.searched = true;
+}
+
+template <class T>
+std::vector<PairKey> Group<T>::collect_pairs() {
+  PairUnion all(n_grains());
   for (std::size_t l = 0; l < W_; ++l) {
-    const Lane& lane = lanes_[l];
-    if (!lane.specimen) continue;
-    if (lane.fresh) {
-      for (const Contact& c : lane.specimen->contacts)
-        pairs.push_back(pair_key(static_cast<std::uint32_t>(layout_.rank[c.a]),
-                                 static_cast<std::uint32_t>(layout_.rank[c.b])));
-      if (reference_done) continue;
-      reference_done = true;
-      near_pairs(x0_, radius_, skin_, pairs);
-      continue;
-    }
-    for (std::size_t g = 0; g < n_grains(); ++g) x[g] = x0_[g] + displacement(g, l);
-    near_pairs(x, radius_, skin_, pairs);
+    if (!lanes_[l].specimen) continue;
+    search(l);
+    for (const PairKey key : lanes_[l].near) all.add(key);
   }
   for (std::size_t c = 0; c < pairs_.size(); ++c)
     for (std::size_t l = 0; l < W_; ++l)
       if (tag_[c * W_ + l] != 0 || contact(c, c_side, l) != T(0) || contact(c, c_shear, l) != T(0)) {
-        pairs.push_back(pairs_[c]);
+        all.add(pairs_[c]);
         break;
       }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return all.sorted();
 }
 
 template <class T>
@@ -543,8 +576,7 @@ void Group<T>::mark_walls() {
 
 template <class T>
 void Group<T>::rebuild() {
-  std::vector<PairKey> pairs;
-  collect_pairs(pairs);
+  std::vector<PairKey> pairs = collect_pairs();
   carry_state(pairs);
   pairs_ = std::move(pairs);
   make_constants();
@@ -554,8 +586,6 @@ void Group<T>::rebuild() {
   assign_joints();
   mark_walls();
   raw_cracks_.resize(pairs_.size() * W_);
-  for (std::size_t g = 0; g < n_grains(); ++g)
-    for (std::size_t l = 0; l < W_; ++l) built_at_[g * W_ + l] = displacement(g, l);
   dirty_ = false;
   ++n_rebuilds_;
 }
@@ -833,18 +863,26 @@ void Group<T>::watch(std::size_t l) {
 // A list is renewed before any pair outside it can touch: when twice the largest motion since it was built,
 // plus what the fastest grain can do in the next block, exceeds the skin.
 template <class T>
+double Group<T>::moved(std::size_t l) const {
+  double most = 0.0;
+  for (std::size_t g = 0; g < n_grains(); ++g) {
+    const Vec2 d = displacement(g, l) - built_at_[g * W_ + l];
+    most = std::max(most, dot(d, d));
+  }
+  return std::sqrt(most);
+}
+
+template <class T>
 void Group<T>::watch_motion() {
   for (std::size_t l = 0; l < W_ && !dirty_; ++l) {
     if (!lanes_[l].specimen) continue;
-    double moved = 0.0, speed = 0.0;
+    double speed = 0.0;
     for (std::size_t g = 0; g < n_grains(); ++g) {
-      const Vec2 d = displacement(g, l) - built_at_[g * W_ + l];
-      moved = std::max(moved, dot(d, d));
       const Vec2 v{grain(g, g_vx, l), grain(g, g_vy, l)};
       speed = std::max(speed, dot(v, v));
     }
     const double ahead = std::sqrt(speed) * lanes_[l].dt * options_.interval;
-    dirty_ = 2.0 * (std::sqrt(moved) + ahead) > skin_;
+    dirty_ = 2.0 * (moved(l) + ahead) > skin_;
   }
 }
 

@@ -72,6 +72,11 @@ struct Point {
 
 std::vector<Point> points_of(const Study& study);
 
+/// Packings times bond seeds.
+inline std::size_t n_replicates(const Study& study) {
+  return study.packings.size() * study.bond_seeds.size();
+}
+
 /// The base recipe at a point, on one packing and bond seed.
 Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, std::int64_t bond_seed);
 

@@ -34,7 +34,7 @@ std::string specimen_key(const Recipe& single) {
             "a key belongs to one specimen");
   Recipe r = single;
   r.name.clear();
-  r.test.n_snapshots = 0;
+  r.test.n_snapshots = r.test.n_frames = 0;
   r.test.intact = false;
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;

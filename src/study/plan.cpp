@@ -36,6 +36,12 @@ double expected_cost(const Recipe& r) {
   return cycles * n_grains;
 }
 
+std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
+  std::vector<double> angles;
+  for (const BeddingRecipe& set : single.bedding) angles.push_back(set.theta);
+  return kinds.try_emplace(angles, kinds.size()).first->second;
+}
+
 using BatchName = std::tuple<std::string, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
@@ -83,16 +89,19 @@ Plan make_plan(const Study& study, const Shard& shard) {
   plan.study = study;
   plan.points = points_of(study);
   std::map<std::string, std::size_t> known;
+  std::map<std::vector<double>, std::size_t> kinds;
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     for (const std::int64_t packing : study.packings)
       for (const std::int64_t bond_seed : study.bond_seeds) {
         Recipe recipe = recipe_at(study, plan.points[p], packing, bond_seed);
-        recipe.test.n_snapshots = 0;  // the store keeps none
+        recipe.test.n_snapshots = recipe.test.n_frames = 0;  // the store keeps no pictures
         const std::vector<Recipe> singles = single_recipes(recipe);
         for (std::size_t place = 0; place < singles.size(); ++place) {
           const std::string key = specimen_key(singles[place]);
           const auto [it, is_new] = known.emplace(key, plan.tests.size());
-          if (is_new) plan.tests.push_back({key, singles[place], expected_cost(singles[place]), 0});
+          if (is_new)
+            plan.tests.push_back(
+                {key, singles[place], expected_cost(singles[place]), 0, kind_of(kinds, singles[place])});
           plan.runs.push_back({p, packing, bond_seed, place, it->second});
         }
       }

@@ -4,6 +4,10 @@
 // Tests of one packing and one block length can share a group of lanes: a batch. Within a batch the longest
 // come first, so that lanes and cores run dry together. The length of a test is not known before its peak; a
 // guess is enough for the order and, scaled by what finished tests took, for the remaining time.
+//
+// Tests whose bedding lies at the same angles are of one kind. A contact that is a smooth joint in some lanes
+// only is computed by both laws, so a group of one kind runs up to twice as fast as one of seven angles: a
+// worker that needs a test is given one of the kind that its lanes hold, if there is one (study/runner.hpp).
 #pragma once
 #include <string>
 #include <vector>
@@ -26,6 +30,7 @@ struct PlannedTest {
   Recipe recipe;      ///< of this one specimen
   double cost = 0.0;  ///< expected [cycles times grains], a guess
   std::size_t batch = 0;
+  std::size_t kind = 0;  ///< equal for equal angles of the bedding
 };
 
 /// Tests that can share a group, longest first.

@@ -55,6 +55,7 @@ class Worker {
   const MachineOptions& machine_;
   const std::atomic<bool>& broken_;  // another worker has failed
   std::shared_ptr<const Packing> packing_;
+  std::optional<std::size_t> last_;  // of this batch
 
   bool stopped() { return broken_.load() || desk_.stopped(); }
 
@@ -63,10 +64,11 @@ class Worker {
     try {
       packing_ = packing_of(any);
     } catch (const InputError& e) {
-      while (const auto test = desk_.take(a.batch))
+      while (const auto test = desk_.take(a.batch, {}))
         desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
       return;
     }
+    last_.reset();
     GroupOptions options;
     options.isa = machine_.isa;
     options.precision = any.engine.precision;
@@ -84,8 +86,9 @@ class Worker {
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {
-      const auto test = desk_.take(batch);
+      const auto test = desk_.take(batch, last_);
       if (!test) return {};
+      last_ = test;
       const Recipe& recipe = plan_.tests[*test].recipe;
       try {
         return Job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
@@ -191,12 +194,34 @@ void StoreDesk::leave(std::size_t batch) {
   --n_inside_[batch];
 }
 
-std::optional<std::size_t> StoreDesk::take(std::size_t batch) {
+/// Place in the queue: the longest test of the last one's kind; when there is none left, of the kind with the
+/// most work per worker.
+std::size_t StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
+  const auto& queue = waiting_[batch];
+  std::map<std::size_t, double> work;
+  std::map<std::size_t, std::size_t> first;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const PlannedTest& t = plan_.tests[queue[i]];
+    work[t.kind] += t.cost / (1.0 + n_at_[{batch, t.kind}]);
+    first.try_emplace(t.kind, i);
+  }
+  const std::size_t kind = last ? plan_.tests[*last].kind : plan_.tests.size();
+  if (const auto same = first.find(kind); same != first.end()) return same->second;
+  const auto most = std::max_element(work.begin(), work.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (last) --n_at_[{batch, kind}];
+  ++n_at_[{batch, most->first}];
+  return first[most->first];
+}
+
+std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
   auto& queue = waiting_[batch];
   while (!queue.empty() && !stopped()) {
-    const std::size_t test = queue.front();
-    queue.pop_front();
+    const std::size_t place = choose(batch, last);
+    const std::size_t test = queue[place];
+    last = test;
+    queue.erase(queue.begin() + static_cast<std::ptrdiff_t>(place));
     const Claim claim = store_.claim(plan_.tests[test].key);
     if (claim == Claim::mine) return test;
     elsewhere_.push_back(test);  // or done meanwhile: look_again finds out

@@ -10,9 +10,11 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "study/plan.hpp"
@@ -55,8 +57,8 @@ class Desk {
   /// A packing to work on. `wait`: all that is left runs elsewhere; ask again a little later.
   virtual Assignment enter() = 0;
   virtual void leave(std::size_t batch) = 0;
-  /// The next test of the batch.
-  virtual std::optional<std::size_t> take(std::size_t batch) = 0;
+  /// The next test of the batch; of the kind of the worker's last one, if there is one left.
+  virtual std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) = 0;
   /// A result, or an interrupted test.
   virtual void deliver(std::size_t test, const TestResult& result) = 0;
   /// Progress: cycles times grains.
@@ -70,7 +72,7 @@ class StoreDesk : public Desk {
   ~StoreDesk() override;
   Assignment enter() override;
   void leave(std::size_t batch) override;
-  std::optional<std::size_t> take(std::size_t batch) override;
+  std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override;
   void deliver(std::size_t test, const TestResult& result) override;
   void count(double work) override;
   bool stopped() override { return hooks_.stop != nullptr && hooks_.stop->load(); }
@@ -78,6 +80,7 @@ class StoreDesk : public Desk {
 
  private:
   void finish(std::size_t test, bool failed);
+  std::size_t choose(std::size_t batch, std::optional<std::size_t> last);
   void look_again();
   void keep_claims(const std::stop_token& stop);
 
@@ -87,9 +90,10 @@ class StoreDesk : public Desk {
   const int n_workers_;
   std::mutex mutex_;
   StudyProgress progress_;
-  std::vector<std::deque<std::size_t>> waiting_;  // per batch, longest first
-  std::vector<std::size_t> n_inside_;             // workers per batch
-  std::vector<std::size_t> elsewhere_;            // claimed by other processes
+  std::vector<std::deque<std::size_t>> waiting_;             // per batch, longest first
+  std::vector<std::size_t> n_inside_;                        // workers per batch
+  std::map<std::pair<std::size_t, std::size_t>, int> n_at_;  // workers per batch and kind
+  std::vector<std::size_t> elsewhere_;                       // claimed by other processes
   std::condition_variable_any wake_;
   std::jthread keeper_;
 };

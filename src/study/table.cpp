@@ -8,15 +8,6 @@
 namespace phy {
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
-std::string cell(double v) { return std::isfinite(v) ? print_number(v) : ""; }
-
 /// Names with units of all numbers, in the order of their first appearance.
 std::vector<std::pair<std::string, std::string>> numbers_in(
     const std::vector<std::optional<StoredResult>>& rows) {
@@ -31,11 +22,27 @@ std::vector<std::pair<std::string, std::string>> numbers_in(
 
 }  // namespace
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == text.npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csv_cell(double v) { return std::isfinite(v) ? print_number(v) : ""; }
+
+std::string csv_head(const RecipeKey& key) {
+  return key.path() + (key.field->dimension == Dimension::none ? "" : " [" + key.unit() + "]");
+}
+
+std::string csv_cell(const RecipeKey& key, double value) {
+  return key.field->kind == FieldKind::choice ? key.print(value) : print_number(value);
+}
+
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
   const auto numbers = numbers_in(rows);
   std::string text = "point,packing,bond_seed,theta [deg],intact";
-  for (const Factor& f : plan.study.vary)
-    text += "," + f.key.path() + (f.key.field->dimension == Dimension::none ? "" : " [" + f.key.unit() + "]");
+  for (const Factor& f : plan.study.vary) text += "," + csv_head(f.key);
   for (const auto& [name, unit] : numbers) text += "," + name + " [" + unit + "]";
   text += ",n_cracks,n_steps,cpu [s],status,reason,result_hash,key\n";
   for (const Run& run : plan.runs) {
@@ -44,20 +51,17 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
     text += std::to_string(run.point) + "," + std::to_string(run.packing) + "," +
             std::to_string(run.bond_seed) + "," +
             (intact ? "" : print_number(test.recipe.bedding.front().theta)) + (intact ? ",1" : ",0");
-    for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
-      const RecipeKey& key = plan.study.vary[k].key;
-      const double v = plan.points[run.point].values[k];
-      text += "," + (key.field->kind == FieldKind::choice ? key.print(v) : print_number(v));
-    }
+    for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
+      text += "," + csv_cell(plan.study.vary[k].key, plan.points[run.point].values[k]);
     const std::optional<StoredResult>& row = rows[run.test];
     for (const auto& [name, unit] : numbers) {
       const Number* n = row ? find(row->result.numbers, name) : nullptr;
-      text += "," + (n != nullptr ? cell(n->value) : "");
+      text += "," + (n != nullptr ? csv_cell(n->value) : "");
     }
     if (row)
       text += "," + std::to_string(row->n_cracks) + "," + std::to_string(row->result.n_steps) + "," +
               print_number(row->result.seconds) + "," + to_string(row->result.outcome.status) + "," +
-              quoted(row->result.outcome.reason) + "," + row->result.hash + ",";
+              csv_cell(row->result.outcome.reason) + "," + row->result.hash + ",";
     else
       text += ",,,,not run,,,";
     text += test.key + "\n";

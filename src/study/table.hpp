@@ -13,6 +13,12 @@ namespace phy {
 /// specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows` belong to plan.tests.
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows);
 
+/// Cells of such tables: quoted where needed; NaN is an empty cell.
+std::string csv_cell(const std::string& text);
+std::string csv_cell(double value);
+std::string csv_cell(const RecipeKey& key, double value);
+std::string csv_head(const RecipeKey& key);  ///< "bedding.k_n [Pa/m]"
+
 /// The rows of all tests of the plan.
 std::vector<std::optional<StoredResult>> rows_of(const Plan& plan, const Store& store);
 

@@ -70,6 +70,18 @@ TEST_F(StudyCli, TellsThePlanRunsItAndLeavesATable) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 19);
 }
 
+TEST_F(StudyCli, TellsWhatTheParametersDo) {
+  ASSERT_EQ(run("study " + study() + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("ucs: change from the lowest to the highest level [%]"));
+  const std::string effects = read(out() + "/effects.csv"), responses = read(out() + "/responses.csv");
+  EXPECT_THAT(effects, HasSubstr("ucs,theta = 60 deg,bedding.k_n,R2,1,2,"));
+  EXPECT_THAT(responses, HasSubstr("number,unit,specimen,point,bedding.k_n [Pa/m],replicates,mean,sd,"));
+  ASSERT_EQ(run("study effects " + out() + " --out " + at("again")), 0) << output;
+  EXPECT_THAT(output, HasSubstr("95 % of the mean over packings"));
+  EXPECT_EQ(read(at("again") + "/effects.csv"), effects);
+  EXPECT_EQ(read(at("again") + "/responses.csv"), responses);
+}
+
 TEST_F(StudyCli, ReadsBackInPandasOrTheStandardLibrary) {
   ASSERT_EQ(run("study " + study() + " --out " + out()), 0) << output;
   const std::string script =

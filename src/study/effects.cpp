@@ -1,0 +1,274 @@
+#include "study/effects.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "analysis/analyse.hpp"
+#include "base/units.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double morris_step = 2.0 / 3.0;  // of the range (study/design.cpp: four levels, steps of two)
+
+/// Place of a run's packing and bond seed among the replicates.
+std::size_t replicate_of(const Plan& plan, const Run& run) {
+  const auto place = [](const std::vector<std::int64_t>& seeds, std::int64_t seed) {
+    return static_cast<std::size_t>(std::find(seeds.begin(), seeds.end(), seed) - seeds.begin());
+  };
+  return place(plan.study.packings, run.packing) * plan.study.bond_seeds.size() +
+         place(plan.study.bond_seeds, run.bond_seed);
+}
+
+const Number* number_of(const StudyRows& rows, const Run& run, const std::string& name) {
+  const auto& row = rows[run.test];
+  return row ? find(row->result.numbers, name) : nullptr;
+}
+
+std::string specimen_name(const Recipe& r) {
+  return r.bedding.empty() ? "intact" : "theta = " + print_number(r.bedding.front().theta) + " deg";
+}
+
+std::vector<std::vector<double>> no_values(const Plan& plan) {
+  return {n_replicates(plan.study), std::vector<double>(plan.points.size(), nan)};
+}
+
+/// Collects one kind of number over the replicates.
+class Collected {
+ public:
+  void add(const std::string& name, const std::string& unit, double value) {
+    for (auto& [known, of, values] : all_)
+      if (known == name) return values.push_back(value);
+    all_.push_back({name, unit, {value}});
+  }
+  std::vector<Effect> effects() const {
+    std::vector<Effect> out;
+    for (const auto& [name, unit, values] : all_) {
+      std::vector<double> finite;
+      std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
+                   [](double v) { return std::isfinite(v); });
+      out.push_back({name, unit, summarise(finite)});
+    }
+    return out;
+  }
+
+ private:
+  struct Entry {
+    std::string name, unit;
+    std::vector<double> values;
+  };
+  std::vector<Entry> all_;
+};
+
+double range_of(const Plan& plan, std::size_t factor) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Point& p : plan.points)
+    low = std::min(low, p.values[factor]), high = std::max(high, p.values[factor]);
+  return high - low;
+}
+
+void add_line(Collected& all, const Plan& plan, const Response& r, std::size_t replicate, std::size_t factor,
+              const std::string& slope_unit) {
+  const LineFit line = curve_lines(plan, r, factor)[replicate];
+  const std::vector<std::size_t> points = curve_points(plan, factor);
+  const std::vector<double>& y = r.values[replicate];
+  all.add("slope", slope_unit, line.slope), all.add("slope se", slope_unit, line.slope_se);
+  all.add("intercept", r.unit, line.intercept), all.add("intercept se", r.unit, line.intercept_se);
+  all.add("R2", "1", line.R2);
+  all.add("change", "1", y[points.back()] / y[points.front()] - 1.0);
+}
+
+}  // namespace
+
+Summary Response::at(std::size_t point) const {
+  std::vector<double> finite;
+  for (const auto& replicate : values)
+    if (std::isfinite(replicate[point])) finite.push_back(replicate[point]);
+  return summarise(finite);
+}
+
+std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const std::string& number) {
+  std::vector<Response> all;
+  for (const Run& run : plan.runs) {
+    const Number* n = number_of(rows, run, number);
+    const std::string specimen = specimen_name(plan.tests[run.test].recipe);
+    auto r = std::find_if(all.begin(), all.end(), [&](const Response& x) { return x.specimen == specimen; });
+    if (r == all.end()) r = all.insert(r, {number, "", specimen, no_values(plan)});
+    if (n == nullptr) continue;
+    r->unit = n->unit;
+    r->values[replicate_of(plan, run)][run.point] = n->value;
+  }
+  std::erase_if(all, [](const Response& r) { return r.unit.empty(); });
+  return all;
+}
+
+JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
+                     Eq1Reference reference) {
+  struct Readings {
+    std::vector<ModulusReading> layered;
+    double intact = nan, spacing = nan;
+    bool whole = true;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Readings> all;  // replicate and point
+  for (const Run& run : plan.runs) {
+    Readings& r = all[{replicate_of(plan, run), run.point}];
+    const Number* n = number_of(rows, run, modulus);
+    const Recipe& recipe = plan.tests[run.test].recipe;
+    const double E = n != nullptr ? n->value : nan;
+    if (recipe.bedding.empty()) {
+      r.intact = E;
+      continue;
+    }
+    r.whole = r.whole && std::isfinite(E);
+    r.spacing = recipe.bedding.front().spacing;
+    r.layered.push_back({recipe.bedding.front().theta, E});
+  }
+  JointFits fits;
+  fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<Eq1Fit>>(plan.points.size()));
+  fits.K_n = {"K_n", "Pa/m", "all angles", no_values(plan)};
+  fits.K_s = {"K_s", "Pa/m", "all angles", no_values(plan)};
+  for (const auto& [place, r] : all) {
+    const bool has_reference = reference != Eq1Reference::given || std::isfinite(r.intact);
+    if (!r.whole || r.layered.empty() || !has_reference) continue;
+    const Eq1Fit fit = fit_eq1(r.layered, {Eq1Loss::compliance, reference, r.intact});
+    fits.fits[place.first][place.second] = fit;
+    if (!fit.ok()) continue;
+    fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
+    fits.K_s.values[place.first][place.second] = fit.rock.K_s_delta / r.spacing;
+  }
+  return fits;
+}
+
+std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor) {
+  std::vector<std::size_t> points;
+  for (std::size_t p = 0; p < plan.points.size(); ++p)
+    if (plan.points[p].moved < 0 || plan.points[p].moved == static_cast<int>(factor)) points.push_back(p);
+  std::stable_sort(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
+    return plan.points[a].values[factor] < plan.points[b].values[factor];
+  });
+  return points;
+}
+
+std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor) {
+  std::vector<LineFit> lines;
+  for (const std::vector<double>& values : response.values) {
+    std::vector<double> x, y;
+    for (const std::size_t p : curve_points(plan, factor)) {
+      if (!std::isfinite(values[p])) continue;
+      x.push_back(plan.points[p].values[factor]);
+      y.push_back(values[p]);
+    }
+    lines.push_back(fit_line(x, y));
+  }
+  return lines;
+}
+
+std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::size_t factor) {
+  const RecipeKey& key = plan.study.vary[factor].key;
+  const std::string slope_unit = response.unit + " per " + key.unit();
+  Collected all;
+  for (std::size_t i = 0; i < response.values.size(); ++i) {
+    const std::vector<double>& y = response.values[i];
+    if (plan.study.design == Design::one_at_a_time) {
+      add_line(all, plan, response, i, factor, slope_unit);
+    } else if (plan.study.design == Design::morris) {
+      const ElementaryEffect e = elementary_effects(plan.points, y)[factor];
+      all.add("mu", response.unit, e.mu), all.add("mu_star", response.unit, e.mu_star);
+      all.add("sigma", response.unit, e.sigma);
+    } else if (plan.study.design == Design::saltelli) {
+      const VarianceIndex v = variance_indices(plan.study.vary.size(), y)[factor];
+      all.add("S_first", "1", v.first), all.add("S_total", "1", v.total);
+    } else {
+      const PlaneFit fit = fit_plane(plan.points, y);
+      all.add("slope", slope_unit, fit.slope[factor]), all.add("slope se", slope_unit, fit.se[factor]);
+      all.add("slope x range", response.unit, fit.slope[factor] * range_of(plan, factor));
+      all.add("R2", "1", fit.R2);
+    }
+  }
+  return all.effects();
+}
+
+PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& y) {
+  PlaneFit fit;
+  const std::size_t k = points.empty() ? 0 : points.front().values.size();
+  fit.slope.assign(k, nan), fit.se.assign(k, nan), fit.R2 = nan;
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (std::isfinite(y[i])) used.push_back(i);
+  fit.n = used.size();
+  const auto n = static_cast<Eigen::Index>(used.size()), m = static_cast<Eigen::Index>(k);
+  if (n < m + 2) return fit;
+  Eigen::MatrixXd X(n, m);
+  Eigen::VectorXd Y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Y(i) = y[used[static_cast<std::size_t>(i)]];
+    for (Eigen::Index j = 0; j < m; ++j)
+      X(i, j) = points[used[static_cast<std::size_t>(i)]].values[static_cast<std::size_t>(j)];
+  }
+  Y.array() -= Y.mean();
+  X.rowwise() -= X.colwise().mean().eval();
+  const Eigen::VectorXd scale = X.colwise().norm();  // keys differ by twelve orders of magnitude
+  if (!(scale.minCoeff() > 0.0)) return fit;
+  X = X * scale.cwiseInverse().asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
+  if (qr.rank() < m) return fit;
+  const Eigen::VectorXd b = qr.solve(Y), residual = Y - X * b;
+  fit.R2 = Y.squaredNorm() > 0.0 ? 1.0 - residual.squaredNorm() / Y.squaredNorm() : 1.0;
+  const double s2 = residual.squaredNorm() / static_cast<double>(n - m - 1);
+  const Eigen::MatrixXd inverse = (X.transpose() * X).inverse();
+  for (Eigen::Index j = 0; j < m; ++j) {
+    fit.slope[static_cast<std::size_t>(j)] = b(j) / scale(j);
+    fit.se[static_cast<std::size_t>(j)] = std::sqrt(s2 * inverse(j, j)) / scale(j);
+  }
+  return fit;
+}
+
+std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& points,
+                                                 const std::vector<double>& y) {
+  std::vector<std::vector<double>> effects(points.empty() ? 0 : points.front().values.size());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].moved < 0 || !std::isfinite(y[i]) || !std::isfinite(y[i - 1])) continue;
+    const auto k = static_cast<std::size_t>(points[i].moved);
+    const double sign = points[i].values[k] > points[i - 1].values[k] ? 1.0 : -1.0;
+    effects[k].push_back(sign * (y[i] - y[i - 1]) / morris_step);
+  }
+  std::vector<ElementaryEffect> all;
+  for (std::vector<double>& e : effects) {
+    const Summary with_sign = summarise(e);
+    for (double& v : e) v = std::abs(v);
+    all.push_back({with_sign.mean, summarise(e).mean, with_sign.sd, e.size()});
+  }
+  return all;
+}
+
+std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<double>& y) {
+  std::vector<std::size_t> blocks;
+  for (std::size_t b = 0; b + k + 2 <= y.size(); b += k + 2)
+    if (std::all_of(y.begin() + static_cast<std::ptrdiff_t>(b),
+                    y.begin() + static_cast<std::ptrdiff_t>(b + k + 2),
+                    [](double v) { return std::isfinite(v); }))
+      blocks.push_back(b);
+  std::vector<double> outer;  // A and B: independent points
+  for (const std::size_t b : blocks) outer.push_back(y[b]), outer.push_back(y[b + k + 1]);
+  const Summary s = summarise(outer);
+  std::vector<VarianceIndex> all(k, {nan, nan, blocks.size()});
+  if (blocks.size() < 2 || !(s.sd > 0.0)) return all;
+  const double variance = s.sd * s.sd, n = static_cast<double>(blocks.size());
+  for (std::size_t i = 0; i < k; ++i) {
+    double first = 0.0, total = 0.0;
+    for (const std::size_t b : blocks) {
+      const double A = y[b] - s.mean, B = y[b + k + 1] - s.mean, mixed = y[b + 1 + i] - s.mean;
+      first += B * (mixed - A) / n;
+      total += 0.5 * (A - mixed) * (A - mixed) / n;
+    }
+    all[i].first = first / variance, all[i].total = total / variance;
+  }
+  return all;
+}
+
+}  // namespace phy

@@ -1,0 +1,100 @@
+// What the parameters do: from the results of a study to curves, regressions and sensitivity indices.
+//
+// A response is one number of one specimen of the design ("ucs" at 30 degrees), or one that needs all angles
+// of a point: the macro joint stiffnesses K_n and K_s by Eq. 1 (theory/eq1_fit.hpp). Every effect is computed
+// on each replicate (packing and bond seed) by itself; then mean and 95 % interval over the replicates are
+// taken. What a single packing shows is one draw from a distribution.
+//
+//   one_at_a_time      line over the points of one parameter: slope, intercept, R2, standard errors, and the
+//                      change from the lowest to the highest level
+//   sampled designs    one plane over all parameters: slopes, standard errors, R2
+//   morris             mu (mean), mu* (mean of magnitudes; Campolongo et al. 2007, Environmental Modelling &
+//                      Software 22:1509-1518) and sigma of the change of the response per full range of the
+//                      parameter; a sigma near mu* tells of curvature or interaction
+//   saltelli           share of the variance that a parameter explains alone (first order, Saltelli et al.
+//                      2010) and with all its interactions (total, Jansen 1999, Computer Physics
+//                      Communications 117:35-43)
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/stats.hpp"
+#include "study/plan.hpp"
+#include "study/store.hpp"
+#include "theory/eq1_fit.hpp"
+
+namespace phy {
+
+using StudyRows = std::vector<std::optional<StoredResult>>;  ///< belonging to Plan::tests
+
+/// A response at every point on every replicate; NaN where there is none.
+struct Response {
+  std::string number;                       ///< "ucs", "K_n"
+  std::string unit;                         ///< "Pa"
+  std::string specimen;                     ///< "theta = 30 deg", "intact"; "all angles"
+  std::vector<std::vector<double>> values;  ///< by replicate, then by point
+
+  Summary at(std::size_t point) const;  ///< over the replicates
+};
+
+/// One number, for every specimen of the design.
+std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const std::string& number);
+
+/// Eq. 1 on every replicate and point whose moduli are all there.
+struct JointFits {
+  std::vector<std::vector<std::optional<Eq1Fit>>> fits;  ///< by replicate, then by point
+  Response K_n, K_s;                                     ///< [Pa/m]
+};
+/// `modulus` names the number that is fitted; the reference `given` is that number of the intact specimen.
+JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
+                     Eq1Reference reference);
+
+/// One effect of a parameter on a response, over the replicates.
+struct Effect {
+  std::string name;  ///< "slope", "R2", "mu_star", "S_total" ...
+  std::string unit;
+  Summary value;
+};
+
+/// All effects of parameter number `factor` that the design can tell.
+std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::size_t factor);
+
+/// The line of a response over one parameter of a one_at_a_time study, by replicate.
+std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor);
+/// Its points in rising order of the parameter, the base among them.
+std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor);
+
+/// y = intercept + sum slope_k x_k over all points with a response.
+struct PlaneFit {
+  std::size_t n = 0;
+  double R2 = 0.0;
+  std::vector<double> slope, se;  ///< NaN where the points do not determine them
+};
+PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& y);
+
+/// Per full range of the parameter, in the unit of the response.
+struct ElementaryEffect {
+  double mu = 0.0, mu_star = 0.0, sigma = 0.0;
+  std::size_t n = 0;
+};
+/// By parameter. `y` by point; steps from or to a NaN are left out.
+std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& points,
+                                                 const std::vector<double>& y);
+
+struct VarianceIndex {
+  double first = 0.0, total = 0.0;
+  std::size_t n = 0;  ///< blocks
+};
+/// By parameter, of the design `saltelli`; blocks with a NaN are left out.
+std::vector<VarianceIndex> variance_indices(std::size_t n_factors, const std::vector<double>& y);
+
+/// Tables for the terminal: macro joint stiffness where the design has the angles for it, and the main effect
+/// of every parameter on ucs and E at every specimen.
+std::string effects_text(const Plan& plan, const StudyRows& rows);
+/// Tidy CSV, a row per response, parameter and effect.
+std::string effects_csv(const Plan& plan, const StudyRows& rows);
+/// Tidy CSV, a row per response and point: mean, standard deviation, 95 % interval over the replicates.
+std::string responses_csv(const Plan& plan, const StudyRows& rows);
+
+}  // namespace phy
