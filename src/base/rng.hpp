@@ -32,6 +32,7 @@ enum class Stream : std::uint32_t {
   bond_tension = 3,
   bond_shear = 4,
   design = 5,
+  calibration = 6,
   test = 99
 };
 

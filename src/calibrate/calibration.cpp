@@ -9,12 +9,16 @@
 
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/foresee.hpp"
+#include "calibrate/strength_stage.hpp"
 
 namespace phy {
 namespace {
 
 constexpr int n_fit = 5;     // packings of the fit
 constexpr int n_unseen = 5;  // packings of the verification
+constexpr double z_95 = 1.959964;
+constexpr double strength_tolerance = 0.06;
+constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
 
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {
@@ -40,12 +44,63 @@ void add_identifiability(Calibration& result, const Rock& rock) {
     }
 }
 
+std::vector<Target> strength_targets(const std::vector<Target>& targets) {
+  std::vector<Target> some;
+  for (const Target& t : targets)
+    if (can_test(t.property)) some.push_back(t);
+  return some;
+}
+
+/// Strengths on unseen packings that miss the table by more than the laboratory's scatter explains.
+void judge_strength(Calibration& result) {
+  double squares = 0.0;
+  int n = 0;
+  for (const Comparison& c : result.verification) {
+    if (!is_strength(c.target.property)) continue;
+    const double noise = z_95 * c.target.standard_error() / c.target.mean;
+    squares += c.error() * c.error(), ++n;
+    if (std::fabs(c.error()) <= std::max(strength_tolerance, noise)) continue;
+    result.verdict.findings.push_back(fmt::format(
+        "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
+        c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
+  }
+  if (n > 0 && std::sqrt(squares / n) > strength_limit) {
+    result.verdict.status = VerdictStatus::out_of_reach;
+    result.verdict.findings.push_back(fmt::format(
+        "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
+        100.0 * std::sqrt(squares / n)));
+  }
+}
+
 void judge(Calibration& result, const ElasticFit& elastic) {
   Verdict& v = result.verdict;
   v.findings.insert(v.findings.begin(), elastic.findings.begin(), elastic.findings.end());
+  judge_strength(result);
   if (elastic.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
     v.status = VerdictStatus::calibrated_except;
+}
+
+/// Strengths against the table, then on unseen packings. False: stopped by the user.
+bool calibrate_strength(Calibration& result, const Rock& rock, const CalibrationOptions& options,
+                        const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
+                        const std::vector<std::int64_t>& unseen, Simulator& simulator) {
+  const std::vector<Target> targets = strength_targets(all);
+  const auto reserved = static_cast<std::int64_t>(targets.size() * unseen.size());
+  StrengthFit fit =
+      fit_strength(rock, result.recipe, all, seeds, options.max_tests - reserved, simulator, options.say);
+  result.recipe = fit.recipe;
+  result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
+  result.parameters.insert(result.parameters.end(), fit.parameters.begin(), fit.parameters.end());
+  result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
+  result.left_out = fit.left_out;
+  result.verdict.findings = fit.findings;
+  if (fit.interrupted || fit.fitted.empty()) return !fit.interrupted;
+  options.say("verification of the strengths on unseen packings");
+  const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
+  result.n_strength_tests += reserved;
+  result.verification.insert(result.verification.end(), rows.begin(), rows.end());
+  return !simulator.stopped();
 }
 
 }  // namespace
@@ -78,8 +133,13 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   options.say("verification of the moduli on unseen packings");
   result.verification = elastic_response(result.recipe, targets, unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
+  const bool strength = !options.elastic_only && !strength_targets(targets).empty();
+  const bool done =
+      !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen, simulator);
   add_identifiability(result, rock);
   judge(result, elastic);
+  if (!done)
+    result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -46,7 +46,7 @@ const std::vector<Parameter>& elastic_parameters() {
 
 const std::vector<Parameter>& strength_parameters() {
   static const std::vector<Parameter> list = {
-      {"matrix.sigma_c", "sigma_c", "Pa", false, 0.05, 4.0, 0.4,
+      {"matrix.sigma_c", "sigma_c", "Pa", false, 0.1, 1.5, 0.4,
        [](const Recipe& r) { return r.matrix.sigma_c; }, set_sigma_c},
       {"tau_c/sigma_c", "tau_c/sigma_c", "1", false, 0.8, 5.0, 1.6,
        [](const Recipe& r) { return r.matrix.tau_c / r.matrix.sigma_c; }, set_tau_ratio},

@@ -21,16 +21,23 @@ class Simulator {
   virtual std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool bilateral) = 0;
   /// Laboratory tests. Results in the order of the recipes; Status::interrupted where the user stopped.
   virtual std::vector<TestResult> test(const std::vector<Recipe>& recipes) = 0;
+  /// Tests like these will be asked for next, in this order: for the remaining time, for nothing else.
+  virtual void announce(const std::vector<Recipe>&) {}
   /// True once the user has asked to stop.
   virtual bool stopped() const = 0;
 };
 
+/// Finished and all tests of the present batch, and the time to go, announced tests included.
+struct TestProgress {
+  std::size_t n_done = 0, n_total = 0;
+  double seconds_left = 0.0;  ///< 0: not known yet
+};
+
 struct SimulatorOptions {
   int threads = 1;
-  std::string store;  ///< SQLite file of finished tests (study/store.hpp); empty: none is kept
+  std::string store;  ///< SQLite file of finished tests (study/store.hpp); empty: kept until the end only
   const std::atomic<bool>* stop = nullptr;
-  /// Finished and all tests of the present batch; from a worker, one at a time.
-  std::function<void(std::size_t done, std::size_t of)> on_progress;
+  std::function<void(const TestProgress&)> on_progress;  ///< from a worker, one at a time
 };
 
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.

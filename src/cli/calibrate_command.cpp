@@ -5,11 +5,15 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "calibrate/calibration.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
+#include "io/file.hpp"
 #include "io/rock_in.hpp"
+#include "io/toml_in.hpp"
+#include "report/calibration_files.hpp"
 #include "report/calibration_tables.hpp"
 
 namespace phy {
@@ -23,8 +27,35 @@ void on_interrupt(int) {
 
 struct Arguments {
   std::string rock, out = "results/calibration";
-  bool elastic = false;
+  bool elastic = false, resume = false;
 };
+
+/// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
+std::string store_in(const Arguments& args) {
+  const std::string store = (std::filesystem::path(args.out) / "runs.sqlite").string();
+  check_writable(args.out);
+  if (!args.resume && std::filesystem::exists(store))
+    throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
+                             "--resume goes on with it; another --out begins afresh"});
+  return store;
+}
+
+std::string progress_text(const TestProgress& p) {
+  const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
+                           : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
+                                                  : "not yet known";
+  return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
+                     left);
+}
+
+void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
+  const std::filesystem::path out(folder);
+  write_file((out / "calibrated.toml").string(), write_recipe(c.recipe));
+  write_file((out / "calibrated.p2dat").string(), pfc_commands(c.recipe));
+  write_file((out / "calibrated-yade.py").string(), yade_script(c.recipe));
+  write_file((out / "calibration.json").string(), calibration_json(c, PHY_VERSION));
+  write_file((out / "tables.txt").string(), tables);
+}
 
 int run_calibration(const Arguments& args, const Session& session) {
   const Rock rock = read_rock(args.rock);
@@ -36,17 +67,25 @@ int run_calibration(const Arguments& args, const Session& session) {
   SimulatorOptions machine;
   machine.threads = session.threads > 0 ? session.threads : available_cores();
   machine.stop = &stop_requested;
+  machine.store = store_in(args);
+  machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
   CalibrationOptions options;
   options.elastic_only = args.elastic;
   options.say = [&](const std::string& text) { line.note(text); };
   const auto simulator = make_simulator(machine);
   const Calibration result = calibrate(rock, options, *simulator);
   line.finish();
-  fmt::print("{}\n{}\n{}\n", parameter_tables(result), macro_table(result), verdict_text(result));
-  fmt::print("{} tests of strength, {} direct elastic solutions, {:.1f} s\n", result.n_strength_tests,
-             result.n_elastic, result.seconds);
+  const std::string tables = fmt::format("{}\n{}\n{}\n{}", parameter_tables(result), macro_table(result),
+                                         verdict_text(result), budget_text(result));
+  fmt::print("{}{:.1f} s in all\n", tables, result.seconds);
+  if (result.verdict.status == VerdictStatus::interrupted) {
+    fmt::print("go on with --resume\n");
+    return 1;
+  }
+  write_files(args.out, result, tables);
+  fmt::print("calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n", args.out);
   const VerdictStatus status = result.verdict.status;
-  return status == VerdictStatus::out_of_reach || status == VerdictStatus::interrupted ? 1 : 0;
+  return status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 
 }  // namespace
@@ -56,6 +95,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   CLI::App* verb = app.add_subcommand("calibrate", "micro-parameters from a laboratory table");
   verb->add_option("rock", args->rock, "rock file (TOML)")->required();
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
   verb->callback([args, &session] {
     std::signal(SIGINT, on_interrupt);

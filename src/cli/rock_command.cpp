@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "calibrate/foresee.hpp"
+#include "calibrate/twin.hpp"
 #include "cli/commands.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
+#include "io/toml_in.hpp"
 #include "report/calibration_tables.hpp"
 
 namespace phy {
@@ -34,6 +36,29 @@ int rock_check(const std::string& path) {
   return 0;
 }
 
+int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
+  Recipe truth = read_recipe(recipe_file);
+  TwinOptions options;
+  if (!truth.test.angles.empty()) options.angles = truth.test.angles;
+  SimulatorOptions machine;
+  machine.threads = session.threads > 0 ? session.threads : available_cores();
+  const auto simulator = make_simulator(machine);
+  const auto response = twin_response(truth, options.angles, options.seeds, *simulator);
+  const std::string about = fmt::format(
+      "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
+      "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
+      recipe_file, options.seeds.size(), options.seeds.front(), options.seeds.back(), options.n_specimens,
+      options.noise);
+  write_file(name + ".csv", about + readings_csv(twin_readings(response, options)));
+  fmt::print("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
+  const std::size_t n = options.angles.size();
+  for (std::size_t i = 0; i < n; ++i)
+    fmt::print("{:>6g} {:>10.3f} {:>8.4f} {:>10.2f}\n", options.angles[i], response[i].mean * 1e-9,
+               response[n + i].mean, response[2 * n + i].mean * 1e-6);
+  fmt::print("the noise-free response; with noise in {}.csv\n", name);
+  return 0;
+}
+
 }  // namespace
 
 void add_rock_command(CLI::App& app, Session& session) {
@@ -47,6 +72,12 @@ void add_rock_command(CLI::App& app, Session& session) {
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
   check->add_option("rock", *path, "rock file (TOML)")->required();
   check->callback([path, &session] { session.exit_code = rock_check(*path); });
+  auto recipe = std::make_shared<std::string>();
+  CLI::App* twin =
+      rock->add_subcommand("twin", "write NAME.csv: a table made by the model itself, with 5 % noise");
+  twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required();
+  twin->add_option("name", *name, "name of the table")->required();
+  twin->callback([recipe, name, &session] { session.exit_code = rock_twin(*recipe, *name, session); });
 }
 
 }  // namespace phy

@@ -9,7 +9,8 @@
 namespace phy {
 namespace {
 
-constexpr double same_angle = 1e-6;  // [deg]
+constexpr double pooled_weight = 10.0;  // degrees of freedom lent by the other angles
+constexpr double same_angle = 1e-6;     // [deg]
 
 /// Scatter where nothing is known: relative for moduli and strengths, absolute for nu.
 double usual_scatter(Property p) {
@@ -96,9 +97,10 @@ std::vector<Target> targets_of(const Rock& rock) {
     Target& t = targets[i];
     const Pool& all = pooled[t.property];
     const double scale = t.property == Property::nu ? 1.0 : t.mean;
-    t.sd = own[i].degrees > 0 ? std::sqrt(own[i].squares / own[i].degrees)
-           : all.degrees > 0  ? scale * std::sqrt(all.squares / all.degrees)
-                              : 0.0;
+    const double common = all.degrees > 0 ? all.squares / all.degrees * scale * scale : 0.0;
+    const double weight = all.degrees > own[i].degrees ? pooled_weight : 0.0;  // nothing to borrow from
+    t.sd = own[i].degrees > 0 ? std::sqrt((own[i].squares + weight * common) / (own[i].degrees + weight))
+                              : std::sqrt(common);
     t.sd_assumed = !(t.sd > 0.0);
     if (t.sd_assumed) t.sd = scale * usual_scatter(t.property);
   }

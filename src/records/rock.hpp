@@ -57,9 +57,10 @@ struct Rock {
 };
 
 /// One target per property and angle, ordered by property, then angle. Replicates are averaged, weighted by
-/// n. Their scatter: SDs pooled with the spread between rows; where a cell has neither, the pooled relative
-/// scatter of the property at other angles; where there is none at all, 5 % (strengths in tension 15 %,
-/// nu 0.03). Moduli are converted to plane stress if `reading` says so.
+/// n. Their scatter: SDs pooled with the spread between rows, and drawn towards the relative scatter of the
+/// property over all angles as if by ten more specimens, because the scatter of three specimens says little;
+/// where a cell has none of its own, that of the others alone; where there is none at all, 5 % (strengths in
+/// tension 15 %, nu 0.03). Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.

@@ -164,4 +164,9 @@ std::string verdict_text(const Calibration& c) {
   return text;
 }
 
+std::string budget_text(const Calibration& c) {
+  return fmt::format("{} tests of strength ({} of them on coarse grains), {} direct elastic solutions\n",
+                     c.n_strength_tests, c.n_coarse_tests, c.n_elastic);
+}
+
 }  // namespace phy

@@ -22,4 +22,7 @@ std::string macro_table(const Calibration& calibration);
 /// Verdict with its findings, and which parameters the data leave open.
 std::string verdict_text(const Calibration& calibration);
 
+/// Numbers of tests.
+std::string budget_text(const Calibration& calibration);
+
 }  // namespace phy

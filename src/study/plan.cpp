@@ -21,21 +21,6 @@ constexpr double stiffness_factor = 1.8;  // K over k, for n and s
 constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
 constexpr double step_factor = 1.3;       // dt over sqrt(m/k) of the smallest grain
 
-double expected_cost(const Recipe& r) {
-  const MatrixRecipe& m = r.matrix;
-  const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
-  const double dt = step_factor * r.engine.step_safety / 0.92 * std::sqrt(mass / (m.E_c + m.E_b));
-  const double strain =
-      std::max(0.1 * expected_peak_strain(r),
-               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
-  const double cycles = strain * r.specimen.height / (2.0 * r.test.platen_speed * dt);
-  const double mean = 0.5 * (r.packing.radius_min + r.packing.radius_max);
-  const double n_grains = r.packing.n_grains > 0
-                              ? static_cast<double>(r.packing.n_grains)
-                              : 0.85 * r.specimen.width * r.specimen.height / (pi * mean * mean);
-  return cycles * n_grains;
-}
-
 std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
   std::vector<double> angles;
   for (const BeddingRecipe& set : single.bedding) angles.push_back(set.theta);
@@ -70,6 +55,21 @@ void make_batches(Plan& plan, const Shard& shard) {
 
 }  // namespace
 
+double expected_cost(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
+  const double dt = step_factor * r.engine.step_safety / 0.92 * std::sqrt(mass / (m.E_c + m.E_b));
+  const double strain =
+      std::max(0.1 * expected_peak_strain(r),
+               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
+  const double cycles = strain * r.specimen.height / (2.0 * r.test.platen_speed * dt);
+  const double mean = 0.5 * (r.packing.radius_min + r.packing.radius_max);
+  const double n_grains = r.packing.n_grains > 0
+                              ? static_cast<double>(r.packing.n_grains)
+                              : 0.85 * r.specimen.width * r.specimen.height / (pi * mean * mean);
+  return cycles * n_grains;
+}
+
 double expected_peak_strain(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const double E = modulus_factor * (m.E_c + m.E_b), ucs = strength_factor * std::min(m.sigma_c, m.tau_c);
@@ -82,6 +82,21 @@ double expected_peak_strain(const Recipe& r) {
 double usual_seconds_per_cost(Precision precision) {
   // 2.6 contacts per grain times the measured time per contact and cycle of mixed groups (README).
   return 2.6 * (precision == Precision::single_precision ? 3e-9 : 6e-9);
+}
+
+Plan plan_of(const std::vector<Recipe>& singles) {
+  Plan plan;
+  std::map<std::string, std::size_t> known;
+  std::map<std::vector<double>, std::size_t> kinds;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const std::string key = specimen_key(singles[i]);
+    const auto [it, is_new] = known.emplace(key, plan.tests.size());
+    if (is_new)
+      plan.tests.push_back({key, singles[i], expected_cost(singles[i]), 0, kind_of(kinds, singles[i])});
+    plan.runs.push_back({0, singles[i].packing.seed, singles[i].matrix.bond_seed, i, it->second});
+  }
+  make_batches(plan, {});
+  return plan;
 }
 
 Plan make_plan(const Study& study, const Shard& shard) {

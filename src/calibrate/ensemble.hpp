@@ -1,0 +1,20 @@
+// Draws from a probability density known up to a factor: the affine-invariant ensemble of walkers of Goodman
+// & Weare (2010, Comm. App. Math. Comp. Sci. 5:65-80). It needs no step sizes, so there is nothing to tune,
+// and long thin densities, such as those of parameters that trade off against each other, trouble it no more
+// than round ones. The numbers are counter-based: the same density and seed give the same draws.
+#pragma once
+#include <Eigen/Dense>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace phy {
+
+using LogDensity = std::function<double(const Eigen::VectorXd&)>;  ///< -infinity where nothing is possible
+
+/// Moves `walkers` (more than twice as many as dimensions, at least one of them possible) by `steps` sweeps
+/// and returns the states after every `thin`-th sweep of the second half.
+std::vector<Eigen::VectorXd> sample(const LogDensity& density, std::vector<Eigen::VectorXd> walkers,
+                                    int steps, int thin, std::uint32_t seed);
+
+}  // namespace phy

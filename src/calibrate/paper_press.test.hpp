@@ -1,0 +1,78 @@
+// A rock mechanics laboratory on paper, for tests of the strength stage that need many tests: UCS(theta) of
+// a matrix with one set of bonded joints from closed forms, with scatter of packings and of runs, in place of
+// the press. The moduli are Goodman's.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/rng.hpp"
+#include "calibrate/simulator.hpp"
+#include "theory/goodman.hpp"
+
+namespace phy {
+
+class PaperPress : public Simulator {
+ public:
+  double packing_scatter = 0.03, run_scatter = 0.02;
+  double coarse_bias = 0.06;     ///< of the logarithm, for packings of less than 5,000 grains
+  std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
+  std::int64_t n_tests = 0, n_announced = 0;
+
+  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool) override {
+    std::vector<ElasticResult> results(recipes.size());
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+      const JointedRock rock = rock_of(recipes[i]);
+      results[i].E_gauge = goodman_E(rock, theta_of(recipes[i]));
+      results[i].nu_gauge = goodman_nu(rock, theta_of(recipes[i]));
+    }
+    return results;
+  }
+  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+    std::vector<TestResult> results(recipes.size());
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+      if (stopped()) continue;  // interrupted
+      ++n_tests;
+      const Recipe& r = recipes[i];
+      const double noise = packing_scatter * draw(r, 0) + run_scatter * draw(r, 1);
+      const double bias = r.packing.n_grains < 5000 ? coarse_bias * std::cos(theta_of(r) / 20.0) : 0.0;
+      results[i].outcome.status = Status::peaked;
+      results[i].numbers.push_back({"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""});
+    }
+    return results;
+  }
+  void announce(const std::vector<Recipe>& recipes) override {
+    n_announced = static_cast<std::int64_t>(recipes.size());
+  }
+  bool stopped() const override { return stop_after >= 0 && n_tests >= stop_after; }
+
+  /// Without scatter.
+  static double ucs(const Recipe& r) {
+    const MatrixRecipe& m = r.matrix;
+    const double matrix = 2.2 * std::pow(m.sigma_c, 0.7) * std::pow(m.tau_c, 0.3) * (0.85 + 0.25 * m.mu);
+    if (r.bedding.empty()) return matrix;
+    const BeddingRecipe& b = r.bedding.front();
+    const double a = theta_of(r) * 3.14159265358979323846 / 180.0, s = std::sin(a), c = std::cos(a);
+    // sliding resists with cohesion, friction and, in part, the tensile strength of the joints
+    const double slide = 1.6 * (b.cohesion * (0.7 + 0.6 * b.mu) + 0.5 * b.sigma_n) / (s * c + 0.02);
+    return std::pow(std::pow(matrix, -6.0) + std::pow(slide, -6.0), -1.0 / 6.0);
+  }
+
+ private:
+  static double theta_of(const Recipe& r) { return r.bedding.empty() ? 0.0 : r.bedding.front().theta; }
+  static JointedRock rock_of(const Recipe& r) {
+    const double E = 0.9 * (r.matrix.E_c + r.matrix.E_b);
+    if (r.bedding.empty()) return {E, 1e20, 1e20, 0.25};
+    const BeddingRecipe& b = r.bedding.front();
+    return {E, 1.8 * b.k_n * b.spacing, 1.8 * b.k_s * b.spacing, 0.25};
+  }
+  /// Standard normal: of the packing (one number per angle) or of the run.
+  static double draw(const Recipe& r, std::uint32_t what) {
+    const auto seed = static_cast<std::uint32_t>(r.packing.seed);
+    const auto angle = static_cast<std::uint32_t>(theta_of(r));
+    const auto run = what == 0 ? 0U : static_cast<std::uint32_t>(r.matrix.tau_c / r.matrix.sigma_c * 1e6);
+    return normal(seed + 77U * what, Stream::test, angle, run);
+  }
+};
+
+}  // namespace phy

@@ -1,0 +1,162 @@
+// The strength stage on synthetic rocks: it must recover responses that it is told only through noise, say
+// honestly how well it knows them, and keep to its budget.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibrate/paper_press.test.hpp"
+#include "calibrate/strength_stage.hpp"
+
+namespace phy {
+namespace {
+
+const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
+const std::vector<std::int64_t> seeds = {1, 2, 3, 4, 5};
+constexpr double noise = 0.05;
+constexpr int n_specimens = 3;
+
+/// Synthetic rock k: strengths anywhere in the box of the twin trials.
+Recipe truth(std::uint32_t k) {
+  const auto between = [&](double low, double high, std::uint32_t what) {
+    return low * std::pow(high / low, uniform(11, Stream::test, k, what));
+  };
+  Recipe r;
+  r.bedding.resize(1);
+  r.matrix.sigma_c = between(20e6, 120e6, 0), r.matrix.tau_c = r.matrix.sigma_c * between(1.0, 4.0, 1);
+  r.matrix.mu = between(0.3, 0.9, 2);
+  r.bedding[0].cohesion = r.matrix.tau_c * between(0.1, 0.6, 3);
+  r.bedding[0].sigma_n = r.bedding[0].cohesion * between(0.1, 1.0, 4);
+  r.bedding[0].mu = between(0.2, 0.8, 5);
+  return r;
+}
+
+double response(Recipe r, double theta) {
+  r.bedding[0].theta = theta;
+  return PaperPress::ucs(r);
+}
+
+std::vector<Target> laboratory(const Recipe& rock, std::uint32_t k) {
+  std::vector<Target> targets;
+  for (const double theta : angles) {
+    Target t{Property::ucs, theta, 0.0, 0.0, n_specimens, false};
+    const double error =
+        noise / std::sqrt(n_specimens) * normal(5, Stream::test, k, static_cast<std::uint32_t>(theta));
+    t.mean = response(rock, theta) * (1.0 + error), t.sd = noise * t.mean;
+    targets.push_back(t);
+  }
+  return targets;
+}
+
+StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, std::int64_t budget = 252) {
+  Rock rock;
+  rock.model.bedding.resize(1);
+  return fit_strength(rock, rock.model, targets, seeds, budget, press, [](const std::string&) {});
+}
+
+/// Three rocks and their fits, made once.
+struct Case {
+  Recipe rock;
+  StrengthFit fit;
+};
+const std::vector<Case>& cases() {
+  static const std::vector<Case> list = [] {
+    std::vector<Case> made;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      PaperPress press;
+      made.push_back({truth(k), fit(laboratory(truth(k), k), press)});
+    }
+    return made;
+  }();
+  return list;
+}
+
+TEST(StrengthStage, RecoversTheNoiseFreeResponseOfUnknownRocks) {
+  double squares = 0.0;
+  int inside = 0, n = 0;
+  for (const auto& [rock, f] : cases()) {
+    ASSERT_EQ(f.fitted.size(), angles.size());
+    for (const Comparison& c : f.fitted) {
+      const double true_value = response(rock, c.target.theta);
+      const double error = response(f.recipe, c.target.theta) / true_value - 1.0;
+      squares += error * error, ++n;
+      inside += c.low <= true_value && true_value <= c.high ? 1 : 0;
+    }
+  }
+  // six parameters from seven means of three specimens with 5 % noise, and packings that differ by 3 %
+  EXPECT_LT(std::sqrt(squares / n), 0.05);
+  EXPECT_GE(inside, 17);  // of 21; a right 95 % interval holds fewer in 1 of 300 cases
+}
+
+TEST(StrengthStage, ParameterIntervalsHoldTheTruthAndOpenOnesAreSaidToBeOpen) {
+  int inside = 0, n = 0, open = 0;
+  for (const auto& [rock, f] : cases()) {
+    ASSERT_EQ(f.parameters.size(), 9U);
+    const MatrixRecipe& m = rock.matrix;
+    const BeddingRecipe& b = rock.bedding[0];
+    const std::vector<double> values = {
+        m.sigma_c, m.tau_c / m.sigma_c, m.mu,     b.cohesion / m.tau_c, b.sigma_n / b.cohesion, b.mu,
+        m.tau_c,   b.cohesion,          b.sigma_n};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const ParameterEstimate& e = f.parameters[i];
+      EXPECT_LE(e.low, e.value) << e.symbol;
+      EXPECT_GE(e.high, e.value) << e.symbol;
+      inside += e.low <= values[i] && values[i] <= e.high ? 1 : 0, ++n;
+      open += e.determined ? 0 : 1;
+    }
+  }
+  EXPECT_GE(inside, n - 4);
+  EXPECT_GE(open, 3);  // UCS alone cannot tell the friction of the matrix from its strength
+}
+
+TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
+  PaperPress press;
+  const StrengthFit f = fit(laboratory(truth(1), 1), press, 200);
+  EXPECT_EQ(f.n_tests, press.n_tests);
+  EXPECT_LE(f.n_tests, 200);
+  EXPECT_GT(f.n_coarse, 0);
+  EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
+}
+
+TEST(StrengthStage, TheSameAnswersGiveTheSameFit) {
+  PaperPress a, b;
+  const std::vector<Target> targets = laboratory(truth(2), 2);
+  const StrengthFit first = fit(targets, a, 140), second = fit(targets, b, 140);
+  for (std::size_t i = 0; i < first.parameters.size(); ++i) {
+    EXPECT_EQ(first.parameters[i].value, second.parameters[i].value);
+    EXPECT_EQ(first.parameters[i].low, second.parameters[i].low);
+  }
+}
+
+TEST(StrengthStage, EveryAngleIsPredictedFromTheOthers) {
+  PaperPress press;
+  const Recipe rock = truth(3);
+  const StrengthFit f = fit(laboratory(rock, 3), press);
+  ASSERT_EQ(f.left_out.size(), angles.size());
+  int inside = 0;
+  for (const Comparison& c : f.left_out)
+    inside += c.low <= response(rock, c.target.theta) && response(rock, c.target.theta) <= c.high ? 1 : 0;
+  EXPECT_GE(inside, 5);
+}
+
+TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
+  PaperPress press;
+  Rock rock;
+  rock.bedded = false;
+  const StrengthFit f = fit_strength(rock, rock.model, {{Property::ucs, 0.0, 150e6, 7e6, 3, false}}, seeds,
+                                     40, press, [](const std::string&) {});
+  ASSERT_EQ(f.parameters.size(), 4U);  // sigma_c, tau_c/sigma_c, mu, and tau_c
+  EXPECT_NEAR(PaperPress::ucs(f.recipe) / 150e6, 1.0, 0.06);
+  EXPECT_TRUE(f.left_out.empty());
+}
+
+TEST(StrengthStage, StopsWhenTheUserDoes) {
+  PaperPress press;
+  press.stop_after = 100;
+  const StrengthFit f = fit(laboratory(truth(1), 1), press);
+  EXPECT_TRUE(f.interrupted);
+  EXPECT_TRUE(f.parameters.empty());
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,88 @@
+#include "calibrate/surrogate.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+// Amplitudes in units of log(strength), by maximum likelihood from 240 runs of UCS at eight angles, drawn
+// over the box on four coarse packings (docs/decisions/0006-calibration-in-two-grain-sizes.md). Slopes and
+// curvatures are per half box.
+constexpr double constant = 1.0;
+constexpr double slope = 0.33;
+constexpr double curvature = 0.08;
+constexpr double remainder_size = 0.055;
+constexpr double length = 0.8;  // of the remainder, in half boxes
+constexpr double coarse_constant = 0.10, coarse_slope = 0.05;
+constexpr double packing_fine = 0.045, packing_coarse = 0.09;
+constexpr double run_fine = 0.03, run_coarse = 0.05;
+// How far the factors on response and scatter lie from one: standard deviations of their logarithms.
+constexpr double response_spread = 0.7, scatter_spread = 0.5;
+
+double square(double x) { return x * x; }
+
+/// Covariance of the response of fine grains, mean over packings.
+double response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const double dot = a.dot(b);
+  return square(constant) + square(slope) * dot + square(curvature) * square(dot) +
+         square(remainder_size) * std::exp(-0.5 * (a - b).squaredNorm() / square(length));
+}
+
+}  // namespace
+
+Surrogate::Surrogate(std::vector<SurrogateRun> runs) : runs_(std::move(runs)) {
+  PHY_CHECK(!runs_.empty(), "a surrogate needs runs");
+  for (const SurrogateRun& r : runs_) offset_ += r.y / static_cast<double>(runs_.size());
+  double best = -std::numeric_limits<double>::infinity();
+  std::pair<double, double> chosen{1.0, 1.0};
+  for (const double response : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0})
+    for (const double scatter : {0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
+      const double prior = -0.5 * square(std::log(response) / response_spread) -
+                           0.5 * square(std::log(scatter) / scatter_spread);
+      if (const double density = prior + learn(response, scatter); density > best)
+        best = density, chosen = {response, scatter};
+    }
+  learn(chosen.first, chosen.second);
+}
+
+double Surrogate::learn(double response, double scatter) {
+  response_ = response, scatter_ = scatter;
+  const auto n = static_cast<Eigen::Index>(runs_.size());
+  Eigen::MatrixXd K(n, n);
+  Eigen::VectorXd y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SurrogateRun& a = runs_[static_cast<std::size_t>(i)];
+    y[i] = a.y - offset_;
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const SurrogateRun& b = runs_[static_cast<std::size_t>(j)];
+      double k = square(response) * response_kernel(a.z, b.z);
+      if (a.coarse && b.coarse) k += square(coarse_constant) + square(coarse_slope) * a.z.dot(b.z);
+      if (a.packing == b.packing && a.coarse == b.coarse)
+        k += square(scatter * (a.coarse ? packing_coarse : packing_fine));
+      if (i == j) k += square(scatter * (a.coarse ? run_coarse : run_fine));
+      K(i, j) = K(j, i) = k;
+    }
+  }
+  factor_.compute(K);
+  weights_ = factor_.solve(y);
+  double log_determinant = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor_.matrixLLT()(i, i));
+  return -0.5 * y.dot(weights_) - log_determinant;
+}
+
+Surrogate::Value Surrogate::at(const Eigen::VectorXd& z) const {
+  Eigen::VectorXd k(static_cast<Eigen::Index>(runs_.size()));
+  for (Eigen::Index i = 0; i < k.size(); ++i)
+    k[i] = square(response_) * response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
+  const double prior = square(response_) * response_kernel(z, z);
+  const double known = factor_.matrixL().solve(k).squaredNorm();
+  return {offset_ + k.dot(weights_), std::max(0.0, prior - known)};
+}
+
+double Surrogate::scatter() const { return scatter_ * std::hypot(packing_fine, run_fine); }
+
+}  // namespace phy

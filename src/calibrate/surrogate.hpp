@@ -1,0 +1,51 @@
+// A stand-in for the press between its runs: log(strength/sigma_c) of one test at one angle over the box of
+// strength ratios, learnt from all runs so far.
+//
+// Gaussian process (Rasmussen & Williams 2006, chapter 2) with a kernel that says what is known beforehand:
+//
+//   k = constant + slopes + curvatures + a smooth remainder           the response itself
+//     + [same resolution coarse] (constant + slopes)                  coarse grains answer a little
+//     differently
+//     + [same packing] + [same run]                                   scatter of packings, of runs
+//
+// z in [-1, 1] spans the box in logarithms. The amplitudes are those of typical rocks in this box
+// (docs/calibration.md, "Surrogate"); two factors, one on response and one on scatter, follow from the runs
+// by their posterior mode. The value asked for is that of fine grains, mean over packings: only the first
+// line of k takes part, and its variance says how well the runs have settled it. Rejected: one length per
+// parameter by maximum likelihood, thirty runs do not fix it.
+#pragma once
+#include <Eigen/Dense>
+#include <vector>
+
+namespace phy {
+
+struct SurrogateRun {
+  Eigen::VectorXd z;  ///< point of the box, every component in [-1, 1]
+  int packing = 0;    ///< runs of one packing share their scatter
+  bool coarse = false;
+  double y = 0.0;  ///< logarithm of the answer
+};
+
+class Surrogate {
+ public:
+  struct Value {
+    double mean = 0.0, variance = 0.0;
+  };
+  /// Learns from at least one run.
+  explicit Surrogate(std::vector<SurrogateRun> runs);
+  Value at(const Eigen::VectorXd& z) const;
+  std::size_t n_runs() const { return runs_.size(); }
+  /// Standard deviation of one run of a fine packing about the mean over packings.
+  double scatter() const;
+
+ private:
+  std::vector<SurrogateRun> runs_;
+  double offset_ = 0.0;                    // mean of y, taken off before and put back after
+  double response_ = 1.0, scatter_ = 1.0;  // factors on the amplitudes
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::VectorXd weights_;
+
+  double learn(double response, double scatter);  // returns the log likelihood
+};
+
+}  // namespace phy

@@ -1,0 +1,105 @@
+// The stand-in for the press and the sampler, against functions and densities known in closed form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/rng.hpp"
+#include "calibrate/ensemble.hpp"
+#include "calibrate/surrogate.hpp"
+
+namespace phy {
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd point(std::uint32_t i, int d) {
+  VectorXd z(d);
+  for (int j = 0; j < d; ++j) z[j] = 2.0 * uniform(3, Stream::test, i, static_cast<std::uint32_t>(j)) - 1.0;
+  return z;
+}
+double curve(const VectorXd& z) {
+  return 0.7 + 0.3 * z[0] - 0.1 * z[1] + 0.06 * z[0] * z[2] - 0.05 * z[1] * z[1];
+}
+
+std::vector<SurrogateRun> runs(int n, double noise, double coarse_offset, std::uint32_t n_coarse) {
+  std::vector<SurrogateRun> list;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n); ++i) {
+    SurrogateRun r;
+    r.z = point(i, 3), r.packing = static_cast<int>(i % 4), r.coarse = i < n_coarse;
+    r.y = curve(r.z) + noise * normal(4, Stream::test, i) + (r.coarse ? coarse_offset : 0.0);
+    list.push_back(r);
+  }
+  return list;
+}
+
+double rms(const Surrogate& s, double* chi = nullptr) {
+  double squares = 0.0, scaled = 0.0;
+  constexpr int n = 60;
+  for (std::uint32_t i = 1000; i < 1000 + n; ++i) {
+    const Surrogate::Value v = s.at(point(i, 3));
+    const double e = v.mean - curve(point(i, 3));
+    squares += e * e, scaled += e * e / v.variance;
+  }
+  if (chi != nullptr) *chi = scaled / n;
+  return std::sqrt(squares / n);
+}
+
+TEST(Surrogate, LearnsACurvedResponseThroughScatterAndKnowsHowWell) {
+  double chi = 0.0;
+  const double few = rms(Surrogate(runs(10, 0.03, 0.0, 0))),
+               many = rms(Surrogate(runs(60, 0.03, 0.0, 0)), &chi);
+  EXPECT_LT(many, 0.025);
+  EXPECT_LT(many, few);
+  EXPECT_LT(chi, 2.0);
+}
+
+TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
+  EXPECT_LT(rms(Surrogate(runs(48, 0.02, 0.15, 36))), 0.05);  // 12 fine runs
+  EXPECT_GT(rms(Surrogate(runs(48, 0.02, 0.15, 48))), 0.05);  // none: the offset cannot be known
+}
+
+TEST(Surrogate, IsSureNearItsRunsAndUnsureFarFromThem) {
+  std::vector<SurrogateRun> near = runs(30, 0.02, 0.0, 0);
+  for (SurrogateRun& r : near) r.z *= 0.2, r.y = curve(r.z);
+  const Surrogate s(near);
+  EXPECT_LT(s.at(VectorXd::Zero(3)).variance, 0.25 * s.at(VectorXd::Ones(3)).variance);
+}
+
+TEST(Ensemble, DrawsFromACorrelatedNormalDensity) {
+  // x ~ N(1, 1), y | x ~ N(2 x, 0.1^2): a ridge that single-coordinate steps would crawl along
+  const LogDensity ridge = [](const VectorXd& x) {
+    const double u = x[0] - 1.0, v = (x[1] - 2.0 * x[0]) / 0.1;
+    return -0.5 * (u * u + v * v);
+  };
+  std::vector<VectorXd> walkers;
+  for (std::uint32_t i = 0; i < 40; ++i) walkers.push_back(3.0 * point(i, 2));
+  const std::vector<VectorXd> draws = sample(ridge, walkers, 3000, 10, 1);
+  ASSERT_EQ(draws.size(), 150U * 40U);
+  double mean = 0.0, square = 0.0, width = 0.0;
+  const auto n = static_cast<double>(draws.size());
+  for (const VectorXd& x : draws) {
+    mean += x[0] / n, square += (x[0] - 1.0) * (x[0] - 1.0) / n;
+    width += (x[1] - 2.0 * x[0]) * (x[1] - 2.0 * x[0]) / n;
+  }
+  EXPECT_NEAR(mean, 1.0, 0.12);  // some 1,000 independent draws: 4 standard errors
+  EXPECT_NEAR(square, 1.0, 0.18);
+  EXPECT_NEAR(width, 0.01, 0.002);
+}
+
+TEST(Ensemble, NeverLeavesWhereTheDensityIsZero) {
+  const LogDensity box = [](const VectorXd& x) {
+    return x.cwiseAbs().maxCoeff() <= 1.0 ? 0.0 : -std::numeric_limits<double>::infinity();
+  };
+  std::vector<VectorXd> walkers;
+  for (std::uint32_t i = 0; i < 20; ++i) walkers.push_back(point(i, 3));
+  double mean = 0.0;
+  const std::vector<VectorXd> draws = sample(box, walkers, 2000, 10, 2);
+  for (const VectorXd& x : draws) {
+    ASSERT_LE(x.cwiseAbs().maxCoeff(), 1.0);
+    mean += x.sum() / (3.0 * static_cast<double>(draws.size()));
+  }
+  EXPECT_NEAR(mean, 0.0, 0.06);
+}
+
+}  // namespace
+}  // namespace phy

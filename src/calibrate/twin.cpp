@@ -1,0 +1,65 @@
+#include "calibrate/twin.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/rng.hpp"
+#include "calibrate/elastic_stage.hpp"
+#include "calibrate/strength_stage.hpp"
+
+namespace phy {
+
+std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<double>& angles,
+                                      const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  std::vector<Target> moduli, strengths;
+  for (const Property p : {Property::E, Property::nu})
+    for (const double theta : angles) moduli.push_back({p, theta, 1.0, 1.0, 1, true});
+  std::vector<Comparison> rows = elastic_response(truth, moduli, seeds, simulator);
+  // the press runs at a speed that suits the strength: a first guess, then the strength found
+  for (const double theta : angles)
+    strengths.push_back({Property::ucs, theta, 2.0 * truth.matrix.sigma_c, 1.0, 1, true});
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<std::int64_t> some = pass == 0 ? std::vector<std::int64_t>{seeds.front()} : seeds;
+    const std::vector<Comparison> found = strength_response(
+        test_settings(truth, strengths, seeds.front(), simulator), strengths, some, simulator);
+    for (std::size_t i = 0; i < strengths.size(); ++i)
+      if (std::isfinite(found[i].mean)) strengths[i].mean = found[i].mean;
+    if (pass == 1) rows.insert(rows.end(), found.begin(), found.end());
+  }
+  return rows;
+}
+
+std::vector<RockReading> twin_readings(const std::vector<Comparison>& response, const TwinOptions& options) {
+  std::vector<RockReading> readings;
+  for (std::size_t k = 0; k < response.size(); ++k)
+    for (int i = 0; i < options.n_specimens; ++i) {
+      const double factor =
+          1.0 + options.noise * normal(options.noise_seed, Stream::calibration, static_cast<std::uint32_t>(k),
+                                       static_cast<std::uint32_t>(i));
+      RockReading r;
+      r.property = response[k].target.property, r.theta = response[k].target.theta,
+      r.value = response[k].mean * factor;
+      r.line = i;
+      readings.push_back(r);
+    }
+  return readings;
+}
+
+std::string readings_csv(const std::vector<RockReading>& readings) {
+  std::map<std::pair<double, int>, std::map<Property, double>> rows;
+  for (const RockReading& r : readings) rows[{r.theta, r.line}][r.property] = r.value;
+  std::string text = "theta [deg],E [GPa],nu,UCS [MPa]\n";
+  for (const auto& [at, cells] : rows) {
+    const auto cell = [&](Property p, double unit) {
+      const auto it = cells.find(p);
+      return it == cells.end() ? std::string() : fmt::format("{:.4g}", it->second / unit);
+    };
+    text += fmt::format("{:g},{},{},{}\n", at.first, cell(Property::E, 1e9), cell(Property::nu, 1.0),
+                        cell(Property::ucs, 1e6));
+  }
+  return text;
+}
+
+}  // namespace phy
