@@ -1,13 +1,15 @@
-# make deps   install what is missing (Debian packages)      make demo   crush the paper's specimen at seven angles
-# make web    bundle report.html anew                         make browser  look at report.html in Chromium
-# make test   build and run all tests                         make bench  measure the speed of the press
+# make deps     install what is missing (Debian packages)    make demo    crush the paper's specimen at seven angles
+# make deps-all also what figures and films need              make test    build and run all tests
+# make web      bundle report.html anew                       make browser look at report.html in Chromium
+#                                                             make bench   measure the speed of the press
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
             libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+PICTURES := gnuplot-nox fonts-dejavu-core ffmpeg  # for phyllite figure and film only
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps build demo demo-press test soak deps-soak bench lint tidy docs web browser clean
+.PHONY: deps deps-all build demo demo-press test soak deps-soak bench lint tidy docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -15,6 +17,9 @@ deps:
 	if [ -z "$$missing" ]; then echo "deps: nothing is missing"; else \
 	  echo "deps: installing$$missing"; \
 	  $(SUDO) apt-get update -qq && DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
+
+deps-all: PACKAGES += $(PICTURES)
+deps-all: deps
 
 build:
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS)

@@ -57,6 +57,30 @@ TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   EXPECT_EQ(run("show /nonexistent"), 3);
 }
 
+TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  const fs::path file = folder / "a picture.svg";
+  const std::string figure = "figure " + out() + " --out '" + file.string() + "' --kind ";
+  EXPECT_EQ(run(figure + "fig5"), 2);
+  EXPECT_THAT(output, HasSubstr("study"));
+  EXPECT_EQ(run_line("PATH=/nonexistent " PHY_PROGRAM " " + figure + "cracks"), 3);
+  EXPECT_THAT(output, HasSubstr("apt install gnuplot-nox"));
+  EXPECT_FALSE(fs::exists(file));
+  if (run_line("command -v gnuplot") != 0) GTEST_SKIP() << "no gnuplot here";
+  for (const char* kind : {"stress_strain", "anisotropy", "rose", "cracks", "fig2", "fig3"}) {
+    ASSERT_EQ(run(figure + kind), 0) << output;
+    std::ifstream in(file);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    EXPECT_THAT(text, HasSubstr("</svg>")) << kind;
+    EXPECT_GT(text.size(), 10000U) << kind;
+  }
+  const fs::path locked = folder / "locked";
+  EXPECT_EQ(
+      run("figure " + out() + " --kind rose --format pdf --out " + (locked / "deeper" / "x.pdf").string()),
+      0);
+  EXPECT_TRUE(fs::exists(locked / "deeper" / "x.pdf"));
+}
+
 TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
   const std::string bad = write("bad.toml", "[specimen]\nwidht = \"8 mm\"\nheight = 16\n");
   EXPECT_EQ(run("run " + bad + " --out " + out()), 2);

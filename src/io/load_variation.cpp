@@ -1,0 +1,254 @@
+#include "io/load_variation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "io/file.hpp"
+#include "io/table.hpp"
+#include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+using Rows = std::vector<const TableRow*>;
+
+double number_of(const std::string& cell) {
+  const Quantity q = parse_quantity(cell, Dimension::none);
+  return q.ok ? q.value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A table whose columns are asked for by name.
+class Named {
+ public:
+  explicit Named(const std::string& file) : file_(file), table_(parse_table(read_file(file), file)) {
+    if (!table_.problems.empty()) throw InputError(table_.problems);
+  }
+  std::size_t column(const std::string& name) const {
+    const auto it = std::find(table_.header.begin(), table_.header.end(), name);
+    if (it == table_.header.end())
+      throw InputError(
+          Problem{file_, name, "", "a column of this name", "write the table anew with this program"});
+    return static_cast<std::size_t>(it - table_.header.begin());
+  }
+  const std::string& at(const TableRow& row, const std::string& name) const {
+    return row.cells[column(name)];
+  }
+  Rows rows(const std::function<bool(const TableRow&)>& wanted) const {
+    Rows out;
+    for (const TableRow& row : table_.rows)
+      if (wanted(row)) out.push_back(&row);
+    return out;
+  }
+  const Table& table() const { return table_; }
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+  Table table_;
+};
+
+/// A column over the inclination: mean and interval of all rows of one angle.
+std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::size_t value, double unit) {
+  std::map<double, std::vector<double>> found;
+  for (const TableRow* row : rows)
+    if (const double angle = number_of(row->cells[theta]), v = number_of(row->cells[value]);
+        std::isfinite(angle) && std::isfinite(v))
+      found[angle].push_back(v * unit);
+  std::vector<AngleValue> out;
+  for (const auto& [angle, values] : found) out.push_back({angle, summarise(values)});
+  return out;
+}
+
+double mean_of(const Rows& rows, std::size_t value, double unit) {
+  std::vector<double> values;
+  for (const TableRow* row : rows)
+    if (const double v = number_of(row->cells[value]); std::isfinite(v)) values.push_back(v * unit);
+  return values.empty() ? 0.0 : summarise(values).mean;
+}
+
+/// A value as the recipe would print it: "840 GPa/m". `column`: "bedding.k_n [Pa/m]".
+std::string value_text(const std::string& column, const std::string& cell) {
+  std::string path = column.substr(0, column.find(' '));
+  if (const auto bracket = path.find('['); bracket != path.npos)
+    path.erase(bracket, path.find(']') - bracket + 1);
+  const double value = number_of(cell);
+  for (const Field& f : recipe_fields())  // without the last digits of a product
+    if (f.path() == path && std::isfinite(value))
+      return print_quantity(std::stod(fmt::format("{:.6g}", value)), f.dimension);
+  return cell;
+}
+
+/// Different cells of a column, ascending by their numbers.
+std::vector<std::string> levels_in(const Rows& rows, std::size_t column) {
+  std::vector<std::string> levels;
+  for (const TableRow* row : rows)
+    if (std::find(levels.begin(), levels.end(), row->cells[column]) == levels.end())
+      levels.push_back(row->cells[column]);
+  std::stable_sort(levels.begin(), levels.end(),
+                   [](const std::string& a, const std::string& b) { return number_of(a) < number_of(b); });
+  return levels;
+}
+
+// --- studies
+// -------------------------------------------------------------------------------------------------
+
+/// The varied keys are the columns after `intact` whose names have a full stop.
+std::vector<std::size_t> varied_columns(const Named& table) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = table.column("intact") + 1; i < table.table().header.size(); ++i)
+    if (table.table().header[i].substr(0, table.table().header[i].find(' ')).find('.') != std::string::npos)
+      columns.push_back(i);
+  return columns;
+}
+
+/// One column through its levels while the others stay as in `base`.
+VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& columns, std::size_t column,
+                         const TableRow& base) {
+  const std::string& head = table.table().header[column];
+  VariedParameter parameter{head.substr(0, head.find(' ')), {}, {}};
+  const Rows alike = table.rows([&](const TableRow& row) {
+    return table.at(row, "intact") == "0" && std::all_of(columns.begin(), columns.end(), [&](std::size_t c) {
+             return c == column || row.cells[c] == base.cells[c];
+           });
+  });
+  const std::size_t theta = table.column("theta [deg]");
+  for (const std::string& level : levels_in(alike, column)) {
+    Rows rows;
+    std::copy_if(alike.begin(), alike.end(), std::back_inserter(rows),
+                 [&](const TableRow* row) { return row->cells[column] == level; });
+    const double base_value = number_of(base.cells[column]);
+    parameter.settings.push_back(
+        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : number_of(""),
+         level == base.cells[column], over_angles(rows, theta, table.column("E_tangent [Pa]"), 1.0),
+         over_angles(rows, theta, table.column("ucs [Pa]"), 1.0)});
+  }
+  return parameter;
+}
+
+Variation read_study_table(const std::string& folder) {
+  const Named table((fs::path(folder) / "results.csv").string());
+  const Recipe recipe = read_recipe((fs::path(folder) / "recipe.toml").string());
+  if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
+  Variation v;
+  v.name = recipe.name;
+  v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
+  v.E_intact = mean_of(table.rows([&](const TableRow& row) { return table.at(row, "intact") == "1"; }),
+                       table.column("E_tangent [Pa]"), 1.0);
+  const std::vector<std::size_t> columns = varied_columns(table);
+  for (const std::size_t c : columns)
+    if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)
+      v.parameters.push_back(std::move(p));
+  if (v.parameters.empty())
+    throw InputError(Problem{table.file(), "", "",
+                             "parameters that vary one at a time around the first point",
+                             "use the designs one_at_a_time or full_factorial"});
+  return v;
+}
+
+// --- sweeps of the elastic solution
+// --------------------------------------------------------------------------
+
+constexpr double giga = 1e9;
+
+/// "k_n [GPa/m]" of the base: any value over its factor.
+double base_of(const Named& macro, const Rows& rows, const std::string& varied) {
+  for (const TableRow* row : rows)
+    if (macro.at(*row, "varied") == varied)
+      return number_of(macro.at(*row, "k [GPa/m]")) / number_of(macro.at(*row, "factor"));
+  throw InputError(
+      Problem{macro.file(), "varied", "", "rows with " + varied, "write the table anew with this program"});
+}
+
+Summary summary_in(const Named& macro, const TableRow& row, const std::string& name) {
+  Summary s;
+  s.n = static_cast<std::size_t>(number_of(macro.at(row, "packings")));
+  s.mean = giga * number_of(macro.at(row, name + " [GPa/m]"));
+  s.half_width = giga * number_of(macro.at(row, name + " +-"));
+  return s;
+}
+
+/// k_n or k_s of one recipe and rule; `moduli`: its rows with linear contacts that push only.
+VariedParameter swept(const Named& macro, const Rows& points, const Named& moduli, const Rows& readings,
+                      const std::string& varied) {
+  VariedParameter parameter{"bedding." + varied, {}, {}};
+  const std::string other = varied == "k_n" ? "k_s" : "k_n";
+  const double kept = base_of(macro, points, other);
+  for (const TableRow* point : points) {
+    if (macro.at(*point, "varied") != varied) continue;
+    const double factor = number_of(macro.at(*point, "factor")), k = number_of(macro.at(*point, "k [GPa/m]"));
+    parameter.macro.push_back({factor, summary_in(macro, *point, "K_n"), summary_in(macro, *point, "K_s"),
+                               giga * number_of(macro.at(*point, "Eq. 2 of the paper [GPa/m]"))});
+    Rows rows;
+    std::copy_if(readings.begin(), readings.end(), std::back_inserter(rows), [&](const TableRow* row) {
+      const auto is = [&](const std::string& name, double v) {
+        return std::abs(number_of(moduli.at(*row, name + " [GPa/m]")) / v - 1.0) <
+               1e-5;  // printed with six digits
+      };
+      return is(varied, k) && is(other, kept);
+    });
+    parameter.settings.push_back(
+        {print_quantity(giga * k, Dimension::stiffness),
+         factor,
+         factor == 1.0,
+         over_angles(rows, moduli.column("theta [deg]"), moduli.column("E gauge [GPa]"), giga),
+         {}});
+  }
+  return parameter;
+}
+
+std::vector<Variation> read_sweep_tables(const std::string& folder) {
+  const Named macro((fs::path(folder) / "fig4.csv").string()),
+      moduli((fs::path(folder) / "moduli.csv").string());
+  std::vector<Variation> variations;
+  std::vector<std::pair<std::string, std::string>> cases;  // recipe and rule
+  for (const TableRow& row : macro.table().rows)
+    if (const std::pair c{macro.at(row, "recipe"), macro.at(row, "rule")};
+        std::find(cases.begin(), cases.end(), c) == cases.end())
+      cases.push_back(c);
+  for (const auto& [recipe, rule] : cases) {
+    const Rows points = macro.rows([&](const TableRow& row) {
+      return macro.at(row, "recipe") == recipe && macro.at(row, "rule") == rule &&
+             macro.at(row, "contacts") == "pushing" && macro.at(row, "strain") == "gauge" &&
+             macro.at(row, "loss") == "compliance" && macro.at(row, "reference E") == "intact";
+    });
+    const Rows readings = moduli.rows([&](const TableRow& row) {
+      return moduli.at(row, "recipe") == recipe && moduli.at(row, "rule") == rule &&
+             moduli.at(row, "contacts") == "pushing";
+    });
+    Variation v;
+    v.name = recipe + ", " + rule + " rule";
+    Rows intact;
+    std::copy_if(readings.begin(), readings.end(), std::back_inserter(intact),
+                 [&](const TableRow* row) { return moduli.at(*row, "theta [deg]") == "intact"; });
+    v.E_intact = mean_of(intact, moduli.column("E gauge [GPa]"), giga);
+    for (const char* varied : {"k_n", "k_s"})
+      v.parameters.push_back(swept(macro, points, moduli, readings, varied));
+    variations.push_back(std::move(v));
+  }
+  return variations;
+}
+
+}  // namespace
+
+bool holds_variations(const std::string& folder) {
+  std::error_code none;
+  return fs::exists(fs::path(folder) / "results.csv", none) ||
+         fs::exists(fs::path(folder) / "fig4.csv", none);
+}
+
+std::vector<Variation> read_variations(const std::string& folder) {
+  if (fs::exists(fs::path(folder) / "results.csv")) return {read_study_table(folder)};
+  return read_sweep_tables(folder);
+}
+
+}  // namespace phy

@@ -1,0 +1,19 @@
+// Studies (results.csv) and sweeps of the elastic solution (fig4.csv, moduli.csv) read back for pictures
+// (docs/formats.md).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/variation.hpp"
+
+namespace phy {
+
+/// True if the folder holds what read_variations reads.
+bool holds_variations(const std::string& folder);
+
+/// Of a study: one. Of a sweep: one per recipe and bedding rule, as the linear contacts push only, the gauge
+/// reads and Eq. 1 is fitted in compliance with the E of the intact specimen. Throws IoError, or InputError
+/// when a table is not one of ours, or nothing in it varies one at a time.
+std::vector<Variation> read_variations(const std::string& folder);
+
+}  // namespace phy

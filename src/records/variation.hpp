@@ -1,0 +1,45 @@
+// How E and strength over the inclination answer to parameters that vary one at a time around a base: what is
+// left of a study, or of a sweep of the elastic solution, for pictures. Plain data, SI units.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/stats.hpp"
+
+namespace phy {
+
+/// A number at one inclination, over packings and bond seeds.
+struct AngleValue {
+  double theta = 0.0;  ///< [deg]
+  Summary value;       ///< [Pa]; n = 0: none of the specimens has it
+};
+
+/// Macro joint stiffnesses by Eq. 1 (theory/eq1_fit.hpp).
+struct MacroPoint {
+  double factor = 0.0;  ///< parameter / its base
+  Summary K_n, K_s;     ///< [Pa/m]; n = 0: the data allow none
+  double paper =
+      0.0;  ///< the stiffness that belongs to the parameter, by the paper's Eq. 2 [Pa/m]; 0: not known
+};
+
+struct VariedSetting {
+  std::string text;     ///< "840 GPa/m"
+  double factor = 0.0;  ///< of the base; NaN for words, and for a base of 0
+  bool base = false;
+  std::vector<AngleValue> E, ucs;  ///< angles ascending; ucs is empty where no test was run to the peak
+};
+
+struct VariedParameter {
+  std::string key;                      ///< of the recipe: "bedding.k_n"
+  std::vector<VariedSetting> settings;  ///< ascending, the base among them
+  std::vector<MacroPoint> macro;        ///< where the file has them; else to be fitted
+};
+
+struct Variation {
+  std::string name;
+  double spacing = 0.0;   ///< of the bedding planes [m]; 0: not known
+  double E_intact = 0.0;  ///< [Pa]; 0: not known
+  std::vector<VariedParameter> parameters;
+};
+
+}  // namespace phy

@@ -1,0 +1,26 @@
+// A picture in memory: discs, lines and rectangles with smooth edges, enough for the frames of a film.
+// Colours are 0xRRGGBB; positions in pixels from the upper left corner.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace phy {
+
+class Canvas {
+ public:
+  Canvas(int width, int height, std::uint32_t background);
+  void disc(double x, double y, double r, std::uint32_t color);
+  void line(double x0, double y0, double x1, double y1, double width, std::uint32_t color);
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Rows of RGB, three bytes per pixel.
+  const std::string& rgb() const { return pixels_; }
+
+ private:
+  template <class Cover>
+  void paint(double x0, double y0, double x1, double y1, std::uint32_t color, Cover cover);
+  int width_, height_;
+  std::string pixels_;
+};
+
+}  // namespace phy

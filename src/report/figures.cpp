@@ -1,0 +1,302 @@
+#include "report/figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "base/check.hpp"
+#include "records/recipe_schema.hpp"
+#include "report/curves.hpp"
+#include "report/palette.hpp"
+#include "report/specimen_picture.hpp"
+#include "report/variation_figures.hpp"
+
+namespace phy {
+namespace {
+
+using Row = GnuplotScript::Row;
+constexpr double dots_per_mm = 16.0;  // of pictures in figures: 400 per inch
+
+std::string heading(const TestRecord& t) {
+  return t.result.intact ? "intact" : fmt::format("{{/:Italic θ}} = {:g}°", t.result.theta);
+}
+
+std::vector<const TestRecord*> with_scene(const RunRecord& run) {
+  std::vector<const TestRecord*> tests;
+  for (const TestRecord& t : run.tests)
+    if (!t.scene.frames.empty()) tests.push_back(&t);
+  if (tests.empty())
+    throw InputError(Problem{"result", "scene.bin", "", "discs and displacements",
+                             "run the recipe again with test.n_frames"});
+  return tests;
+}
+
+// --- curves
+// --------------------------------------------------------------------------------------------------
+
+/// Where the curve first reaches the value of a number.
+void add_mark(const TestRecord& t, const char* name, std::vector<Row>& marks) {
+  const double level = value_of(t, name);
+  for (const HistoryRow& row : t.result.history.rows)
+    if (row.axial_stress >= level) return marks.push_back({100.0 * row.axial_strain, 1e-6 * level});
+}
+
+double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
+  s.add(
+      "set xlabel 'axial strain [%]'; set ylabel 'axial stress [MPa]' offset 1; set xrange [0:*]; set yrange "
+      "[0:*]");
+  s.add("set key outside right top reverse Left; set lmargin at screen 0.09");
+  std::vector<std::string> parts;
+  std::array<std::vector<Row>, 3> marks;
+  constexpr std::array<const char*, 3> names = {"sigma_ci", "sigma_cd", "ucs"};
+  constexpr std::array<const char*, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", "UCS"};
+  constexpr std::array<int, 3> symbols = {9, 5, 7};
+  for (const TestRecord& t : data.run.tests) {
+    std::vector<Row> rows;
+    for (const HistoryRow& row : t.result.history.rows)
+      rows.push_back({100.0 * row.axial_strain, 1e-6 * row.axial_stress});
+    if (rows.empty()) continue;
+    parts.push_back(fmt::format("{} with lines lw 1.5 lc rgb '{}' title '{}'", s.block(rows),
+                                hex_color(angle_color(t.result)), heading(t)));
+    for (std::size_t k = 0; k < 3; ++k) add_mark(t, names[k], marks[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!marks[k].empty())
+      parts.push_back(fmt::format("{} with points pt {} ps 0.5 lc rgb '#222222' title '{}'",
+                                  s.block(marks[k]), symbols[k], titles[k]));
+  if (parts.empty()) throw InputError(Problem{"result", "history.csv", "", "rows", "run the recipe again"});
+  s.plot(parts);
+  return 0.62 * width;
+}
+
+struct Panel {
+  const char* number;
+  const char* label;
+  double factor;
+  Property property;
+  const AngleCurve* theory;
+};
+
+void angle_panel(GnuplotScript& s, const FigureData& data, const Panel& p) {
+  std::vector<Row> model, theory, laboratory;
+  for (const TestRecord& t : data.run.tests)
+    if (!t.result.intact) model.push_back({t.result.theta, p.factor * value_of(t, p.number)});
+  for (std::size_t i = 0; i < p.theory->theta.size(); ++i)
+    theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
+  for (const Target& t : of_property(data.laboratory, p.property)) {
+    const double half = 1.96 * t.standard_error();
+    laboratory.push_back(
+        {t.theta, p.factor * t.mean, p.factor * (t.mean - half), p.factor * (t.mean + half)});
+  }
+  std::vector<std::string> parts;
+  if (!theory.empty())
+    parts.push_back(s.block(theory) + " with lines dt 2 lw 1.5 lc rgb '#9a3f7d' title 'theory'");
+  if (!laboratory.empty())
+    parts.push_back(s.block(laboratory) +
+                    " with yerrorbars pt 12 ps 0.8 lw 1.2 lc rgb '#222222' title 'laboratory'");
+  if (!model.empty())
+    parts.push_back(s.block(model) + " with points pt 7 ps 0.6 lc rgb '#0072b2' title 'model'");
+  if (parts.empty()) parts.emplace_back("NaN notitle");
+  s.add("set ylabel '{}' offset 1", p.label);
+  s.plot(parts);
+}
+
+double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
+  if (std::all_of(data.run.tests.begin(), data.run.tests.end(),
+                  [](const TestRecord& t) { return t.result.intact; }))
+    throw InputError(Problem{"result", "theta", "", "specimens with bedding",
+                             "run a recipe with [[bedding]] and test.angles"});
+  const TheoryCurves curves = theory_curves(data.run);
+  s.add("set multiplot layout 1,3 margins 0.06,0.99,0.20,0.96 spacing 0.075,0");
+  s.add(
+      "set xrange [-3:93]; set xtics 15; set yrange [0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'; set "
+      "key top center reverse Left");
+  angle_panel(s, data, {"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E});
+  s.add("unset key");
+  angle_panel(s, data, {"ucs", "UCS [MPa]", 1e-6, Property::ucs, &curves.ucs});
+  angle_panel(s, data, {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu});
+  s.add("unset multiplot");
+  return 0.34 * width;
+}
+
+// --- specimens
+// -----------------------------------------------------------------------------------------------
+
+/// Draws a specimen, or the part between x0 ... x1 and y0 ... y1 [m] of it, `width` mm wide on paper.
+struct Window {
+  double x0, y0, x1, y1;
+};
+Canvas picture_of(const TestRecord& t, const Window& w, double width, bool at_end) {
+  const double scale = dots_per_mm * width / (w.x1 - w.x0);
+  Canvas canvas(static_cast<int>(std::lround(scale * (w.x1 - w.x0))),
+                static_cast<int>(std::lround(scale * (w.y1 - w.y0))), 0xffffff);
+  SpecimenView view;
+  view.left = -scale * w.x0, view.top = scale * (w.y1 - t.scene.height), view.scale = scale,
+  view.cracks = at_end;
+  draw_specimen(canvas, t, view, at_end ? last_strain(t) : 0.0);
+  return canvas;
+}
+
+/// The specimen with a little room for what bulges.
+Window whole(const TestRecord& t) {
+  const double edge = 0.03 * t.scene.width;
+  return {-edge, -edge, t.scene.width + edge, t.scene.height + edge};
+}
+
+void show(GnuplotScript& s, const TestRecord& t, const Window& w, double width, bool at_end,
+          const std::string& title) {
+  s.add("set title '{}' offset 0,-0.7; set xrange [{}:{}]; set yrange [{}:{}]", title, 1e3 * w.x0, 1e3 * w.x1,
+        1e3 * w.y0, 1e3 * w.y1);
+  s.picture(picture_of(t, w, width, at_end), 1e3 * w.x0, 1e3 * w.y0, 1e3 * w.x1, 1e3 * w.y1, {});
+}
+
+double specimens(GnuplotScript& s, const FigureData& data, double width, bool at_end) {
+  const auto tests = with_scene(data.run);
+  s.add("set size ratio -1; unset border; unset tics; unset key");
+  for (std::size_t k = 0; at_end && k < 4; ++k)
+    s.add("set label {} '■ {}' at screen {},0.035 tc rgb '{}' font ',7'", k + 1, crack_names[k],
+          0.14 + 0.19 * static_cast<double>(k), hex_color(crack_colors[k]));
+  s.add("set multiplot layout 1,{} margins 0.003,0.997,{},0.93 spacing 0.003,0", tests.size(),
+        at_end ? 0.08 : 0.01);
+  for (const TestRecord* t : tests) {
+    show(s, *t, whole(*t), width / static_cast<double>(tests.size()), at_end, heading(*t));
+    s.add("unset label");
+  }
+  s.add("unset multiplot");
+  return 2.0 * width / static_cast<double>(tests.size()) / (at_end ? 0.85 : 0.92);
+}
+
+/// The specimen nearest to 30 degrees before the test, and a window on its bedding.
+double model(GnuplotScript& s, const FigureData& data, double width) {
+  const auto tests = with_scene(data.run);
+  const TestRecord& t =
+      **std::min_element(tests.begin(), tests.end(), [](const TestRecord* a, const TestRecord* b) {
+        const auto far = [](const TestRecord& r) {
+          return r.result.intact ? 1e3 : std::abs(r.result.theta - 30.0);
+        };
+        return far(*a) < far(*b);
+      });
+  const double w = t.scene.width, h = t.scene.height, half = 0.16 * w;
+  const Window close{0.5 * w - half, 0.5 * h - half, 0.5 * w + half, 0.5 * h + half};
+  s.add("set size ratio -1; unset border; unset tics; unset key; set multiplot");
+  s.add(
+      "set lmargin at screen 0.01; set rmargin at screen 0.45; set bmargin at screen 0.02; set tmargin at "
+      "screen 0.92");
+  s.add("set object 1 rectangle from {},{} to {},{} front fillstyle empty border lc rgb '#000000' lw 1.4",
+        1e3 * close.x0, 1e3 * close.y0, 1e3 * close.x1, 1e3 * close.y1);
+  show(s, t, whole(t), 0.44 * width, false, fmt::format("{:g} × {:g} mm, {}", 1e3 * w, 1e3 * h, heading(t)));
+  s.add("unset object 1; set border 15 lw 1.4");
+  s.add(
+      "set lmargin at screen 0.52; set rmargin at screen 0.98; set bmargin at screen 0.23; set tmargin at "
+      "screen 0.72");
+  show(s, t, close, 0.46 * width, false, "dark: discs with smooth joints");
+  s.add("unset multiplot");
+  return 0.98 * width;
+}
+
+// --- roses
+// ---------------------------------------------------------------------------------------------------
+
+/// Corners of the petals in polar coordinates: the area is proportional to the number.
+std::vector<Row> petals(const Rose& r, double largest, bool shear_only) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < 2 * r.tension.size(); ++i) {
+    const std::size_t k = i % r.tension.size();
+    const double from = (static_cast<double>(i) - 0.5) * r.bin(), to = from + r.bin();
+    const double radius = std::sqrt((r.shear[k] + (shear_only ? 0.0 : r.tension[k])) / largest);
+    rows.insert(rows.end(),
+                {{from, 0.0}, {from, radius}, {0.5 * (from + to), radius}, {to, radius}, {to, 0.0}});
+  }
+  return rows;
+}
+
+double rose(GnuplotScript& s, const FigureData& data, double width) {
+  const std::size_t n = data.run.tests.size();
+  s.add(
+      "set polar; set angles degrees; unset border; unset tics; unset raxis; unset rtics; set size square; "
+      "unset key; set rrange [0:1.15]");
+  s.add("set style fill solid 1.0 noborder");
+  s.add(
+      "set label 1 '■ tension' at screen 0.36,0.035 tc rgb '{}' font ',7'; set label 2 '■ shear' at screen "
+      "0.47,0.035 tc rgb '{}' font ',7'; "
+      "set label 3 '- - bedding' at screen 0.56,0.035 font ',7'",
+      hex_color(crack_colors[0]), hex_color(crack_colors[1]));
+  s.add("set multiplot layout {},{} margins 0.01,0.99,{},0.90 spacing 0.01,0.10", n > 4 ? 2 : 1,
+        n > 4 ? (n + 1) / 2 : n, n > 4 ? 0.07 : 0.12);
+  for (const TestRecord& t : data.run.tests) {
+    const Rose r = crack_rose(t.result.cracks);
+    double largest = 1.0;
+    for (std::size_t i = 0; i < r.tension.size(); ++i) largest = std::max(largest, r.tension[i] + r.shear[i]);
+    std::vector<Row> circle;
+    for (double angle = 0.0; angle <= 360.0; angle += 5.0) circle.push_back({angle, 1.0});
+    std::vector<std::string> parts = {
+        s.block(circle) + " with lines lw 0.7 lc rgb '#aaaaaa'",
+        fmt::format("{} with filledcurves lc rgb '{}'", s.block(petals(r, largest, false)),
+                    hex_color(crack_colors[0])),
+        fmt::format("{} with filledcurves lc rgb '{}'", s.block(petals(r, largest, true)),
+                    hex_color(crack_colors[1]))};
+    if (!t.result.intact)
+      parts.push_back(s.block({{t.result.theta, 1.13}, {t.result.theta + 180.0, 1.13}}) +
+                      " with lines dt 2 lw 1.4 lc rgb '#000000'");
+    s.add("set title '{} ({} cracks)' offset 0,-0.6", heading(t), t.result.cracks.size());
+    s.plot(parts);
+    s.add("unset label");
+  }
+  s.add("unset multiplot");
+  return n > 4 ? 0.6 * width : width / static_cast<double>(n) + 14.0;
+}
+
+/// Draws a figure that is `width` mm wide and returns its height.
+double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, double width) {
+  if (kind == "stress_strain") return stress_strain(s, data, width);
+  if (kind == "anisotropy") return anisotropy(s, data, width);
+  if (kind == "rose") return rose(s, data, width);
+  if (kind == "model") return model(s, data, width);
+  if (kind == "stiffness") return draw_stiffness(s, data.variations, width);
+  if (kind == "modulus") return draw_modulus(s, data.variations.at(0), width);
+  if (kind == "strength") return draw_strength(s, data.variations.at(0), width);
+  return specimens(s, data, width, kind == "cracks");
+}
+
+}  // namespace
+
+const std::vector<FigureKind>& figure_kinds() {
+  static const std::vector<FigureKind> kinds = {
+      {"stress_strain", "", "stress over strain of a run, with sigma_ci, sigma_cd and UCS", 140.0, false},
+      {"anisotropy", "", "E, UCS and nu of a run over the inclination, theory dashed", 190.0, false},
+      {"rose", "", "directions of the cracks of a run", 190.0, false},
+      {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false},
+      {"model", "fig2", "one specimen of a run with its bedding", 90.0, false},
+      {"specimens", "fig3", "specimens of a run before the test", 190.0, false},
+      {"stiffness", "fig4", "macro stiffnesses K_n, K_s over the parameters of a study or sweep", 190.0,
+       true},
+      {"modulus", "fig5", "E over the inclination, per value of a study or sweep", 190.0, true},
+      {"strength", "fig6", "UCS over the inclination, per value of a study", 190.0, true}};
+  return kinds;
+}
+
+const FigureKind& figure_kind(const std::string& word) {
+  std::vector<std::string> names;
+  for (const FigureKind& k : figure_kinds()) {
+    if (word == k.name || (*k.paper != 0 && word == k.paper)) return k;
+    names.emplace_back(k.name);
+    if (*k.paper != 0) names.emplace_back(k.paper);
+  }
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  const std::string near = nearest(word, names);
+  throw InputError(Problem{"command line", "--kind", word, "one of " + list,
+                           near.empty() ? "" : "did you mean " + near + "?"});
+}
+
+std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,
+                          const std::string& out) {
+  const double w = width > 0.0 ? width : kind.width;
+  GnuplotScript script;
+  const double height = draw(script, kind.name, data, w);
+  return gnuplot_head(format, w, height, out) + script.text();
+}
+
+}  // namespace phy

@@ -1,0 +1,68 @@
+#include "report/gnuplot.hpp"
+
+#include <cmath>
+
+namespace phy {
+
+std::string GnuplotScript::quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text)
+    if (c == '\'')
+      out += "''";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
+  return out + "'";
+}
+
+std::string GnuplotScript::block(const std::vector<Row>& rows) {
+  const std::string name = "$d" + std::to_string(n_blocks_++);
+  data_ += name + " << EOD\n";
+  for (const Row& row : rows) {
+    for (const double v : row) data_ += std::isfinite(v) ? fmt::format("{:.8g} ", v) : "NaN ";
+    data_ += "\n";
+  }
+  data_ += "EOD\n";
+  return name;
+}
+
+void GnuplotScript::plot(const std::vector<std::string>& parts) {
+  commands_ += "plot ";
+  for (std::size_t i = 0; i < parts.size(); ++i) commands_ += (i == 0 ? "" : ", \\\n     ") + parts[i];
+  commands_ += "\n";
+}
+
+void GnuplotScript::picture(const Canvas& canvas, double x0, double y0, double x1, double y1,
+                            const std::vector<std::string>& over) {
+  const double dx = (x1 - x0) / canvas.width(), dy = (y1 - y0) / canvas.height();
+  std::vector<std::string> parts = {
+      fmt::format("'-' binary array=({},{}) flipy dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) format='%uchar' "
+                  "using 1:2:3 with rgbimage notitle",
+                  canvas.width(), canvas.height(), dx, dy, x0 + 0.5 * dx, y0 + 0.5 * dy)};
+  parts.insert(parts.end(), over.begin(), over.end());
+  plot(parts);
+  commands_ += canvas.rgb();
+}
+
+// Letters of 8 points in all three formats: the SVG terminal counts in pixels of 1/96 inch, the PNG terminal
+// in pixels of 1/450 inch with letters of 1/72 at 72 per inch.
+std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out) {
+  const double w = width / 25.4, h = height / 25.4;
+  std::string terminal;
+  if (format == FigureFormat::pdf)
+    terminal = fmt::format(
+        "pdfcairo enhanced size {:.4f},{:.4f} font 'DejaVu Sans,8' fontscale 1 lw 1 rounded", w, h);
+  else if (format == FigureFormat::png)
+    terminal = fmt::format(
+        "pngcairo enhanced size {:.0f},{:.0f} font 'DejaVu Sans,8' fontscale 4.7 lw 4.2 pointscale 3.6 "
+        "rounded",
+        w * 450.0, h * 450.0);
+  else
+    terminal = fmt::format(
+        "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,10.7' lw 1.1 rounded background 'white'", w * 96.0,
+        h * 96.0);
+  return "set encoding utf8\nset terminal " + terminal + "\nset output " + GnuplotScript::quoted(out) +
+         "\nset border 3 lw 0.8\nset tics nomirror out scale 0.5 font ',7'\n"
+         "set key samplen 1.6 spacing 0.95 width -1 font ',7' noopaque\n";
+}
+
+}  // namespace phy

@@ -1,0 +1,42 @@
+// A gnuplot script in the making: data blocks, commands, pictures. Texts of the user are quoted, never
+// markup.
+#pragma once
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "report/canvas.hpp"
+
+namespace phy {
+
+class GnuplotScript {
+ public:
+  using Row = std::vector<double>;
+
+  /// A block of rows; returns its name for a plot command. NaN is left out by gnuplot.
+  std::string block(const std::vector<Row>& rows);
+  template <class... A>
+  void add(fmt::format_string<A...> line, A&&... args) {
+    commands_ += fmt::format(line, std::forward<A>(args)...) + "\n";
+  }
+  void plot(const std::vector<std::string>& parts);
+  /// A plot of one picture that spans [x0, x1] x [y0, y1]; `over`: parts drawn on it.
+  void picture(const Canvas& canvas, double x0, double y0, double x1, double y1,
+               const std::vector<std::string>& over);
+  std::string text() const { return data_ + commands_; }
+
+  /// In single quotes, where only the quote itself has a meaning.
+  static std::string quoted(const std::string& text);
+
+ private:
+  std::string data_, commands_;
+  int n_blocks_ = 0;
+};
+
+enum class FigureFormat { svg, pdf, png };
+
+/// The lines that set size [mm], letters and lines for print, and the file.
+std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out);
+
+}  // namespace phy

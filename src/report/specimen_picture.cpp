@@ -1,0 +1,91 @@
+#include "report/specimen_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/exact_math.hpp"
+#include "report/palette.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double thinnest = 1.2;  // line of a crack [pixels]
+
+/// Per disc the number of its colour in disc_colors.
+std::vector<std::size_t> tones_of(const TestRecord& t) {
+  std::vector<std::size_t> tone(t.scene.discs.size(), 0);
+  if (!t.bedding.empty() && !t.recipe.bedding.empty()) {
+    const SinCos sc = sin_cos_degrees(t.bedding[0].theta);
+    const BeddingRecipe& set = t.recipe.bedding[0];
+    for (std::size_t i = 0; i < tone.size(); ++i) {
+      const Disc& d = t.scene.discs[i];
+      const double along = sc.cos * (d.y - 0.5 * t.scene.height) - sc.sin * (d.x - 0.5 * t.scene.width);
+      tone[i] = std::fmod(std::floor((along - set.offset) / set.spacing), 2.0) == 0.0 ? 0 : 1;
+    }
+  }
+  for (const SceneLink& l : t.scene.links)
+    if (l.kind == ContactKind::joint) tone[l.a] = tone[l.b] = 2;
+  return tone;
+}
+
+Vec2 vector_of(const std::array<float, 2>& u) {
+  return {static_cast<double>(u[0]), static_cast<double>(u[1])};
+}
+
+std::vector<Vec2> displacements(const Scene& scene, double strain) {
+  const auto& frames = scene.frames;
+  std::size_t after = 0;
+  while (after + 1 < frames.size() && frames[after].axial_strain < strain) ++after;
+  const Frame &a = frames[after == 0 ? 0 : after - 1], &b = frames[after];
+  const double span = b.axial_strain - a.axial_strain;
+  const double part = span > 0.0 ? std::clamp((strain - a.axial_strain) / span, 0.0, 1.0) : 1.0;
+  std::vector<Vec2> u;
+  for (std::size_t i = 0; i < scene.discs.size(); ++i)
+    u.push_back((1.0 - part) * vector_of(a.u[i]) + part * vector_of(b.u[i]));
+  return u;
+}
+
+/// Each channel times `part`.
+Color darker(Color c, double part) {
+  Color out = 0;
+  for (const unsigned shift : {16U, 8U, 0U})
+    out |= static_cast<Color>(std::lround(part * static_cast<double>(c >> shift & 255U))) << shift;
+  return out;
+}
+
+void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
+  if (r < 4.0) return canvas.disc(at.x, at.y, r, color);
+  canvas.disc(at.x, at.y, r, darker(color, 0.76));
+  canvas.disc(at.x, at.y, 0.88 * r, color);
+}
+
+}  // namespace
+
+double last_strain(const TestRecord& test) {
+  return test.result.history.rows.empty() ? 0.0 : test.result.history.rows.back().axial_strain;
+}
+
+void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain) {
+  const Scene& scene = test.scene;
+  const std::vector<std::size_t> tone = tones_of(test);
+  std::vector<Vec2> at = displacements(scene, strain);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Disc& d = scene.discs[i];
+    at[i] = {view.left + view.scale * (d.x + view.magnify * at[i].x),
+             view.top + view.scale * (scene.height - d.y - view.magnify * at[i].y)};
+    draw_disc(canvas, at[i], view.scale * d.r, disc_colors[tone[i]]);
+  }
+  for (const CrackEvent& c : test.result.cracks) {
+    if (!view.cracks || c.strain > strain) break;  // ordered by step
+    if (c.a >= at.size() || c.b >= at.size()) continue;
+    const double part = scene.discs[c.a].r / (scene.discs[c.a].r + scene.discs[c.b].r);
+    const Vec2 middle = (1.0 - part) * at[c.a] + part * at[c.b];
+    const double half = std::max(thinnest, 0.6 * view.scale * c.size);
+    const Vec2 along{half * c.normal.y, half * c.normal.x};  // across the normal; y of pixels points down
+    canvas.line(middle.x + along.x, middle.y + along.y, middle.x - along.x, middle.y - along.y,
+                std::max(thinnest, 0.25 * view.scale * c.size), crack_colors[crack_kind(c)]);
+  }
+}
+
+}  // namespace phy

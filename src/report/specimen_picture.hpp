@@ -1,0 +1,22 @@
+// A specimen as pixels, at any moment of its test: for films and figures.
+#pragma once
+#include "records/test_record.hpp"
+#include "report/canvas.hpp"
+
+namespace phy {
+
+struct SpecimenView {
+  double left = 0.0, top = 0.0;  ///< of the undeformed specimen [pixels]
+  double scale = 0.0;            ///< [pixels/m]
+  double magnify = 1.0;          ///< of displacements
+  bool cracks = true;
+};
+
+/// Draws the discs (moved as at axial strain `strain`, straight between frames) and the cracks up to it.
+/// Needs a scene with at least one frame.
+void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain);
+
+/// Axial strain of the last row.
+double last_strain(const TestRecord& test);
+
+}  // namespace phy

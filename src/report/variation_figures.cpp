@@ -1,0 +1,245 @@
+#include "report/variation_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/check.hpp"
+#include "report/palette.hpp"
+#include "theory/eq1_fit.hpp"
+
+namespace phy {
+namespace {
+
+using Row = GnuplotScript::Row;
+
+constexpr double drawn_every = 2.0;  // [deg]
+/// For parameters: differ in lightness too (Okabe & Ito 2008).
+constexpr std::array<Color, 8> line_colors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
+                                              0x56b4e9, 0xe69f00, 0x000000, 0x7f7f7f};
+/// For values of one parameter, from small to large.
+constexpr std::array<Color, 7> value_colors = {0xe0a100, 0xd06a1b, 0xb23a48, 0x8a2a6b,
+                                               0x5b2a86, 0x31348c, 0x0b2545};
+constexpr std::array<int, 7> symbols = {7, 5, 9, 11, 13, 15, 6};
+
+/// As in the paper; other keys as they stand in the recipe.
+std::string symbol_of(const std::string& key) {
+  static const std::map<std::string, std::string> known = {
+      {"bedding.k_n", "{/:Italic k}_n"},    {"bedding.k_s", "{/:Italic k}_s"},
+      {"bedding.mu", "{/:Italic μ}"},       {"bedding.sigma_n", "{/:Italic σ}_n"},
+      {"bedding.cohesion", "{/:Italic C}"}, {"bedding.zone_thickness", "{/:Italic d}"},
+      {"bedding.spacing", "{/:Italic δ}"}};
+  if (const auto it = known.find(key); it != known.end()) return it->second;
+  std::string text;
+  for (const char c : key) text += (c == '_' ? "\\_" : std::string(1, c));
+  return text;
+}
+
+Eq1Fit fit_of(const VariedSetting& s, double E_intact) {
+  std::vector<ModulusReading> readings;
+  Eq1Options options;
+  options.reference = E_intact > 0.0 ? Eq1Reference::given : Eq1Reference::free;
+  options.E = E_intact;
+  for (const AngleValue& a : s.E) {
+    if (a.value.n == 0) continue;
+    readings.push_back({a.theta, a.value.mean});
+    if (a.theta == 90.0) options.reference = Eq1Reference::measured_90;
+  }
+  return fit_eq1(readings, options);
+}
+
+std::vector<MacroPoint> macro_of(const Variation& v, const VariedParameter& p) {
+  if (!p.macro.empty()) return p.macro;
+  std::vector<MacroPoint> points;
+  for (const VariedSetting& s : p.settings) {
+    const Eq1Fit fit = fit_of(s, v.E_intact);
+    if (!fit.ok() || v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
+    MacroPoint point;
+    point.factor = s.factor;
+    point.K_n.n = point.K_s.n = 1;
+    point.K_n.mean = fit.rock.K_n_delta / v.spacing, point.K_s.mean = fit.rock.K_s_delta / v.spacing;
+    points.push_back(point);
+  }
+  return points;
+}
+
+Row bar(double x, const Summary& s, double factor) {
+  const double half = std::isfinite(s.half_width) ? s.half_width : 0.0;
+  return {x, factor * s.mean, factor * (s.mean - half), factor * (s.mean + half)};
+}
+
+/// Points as `how` says, with bars where there are intervals.
+void add_points(GnuplotScript& s, std::vector<std::string>& parts, const std::vector<Row>& rows,
+                const std::string& how, const std::string& look) {
+  const std::string data = s.block(rows);
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r[3] > r[2]; }))
+    parts.push_back(data + " using 1:2:3:4 with yerrorbars pt -1 lw 1 " + look + " notitle");
+  parts.push_back(data + " using 1:2 " + how);
+}
+
+/// One panel of Fig. 4: k = 0 K_n, 1 K_s.
+void stiffness_panel(GnuplotScript& s, const std::vector<Variation>& variations, std::size_t k) {
+  std::vector<std::string> parts;
+  std::vector<Row> paper;
+  std::size_t n_series = 0;
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  const bool sweeps = variations.size() > 1 || !variations[0].parameters[0].macro.empty();
+  for (const Variation& v : variations)
+    for (const VariedParameter& p : v.parameters) {
+      if (sweeps && p.key != (k == 0 ? "bedding.k_n" : "bedding.k_s")) continue;
+      std::vector<Row> rows;
+      for (const MacroPoint& m : macro_of(v, p)) {
+        const Summary& K = k == 0 ? m.K_n : m.K_s;
+        if (K.n > 0) rows.push_back(bar(m.factor, K, 1e-9));
+        if (m.paper > 0.0 && &v == &variations.front()) paper.push_back({m.factor, 1e-9 * m.paper});
+      }
+      if (rows.empty()) continue;
+      const std::size_t i = n_series++;
+      const std::string look = fmt::format("lc rgb '{}'", hex_color(line_colors[i % 8]));
+      add_points(s, parts, rows,
+                 fmt::format("with linespoints lw 1.4 pt {} ps 0.55 {} title {}", symbols[i % 7], look,
+                             sweeps ? GnuplotScript::quoted(v.name) + " noenhanced"
+                                    : GnuplotScript::quoted(symbol_of(p.key))),
+                 look);
+      for (const Row& row : rows) low = std::min(low, row[1]), high = std::max(high, row[1]);
+    }
+  if (parts.empty())
+    throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "",
+                             "E at several inclinations for a fit of Eq. 1", "run more angles"});
+  const bool wide = high > 30.0 * low;  // no linear axis would show the small ones
+  s.add("{}", wide ? "set logscale y; set yrange [*:*]; set format y '10^{%L}'; set key top right"
+                   : "unset logscale y; set yrange [0:*]; set format y '%g'; set key top left");
+  if (!paper.empty())
+    parts.push_back(s.block(paper) +
+                    " using 1:2 with lines dt 2 lw 1.4 lc rgb '#444444' title 'Eq. 2 of the paper'");
+  s.add("set ylabel 'macro {} stiffness {{/:Italic K}}_{} [GPa/m]' offset {}", k == 0 ? "normal" : "shear",
+        k == 0 ? "n" : "s", wide ? 0 : 1);
+  s.add("set xlabel '{}'",
+        sweeps ? (k == 0 ? "{/:Italic k}_n / base" : "{/:Italic k}_s / base") : "parameter / base");
+  s.plot(parts);
+}
+
+/// What follows the number in all values of a parameter: " GPa/m"; empty if they differ.
+std::string common_unit(const VariedParameter& p) {
+  std::string unit;
+  for (const VariedSetting& s : p.settings) {
+    const std::string own = s.text.substr(std::min(s.text.find(' '), s.text.size()));
+    if (&s != &p.settings.front() && own != unit) return "";
+    unit = own;
+  }
+  return unit;
+}
+
+std::vector<Row> eq1_line(const Eq1Fit& fit) {
+  std::vector<Row> line;
+  for (double theta = 0.0; fit.ok() && theta <= 90.0; theta += drawn_every)
+    line.push_back({theta, 1e-9 * goodman_E(fit.rock, theta)});
+  return line;
+}
+
+Color value_color(std::size_t i, std::size_t n) {
+  const double part = n < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1);
+  return value_colors[static_cast<std::size_t>(std::lround(6.0 * part))];
+}
+
+/// Values over the inclination: points with intervals, and lines through them or Eq. 1.
+void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, double E_intact) {
+  std::vector<std::string> parts;
+  const std::size_t unit = common_unit(p).size();
+  for (std::size_t i = 0; i < p.settings.size(); ++i) {
+    const VariedSetting& setting = p.settings[i];
+    std::vector<Row> rows;
+    for (const AngleValue& a : modulus ? setting.E : setting.ucs)
+      if (a.value.n > 0) rows.push_back(bar(a.theta, a.value, modulus ? 1e-9 : 1e-6));
+    if (rows.empty()) continue;
+    const std::vector<Row> line = modulus ? eq1_line(fit_of(setting, E_intact)) : std::vector<Row>();
+    const std::string look = fmt::format("lc rgb '{}'", hex_color(value_color(i, p.settings.size())));
+    if (!line.empty()) parts.push_back(fmt::format("{} with lines lw 1.2 {} notitle", s.block(line), look));
+    const std::string name =
+        setting.text.substr(0, setting.text.size() - unit) + (setting.base ? " (base)" : "");
+    add_points(s, parts, rows,
+               fmt::format("with {} pt {} ps 0.5 lw {} {} title {} noenhanced",
+                           line.empty() ? "linespoints" : "points", symbols[i % 7], setting.base ? 2.0 : 1.2,
+                           look, GnuplotScript::quoted(name)),
+               look);
+  }
+  s.plot(parts);
+}
+
+std::vector<const VariedParameter*> modulus_parameters(const Variation& v) {
+  std::vector<const VariedParameter*> chosen;
+  for (const VariedParameter& p : v.parameters)
+    if (p.key == "bedding.k_n" || p.key == "bedding.k_s") chosen.push_back(&p);
+  if (chosen.empty())
+    for (const VariedParameter& p : v.parameters) chosen.push_back(&p);
+  return chosen;
+}
+
+std::vector<const VariedParameter*> strength_parameters(const Variation& v) {
+  std::vector<const VariedParameter*> chosen;
+  for (const VariedParameter& p : v.parameters)
+    if (std::any_of(p.settings.begin(), p.settings.end(),
+                    [](const VariedSetting& s) { return !s.ucs.empty(); }))
+      chosen.push_back(&p);
+  return chosen;
+}
+
+std::pair<int, int> grid_of(std::size_t n) {
+  const int columns = n <= 2 ? static_cast<int>(std::max<std::size_t>(1, n)) : n == 4 ? 2 : 3;
+  return {columns, (static_cast<int>(n) + columns - 1) / columns};
+}
+
+/// Panels side by side; the margins are given in mm. Returns the height of the figure [mm].
+double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>& parameters, bool modulus,
+                    double E_intact, double width) {
+  const auto [columns, rows] = grid_of(parameters.size());
+  constexpr double left = 12.0, right = 1.5, top = 6.0, bottom = 11.0;
+  const double panel = (width - right - columns * left) / columns;  // between the axes
+  const double height = rows * (0.72 * panel + top + bottom);
+  s.add("set multiplot layout {},{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}", rows, columns,
+        left / width, 1.0 - right / width, bottom / height, 1.0 - top / height, left / width,
+        (top + bottom) / height);
+  s.add("set xrange [-3:93]; set xtics 15; set xlabel 'inclination {{/:Italic θ}} [°]'");
+  s.add("set ylabel '{}' offset 1; set yrange [0:*]",
+        modulus ? "{/:Italic E}_{/:Italic θ} [GPa]" : "UCS [MPa]");
+  if (modulus)
+    s.add("set key top left reverse Left");
+  else  // room for the key above the curves
+    s.add("set offsets 0,0,graph 0.3,0; set key top right reverse Left maxrows 2 font ',6' width -2");
+  char letter = 'a';
+  for (const VariedParameter* p : parameters) {
+    const std::string unit = common_unit(*p);
+    s.add("set title '({}) {}{}' offset 0,-0.6", letter++, symbol_of(p->key),
+          unit.empty() ? "" : " [" + unit.substr(1) + "]");
+    angle_panel(s, *p, modulus, E_intact);
+  }
+  s.add("unset multiplot");
+  return height;
+}
+
+}  // namespace
+
+double draw_stiffness(GnuplotScript& s, const std::vector<Variation>& variations, double width) {
+  s.add("set multiplot layout 1,2 margins 0.09,0.985,0.16,0.96 spacing 0.11,0");
+  s.add("set key reverse Left; set xrange [0:*]");
+  stiffness_panel(s, variations, 0);
+  stiffness_panel(s, variations, 1);
+  s.add("unset multiplot");
+  return 0.44 * width;
+}
+
+double draw_modulus(GnuplotScript& s, const Variation& v, double width) {
+  return angle_panels(s, modulus_parameters(v), true, v.E_intact, width);
+}
+
+double draw_strength(GnuplotScript& s, const Variation& v, double width) {
+  const auto parameters = strength_parameters(v);
+  if (parameters.empty())
+    throw InputError(Problem{"results", "ucs", "", "tests run to the peak",
+                             "name a study, not a sweep of the elastic solution"});
+  return angle_panels(s, parameters, false, v.E_intact, width);
+}
+
+}  // namespace phy
