@@ -44,6 +44,12 @@ bench: build
 	$(BUILD)/bench_engine
 	$(BUILD)/bench_statics
 
+# Studies over MPI ranks (Debian: libopenmpi-dev), built and tested beside the usual build.
+mpi:
+	@cmake -S . -B build/mpi -G Ninja -DPHY_MPI=ON -DPHY_BENCH=OFF >/dev/null
+	@cmake --build build/mpi -j $(JOBS) --target phyllite test_x_mpi
+	@ctest --test-dir build/mpi --output-on-failure -L mpi
+
 lint:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror
 	@python3 tools/check_floors.py

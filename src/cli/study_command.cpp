@@ -14,6 +14,7 @@
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
 #include "study/effects.hpp"
+#include "study/mpi.hpp"
 #include "study/runner.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -34,7 +35,7 @@ struct StudyArguments {
   std::vector<std::string> stores;
   std::string out;
   int slurm = 0;
-  bool dry_run = false, reference = false;
+  bool dry_run = false, reference = false, mpi = false;
 };
 
 Shard parse_shard(const std::string& text) {
@@ -136,13 +137,17 @@ std::string progress_text(const StudyProgress& p, double seconds, std::size_t n_
 
 struct StudyRun {
   WorkReport report;
-  std::size_t n_new = 0;
+  std::size_t n_new = 0, n_guest = 0;
 };
 
-StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int threads) {
+MachineOptions machine_of(int threads) {
   MachineOptions machine;
   machine.isa = native_isa();
   machine.threads = threads;
+  return machine;
+}
+
+StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int threads, const Ranks* ranks) {
   ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
   StudyHooks hooks;
   hooks.stop = &stop_requested;
@@ -152,40 +157,59 @@ StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int th
   hooks.on_result = [&](const PlannedTest&, const TestResult& r) {
     if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);
   };
-  StoreDesk desk(plan, store, hooks, machine.threads);
-  const WorkReport report = work_at(desk, plan, machine);
+  StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(threads) : threads);
+  const WorkReport report = ranks != nullptr ? work_as_host(*ranks, desk, plan, machine_of(threads))
+                                             : work_at(desk, plan, machine_of(threads));
   line.finish();
-  return {report, desk.progress().n_new};
+  return {report, desk.progress().n_new, desk.progress().n_guest};
 }
 
 /// Prints the effects and writes them into a folder.
 void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder) {
   fmt::print("{}", effects_text(plan, rows));
-  if (plan.study.vary.empty()) return;
   write_file((fs::path(folder) / "responses.csv").string(), responses_csv(plan, rows));
   write_file((fs::path(folder) / "effects.csv").string(), effects_csv(plan, rows));
 }
 
-int finish_study(const Plan& plan, const Store& store, const std::string& folder, const StudyRun& run) {
-  const auto rows = rows_of(plan, store);
+/// The tables of a whole store.
+void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder) {
   write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
   tell_effects(plan, rows, folder);
+  fmt::print("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
+}
+
+int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,
+                 const StudyRun& run) {
+  const auto rows = rows_of(plan, store);
+  if (shard.n == 1) write_tables(plan, rows, folder);
   const std::size_t n_bad = print_failures(plan, rows), n_left = n_unfinished(plan, rows);
   const WorkReport& report = run.report;
   fmt::print("\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
              report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
              report.cpu_seconds, 100.0 * report.idle);
+  if (run.n_guest > 0) fmt::print("{} of them on other ranks\n", run.n_guest);
   fmt::print("store of {} with hash {}\n", store.size(), store.hash());
-  fmt::print("tables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
+  if (shard.n > 1) fmt::print("when all parts are done: phyllite study merge {}\n", folder);
   return n_bad + n_left > 0 ? 1 : 0;
+}
+
+/// All but rank 0: work for rank 0's store, write and print nothing.
+int run_as_guest(const Plan& plan, const Ranks& ranks, int threads) {
+  ranks.sum(threads);
+  work_as_guest(ranks, plan, machine_of(threads));
+  return 0;
 }
 
 int run_study(const Study& study, const StudyArguments& args, const std::string& folder,
               const Session& session) {
+  std::optional<Ranks> ranks;
+  if (args.mpi) ranks.emplace();
   const Shard shard = parse_shard(args.shard);
   const Plan plan = make_plan(study, shard);
   const int threads = session.threads > 0 ? session.threads : available_cores();
+  if (ranks) ranks->check_same(plan);
+  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, threads);
   const std::string file = store_file(folder, shard);
   if (args.dry_run) {
     std::vector<std::optional<StoredResult>> rows(plan.tests.size());
@@ -199,8 +223,8 @@ int run_study(const Study& study, const StudyArguments& args, const std::string&
   Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
   print_plan(plan, rows_of(plan, store), threads);
   std::fflush(stdout);
-  const StudyRun run = run_plan(plan, store, session, threads);
-  return finish_study(plan, store, folder, run);
+  const StudyRun run = run_plan(plan, store, session, threads, ranks ? &*ranks : nullptr);
+  return finish_study(plan, store, folder, shard, run);
 }
 
 /// A folder of an earlier run, with its study.
@@ -257,20 +281,25 @@ int merge_stores(const StudyArguments& args) {
       fmt::print("  {} differs from the row that is there, which stays\n", key);
     n_different += report.different.size();
   }
+  if (fs::exists(fs::path(args.folder) / "study.toml")) {
+    const Plan plan = make_plan(study_in(args.folder));
+    write_tables(plan, rows_of(plan, store), args.folder);
+  }
   fmt::print("store of {} with hash {}\n", store.size(), store.hash());
   return n_different > 0 ? 1 : 0;
 }
 
-std::string slurm_script(const StudyArguments& args, const std::string& folder, const std::string& name) {
+std::string slurm_script(const StudyArguments& args, const std::string& folder, const std::string& name,
+                         int threads) {
   return fmt::format(
       "#!/bin/sh\n"
       "# Job array for Slurm: sbatch this file; when all parts are done: phyllite study merge {1}\n"
       "# A part that was cancelled or has run out of time goes on where it was when it is submitted again.\n"
-      "#SBATCH --job-name={3}\n#SBATCH --array=1-{2}\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=4\n"
+      "#SBATCH --job-name={3}\n#SBATCH --array=1-{2}\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task={4}\n"
       "#SBATCH --time=02:00:00\n"
       "exec phyllite --threads \"$SLURM_CPUS_PER_TASK\" study \"{0}\" --out \"{1}\" "
       "--shard \"$SLURM_ARRAY_TASK_ID/{2}\"\n",
-      args.study, folder, args.slurm, name);
+      args.study, folder, args.slurm, name, threads > 0 ? threads : 4);
 }
 
 std::string reference() {
@@ -299,7 +328,7 @@ int study_verb(const StudyArguments& args, const Session& session) {
   const std::string folder =
       args.out.empty() ? (fs::path("results") / fs::path(args.study).stem()).string() : args.out;
   if (args.slurm > 0) {
-    fmt::print("{}", slurm_script(args, folder, fs::path(args.study).stem().string()));
+    fmt::print("{}", slurm_script(args, folder, fs::path(args.study).stem().string(), session.threads));
     return 0;
   }
   return run_study(study, args, folder, session);
@@ -315,6 +344,7 @@ void add_study_command(CLI::App& app, Session& session) {
   study->add_option("--shard", args->shard, "run part i of n only, i/n, into a store of its own");
   study->add_option("--slurm", args->slurm, "print a job script that runs the study in N parts")
       ->check(CLI::Range(1, 10000));
+  study->add_flag("--mpi", args->mpi, "work on all ranks of mpirun; rank 0 keeps the store");
   study->add_flag("--dry-run", args->dry_run, "tell the number of runs and the expected time, run nothing");
   study->add_flag("--reference", args->reference, "print all keys of a study file");
   study->require_subcommand(0, 1);

@@ -30,8 +30,10 @@ const Number* number_of(const StudyRows& rows, const Run& run, const std::string
   return row ? find(row->result.numbers, name) : nullptr;
 }
 
+std::string angle_name(double theta) { return "theta = " + print_number(theta) + " deg"; }
+
 std::string specimen_name(const Recipe& r) {
-  return r.bedding.empty() ? "intact" : "theta = " + print_number(r.bedding.front().theta) + " deg";
+  return r.bedding.empty() ? "intact" : angle_name(r.bedding.front().theta);
 }
 
 std::vector<std::vector<double>> no_values(const Plan& plan) {
@@ -132,6 +134,7 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string&
   fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<Eq1Fit>>(plan.points.size()));
   fits.K_n = {"K_n", "Pa/m", "all angles", no_values(plan)};
   fits.K_s = {"K_s", "Pa/m", "all angles", no_values(plan)};
+  fits.R2 = {"R2_eq1", "1", "all angles", no_values(plan)};
   for (const auto& [place, r] : all) {
     const bool has_reference = reference != Eq1Reference::given || std::isfinite(r.intact);
     if (!r.whole || r.layered.empty() || !has_reference) continue;
@@ -140,6 +143,12 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string&
     if (!fit.ok()) continue;
     fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
     fits.K_s.values[place.first][place.second] = fit.rock.K_s_delta / r.spacing;
+    fits.R2.values[place.first][place.second] = fit.R2;
+    for (std::size_t i = 0; i < r.layered.size(); ++i) {
+      const double theta = r.layered[i].theta;
+      if (i == fits.E.size()) fits.E.push_back({"E_eq1", "Pa", angle_name(theta), no_values(plan)});
+      fits.E[i].values[place.first][place.second] = goodman_E(fit.rock, theta);
+    }
   }
   return fits;
 }

@@ -45,6 +45,8 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
 struct JointFits {
   std::vector<std::vector<std::optional<Eq1Fit>>> fits;  ///< by replicate, then by point
   Response K_n, K_s;                                     ///< [Pa/m]
+  Response R2;                                           ///< of Eq. 1, in modulus
+  std::vector<Response> E;                               ///< E of Eq. 1, by angle [Pa]
 };
 /// `modulus` names the number that is fitted; the reference `given` is that number of the intact specimen.
 JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
@@ -94,7 +96,8 @@ std::vector<VarianceIndex> variance_indices(std::size_t n_factors, const std::ve
 std::string effects_text(const Plan& plan, const StudyRows& rows);
 /// Tidy CSV, a row per response, parameter and effect.
 std::string effects_csv(const Plan& plan, const StudyRows& rows);
-/// Tidy CSV, a row per response and point: mean, standard deviation, 95 % interval over the replicates.
+/// Tidy CSV, a row per response (K_n, K_s, R2_eq1 and E_eq1 of Eq. 1 among them) and point: mean, standard
+/// deviation, 95 % interval over the replicates.
 std::string responses_csv(const Plan& plan, const StudyRows& rows);
 
 }  // namespace phy

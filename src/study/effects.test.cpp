@@ -138,6 +138,8 @@ TEST(Effects, MacroStiffnessAndItsLineComeBack) {
     EXPECT_NEAR(fits.K_n.at(p).mean / (1.8 * plan.points[p].values[0] + 300e9), 1.0, 1e-9);
     EXPECT_NEAR(fits.K_s.at(p).mean / 1500e9, 1.0, 1e-9);
     EXPECT_EQ(fits.K_n.at(p).n, 2u);
+    EXPECT_NEAR(fits.R2.at(p).mean, 1.0, 1e-12);
+    EXPECT_NEAR(fits.E[3].at(p).mean, 42e9, 1.0);  // at 90 degrees: the intact rock
   }
   const auto effects = effects_of(plan, fits.K_n, 0);
   EXPECT_EQ(effects[0].name, "slope");
@@ -176,7 +178,8 @@ TEST(Effects, TablesHaveARowPerResponseParameterAndEffect) {
         << line;
     ++n;
   }
-  EXPECT_EQ(n, 1u + (2 * 5 + 3 * 2) * 6);  // two numbers at five specimens, K_n and K_s by three references
+  EXPECT_EQ(n, 1u + (2 * 5 + 3 * 7) *
+                        6);  // two numbers at five specimens; K_n, K_s, R2, four E by three references
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ const Effect* named(const std::vector<Effect>& effects, const std::string& name)
 
 /// Parameters down, responses across.
 std::string effect_table(const Plan& plan, const std::vector<Response>& of) {
+  if (plan.study.vary.empty()) return "";
   const Headline h = headline(plan.study.design);
   const auto [own, unit] = readable(of.front().unit);
   const double scale = h.scale > 0.0 ? h.scale : own;
@@ -119,9 +120,11 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
       {Eq1Reference::given, "intact"}, {Eq1Reference::measured_90, "E(90)"}, {Eq1Reference::free, "free"}};
   for (const auto& [reference, name] : references) {
     JointFits fits = fit_joints(plan, rows, modulus, reference);
-    for (Response* r : {&fits.K_n, &fits.K_s}) {
-      r->specimen += fmt::format(", reference {}", name);
-      all.push_back(std::move(*r));
+    std::vector<Response> of = std::move(fits.E);
+    of.insert(of.end(), {fits.K_n, fits.K_s, fits.R2});
+    for (Response& r : of) {
+      r.specimen += fmt::format(", reference {}", name);
+      all.push_back(std::move(r));
     }
   }
   return all;
@@ -134,7 +137,6 @@ std::string cells(const Summary& s) {
 }  // namespace
 
 std::string effects_text(const Plan& plan, const StudyRows& rows) {
-  if (plan.study.vary.empty()) return "";
   std::string text = joints_text(plan, rows);
   for (const std::string& name : told)
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())

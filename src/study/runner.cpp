@@ -194,24 +194,29 @@ void StoreDesk::leave(std::size_t batch) {
   --n_inside_[batch];
 }
 
-/// Place in the queue: the longest test of the last one's kind; when there is none left, of the kind with the
-/// most work per worker.
+/// Place in the queue: the longest test of the last one's kind. When there is none left, a new kind begins:
+/// the one with the most work per worker times its longest test. Work alone would begin long tests late and
+/// leave workers idle at the end; length alone would bring all kinds together in one group.
 std::size_t StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
+  struct Kind {
+    std::size_t first = 0;  // place of its longest test
+    double work = 0.0, longest = 0.0;
+  };
   const auto& queue = waiting_[batch];
-  std::map<std::size_t, double> work;
-  std::map<std::size_t, std::size_t> first;
+  std::map<std::size_t, Kind> kinds;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const PlannedTest& t = plan_.tests[queue[i]];
-    work[t.kind] += t.cost / (1.0 + n_at_[{batch, t.kind}]);
-    first.try_emplace(t.kind, i);
+    Kind& kind = kinds.try_emplace(t.kind, Kind{i, 0.0, t.cost}).first->second;
+    kind.work += t.cost / (1.0 + n_at_[{batch, t.kind}]);
   }
-  const std::size_t kind = last ? plan_.tests[*last].kind : plan_.tests.size();
-  if (const auto same = first.find(kind); same != first.end()) return same->second;
-  const auto most = std::max_element(work.begin(), work.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (last) --n_at_[{batch, kind}];
-  ++n_at_[{batch, most->first}];
-  return first[most->first];
+  if (last)
+    if (const auto same = kinds.find(plan_.tests[*last].kind); same != kinds.end()) return same->second.first;
+  const auto best = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
+    return a.second.work * a.second.longest < b.second.work * b.second.longest;
+  });
+  if (last) --n_at_[{batch, plan_.tests[*last].kind}];
+  ++n_at_[{batch, best->first}];
+  return best->second.first;
 }
 
 std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std::size_t> last) {
@@ -229,13 +234,14 @@ std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std:
   return {};
 }
 
-void StoreDesk::deliver(std::size_t test, const TestResult& result) {
+void StoreDesk::deliver_from(const std::string& host, std::size_t test, const TestResult& result) {
   const PlannedTest& t = plan_.tests[test];
   if (result.outcome.status == Status::interrupted) return store_.release(t.key);
-  store_.put(t.key, write_recipe(t.recipe), result);
+  store_.put(t.key, write_recipe(t.recipe), result, host);
   const std::lock_guard lock(mutex_);
   finish(test, result.outcome.status != Status::peaked);
   ++progress_.n_new;
+  progress_.n_guest += host.empty() ? 0 : 1;
   progress_.cost_new += t.cost;
   progress_.work_new += static_cast<double>(result.n_steps * t.recipe.packing.n_grains);
   if (hooks_.on_result) hooks_.on_result(t, result);

@@ -2,8 +2,8 @@
 //
 // The desk gives out tests and takes results. StoreDesk owns the store: it claims a test before giving it
 // out, so that other processes on the same store leave it alone, and stores the result as soon as it is
-// there. With MPI the other ranks talk to the desk of rank 0 (study/mpi.hpp); nothing else in a worker
-// changes.
+// there. With MPI the workers of other ranks ask the desk of rank 0 (study/mpi.hpp); nothing else in a
+// worker changes.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -28,6 +28,7 @@ struct StudyProgress {
   std::size_t n_done = 0;    ///< finished, by whomever
   std::size_t n_failed = 0;  ///< of these: no peak
   std::size_t n_new = 0;     ///< of these: finished by this run
+  std::size_t n_guest = 0;   ///< of these: on other ranks
   std::size_t n_total = 0;
   double cost_new = 0.0, cost_left = 0.0;  ///< expected cost of what this run has finished, and of the rest
   double work = 0.0;                       ///< cycles times grains of this run, the unit of cost
@@ -73,7 +74,9 @@ class StoreDesk : public Desk {
   Assignment enter() override;
   void leave(std::size_t batch) override;
   std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override;
-  void deliver(std::size_t test, const TestResult& result) override;
+  void deliver(std::size_t test, const TestResult& result) override { deliver_from("", test, result); }
+  /// A result of another host; "": of this one.
+  void deliver_from(const std::string& host, std::size_t test, const TestResult& result);
   void count(double work) override;
   bool stopped() override { return hooks_.stop != nullptr && hooks_.stop->load(); }
   StudyProgress progress();

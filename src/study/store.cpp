@@ -161,13 +161,13 @@ void read_numbers(Database& database, StoredResult& r) {
 }
 
 void write_specimen(Database& database, const std::string& key, const std::string& recipe,
-                    const TestResult& t) {
+                    const TestResult& t, const std::string& host) {
   Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
                             ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
-  s.bind(t.seconds).bind(host_name()).bind("phyllite " PHY_VERSION).bind(utc_now());
+  s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind("phyllite " PHY_VERSION).bind(utc_now());
   s.bind_blob(deflated(history_csv(t.history))).bind_blob(deflated(cracks_csv(t.cracks)));
   s.run();
   if (database.n_changed() == 0) return;
@@ -257,11 +257,12 @@ void Store::release_all() {
   Statement(database_, "DELETE FROM claim WHERE owner = ?").bind(owner_).run();
 }
 
-void Store::put(const std::string& key, const std::string& recipe, const TestResult& result) {
+void Store::put(const std::string& key, const std::string& recipe, const TestResult& result,
+                const std::string& host) {
   PHY_CHECK(result.outcome.status != Status::interrupted, "an interrupted test is no result");
   const std::lock_guard lock(mutex_);
   database_.transaction([&] {
-    write_specimen(database_, key, recipe, result);
+    write_specimen(database_, key, recipe, result, host);
     Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
   });
 }

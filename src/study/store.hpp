@@ -65,7 +65,9 @@ class Store {
   void release(const std::string& key);
   void release_all();
   /// Stores a finished specimen (not an interrupted one) and ends the claim. A row that is there stays.
-  void put(const std::string& key, const std::string& recipe, const TestResult& result);
+  /// `host`: where it ran; "": here.
+  void put(const std::string& key, const std::string& recipe, const TestResult& result,
+           const std::string& host = "");
 
   /// The row with history and cracks.
   std::optional<StoredResult> find(const std::string& key) const;

@@ -134,8 +134,10 @@ TEST_F(StudyCli, ShardsMergeToTheSameStore) {
   const std::string whole = hash();
   for (const char* part : {"1/3", "2/3", "3/3"})
     ASSERT_EQ(run("study " + file + " --shard " + part + " --out " + out()), 0) << output;
+  EXPECT_FALSE(fs::exists(out() + "/results.csv")) << "a part has no table of the whole";
   ASSERT_EQ(run("study merge " + out()), 0) << output;
   EXPECT_EQ(hash(), whole);
+  EXPECT_EQ(read(out() + "/responses.csv"), read(at("whole") + "/responses.csv"));
   EXPECT_EQ(run("study status " + out()), 0) << output;
   EXPECT_EQ(run("study " + file + " --shard 4/3"), 2);
   EXPECT_THAT(output, HasSubstr("i/n with 1 <= i <= n"));

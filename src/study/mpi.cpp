@@ -1,0 +1,248 @@
+#include "study/mpi.hpp"
+
+#ifdef PHY_MPI
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/hash.hpp"
+#include "io/csv.hpp"
+#endif
+
+#include "base/check.hpp"
+
+namespace phy {
+
+#ifndef PHY_MPI
+
+Ranks::Ranks() {
+  throw InputError(Problem{"command line", "--mpi", "", "a program built with MPI",
+                           "build it with cmake -DPHY_MPI=ON, or run shards (--shard i/n)"});
+}
+Ranks::~Ranks() = default;
+int Ranks::sum(int value) const { return value; }
+void Ranks::check_same(const Plan&) const {}
+WorkReport work_as_host(const Ranks&, StoreDesk& desk, const Plan& plan, const MachineOptions& machine) {
+  return work_at(desk, plan, machine);
+}
+void work_as_guest(const Ranks&, const Plan&, const MachineOptions&) {}
+
+#else
+
+namespace {
+
+using nlohmann::json;
+constexpr int request_tag = 1, answer_tag = 2;
+constexpr useconds_t pause = 500;  // [us] between looks for a message; MPI's own waiting would take a core
+
+void send(const json& message, int to, int tag) {
+  const std::string text = message.dump();
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
+}
+
+json receive(const MPI_Status& status) {
+  int size = 0;
+  MPI_Get_count(&status, MPI_CHAR, &size);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  MPI_Recv(text.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return json::parse(text);
+}
+
+/// False if there is no message.
+bool look(int from, int tag, MPI_Status& status) {
+  int there = 0;
+  MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status);
+  return there != 0;
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+// What the store keeps of a result, and nothing more. NaN travels as null.
+json packed(const TestResult& r) {
+  json numbers = json::array();
+  for (const Number& n : r.numbers) numbers.push_back({n.name, n.value, n.unit, n.definition, n.note});
+  return {{"name", r.name},
+          {"intact", r.intact},
+          {"theta", r.theta},
+          {"outcome", {static_cast<int>(r.outcome.status), r.outcome.reason, r.outcome.advice}},
+          {"numbers", numbers},
+          {"history", history_csv(r.history)},
+          {"cracks", cracks_csv(r.cracks)},
+          {"dt", r.dt},
+          {"counts", {r.n_steps, r.n_contacts}},
+          {"seconds", r.seconds},
+          {"hash", r.hash}};
+}
+
+double number_or_nan(const json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+TestResult unpacked(const json& j) {
+  TestResult r;
+  r.name = j["name"], r.intact = j["intact"], r.theta = j["theta"];
+  r.outcome = {static_cast<Status>(j["outcome"][0].get<int>()), j["outcome"][1], j["outcome"][2]};
+  for (const json& n : j["numbers"]) r.numbers.push_back({n[0], number_or_nan(n[1]), n[2], n[3], n[4]});
+  r.history = parse_history(j["history"].get<std::string>(), "a result of another rank");
+  r.cracks = parse_cracks(j["cracks"].get<std::string>(), "a result of another rank");
+  r.dt = number_or_nan(j["dt"]);
+  r.n_steps = j["counts"][0], r.n_contacts = j["counts"][1];
+  r.seconds = j["seconds"], r.hash = j["hash"];
+  return r;
+}
+
+/// The desk of rank 0 as seen from another rank.
+class RemoteDesk : public Desk {
+ public:
+  Assignment enter() override {
+    const json a = ask({{"ask", "enter"}});
+    return {static_cast<Assignment::Kind>(a[0].get<int>()), a[1], a[2]};
+  }
+  void leave(std::size_t batch) override { ask({{"ask", "leave"}, {"batch", batch}}); }
+  std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override {
+    json request = {{"ask", "take"}, {"batch", batch}};
+    if (last) request["last"] = *last;
+    const json a = ask(request);
+    return a.is_null() ? std::nullopt : std::optional<std::size_t>(a.get<std::size_t>());
+  }
+  void deliver(std::size_t test, const TestResult& result) override {
+    ask({{"ask", "deliver"}, {"test", test}, {"host", host_name()}, {"result", packed(result)}});
+  }
+  void count(double work) override { stopped_ = ask({{"ask", "count"}, {"work", work}}).get<bool>(); }
+  bool stopped() override { return stopped_; }  // as of the last block
+  void end(const WorkReport& report) {
+    ask({{"ask", "end"}, {"cpu", report.cpu_seconds}, {"wall", report.wall_seconds}, {"idle", report.idle}});
+  }
+
+ private:
+  std::mutex mutex_;  // one question of this rank at a time
+  std::atomic<bool> stopped_{false};
+  json ask(const json& request) {
+    const std::lock_guard lock(mutex_);
+    send(request, 0, request_tag);
+    MPI_Status status;
+    while (!look(0, answer_tag, status)) ::usleep(pause);
+    return receive(status);
+  }
+};
+
+/// Answers the other ranks until all have ended. Adds their work to `report`, idle as worker-seconds.
+class Server {
+ public:
+  Server(StoreDesk& desk, int n_guests) : desk_(desk), n_left_(n_guests) {}
+  std::vector<WorkReport> reports;
+
+  void run() {
+    while (n_left_ > 0) {
+      MPI_Status status;
+      if (!look(MPI_ANY_SOURCE, request_tag, status)) {
+        ::usleep(pause);
+        continue;
+      }
+      const json request = receive(status);
+      send(answer(request), status.MPI_SOURCE, answer_tag);
+    }
+  }
+
+ private:
+  StoreDesk& desk_;
+  int n_left_;
+
+  json answer(const json& q) {
+    const std::string what = q["ask"];
+    if (what == "enter") {
+      const Assignment a = desk_.enter();
+      return {static_cast<int>(a.kind), a.batch, a.n_tests};
+    }
+    if (what == "leave") desk_.leave(q["batch"]);
+    if (what == "take") {
+      std::optional<std::size_t> last;
+      if (q.contains("last")) last = q["last"].get<std::size_t>();
+      const auto test = desk_.take(q["batch"], last);
+      return test ? json(*test) : json(nullptr);
+    }
+    if (what == "deliver") desk_.deliver_from(q["host"], q["test"], unpacked(q["result"]));
+    if (what == "count") desk_.count(q["work"]);
+    if (what == "end") --n_left_, reports.push_back({q["cpu"], q["wall"], q["idle"]});
+    return desk_.stopped();
+  }
+};
+
+std::uint64_t fingerprint(const Plan& plan) {
+  Hash h;
+  for (const PlannedTest& t : plan.tests) h.add(t.key);
+  return h.value();
+}
+
+}  // namespace
+
+Ranks::Ranks() {
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  PHY_CHECK(provided >= MPI_THREAD_SERIALIZED, "MPI can be called from several threads in turn");
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+}
+
+// Behind an error the other ranks may wait for an answer that will not come: mpirun ends them when this one
+// leaves without finalising.
+Ranks::~Ranks() {
+  if (std::uncaught_exceptions() == 0) MPI_Finalize();
+}
+
+int Ranks::sum(int value) const {
+  int total = 0;
+  MPI_Allreduce(&value, &total, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  return total;
+}
+
+void Ranks::check_same(const Plan& plan) const {
+  const std::uint64_t mine = fingerprint(plan);
+  std::uint64_t least = 0, most = 0;
+  MPI_Allreduce(&mine, &least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  MPI_Allreduce(&mine, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  if (least != most)
+    throw InputError(Problem{"command line", "--mpi", "", "the same study and recipe on every rank",
+                             "let all ranks read the same files"});
+}
+
+WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan,
+                        const MachineOptions& machine) {
+  Server server(desk, ranks.size() - 1);
+  WorkReport report;
+  {
+    const std::jthread serving([&] { server.run(); });
+    report = work_at(desk, plan, machine);
+  }
+  // Ranks have equally many workers unless told otherwise; each counts with its own wall time.
+  double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;
+  for (const WorkReport& r : server.reports) {
+    report.cpu_seconds += r.cpu_seconds;
+    busy += r.wall_seconds * (1.0 - r.idle);
+    wall = std::max(wall, r.wall_seconds);
+  }
+  report.wall_seconds = wall;
+  report.idle = 1.0 - busy / (wall * ranks.size());
+  return report;
+}
+
+void work_as_guest(const Ranks&, const Plan& plan, const MachineOptions& machine) {
+  RemoteDesk desk;
+  try {
+    desk.end(work_at(desk, plan, machine));
+  } catch (...) {
+    desk.end({});  // or rank 0 would wait for ever
+    throw;
+  }
+}
+
+#endif
+
+}  // namespace phy
