@@ -22,6 +22,7 @@ void add_show_command(CLI::App& app, Session& session);
 void add_calibrate_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);
 void add_figure_command(CLI::App& app, Session& session);
+void add_film_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
 
 /// Cores that this process may use.

@@ -81,6 +81,24 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
   EXPECT_TRUE(fs::exists(locked / "deeper" / "x.pdf"));
 }
 
+TEST_F(Cli, FilmsAreEncoded) {
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  EXPECT_EQ(run("film " + out() + " --out " + (folder / "film.avi").string()), 2);
+  EXPECT_THAT(output, HasSubstr(".webm"));
+  if (run_line("command -v ffmpeg") != 0) GTEST_SKIP() << "no ffmpeg here";
+  const std::pair<const char*, const char*> films[] = {{"film.gif", "GIF89a"},
+                                                       {"film.webm", "\x1A\x45\xDF\xA3"}};
+  for (const auto& [name, magic] : films) {
+    ASSERT_EQ(run("film " + out() + " --seconds 0.5 --width 320 --out " + (folder / name).string()), 0)
+        << output;
+    EXPECT_THAT(output, HasSubstr("10 frames"));
+    std::ifstream in(folder / name, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    EXPECT_EQ(bytes.substr(0, std::string(magic).size()), magic);
+    EXPECT_GT(bytes.size(), 5000U);
+  }
+}
+
 TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
   const std::string bad = write("bad.toml", "[specimen]\nwidht = \"8 mm\"\nheight = 16\n");
   EXPECT_EQ(run("run " + bad + " --out " + out()), 2);

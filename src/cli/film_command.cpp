@@ -1,0 +1,59 @@
+// `phyllite film RESULT`: an animation of the test, encoded by ffmpeg.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "io/load.hpp"
+#include "io/program.hpp"
+#include "report/film.hpp"
+
+namespace phy {
+namespace {
+
+struct FilmArguments {
+  std::string result, out = "film.webm";
+  FilmOptions film;
+};
+
+void make_film(const FilmArguments& args) {
+  const RunRecord run = read_run(args.result);
+  const Film film(run, args.film);
+  make_file(args.out, [&](const std::string& temporary) {
+    run_program("ffmpeg", film.encoder_arguments(temporary), "ffmpeg", [&](const auto& write) {
+      for (int i = 0; i < film.n_frames(); ++i) write(film.frame(i).rgb());
+    });
+  });
+  fmt::print("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
+             1e-6 * static_cast<double>(std::filesystem::file_size(args.out)));
+}
+
+}  // namespace
+
+void add_film_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<FilmArguments>();
+  CLI::App* verb = app.add_subcommand("film", "write an animation of the test (WebM or GIF) through ffmpeg");
+  verb->add_option("result", args->result, "folder that `phyllite run` wrote, or one specimen of it")
+      ->required();
+  verb->add_option("--out", args->out, "file that ends in .webm or .gif")
+      ->check([](const std::string& name) {
+        return name.ends_with(".webm") || name.ends_with(".gif") ? ""
+                                                                 : "name a file that ends in .webm or .gif";
+      })
+      ->capture_default_str();
+  verb->add_option("--width", args->film.width, "pixels")
+      ->check(CLI::Range(320, 3840))
+      ->capture_default_str();
+  verb->add_option("--seconds", args->film.seconds, "length")
+      ->check(CLI::Range(0.5, 120.0))
+      ->capture_default_str();
+  verb->add_option("--magnify", args->film.magnify, "of displacements")
+      ->check(CLI::Range(0.0, 200.0))
+      ->capture_default_str();
+  verb->callback([args, &session] {
+    session.exit_code = 0;
+    make_film(*args);
+  });
+}
+
+}  // namespace phy

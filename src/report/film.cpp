@@ -1,0 +1,115 @@
+#include "report/film.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "report/palette.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double label_height = 34.0, curve_height = 190.0, edge = 14.0;  // [pixels]
+constexpr double widest_cell = 420.0;                                     // [pixels]
+constexpr double rest = 0.12;  // of the film, in which the end stands still
+constexpr Color paper = 0xffffff, ink = 0x3d464c;
+
+}  // namespace
+
+Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options) {
+  for (const TestRecord& t : run.tests) {
+    if (t.scene.frames.empty()) continue;
+    places_.push_back({&t, {}});
+    end_ = std::max(end_, last_strain(t));
+    for (const HistoryRow& row : t.result.history.rows) strongest_ = std::max(strongest_, row.axial_stress);
+  }
+  if (places_.empty() || !(end_ > 0.0))
+    throw InputError(Problem{"result", "scene.bin", "", "discs and displacements",
+                             "run the recipe again with test.n_frames"});
+  const auto n = static_cast<double>(places_.size());
+  const Scene& scene = places_.front().test->scene;
+  cell_ = std::min(widest_cell, (options_.width - 2.0 * edge) / n);
+  const double scale = 0.92 * cell_ / scene.width;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    places_[i].view = {0.5 * (options_.width - cell_ * n) + cell_ * (static_cast<double>(i) + 0.04),
+                       label_height, scale, options_.magnify, true};
+  curve_top_ = label_height + scale * scene.height + 26.0;
+  height_ = 2 * static_cast<int>(
+                    std::ceil(0.5 * (curve_top_ + curve_height + 30.0)));  // encoders want even numbers
+}
+
+int Film::n_frames() const {
+  return std::max(2, static_cast<int>(std::lround(options_.seconds * options_.per_second)));
+}
+
+Canvas Film::frame(int i) const {
+  Canvas canvas(width(), height_, paper);
+  const double strain = end_ * std::min(1.0, (1.0 + rest) * i / (n_frames() - 1));
+  for (const Place& p : places_)
+    draw_specimen(canvas, *p.test, p.view, std::min(strain, last_strain(*p.test)));
+  draw_curves(canvas, strain);
+  return canvas;
+}
+
+void Film::draw_curves(Canvas& canvas, double strain) const {
+  const double left = edge + 8.0, right = width() - edge - 8.0, low = curve_top_ + curve_height;
+  const auto x = [&](double s) { return left + (right - left) * s / end_; };
+  const auto y = [&](double s) { return low - curve_height * s / std::max(1.0, strongest_); };
+  canvas.line(left, low, right, low, 1.2, ink);
+  canvas.line(left, curve_top_, left, low, 1.2, ink);
+  for (const Place& p : places_) {
+    const auto& rows = p.test->result.history.rows;
+    const Color color = angle_color(p.test->result);
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < rows.size() && rows[i].axial_strain <= strain; last = i++)
+      canvas.line(x(rows[i - 1].axial_strain), y(rows[i - 1].axial_stress), x(rows[i].axial_strain),
+                  y(rows[i].axial_stress), 1.6, color);
+    if (!rows.empty()) canvas.disc(x(rows[last].axial_strain), y(rows[last].axial_stress), 4.5, color);
+  }
+}
+
+std::string Film::labels() const {
+  std::string filter;
+  const auto add = [&](const std::string& text, double x, double y, Color color) {
+    filter += fmt::format("{}drawtext=text='{}':x={:.0f}-text_w/2:y={:.0f}:fontsize=15:fontcolor=0x{:06x}",
+                          filter.empty() ? "" : ",", text, x, y, color);
+  };
+  for (const Place& p : places_)
+    add(p.test->result.intact ? "intact" : fmt::format("θ = {:g}°", p.test->result.theta),
+        p.view.left + 0.46 * cell_, 9.0, angle_color(p.test->result));
+  add(fmt::format("axial stress to {:.0f} MPa over axial strain to {:.2g} percent", 1e-6 * strongest_,
+                  100.0 * end_),
+      0.5 * width(), height_ - 24.0, ink);
+  return filter;
+}
+
+std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
+  std::vector<std::string> arguments = {"-hide_banner",
+                                        "-loglevel",
+                                        "error",
+                                        "-y",
+                                        "-f",
+                                        "rawvideo",
+                                        "-pixel_format",
+                                        "rgb24",
+                                        "-video_size",
+                                        fmt::format("{}x{}", width(), height_),
+                                        "-framerate",
+                                        std::to_string(options_.per_second),
+                                        "-i",
+                                        "-"};
+  const auto add = [&](std::initializer_list<std::string> more) { arguments.insert(arguments.end(), more); };
+  if (out.ends_with(".gif"))
+    add({"-filter_complex",
+         labels() +
+             ",split[a][b];[a]palettegen=max_colors=64:stats_mode=diff[p];[b][p]paletteuse=dither=none"});
+  else
+    add({"-vf", labels(), "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-deadline",
+         "good", "-cpu-used", "4", "-pix_fmt", "yuv420p"});
+  arguments.push_back(out);
+  return arguments;
+}
+
+}  // namespace phy
