@@ -9,6 +9,7 @@
 #include "analysis/elastic.hpp"
 #include "analysis/energy.hpp"
 #include "analysis/strength.hpp"
+#include "analysis/tension.hpp"
 
 namespace phy {
 namespace {
@@ -21,6 +22,39 @@ std::vector<Number> elastic(const LoadingBranch& branch, const AnalysisOptions& 
           tangent_modulus(branch, options.small_strain, from, "E_small" + suffix)};
 }
 
+void add(std::vector<Number>& out, std::vector<Number> more) {
+  out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// What every kind of test has: strength, elasticity, damage, cracks, energies, checks.
+std::vector<Number> press(const History& history, const LoadingBranch& branch,
+                          const std::vector<CrackEvent>& cracks, const AnalysisOptions& options) {
+  std::vector<Number> out = strength(branch);
+  add(out, elastic(branch, options, StrainFrom::gauge, ""));
+  add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
+  add(out, crack_initiation(branch, cracks, options.jump_strain));
+  out.push_back(crack_damage(branch));
+  add(out, crack_numbers(branch, cracks));
+  add(out, energy_budget(branch, history));
+  add(out, run_checks(branch, history));
+  return out;
+}
+
+std::vector<Number> tension(const History& history, const std::vector<CrackEvent>& cracks,
+                            const AnalysisOptions& options) {
+  const History pulled = mirrored(history);
+  LoadingBranch branch = loading_branch(pulled);
+  branch.strength = "sigma_t", branch.stress = "tension", branch.tool = "grip";
+  std::vector<Number> out = press(pulled, branch, mirrored(cracks), options);
+  std::erase_if(out, [](const Number& n) { return n.name == "sigma_cd"; });  // a notion of compression
+  const double grip = options.grip_thickness;
+  std::vector<Number> place = place_of_failure(history, cracks, -branch.strain, grip);
+  if (place.back().value > 0.5)
+    out.front().note = joined(out.front().note, "failed at the grip: a lower bound of the strength");
+  out.insert(out.begin() + 2, place.begin(), place.end());
+  return out;
+}
+
 }  // namespace
 
 const Number* find(const std::vector<Number>& numbers, const std::string& name) {
@@ -31,18 +65,11 @@ const Number* find(const std::vector<Number>& numbers, const std::string& name) 
 
 std::vector<Number> analyse(const History& history, const std::vector<CrackEvent>& cracks,
                             const AnalysisOptions& options) {
-  const LoadingBranch branch = loading_branch(history);
-  std::vector<Number> out = strength(branch);
-  const auto add = [&out](std::vector<Number> more) {
-    out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  add(elastic(branch, options, StrainFrom::gauge, ""));
-  add(elastic(branch, options, StrainFrom::platen, "_platen"));
-  add(crack_initiation(branch, cracks, options.jump_strain));
-  out.push_back(crack_damage(branch));
-  add(crack_numbers(branch, cracks));
-  add(energy_budget(branch, history));
-  add(run_checks(branch, history));
+  std::vector<Number> out;
+  switch (history.kind) {
+    case TestKind::uniaxial: out = press(history, loading_branch(history), cracks, options); break;
+    case TestKind::direct_tension: out = tension(history, cracks, options); break;
+  }
   for (Number& n : out) {
     if (std::isfinite(n.value)) continue;
     n.value = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// The numbers of a compression test, read from its history alone: so the same code reads a PFC history or a
+// The numbers of a test, read from its history alone: so the same code reads a PFC history or a
 // laboratory curve. Every number carries its SI value, its unit and the definition used; what cannot be
 // determined is NaN with a note. A value with a note is to be read with that note ("below ...": an upper
 // bound; "no peak": the percentages refer to the largest stress so far). All reading is linear in the number
@@ -8,7 +8,6 @@
 //   strength.hpp   ucs peak_strain sigma_ci sigma_first_crack sigma_cd
 //   cracks.hpp     cracks_{tension,shear}_{matrix,bedding}, and the same with _at_peak
 //   energy.hpp     energy_<column>, and the same with _at_peak; energy_error kinetic_ratio platen_difference
-//   ...
 #pragma once
 #include <string>
 #include <vector>
@@ -19,14 +18,15 @@
 namespace phy {
 
 struct AnalysisOptions {
-  double jump_strain = 0.0;  ///< axial strain of a jump start, 0: none; cracks below it could not show
+  double grip_thickness = 0.0;  ///< of a direct tension test [m]
+  double jump_strain = 0.0;     ///< axial strain of a jump start, 0: none; cracks below it could not show
   StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of ucs
   double secant = 0.5;               ///< level of E_secant, fraction of ucs
   StressRange small_strain = {
       0.1, 0.2};  ///< of E_small: before cracking, comparable with the direct elastic solution
 };
 
-/// All numbers of one test, in the order above.
+/// All numbers of one test, by the kind that its history names, in the order above.
 std::vector<Number> analyse(const History& history, const std::vector<CrackEvent>& cracks,
                             const AnalysisOptions& options = {});
 

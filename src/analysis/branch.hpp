@@ -16,7 +16,10 @@ struct LoadingBranch {
   std::span<const HistoryRow> rows;
   double largest = std::numeric_limits<double>::quiet_NaN();  ///< largest axial stress [Pa]
   double strain = std::numeric_limits<double>::quiet_NaN();   ///< axial platen strain there
-  bool peaked = false;  ///< at least one row follows: the largest stress is a peak, and is the ucs
+  bool peaked = false;  ///< at least one row follows: the largest stress is a peak, and is the strength
+  const char* strength = "ucs";         ///< what the largest stress of this kind of test is called
+  const char* stress = "axial stress";  ///< and the stress
+  const char* tool = "platen";          ///< what pushes or pulls
 
   bool empty() const { return rows.empty(); }
 };

@@ -19,8 +19,8 @@ std::string range_text(StressRange range) {
   return fmt::format("{:g} and {:g} %", 100 * range.lo, 100 * range.hi);
 }
 
-const char* place_of(StrainFrom from) {
-  return from == StrainFrom::gauge ? "gauge (middle 60 %)" : "platens";
+std::string place_of(const LoadingBranch& branch, StrainFrom from) {
+  return from == StrainFrom::gauge ? "gauge (middle 60 %)" : std::string(branch.tool) + "s";
 }
 
 /// Says when the history begins too late for a range (jump start, record switched on late).
@@ -61,8 +61,8 @@ Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFro
       std::move(name), nan, "Pa",
       fmt::format(
           "slope of the least-squares line of axial stress over axial strain of the {} at the first passage "
-          "between {} of ucs, before the peak",
-          place_of(from), range_text(range)),
+          "between {} of {}, before the peak",
+          place_of(branch, from), range_text(range), branch.strength),
       ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
   return n;
@@ -72,8 +72,8 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
   Number n{std::move(name), nan, "1",
            fmt::format("minus the slope of the least-squares line of lateral strain (gauge) over axial "
                        "strain of the {} at "
-                       "the first passage between {} of ucs, before the peak",
-                       place_of(from), range_text(range)),
+                       "the first passage between {} of {}, before the peak",
+                       place_of(branch, from), range_text(range), branch.strength),
            ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::lateral_strain_gauge, n);
   n.value = 0.0 - n.value;  // not -x: a slope of 0 gives 0
@@ -81,11 +81,10 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
 }
 
 Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom from, std::string name) {
-  Number n{
-      std::move(name), nan, "Pa",
-      fmt::format("axial stress over axial strain of the {} where the stress first reaches {:g} % of ucs",
-                  place_of(from), 100 * fraction),
-      branch_note(branch)};
+  Number n{std::move(name), nan, "Pa",
+           fmt::format("axial stress over axial strain of the {} where the stress first reaches {:g} % of {}",
+                       place_of(branch, from), 100 * fraction, branch.strength),
+           branch_note(branch)};
   const double level = fraction * branch.largest;
   const auto strain = axial_strain_of(from);
   const HistoryRow* before = nullptr;

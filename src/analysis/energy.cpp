@@ -1,5 +1,7 @@
 #include "analysis/energy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -50,11 +52,11 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
     const double d = std::fabs(r.stress_top - r.stress_bottom) / branch.largest;
     if (std::isfinite(d)) differences.push_back(d);
   }
-  Number all{"platen_difference", nan, "1", "largest |top - bottom platen stress| / ucs before the peak",
+  const std::string difference = fmt::format("|top - bottom {} stress| / {}", branch.tool, branch.strength);
+  Number all{"platen_difference", nan, "1", "largest " + difference + " before the peak",
              branch_note(branch)};
   Number most{"platen_difference_95", nan, "1",
-              "|top - bottom platen stress| / ucs that 95 % of the rows before the peak do not exceed",
-              all.note};
+              difference + " that 95 % of the rows before the peak do not exceed", all.note};
   if (!differences.empty()) {
     all.value = *std::max_element(differences.begin(), differences.end());
     const auto nth = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 95 / 100);
@@ -95,7 +97,8 @@ std::vector<Number> run_checks(const LoadingBranch& branch, const History& histo
       {"energy_error_of_row", present ? largest(history.rows, own) : nan, "1",
        "largest |work not accounted for| / boundary work, both up to the same row", missing},
       {"kinetic_ratio", present && !branch.empty() ? kinetic_ratio(branch) : nan, "1",
-       "largest kinetic energy / stored strain energy from 20 % of ucs to the peak",
+       fmt::format("largest kinetic energy / stored strain energy from 20 % of {} to the peak",
+                   branch.strength),
        joined(branch_note(branch), missing)}};
   platen_checks(branch, out);
   return out;

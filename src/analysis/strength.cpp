@@ -34,10 +34,12 @@ void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_
 
 std::vector<Number> strength(const LoadingBranch& branch) {
   const std::string note = branch_note(branch);
-  return {{"ucs", branch.peaked ? branch.largest : nan, "Pa",
-           "largest axial stress of the test (mean of both platens over the initial width)", note},
+  return {{branch.strength, branch.peaked ? branch.largest : nan, "Pa",
+           fmt::format("largest {} of the test (mean of both {}s over the initial width)", branch.stress,
+                       branch.tool),
+           note},
           {"peak_strain", branch.peaked ? branch.strain : nan, "1",
-           "axial strain of the platens at the largest axial stress", note}};
+           fmt::format("axial strain of the {}s at the largest {}", branch.tool, branch.stress), note}};
 }
 
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,

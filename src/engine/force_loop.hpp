@@ -21,33 +21,13 @@
 // unchanged: a lane's bits do not depend on its neighbours.
 #pragma once
 #include "base/pack.hpp"
+#include "engine/lane_memory.hpp"
+#include "engine/tool_loop.hpp"
 #include "engine/view.hpp"
 #include "laws/laws.hpp"
 
 namespace phy {
 inline namespace PHY_ISA {
-
-template <class R>
-R load(const ScalarOf<R>* base, std::size_t i) {
-  R r;
-  __builtin_memcpy(&r, base + i * NumberTraits<R>::width, sizeof r);
-  return r;
-}
-template <class R>
-void store(ScalarOf<R>* base, std::size_t i, const R& r) {
-  __builtin_memcpy(base + i * NumberTraits<R>::width, &r, sizeof r);
-}
-template <class R>
-void add_to(ScalarOf<R>* base, std::size_t i, const R& r) {
-  store(base, i, load<R>(base, i) + r);
-}
-
-/// Adds a row's lane sums to the specimen's sums in double.
-template <class R>
-void add_sample(double* sample, int field, const R& r) {
-  constexpr int W = NumberTraits<R>::width;
-  for (int l = 0; l < W; ++l) sample[field * W + l] += static_cast<double>(NumberTraits<R>::get(r, l));
-}
 
 /// The loop over one group, with the lane constants at hand.
 template <class R>
@@ -71,6 +51,7 @@ class ForceLoop {
       move_row(row, done);
       forces_row<true>(row, done);
     }
+    for (int row = 0; row < v.n_rows; ++row) ToolLoop<R>(v, lane).collect(row, done);
     sample_grains();
   }
 
@@ -89,6 +70,13 @@ class ForceLoop {
     }
   }
 
+  // The rig (tool_loop.hpp), out of the way of the loop over contacts.
+  PHY_RARE void hold_grips(int row, int step) { ToolLoop<R>(v, lane).hold(row, step); }
+  template <bool sample>
+  PHY_RARE R press_tools(int row, int step) {
+    return ToolLoop<R>(v, lane).template press<sample>(row, step);
+  }
+
   /// One component of motion; returns the damping work times 2/dt.
   static R move_component(T* grain, int f, int vel, int u, R scale, R alpha, R dt) {
     const R force = load<R>(grain, f);
@@ -103,6 +91,7 @@ class ForceLoop {
   }
 
   void move_row(int row, int step) {
+    if (v.row_grip[row] != v.row_grip[row + 1]) hold_grips(row, step);
     R work(0);
     for (std::int32_t g = v.row_grain[row]; g < v.row_grain[row + 1]; ++g) {
       T* grain = v.grain + static_cast<std::size_t>(g) * n_grain_fields * W;
@@ -278,9 +267,9 @@ class ForceLoop {
 
   template <bool sample>
   void forces_row(int row, int step) {
-    RowSums walls;
-    if (v.row_wall[row] != 0) platens<sample>(row, step, walls);
-    RowSums sums = walls;  // a copy whose address no call takes stays in registers
+    RowSums sums;
+    if (v.row_touch[row] != v.row_touch[row + 1] || v.row_load[row] != v.row_load[row + 1])
+      sums.slip = press_tools<sample>(row, step);
     const std::int32_t end = v.row_contact[row + 1];
     // The next contact's square root and divisions run while this contact's law is evaluated: one contact is
     // a chain of some 150 cycles, longer than what the processor looks ahead.
@@ -315,35 +304,6 @@ class ForceLoop {
       double& worst = v.sample[s_overlap * static_cast<int>(W) + l];
       const double here = static_cast<double>(NumberTraits<R>::get(sums.overlap, l));
       worst = here > worst || here != here ? here : worst;
-    }
-  }
-
-  /// Rigid platens against the grains of a row: the linear law with the platen as grain 1.
-  template <bool sample>
-  PHY_RARE void platens(int row, int step, RowSums& sums) {
-    for (int wall = 0; wall < 2; ++wall) {
-      if ((v.row_wall[row] & (1 << wall)) == 0) continue;
-      const R up = wall == 0 ? R(1) : R(-1);  // n = (0, up), t = (-up, 0)
-      const R moved = load<R>(v.wall_u, 2 * static_cast<std::size_t>(step) + wall);
-      R force(0), energy(0);
-      for (std::int32_t g = v.row_grain[row]; g < v.row_grain[row + 1]; ++g) {
-        T* grain = v.grain + static_cast<std::size_t>(g) * n_grain_fields * W;
-        const R radius(v.grain_const[g].radius);
-        const R closure = moved - up * load<R>(grain, g_uy) - load<R>(v.wall_gap[wall], g);
-        const R d_slide = (-(up * load<R>(grain, g_vx)) - load<R>(grain, g_w) * radius) * lane[l_dt];
-        const linear::Parameters<R> p{lane[l_wall_kn], lane[l_wall_ks], lane[l_wall_inv_ks], lane[l_wall_mu]};
-        linear::State<R> st{load<R>(v.wall_shear[wall], g)};
-        const Reaction<R> r = linear::respond(p, st, Motion<R>{closure, R(0), d_slide, R(0)});
-        store(v.wall_shear[wall], g, st.F_s);
-        add_to(grain, g_fx, -(up * r.F_s));
-        add_to(grain, g_fy, up * r.F_n);
-        add_to(grain, g_tq, -(radius * r.F_s));
-        force += r.F_n;
-        sums.slip += r.dissipated;
-        if constexpr (sample) energy += linear::strain_energy(p, r.F_n, r.F_s);
-      }
-      add_to(v.wall_force, 2 * static_cast<std::size_t>(step) + wall, force);
-      if constexpr (sample) add_sample(v.sample, s_strain_wall, energy);
     }
   }
 

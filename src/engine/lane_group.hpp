@@ -7,11 +7,13 @@
 // watchdog, history.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/kernels.hpp"
+#include "engine/rig.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
@@ -26,14 +28,12 @@ struct GroupOptions {
   int interval = 100;  ///< cycles between checks (recipe: test.history_interval)
 };
 
-/// How a lane is driven.
+/// Numerics and rig of a lane. Lanes of a group share the geometry of the rig.
 struct LaneSetup {
   double damping = 0.7;
   double step_safety = 0.92;
-  double platen_speed = 0.05;  ///< of each platen [m/s]
-  double ramp_strain = 2e-5;   ///< axial strain gained while the speed rises linearly from 0
-  double platen_friction = 0.0;
-  double jump_strain = 0.0;  ///< start from an affine state of this axial strain
+  double tool_friction = 0.0;                ///< of the rough tools
+  std::shared_ptr<const Rig> rig = nullptr;  ///< null: no boundary at all
 };
 
 /// What the watchdog saw at the end of a block.
@@ -47,19 +47,23 @@ class LaneGroup {
   virtual ~LaneGroup() = default;
 
   virtual int lanes() const = 0;
-  /// Puts a specimen into a lane, at rest, without platens. Throws InternalError when it is of another
-  /// packing.
+  /// Puts a specimen into a lane, at rest, its rig not yet in place. Throws InternalError when it is of
+  /// another packing.
   virtual void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) = 0;
   /// Empties a lane.
   virtual void clear(int lane) = 0;
-  /// Sets both platens against the specimen as it lies now and starts the books at zero.
-  virtual void place_platens(int lane) = 0;
+  /// Sets the rig against the specimen as it lies now, at rest, and starts the books at zero.
+  virtual void place_rig(int lane) = 0;
   /// Stops or allows breakage (relaxation, jump start, elastic runs).
   virtual void hold_bonds(int lane, bool hold) = 0;
-  /// Moves or stops the platens (speed 0 keeps them where they are).
-  virtual void drive_platens(int lane, bool on) = 0;
-  /// Sets the affine state of the jump start; platens must be placed. Its strain energy enters the books as
-  /// work.
+  /// How a tool moves from now on.
+  virtual void drive(int lane, int tool, const Drive& drive) = 0;
+  /// Pressure of the loads on grains from now on [Pa].
+  virtual void press(int lane, double pressure) = 0;
+  /// Gives all grains a velocity [m/s] by their place; its energy enters the books as work.
+  virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;
+  /// Sets the affine state of the jump start along the rig's axial axis (y), rig in place. Its strain energy
+  /// enters the books as work.
   virtual void jump(int lane, double axial_strain) = 0;
   /// True when a bond or joint carries its strength or more: it would break the moment breakage is allowed.
   virtual bool at_strength(int lane) const = 0;
@@ -70,6 +74,7 @@ class LaneGroup {
   virtual void advance() = 0;
 
   virtual const HistoryRow& row(int lane) const = 0;  ///< state at the end of the block
+  virtual const ToolState& tool(int lane, int tool) const = 0;
   virtual const LaneHealth& health(int lane) const = 0;
   virtual std::vector<CrackEvent>& cracks(int lane) = 0;  ///< all so far, ordered within each block
   virtual Snapshot snapshot(int lane) const = 0;          ///< grains and contacts now

@@ -59,6 +59,17 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
+/// A tool's contact, on the diagonal block of its grain.
+void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
+  const double k_n = specimen.matrix.E_c * linear::wall_stiffness_factor, ratio = specimen.matrix.ks_over_kn;
+  const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
+  const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
+  block[0] += (xx + ratio * yy) * k_n / mass;
+  block[1] += (yy + ratio * xx) * k_n / mass;
+  block[2] += 2.0 * ratio * k_n / mass;
+  block[3] += (1.0 - ratio) * t.normal.x * t.normal.y * k_n / mass;
+}
+
 }  // namespace
 
 ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n) {
@@ -102,7 +113,8 @@ ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& cont
   return k;
 }
 
-FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts)
+FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
+                               const Rig& rig)
     : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
   const std::size_t n = packing_->discs.size();
   std::vector<Sym3> diagonal(n, Sym3{});
@@ -115,15 +127,10 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
     entries.push_back({c.a, c.b, norm_ab});
   }
   std::vector<double> own(n), next(n);
-  const double k_wall = specimen.matrix.E_c * linear::wall_stiffness_factor;
+  for (const Tool& tool : rig.tools)
+    for (const Touch& t : tool.touches)
+      if (t.gap < packing_->discs[t.grain].r) add_wall(specimen, t, diagonal[t.grain]);
   for (std::size_t i = 0; i < n; ++i) {
-    const Disc& disc = packing_->discs[i];
-    const double mass = density_ * pi * disc.r * disc.r;
-    if (disc.y < 2.0 * disc.r || disc.y > packing_->height - 2.0 * disc.r) {
-      diagonal[i][1] += k_wall / mass;
-      diagonal[i][0] += specimen.matrix.ks_over_kn * k_wall / mass;
-      diagonal[i][2] += 2.0 * specimen.matrix.ks_over_kn * k_wall / mass;
-    }
     own[i] = largest_eigenvalue(diagonal[i]);
   }
   x_.assign(n, 1.0);

@@ -10,6 +10,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/rig.hpp"
 #include "records/specimen.hpp"
 
 namespace phy {
@@ -33,7 +34,9 @@ std::vector<ContactStiffness> initial_stiffnesses(const Specimen& specimen);
 /// The bound with its witness x, so that new contacts can be added without starting over.
 class FrequencyBound {
  public:
-  FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts);
+  /// Grains within a radius of a tool count as touching it.
+  FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
+                 const Rig& rig = {});
   /// Upper bound of omega_max [1/s].
   double omega() const;
   /// A contact is born: the bound rises by what its row of N can at most become. Breakage only lowers the

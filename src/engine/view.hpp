@@ -44,6 +44,8 @@ enum LaneField {
   l_wall_ks,
   l_wall_inv_ks,
   l_wall_mu,
+  l_grips,     // 1 where the rig's grips hold, else 0
+  l_pressure,  // of the loads on grains
   n_lane_fields
 };
 
@@ -88,6 +90,27 @@ struct ContactConst {
   T area;  ///< 2 r_min
 };
 
+/// A grain near a tool. Sorted by row, tool, grain.
+template <class T>
+struct TouchPoint {
+  std::int32_t grain, tool;
+  T nx, ny;  ///< normal, into the specimen
+  T rough;   ///< 1: the lane's tool friction, 0: none
+};
+
+/// A grain that a tool holds, by component. Sorted by row.
+struct GripPoint {
+  std::int32_t grain, tool;
+  bool x, y, rotation;
+};
+
+/// Force per unit of pressure on a grain. Sorted by row.
+template <class T>
+struct LoadPoint {
+  std::int32_t grain;
+  T x, y;
+};
+
 struct RawCrack {
   std::int32_t step;  ///< within the block
   std::int32_t contact, lane;
@@ -100,20 +123,27 @@ struct GroupView {
   int n_rows = 0;
   const std::int32_t* row_grain = nullptr;    ///< first grain of each row, n_rows + 1
   const std::int32_t* row_contact = nullptr;  ///< first contact of each row, n_rows + 1
-  const std::uint8_t* row_wall = nullptr;     ///< bit 0: near the bottom platen, bit 1: near the top platen
+  const std::int32_t* row_touch = nullptr;    ///< first of each row in `touch`, n_rows + 1
+  const std::int32_t* row_grip = nullptr;     ///< the same in `grip`
+  const std::int32_t* row_load = nullptr;     ///< the same in `load`
   const GrainConst<T>* grain_const = nullptr;
   const ContactConst<T>* contact_const = nullptr;
   T* grain = nullptr;
   T* contact = nullptr;
   const T* lane = nullptr;
   const T* joint = nullptr;
-  const T* wall_gap[2] = {};  ///< per grain: closure needed before a platen acts
-  T* wall_shear[2] = {};      ///< per grain: shear force on the platen
-  const T* wall_u = nullptr;  ///< per step: displacement of bottom and top platen into the specimen
-  T* wall_force = nullptr;    ///< per step: force of bottom and top platen
-  T* slip = nullptr;          ///< per step: slip work
-  T* damping = nullptr;       ///< per step: 2/dt times the work of local damping
-  double* sample = nullptr;   ///< n_sample_fields lane vectors
+  int n_tools = 0, n_grains = 0;
+  const TouchPoint<T>* touch = nullptr;
+  const GripPoint* grip = nullptr;
+  const LoadPoint<T>* load = nullptr;
+  const T* touch_gap = nullptr;  ///< per tool and grain: closure needed before the tool acts
+  T* touch_shear = nullptr;      ///< per tool and grain: shear force
+  const T* tool_u = nullptr;     ///< per step, tool, component: displacement
+  const T* tool_v = nullptr;     ///< per step, tool, component: velocity
+  T* tool_force = nullptr;       ///< per step, tool, component: force on the specimen
+  T* slip = nullptr;             ///< per step: slip work
+  T* damping = nullptr;          ///< per step: 2/dt times the work of local damping
+  double* sample = nullptr;      ///< n_sample_fields lane vectors
   RawCrack* cracks = nullptr;
   std::size_t n_cracks = 0;
   int skew = 4;  ///< cycles per sweep; does not change any bit

@@ -160,9 +160,9 @@ bool take_number(std::string_view& text, T& value) {
   return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
-std::string history_header() {
+std::string history_header(TestKind kind) {
   std::string text;
-  for (const HistoryColumn& c : history_columns())
+  for (const HistoryColumn& c : history_columns(kind))
     text += (text.empty() ? "" : ",") + std::string(c.name) + " [" + c.unit + "]";
   return text;
 }
@@ -174,10 +174,10 @@ constexpr const char* crack_header =
 }  // namespace
 
 std::string history_csv(const History& history) {
-  std::string text = history_header() + "\n";
+  std::string text = history_header(history.kind) + "\n";
   for (const HistoryRow& row : history.rows) {
     bool first = true;
-    for (const HistoryColumn& c : history_columns()) {
+    for (const HistoryColumn& c : history_columns(history.kind)) {
       text += (first ? "" : ",") + print_number(row.*c.value);
       first = false;
     }
@@ -202,9 +202,12 @@ std::string cracks_csv(const std::vector<CrackEvent>& cracks) {
 
 History parse_history(std::string_view text, const std::string& where) {
   History history;
-  each_line(text, where, history_header(), [&](std::string_view line) {
+  const std::string_view header = text.substr(0, text.find('\n'));
+  for (const TestKind kind : all_kinds)  // the columns name the test
+    if (header == history_header(kind)) history.kind = kind;
+  each_line(text, where, history_header(history.kind), [&](std::string_view line) {
     HistoryRow row;
-    for (const HistoryColumn& c : history_columns())
+    for (const HistoryColumn& c : history_columns(history.kind))
       if (!take_number(line, row.*c.value)) return false;
     history.rows.push_back(row);
     return line.empty();

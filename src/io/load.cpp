@@ -60,6 +60,7 @@ TestRecord parse_result(const std::string& text, const std::string& where) {
   record.recipe = parse_recipe(j.at("recipe").get<std::string>(), where + ": recipe");
   TestResult& r = record.result;
   r.name = j.at("specimen");
+  r.kind = record.recipe.test.kind;
   r.intact = !j.contains("theta [deg]");
   if (!r.intact) r.theta = number(j.at("theta [deg]"));
   const Json& outcome = j.at("outcome");

@@ -19,7 +19,7 @@ enum class StiffnessConvention { pfc31, pfc5 };  ///< laws/linear/README.md
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
 enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
-enum class TestKind { uniaxial };
+enum class TestKind { uniaxial, direct_tension };
 
 struct SpecimenSize {
   double width = 0.038;   ///< [m]
@@ -92,6 +92,7 @@ struct TestRecipe {
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
   std::int64_t n_frames = 40;           ///< stored displacement fields through the test
   double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start
+  double grip_thickness = 0.0;          ///< [m] direct tension; 0: four times the largest radius
 };
 
 struct EngineRecipe {

@@ -180,7 +180,7 @@ void add_bedding(List& l) {
 void add_test(List& l) {
   using T = TestRecipe;
   constexpr auto part = &Recipe::test;
-  l.choice("test", "kind", {"uniaxial"}, "laboratory test", part, &T::kind);
+  l.choice("test", "kind", {"uniaxial", "direct_tension"}, "laboratory test", part, &T::kind);
   Field f;
   f.kind = FieldKind::quantities, f.table = "test", f.key = "angles", f.dimension = Dimension::angle;
   f.min = 0, f.max = 180, f.below_max = true;
@@ -211,6 +211,9 @@ void add_test(List& l) {
             part, &T::n_frames);
   l.number("test", "jump_strain", 0, 0.05, "", "axial strain of the jump start; 0: none", part,
            &T::jump_strain);
+  l.quantity("test", "grip_thickness", Dimension::length, 0, 0.1, "",
+             "direct_tension: rock held at each end; 0: four times the largest radius", part,
+             &T::grip_thickness);
 }
 
 void add_engine(List& l) {

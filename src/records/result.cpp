@@ -4,33 +4,81 @@
 
 namespace phy {
 
-const std::vector<HistoryColumn>& history_columns() {
-  static const std::vector<HistoryColumn> columns = {
-      {"step", "1", "cycle number", &HistoryRow::step},
-      {"time", "s", "simulated time", &HistoryRow::time},
-      {"axial_strain", "1", "shortening between the platens / initial height", &HistoryRow::axial_strain},
-      {"axial_strain_gauge", "1", "least-squares strain of the middle 60 % along the load",
-       &HistoryRow::axial_strain_gauge},
-      {"lateral_strain_gauge", "1",
-       "least-squares strain of the middle 60 % across the load, shortening positive",
-       &HistoryRow::lateral_strain_gauge},
-      {"axial_stress", "Pa", "mean platen force / initial width", &HistoryRow::axial_stress},
-      {"stress_top", "Pa", "top platen force / initial width", &HistoryRow::stress_top},
-      {"stress_bottom", "Pa", "bottom platen force / initial width", &HistoryRow::stress_bottom},
-      {"n_cracks", "1", "broken bonds and joints so far", &HistoryRow::n_cracks},
-      {"boundary_work", "J/m", "work done by the platens", &HistoryRow::boundary_work},
-      {"kinetic", "J/m", "kinetic energy", &HistoryRow::kinetic},
-      {"strain_linear", "J/m", "strain energy of linear contacts", &HistoryRow::strain_linear},
-      {"strain_bond", "J/m", "strain energy of parallel bonds", &HistoryRow::strain_bond},
-      {"strain_joint", "J/m", "strain energy of smooth joints", &HistoryRow::strain_joint},
-      {"strain_wall", "J/m", "strain energy of platen contacts", &HistoryRow::strain_wall},
-      {"slip", "J/m", "energy dissipated by slip so far", &HistoryRow::slip},
-      {"damping", "J/m", "energy dissipated by local damping so far", &HistoryRow::damping},
-      {"released", "J/m", "strain energy of bonds at breakage so far", &HistoryRow::released},
-      {"energy_error", "1", "work not accounted for / boundary work", &HistoryRow::energy_error},
-      {"unbalanced", "1", "mean unbalanced force / mean contact force", &HistoryRow::unbalanced},
-  };
-  return columns;
+namespace {
+
+using Columns = std::vector<HistoryColumn>;
+using Row = HistoryRow;
+
+const Columns clock_columns = {{"step", "1", "cycle number", &Row::step},
+                               {"time", "s", "simulated time", &Row::time}};
+
+const Columns gauge_columns = {
+    {"axial_strain_gauge", "1", "least-squares strain of the middle 60 % along the load",
+     &Row::axial_strain_gauge},
+    {"lateral_strain_gauge", "1",
+     "least-squares strain of the middle 60 % across the load, shortening positive",
+     &Row::lateral_strain_gauge}};
+
+const Columns common_columns = {
+    {"n_cracks", "1", "broken bonds and joints so far", &Row::n_cracks},
+    {"boundary_work", "J/m", "work done by the platens", &Row::boundary_work},
+    {"kinetic", "J/m", "kinetic energy", &Row::kinetic},
+    {"strain_linear", "J/m", "strain energy of linear contacts", &Row::strain_linear},
+    {"strain_bond", "J/m", "strain energy of parallel bonds", &Row::strain_bond},
+    {"strain_joint", "J/m", "strain energy of smooth joints", &Row::strain_joint},
+    {"strain_wall", "J/m", "strain energy of platen contacts", &Row::strain_wall},
+    {"slip", "J/m", "energy dissipated by slip so far", &Row::slip},
+    {"damping", "J/m", "energy dissipated by local damping so far", &Row::damping},
+    {"released", "J/m", "strain energy of bonds at breakage so far", &Row::released},
+    {"energy_error", "1", "work not accounted for / boundary work", &Row::energy_error},
+    {"unbalanced", "1", "mean unbalanced force / mean contact force", &Row::unbalanced}};
+
+Columns joined(std::initializer_list<Columns> parts) {
+  Columns all;
+  for (const Columns& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+Columns press_columns() {
+  return joined(
+      {clock_columns,
+       {{"axial_strain", "1", "shortening between the platens / initial height", &Row::axial_strain}},
+       gauge_columns,
+       {{"axial_stress", "Pa", "mean platen force / initial width", &Row::axial_stress},
+        {"stress_top", "Pa", "top platen force / initial width", &Row::stress_top},
+        {"stress_bottom", "Pa", "bottom platen force / initial width", &Row::stress_bottom}},
+       common_columns});
+}
+
+Columns tension_columns() {
+  return joined(
+      {clock_columns,
+       {{"axial_strain", "1", "approach of the grips / free length between them: negative",
+         &Row::axial_strain}},
+       gauge_columns,
+       {{"axial_stress", "Pa", "mean grip force / initial width, tension negative", &Row::axial_stress},
+        {"grip_stress_top", "Pa", "top grip force / initial width", &Row::stress_top},
+        {"grip_stress_bottom", "Pa", "bottom grip force / initial width", &Row::stress_bottom}},
+       common_columns});
+}
+
+}  // namespace
+
+const std::vector<HistoryColumn>& history_columns(TestKind kind) {
+  static const Columns press = press_columns(), tension = tension_columns();
+  switch (kind) {
+    case TestKind::uniaxial: return press;
+    case TestKind::direct_tension: return tension;
+  }
+  return press;
+}
+
+const char* to_string(TestKind kind) {
+  switch (kind) {
+    case TestKind::uniaxial: return "uniaxial";
+    case TestKind::direct_tension: return "direct_tension";
+  }
+  return "unknown";
 }
 
 const char* to_string(Status status) {
@@ -47,7 +95,7 @@ const char* to_string(Status status) {
 std::string hash_of(const TestResult& result) {
   Hash h;
   for (const HistoryRow& row : result.history.rows)
-    for (const HistoryColumn& column : history_columns()) h.add(row.*column.value);
+    for (const HistoryColumn& column : history_columns(result.history.kind)) h.add(row.*column.value);
   for (const CrackEvent& c : result.cracks) {
     h.add(c.step), h.add(c.a), h.add(c.b);
     h.add(static_cast<int>(c.mode)), h.add(static_cast<int>(c.place));

@@ -37,6 +37,8 @@ struct HistoryRow {
   double lateral_strain_gauge = 0.0;  ///< same fit, shortening positive (so negative in compression)
   double axial_stress = 0.0;          ///< mean of both platens over the initial width [Pa]
   double stress_top = 0.0, stress_bottom = 0.0;  ///< [Pa]
+  double lateral_strain = 0.0;  ///< of the side walls or the jacket; direct shear: normal to the plane
+  double lateral_stress = 0.0;  ///< [Pa]
   double n_cracks = 0.0;
   double boundary_work = 0.0;  ///< done by the platens [J/m]
   double kinetic = 0.0;        ///< [J/m]
@@ -49,18 +51,23 @@ struct HistoryRow {
 };
 
 struct History {
+  TestKind kind = TestKind::uniaxial;
   double width = 0.0, height = 0.0;  ///< initial size the strains refer to [m]
   std::vector<HistoryRow> rows;
 };
 
-/// A column of the history table: the single place that names it for CSV, reports and hashes.
+/// A column of the history table: the single place that names it for CSV, reports and hashes. Every kind of
+/// test has columns of its own; those of energy and bookkeeping are common.
 struct HistoryColumn {
   const char* name;
   const char* unit;
   const char* meaning;
   double HistoryRow::*value;
 };
-const std::vector<HistoryColumn>& history_columns();
+const std::vector<HistoryColumn>& history_columns(TestKind kind = TestKind::uniaxial);
+/// The recipe's word for a kind of test.
+const char* to_string(TestKind kind);
+constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension};
 
 enum class Status { peaked, not_peaked, not_settled, unstable, interrupted };
 const char* to_string(Status status);
@@ -108,6 +115,7 @@ struct Frame {
 
 struct TestResult {
   std::string name;  ///< specimen name
+  TestKind kind = TestKind::uniaxial;
   bool intact = true;
   double theta = 0.0;  ///< [deg] of bedding[0]
   Outcome outcome;

@@ -63,7 +63,20 @@ Column label(const Results& results) {
   return column("specimen", "", results, [](const TestResult& r) { return r.name; });
 }
 
+Columns tension_columns(const Results& results) {
+  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
+          reading("nu", "", results, "nu", 1.0, 3),
+          reading("sigma_t", "MPa", results, "sigma_t", 1e-6, 2),
+          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
+          reading("cracks at", "the grips", results, "failure_at_grip", 1.0, 2),
+          reading("energy", "error", results, "energy_error", 1.0, 5)};
+}
+
 Columns curve_columns(const Results& results) {
+  switch (results.empty() ? TestKind::uniaxial : results.front().kind) {
+    case TestKind::uniaxial: break;
+    case TestKind::direct_tension: return tension_columns(results);
+  }
   return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
           reading("E sec50", "GPa", results, "E_secant", 1e-9, 2),
           reading("nu", "", results, "nu", 1.0, 3),

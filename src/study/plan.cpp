@@ -7,6 +7,7 @@
 
 #include "base/exact_math.hpp"
 #include "genesis/cache.hpp"
+#include "lab/rigs.hpp"
 #include "study/experiment.hpp"
 #include "theory/goodman.hpp"
 #include "theory/jaeger.hpp"
@@ -27,10 +28,10 @@ std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Rec
   return kinds.try_emplace(angles, kinds.size()).first->second;
 }
 
-using BatchName = std::tuple<std::string, Precision, std::int64_t>;
+using BatchName = std::tuple<std::string, std::string, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
-  return {r.packing.file.empty() ? packing_key(r.specimen, r.packing, r.matrix) : r.packing.file,
+  return {r.packing.file.empty() ? packing_key(r.specimen, r.packing, r.matrix) : r.packing.file, rig_name(r),
           r.engine.precision, r.test.history_interval};
 }
 

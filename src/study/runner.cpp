@@ -77,12 +77,12 @@ class Worker {
     options.lanes = lanes_for(a.n_tests, any.engine.precision, alone);
     options.skew = machine_.skew;
     options.interval = static_cast<int>(any.test.history_interval);
-    run_lanes(
-        packing_, options,
-        {[&] { return next(a.batch); },
-         [&](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
-         [&](double steps, double) { desk_.count(steps * static_cast<double>(packing_->discs.size())); },
-         [&] { return stopped(); }});
+    run_lanes(options, {[&] { return next(a.batch); },
+                        [&](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
+                        [&](double steps, double) {
+                          desk_.count(steps * static_cast<double>(packing_->discs.size()));
+                        },
+                        [&] { return stopped(); }});
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {

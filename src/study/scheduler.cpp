@@ -7,9 +7,10 @@
 #include <thread>
 
 #include "base/check.hpp"
-#include "lab/uniaxial.hpp"
+#include "lab/lab_test.hpp"
 
 namespace phy {
+
 double thread_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -21,17 +22,21 @@ namespace {
 /// A test in a lane.
 struct Seat {
   Job job;
-  std::optional<UniaxialTest> test;  // refers to the job's recipe
+  std::unique_ptr<LabTest> test;  // refers to the job's recipe
   double seconds = 0.0;
 };
 
-void fill_seat(const LaneHooks& hooks, LaneGroup& group, Seat& seat, int lane) {
+void take_seat(Job job, LaneGroup& group, Seat& seat, int lane) {
   seat.test.reset();
-  std::optional<Job> job = hooks.next();
-  if (!job) return group.clear(lane);
-  seat.job = std::move(*job);
+  seat.job = std::move(job);
   seat.seconds = 0.0;
-  seat.test.emplace(seat.job.specimen, *seat.job.recipe, group, lane);
+  seat.test = make_test(seat.job.specimen, *seat.job.recipe, group, lane);
+}
+
+void fill_seat(const LaneHooks& hooks, LaneGroup& group, Seat& seat, int lane) {
+  if (std::optional<Job> job = hooks.next()) return take_seat(std::move(*job), group, seat, lane);
+  seat.test.reset();
+  group.clear(lane);
 }
 
 void close_seat(const LaneHooks& hooks, Seat& seat) {
@@ -78,14 +83,18 @@ struct Desk {
 
 }  // namespace
 
-void run_lanes(const std::shared_ptr<const Packing>& packing, const GroupOptions& options,
-               const LaneHooks& hooks) {
-  const std::unique_ptr<LaneGroup> group = make_group(packing, options);
+void run_lanes(const GroupOptions& options, const LaneHooks& hooks) {
+  std::optional<Job> first = hooks.next();
+  if (!first) return;
+  const std::unique_ptr<LaneGroup> group = make_group(first->specimen->packing, options);
   std::vector<Seat> seats(static_cast<std::size_t>(options.lanes));
   const auto each = [&](auto&& action) {
     for (int lane = 0; lane < options.lanes; ++lane) action(seats[static_cast<std::size_t>(lane)], lane);
   };
-  each([&](Seat& seat, int lane) { fill_seat(hooks, *group, seat, lane); });
+  take_seat(std::move(*first), *group, seats.front(), 0);
+  each([&](Seat& seat, int lane) {
+    if (lane > 0) fill_seat(hooks, *group, seat, lane);
+  });
   for (;;) {
     int busy = 0;
     for (const Seat& seat : seats) busy += seat.test ? 1 : 0;
@@ -142,7 +151,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
     for (std::size_t i = 0; i < std::min(n_groups, static_cast<std::size_t>(machine.threads)); ++i)
       workers.emplace_back([&desk, &options] {
         try {
-          run_lanes(desk.specimens.front()->packing, options, desk.for_lanes());
+          run_lanes(options, desk.for_lanes());
         } catch (...) {
           const std::lock_guard lock(desk.mutex);
           if (!desk.error) desk.error = std::current_exception();

@@ -54,10 +54,9 @@ struct LaneHooks {
   std::function<bool()> stopped;
 };
 
-/// Fills the lanes of one group of this packing until `next` has no more and all lanes are over. What is
-/// stopped is handed over as interrupted.
-void run_lanes(const std::shared_ptr<const Packing>& packing, const GroupOptions& options,
-               const LaneHooks& hooks);
+/// Fills the lanes of one group until `next` has no more and all lanes are over. All jobs are of one packing
+/// and one rig (rig_name). What is stopped is handed over as interrupted.
+void run_lanes(const GroupOptions& options, const LaneHooks& hooks);
 
 /// CPU time of the calling thread [s].
 double thread_seconds();

@@ -8,6 +8,7 @@
 #include "base/exact_math.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/stable_step.hpp"
+#include "lab/rigs.hpp"
 #include "records/assembly.hpp"
 #include "verification/cases.hpp"
 
@@ -27,6 +28,7 @@ struct Bench {
     LaneSetup setup;
     setup.damping = damping;
     setup.step_safety = safety;
+    setup.rig = std::make_shared<const Rig>(platens(*specimen->packing));
     group->load(0, specimen, setup);
   }
   double dt() const { return group->time_step(0); }
@@ -205,8 +207,10 @@ std::vector<Check> energy_balance() {
   bond_touching(s);
   joint_crossing(s);
   Bench b(std::move(s), 0.7, 100, 0.92);
-  b.group->place_platens(0);
-  b.group->drive_platens(0, true);
+  b.group->place_rig(0);
+  const double ramp = 2e-5 * b.specimen->packing->height / 0.05;
+  b.group->drive(0, 0, {{0.0, 0.05}, ramp, {}, {}});
+  b.group->drive(0, 1, {{0.0, -0.05}, ramp, {}, {}});
   double worst = 0.0;
   std::size_t n = 0;
   for (int i = 0; i < 400 && n < 60; ++i) {

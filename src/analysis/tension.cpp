@@ -1,0 +1,54 @@
+#include "analysis/tension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace phy {
+namespace {
+
+constexpr double grip_reach = 1.5;  // of the grip's thickness: its edge concentrates the stress
+
+}  // namespace
+
+History mirrored(History history) {
+  for (HistoryRow& r : history.rows)
+    for (double* v : {&r.axial_strain, &r.axial_strain_gauge, &r.lateral_strain_gauge, &r.axial_stress,
+                      &r.stress_top, &r.stress_bottom, &r.lateral_strain, &r.lateral_stress})
+      *v = 0.0 - *v;
+  return history;
+}
+
+std::vector<CrackEvent> mirrored(std::vector<CrackEvent> cracks) {
+  for (CrackEvent& c : cracks) c.strain = 0.0 - c.strain;
+  return cracks;
+}
+
+std::vector<Number> place_of_failure(const History& history, const std::vector<CrackEvent>& cracks,
+                                     double peak_strain, double grip_thickness) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Number position{"failure_position", nan, "1",
+                  "median height of the cracks from the peak on, over the specimen's height (0 = bottom)",
+                  ""};
+  Number at_grip{"failure_at_grip", nan, "1",
+                 "share of the cracks from the peak on that lie within 1.5 grip thicknesses of an end", ""};
+  std::vector<double> heights;
+  double near = 0.0;
+  for (const CrackEvent& c : cracks) {
+    if (!(c.strain <= peak_strain)) continue;
+    heights.push_back(c.position.y / history.height);
+    const double end = std::min(c.position.y, history.height - c.position.y);
+    near += end < grip_reach * grip_thickness ? 1.0 : 0.0;
+  }
+  if (heights.empty()) {
+    position.note = at_grip.note = "no cracks from the peak on";
+    return {position, at_grip};
+  }
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  position.value = *middle;
+  at_grip.value = near / static_cast<double>(heights.size());
+  return {position, at_grip};
+}
+
+}  // namespace phy

@@ -1,0 +1,93 @@
+// The rig of a test: the rigid tools around a specimen, and the loads on single grains.
+//
+// Every boundary of the laboratory is one of three things, so that the engine knows no test by name:
+//   touch   a tool pushes grains like a wall: linear law, normal of its own for every grain (a flat platen
+//   has
+//           the same everywhere, a curved jaw has not), no tension
+//   grip    a tool holds grains: chosen components of their motion are those of the tool
+//   load    a force on a grain, proportional to one pressure (flexible jacket)
+// A tool translates and does not turn. Each of its two components moves at a velocity or under a servo. Force
+// and displacement of every tool are kept step by step; their product is the work in the energy books.
+//
+// Servo. Once per block (the recipe's history interval) the speed is set so that a fraction of the missing
+// force would arrive within the next block; PFC's rule v = gain (F_target - F), with a memory of the speed so
+// that a steady drift (the specimen bulging while it is loaded) leaves no error:
+//   d_{k+1} = m_k + proportional e_k / K,   m_{k+1} = m_k + integral e_k / K,   e = F_target - mean force of
+//   the block
+// K is what the specimen answers with within a block, stated by the laboratory. Source of the rule: Itasca
+// PFC documentation, wall servo.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace phy {
+
+/// A grain (packing number) that a tool may touch.
+struct Touch {
+  std::uint32_t grain = 0;
+  Vec2 normal;       ///< unit vector, from the tool into the specimen
+  double gap = 0.0;  ///< before anything has moved [m]; <= 0: touches from the start, stress-free
+};
+
+/// A grain that a tool holds, by component.
+struct Grip {
+  std::uint32_t grain = 0;
+  bool x = false, y = false, rotation = false;
+};
+
+struct Tool {
+  std::string name;
+  std::vector<Touch> touches;
+  std::vector<Grip> grips;
+  bool rough = false;  ///< has the lane's tool friction, else none
+};
+
+/// Force on a grain per unit of pressure: the length of boundary it stands for, pointing inwards [m].
+struct GrainLoad {
+  std::uint32_t grain = 0;
+  Vec2 length;
+};
+
+/// Two opposite tools and what their motion and force mean. Positive: they approach, they push.
+struct LoadAxis {
+  int lo = -1, hi = -1;  ///< tools; -1: no such axis
+  Vec2 direction;        ///< unit vector from lo to hi
+  double length = 1.0;   ///< strain = approach / length [m]
+  double area = 1.0;     ///< stress = force / area [m per m thickness]
+  bool present() const { return lo >= 0; }
+};
+
+struct Rig {
+  std::vector<Tool> tools;
+  std::vector<GrainLoad> loads;
+  LoadAxis axial, lateral;
+};
+
+/// Control of one component of a tool by its force.
+struct Servo {
+  bool on = false;
+  double force = 0.0;      ///< target of the force on the specimen, signed along the axis [N/m]
+  double stiffness = 0.0;  ///< K: change of that force per displacement within a block, > 0 [N/m per m]
+  double spring = 0.0;     ///< the target falls by this much per displacement (normal stiffness) [N/m per m]
+  double max_speed = 1.0;  ///< [m/s]
+};
+
+/// How a tool moves.
+struct Drive {
+  Vec2 velocity;      ///< [m/s]; a component under servo ignores it
+  double ramp = 0.0;  ///< time in which the velocity rises linearly from 0 [s]
+  Servo servo_x, servo_y;
+};
+
+/// A tool at the end of a block.
+struct ToolState {
+  Vec2 displacement;  ///< since it was placed [m]
+  Vec2 force;         ///< on the specimen, at the last step [N/m]
+  Vec2 mean_force;    ///< mean over the block [N/m]
+};
+
+}  // namespace phy

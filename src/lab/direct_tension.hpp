@@ -1,0 +1,28 @@
+// Direct tension: two grips pull the ends of the specimen apart.
+//
+// A grip holds the grains whose centres lie within test.grip_thickness of an end, along the load only: they
+// may move sideways and turn, so that the ends do not hinder the lateral contraction (glued steel caps
+// would). The specimen starts with the velocity field of uniform straining, so that no wave runs in from the
+// grips. Grips move at test.platen_speed each until the stress has fallen (stop rule: lab_test.hpp, on
+// tension).
+//
+// History, compression positive as everywhere, so stress and strain are negative: stress is the mean grip
+// force over the initial width; strain the approach of the grips over the free length between them. Numbers
+// (analysis/tension.hpp) are read from the mirrored history: tensile strength is positive.
+#pragma once
+#include "lab/lab_test.hpp"
+
+namespace phy {
+
+class DirectTensionTest final : public LabTest {
+ public:
+  DirectTensionTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
+                    int lane);
+
+ private:
+  void drive() override;
+  Reading reading(const HistoryRow& row) const override { return {-row.axial_stress, -row.axial_strain}; }
+  AnalysisOptions analysis() const override;
+};
+
+}  // namespace phy

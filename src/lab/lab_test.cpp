@@ -1,0 +1,170 @@
+#include "lab/lab_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "lab/direct_tension.hpp"
+#include "lab/uniaxial.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double settled = 1e-3;               // mean unbalanced force / mean contact force
+constexpr std::int64_t settle_cycles = 40000;  // give up after
+constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
+
+}  // namespace
+
+LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
+                 Rig rig)
+    : specimen_(std::move(specimen)),
+      recipe_(recipe),
+      group_(group),
+      lane_(lane),
+      rig_(std::make_shared<const Rig>(std::move(rig))),
+      snapshots_(recipe.test.n_snapshots),
+      frames_(recipe.test.n_frames) {
+  result_.name = specimen_->name;
+  result_.kind = result_.history.kind = recipe.test.kind;
+  result_.intact = specimen_->bedding.empty();
+  if (!result_.intact) result_.theta = specimen_->bedding.front().theta;
+}
+
+void LabTest::begin() {
+  LaneSetup setup;
+  setup.damping = recipe_.engine.damping;
+  setup.step_safety = recipe_.engine.step_safety;
+  setup.tool_friction = recipe_.test.platen_friction;
+  setup.rig = rig_;
+  group_.load(lane_, specimen_, setup);
+  result_.dt = group_.time_step(lane_);
+  result_.n_contacts = group_.n_contacts(lane_);
+  blocks_ = 0;
+  phase_ = Phase::settle;
+  if (packing().stress_free) {
+    settle();
+  } else {
+    group_.hold_bonds(lane_, true);
+  }
+}
+
+/// The specimen has settled: the rig comes in.
+bool LabTest::settle() {
+  group_.place_rig(lane_);
+  blocks_ = 0;
+  phase_ = Phase::prepare;
+  on_placed();
+  return false;
+}
+
+void LabTest::start_loading() {
+  phase_ = Phase::load;
+  group_.hold_bonds(lane_, specimen_->matrix.unbreakable);
+  drive();
+  result_.history.width = packing().width;
+  result_.history.height = packing().height;
+}
+
+bool LabTest::end(Status status, std::string reason, std::string advice) {
+  result_.outcome = {status, std::move(reason), std::move(advice)};
+  phase_ = Phase::over;
+  return true;
+}
+
+bool LabTest::after_block() {
+  ++blocks_;
+  const HistoryRow& row = group_.row(lane_);
+  if (const LaneHealth& health = group_.health(lane_); !health.ok)
+    return end(Status::unstable, health.reason,
+               "lower engine.step_safety, or look for extreme stiffness ratios");
+  if (phase_ == Phase::settle) {
+    const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
+    if (row.unbalanced <= settled) return settle();
+    if (cycles < settle_cycles) return false;
+    return end(
+        Status::not_settled,
+        fmt::format("unbalanced force {:.1e} of the contact force after {} cycles", row.unbalanced, cycles),
+        "lower packing.isotropic_stress, or raise engine.damping");
+  }
+  if (phase_ == Phase::prepare) return prepare(blocks_);
+  result_.history.rows.push_back(row);
+  if (const Reading now = reading(row); now.stress > peak_.stress) peak_ = now;
+  keep_pictures();
+  return check_stop();
+}
+
+bool LabTest::check_stop() {
+  const HistoryRow& row = result_.history.rows.back();
+  const Reading now = reading(row);
+  // Nothing fails before something has broken: what falls earlier is the first stress wave.
+  const bool may_stop = now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
+  if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
+    return end(Status::peaked,
+               fmt::format("peak {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it",
+                           peak_.stress * 1e-6, peak_.strain * 100.0, recipe_.test.stop_at * 100.0),
+               "");
+  if (may_stop && recipe_.test.post_peak > 0.0 && now.strain > (1.0 + recipe_.test.post_peak) * peak_.strain)
+    return end(Status::peaked,
+               fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
+                           peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
+                           now.strain * 100.0),
+               "");
+  if (now.strain >= max_strain())
+    return end(Status::not_peaked,
+               fmt::format("no drop to {:.0f} % of the largest stress ({:.2f} MPa) up to strain {:.3f} %",
+                           recipe_.test.stop_at * 100.0, peak_.stress * 1e-6, now.strain * 100.0),
+               "raise test.max_strain, or test.stop_at");
+  return false;
+}
+
+Frame LabTest::frame() const {
+  const HistoryRow& row = group_.row(lane_);
+  Frame f{row.step, row.axial_strain, row.axial_stress, {}};
+  for (const GrainState& g : group_.grains(lane_))
+    f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
+  return f;
+}
+
+void LabTest::keep_pictures() {
+  const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
+  if (snapshots_.due(row)) snapshots_.keep(group_.snapshot(lane_));
+  if (frames_.due(row)) frames_.keep(frame());
+}
+
+void LabTest::interrupt() {
+  if (phase_ != Phase::over)
+    end(Status::interrupted,
+        fmt::format("stopped by the user at strain {:.4f} %", reading(group_.row(lane_)).strain * 100.0),
+        "run the same recipe again");
+}
+
+double LabTest::progress() const {
+  return phase_ == Phase::load ? std::min(1.0, reading(group_.row(lane_)).strain / max_strain()) : 0.0;
+}
+
+TestResult LabTest::take_result() {
+  result_.cracks = group_.cracks(lane_);
+  std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
+    return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
+  });
+  result_.snapshots = snapshots_.take(group_.snapshot(lane_));
+  result_.frames = frames_.take(frame());
+  result_.n_steps = static_cast<std::int64_t>(group_.row(lane_).step);
+  result_.numbers = analyse(result_.history, result_.cracks, analysis());
+  result_.hash = hash_of(result_);
+  return std::move(result_);
+}
+
+std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
+                                   LaneGroup& group, int lane) {
+  switch (recipe.test.kind) {
+    case TestKind::uniaxial: return std::make_unique<UniaxialTest>(specimen, recipe, group, lane);
+    case TestKind::direct_tension: return std::make_unique<DirectTensionTest>(specimen, recipe, group, lane);
+  }
+  PHY_CHECK(false, "every kind of test has its room");
+  return nullptr;
+}
+
+}  // namespace phy

@@ -1,0 +1,94 @@
+// What all tests of the laboratory have in common, for one lane of a group.
+//
+// Phases
+//   settle    only for packings with a locked-in stress: breakage off, no tools, damped cycles until the mean
+//             unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have
+//             gone)
+//   prepare   the rig is in place; what a kind of test does before it loads (jump start, confinement)
+//   load      a history row every test.history_interval cycles, until the stop rule, the watchdog or the user
+//             ends it
+// Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
+// test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
+// test.max_strain is reached (not peaked). A peak needs three broken bonds. The test reads rows and decides;
+// the group computes. Strains count from the moment the rig is in place.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/analyse.hpp"
+#include "engine/lane_group.hpp"
+#include "lab/moments.hpp"
+#include "records/recipe.hpp"
+#include "records/result.hpp"
+#include "records/specimen.hpp"
+
+namespace phy {
+
+class LabTest {
+ public:
+  virtual ~LabTest() = default;
+  LabTest(LabTest&&) = default;
+  /// Reads the lane after a block. True when the test is over.
+  bool after_block();
+  /// Ends an unfinished test.
+  void interrupt();
+  /// The result; call once, when over.
+  TestResult take_result();
+  /// Strain over the strain at which the test would give up: a lower bound of the progress, 0 ... 1.
+  double progress() const;
+
+ protected:
+  /// What the stop rule watches, growing while the test loads: stress [Pa] and strain.
+  struct Reading {
+    double stress = 0.0, strain = 0.0;
+  };
+
+  /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
+  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
+          Rig rig);
+  /// Loads the specimen into the lane; also used to start over.
+  void begin();
+  /// The rig is in place: prepare, or call start_loading.
+  virtual void on_placed() { start_loading(); }
+  /// After a block of preparation: ends with start_loading or begin. True when the test is over.
+  virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
+  /// Sets the tools in motion, at the start of loading.
+  virtual void drive() = 0;
+  virtual Reading reading(const HistoryRow& row) const { return {row.axial_stress, row.axial_strain}; }
+  virtual double max_strain() const { return recipe_.test.max_strain; }
+  /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
+  virtual double first_stop_strain() const { return 0.0; }
+  /// What the analysis has to know beside the history.
+  virtual AnalysisOptions analysis() const { return {}; }
+
+  void start_loading();
+  bool end(Status status, std::string reason, std::string advice);
+  const Packing& packing() const { return *specimen_->packing; }
+
+  std::shared_ptr<const Specimen> specimen_;
+  const Recipe& recipe_;
+  LaneGroup& group_;
+  int lane_;
+  TestResult result_;
+
+ private:
+  enum class Phase { settle, prepare, load, over };
+  bool settle();
+  Frame frame() const;
+  void keep_pictures();
+  bool check_stop();
+
+  std::shared_ptr<const Rig> rig_;
+  Phase phase_ = Phase::settle;
+  std::int64_t blocks_ = 0;  // in this phase
+  Moments<Snapshot> snapshots_;
+  Moments<Frame> frames_;
+  Reading peak_;
+};
+
+/// The test that the recipe names, in a lane of the group.
+std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
+                                   LaneGroup& group, int lane);
+
+}  // namespace phy

@@ -1,0 +1,48 @@
+// Small specimens on small groups, for the tests of the laboratory's rooms.
+#pragma once
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "lab/lab_test.hpp"
+
+namespace phy {
+
+/// 8 x 16 mm, 330 grains, no bedding.
+inline Recipe small_rock(TestKind kind) {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 330;
+  r.test.kind = kind;
+  r.test.platen_speed = 0.05;
+  r.test.history_interval = 20;
+  return r;
+}
+
+/// The recipe's packing, made once per size and seed.
+inline std::shared_ptr<const Packing> small_packing(const Recipe& r) {
+  return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+}
+
+/// The first specimen of the recipe, tested alone in double precision.
+inline TestResult run_alone(const Recipe& r) {
+  const auto specimen = std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front());
+  GroupOptions options;
+  options.isa = native_isa();
+  options.interval = static_cast<int>(r.test.history_interval);
+  const auto group = make_group(specimen->packing, options);
+  const auto test = make_test(specimen, r, *group, 0);
+  do group->advance();
+  while (!test->after_block());
+  return test->take_result();
+}
+
+inline const Number& number(const TestResult& r, const std::string& name) {
+  const Number* n = find(r.numbers, name);
+  static const Number absent{"", std::nan(""), "", "", "absent"};
+  return n == nullptr ? absent : *n;
+}
+
+}  // namespace phy
