@@ -1,4 +1,4 @@
-# make deps     install what is missing (Debian packages)    make demo    crush the paper's specimen at seven angles
+# make deps     install what is missing (Debian packages)    make demo    calibrate the twin rock, print the tables
 # make deps-all also what figures and films need              make test    build and run all tests
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
 #                                                             make bench   measure the speed of the press
@@ -24,7 +24,8 @@ deps-all: deps
 build:
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS)
 
-demo: deps build demo-press
+demo: deps build
+	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume
 
 demo-press: build
 	$(BUILD)/phyllite run examples/paper/press.toml --out results/paper

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/check.hpp"
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/foresee.hpp"
 #include "calibrate/strength_stage.hpp"
@@ -18,7 +19,8 @@ constexpr int n_fit = 5;     // packings of the fit
 constexpr int n_unseen = 5;  // packings of the verification
 constexpr double z_95 = 1.959964;
 constexpr double strength_tolerance = 0.06;
-constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
+constexpr std::int64_t full_search = 250;  // tests; below, a miss may be the search's
+constexpr double strength_limit = 0.10;    // root mean square, from which a table is out of reach
 
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {
@@ -57,7 +59,8 @@ void judge_strength(Calibration& result) {
   int n = 0;
   for (const Comparison& c : result.verification) {
     if (!is_strength(c.target.property)) continue;
-    const double noise = z_95 * c.target.standard_error() / c.target.mean;
+    const double packings = std::isfinite(c.sd) ? c.sd / std::sqrt(static_cast<double>(c.n_packings)) : 0.0;
+    const double noise = z_95 * std::hypot(c.target.standard_error(), packings) / c.target.mean;
     squares += c.error() * c.error(), ++n;
     if (std::fabs(c.error()) <= std::max(strength_tolerance, noise)) continue;
     result.verdict.findings.push_back(fmt::format(
@@ -69,6 +72,8 @@ void judge_strength(Calibration& result) {
     result.verdict.findings.push_back(fmt::format(
         "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
         100.0 * std::sqrt(squares / n)));
+    if (result.n_strength_tests < full_search)
+      result.verdict.findings.emplace_back("the search was short: a larger --max-tests may come nearer");
   }
 }
 
@@ -86,7 +91,13 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
                         const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
                         const std::vector<std::int64_t>& unseen, Simulator& simulator) {
   const std::vector<Target> targets = strength_targets(all);
-  const auto reserved = static_cast<std::int64_t>(targets.size() * unseen.size());
+  const auto n = static_cast<std::int64_t>(targets.size()), reserved = n * n_unseen;
+  if (options.max_tests < reserved + least_points * n)
+    throw InputError(
+        Problem{"command line", "--max-tests", fmt::format("{}", options.max_tests),
+                fmt::format("at least {}", reserved + least_points * n),
+                fmt::format("{} strengths, each on {} unseen packings and at {} points of the search", n,
+                            n_unseen, least_points)});
   StrengthFit fit =
       fit_strength(rock, result.recipe, all, seeds, options.max_tests - reserved, simulator, options.say);
   result.recipe = fit.recipe;
@@ -103,18 +114,19 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   return !simulator.stopped();
 }
 
-}  // namespace
-
-double rmse(const std::vector<Comparison>& rows, Property property) {
-  double squares = 0.0;
-  int n = 0;
-  for (const Comparison& c : rows) {
-    if (c.target.property != property) continue;
-    const double error = property == Property::nu ? c.mean - c.target.mean : c.error();
-    squares += error * error, ++n;
-  }
-  return n > 0 ? std::sqrt(squares / n) : std::nan("");
+/// A recipe for `phyllite run`: all angles of the table, pictures and curve beyond the peak.
+void make_ready(Recipe& recipe, const Rock& rock, const std::vector<Target>& targets) {
+  const TestRecipe usual;
+  TestRecipe& test = recipe.test;
+  test.n_snapshots = usual.n_snapshots, test.n_frames = usual.n_frames;
+  test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
+  std::set<double> angles;
+  if (rock.bedded)
+    for (const Target& t : targets) angles.insert(t.theta);
+  test.angles.assign(angles.begin(), angles.end());
 }
+
+}  // namespace
 
 Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator) {
   const auto start = std::chrono::steady_clock::now();
@@ -136,6 +148,7 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   const bool strength = !options.elastic_only && !strength_targets(targets).empty();
   const bool done =
       !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen, simulator);
+  make_ready(result.recipe, rock, targets);
   add_identifiability(result, rock);
   judge(result, elastic);
   if (!done)

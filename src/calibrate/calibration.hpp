@@ -23,7 +23,4 @@ struct CalibrationOptions {
 /// VerdictStatus::interrupted.
 Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator);
 
-/// Root mean square of the relative errors (of nu: absolute) of one property; NaN without rows.
-double rmse(const std::vector<Comparison>& rows, Property property);
-
 }  // namespace phy

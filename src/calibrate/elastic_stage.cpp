@@ -289,10 +289,16 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
     const Target& t = c.target;
     if (t.property == Property::E) {
       const double noise = t.sd_assumed ? 0.0 : z_95 * t.standard_error() / t.mean;
+      const double packings = z_95 * c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
       if (std::fabs(c.error()) <= std::max(elastic_tolerance, noise)) continue;
-      worst = std::max(worst, std::fabs(c.error()));
-      fit.findings.push_back(fmt::format("E({:g}) = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}",
-                                         t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9));
+      const bool by_chance = std::fabs(c.error()) <= std::hypot(noise, packings);
+      if (!by_chance) worst = std::max(worst, std::fabs(c.error()));
+      fit.findings.push_back(fmt::format(
+          "E({:g}) = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}{}", t.theta, c.mean * 1e-9,
+          100.0 * c.error(), t.mean * 1e-9,
+          by_chance ? fmt::format(": packings of this size scatter that much (+-{:.0f} % on the mean of {})",
+                                  100.0 * packings, c.n_packings)
+                    : ""));
     } else if (std::fabs(c.mean - t.mean) > std::max(nu_tolerance, z_95 * t.standard_error())) {
       fit.findings.push_back(
           fmt::format("nu({:g}) = {:.3f} instead of {:.3f}: joints leave nu/E as it is in every direction, "

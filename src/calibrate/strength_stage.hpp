@@ -27,6 +27,9 @@
 
 namespace phy {
 
+/// Fewest points of the search; each costs one test per strength of the table.
+constexpr std::int64_t least_points = 8;
+
 struct StrengthFit {
   Recipe recipe;                              ///< with the estimated strengths and the settings of the tests
   std::vector<ParameterEstimate> parameters;  ///< the ratios, then the strengths that they stand for

@@ -28,6 +28,7 @@ void on_interrupt(int) {
 struct Arguments {
   std::string rock, out = "results/calibration";
   bool elastic = false, resume = false;
+  std::int64_t max_tests = 300;
 };
 
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
@@ -70,7 +71,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   machine.store = store_in(args);
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
   CalibrationOptions options;
-  options.elastic_only = args.elastic;
+  options.elastic_only = args.elastic, options.max_tests = args.max_tests;
   options.say = [&](const std::string& text) { line.note(text); };
   const auto simulator = make_simulator(machine);
   const Calibration result = calibrate(rock, options, *simulator);
@@ -97,6 +98,8 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
+  verb->add_option("--max-tests", args->max_tests, "budget: tests of strength, verification included")
+      ->capture_default_str();
   verb->callback([args, &session] {
     std::signal(SIGINT, on_interrupt);
     session.exit_code = run_calibration(*args, session);

@@ -1,0 +1,145 @@
+// A twin trial: a rock of known parameters is drawn, the program makes its laboratory table with noise, the
+// calibration sees nothing but that table, and what it finds is held against the noise-free response
+// (docs/calibration.md, "Twin trials").
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/rng.hpp"
+#include "calibrate/calibration.hpp"
+#include "calibrate/twin.hpp"
+
+namespace phy {
+
+constexpr std::uint32_t trial_seed = 20120158;
+
+/// The paper's specimen with larger grains; planes and zones grow with them, joint stiffnesses fall.
+inline Recipe magnified_model(double factor) {
+  Recipe r;
+  r.bedding.resize(1);
+  r.packing.radius_min *= factor, r.packing.radius_max *= factor;
+  r.packing.n_grains = std::llround(static_cast<double>(r.packing.n_grains) / (factor * factor));
+  BeddingRecipe& b = r.bedding[0];
+  b.spacing *= factor, b.zone_thickness *= factor, b.k_n /= factor, b.k_s /= factor;
+  return r;
+}
+
+/// Rock k of the box of docs/calibration.md, everything uniform in its logarithm.
+inline Recipe trial_rock(std::uint32_t k, const Recipe& model) {
+  std::uint32_t what = 0;
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, uniform(trial_seed, Stream::test, k, what++));
+  };
+  Recipe r = model;
+  MatrixRecipe& m = r.matrix;
+  BeddingRecipe& b = r.bedding[0];
+  m.E_c = m.E_b = between(10e9, 60e9);
+  m.ks_over_kn = m.bond_ks_over_kn = between(0.2, 0.6);
+  m.sigma_c = between(20e6, 120e6), m.sigma_c_sd = 0.1 * m.sigma_c;
+  m.tau_c = m.sigma_c * between(1.0, 4.0), m.tau_c_sd = 0.1 * m.tau_c;
+  m.mu = between(0.3, 1.0);
+  b.k_n = m.E_c / b.spacing * 0.44 * between(0.25, 4.0);  // about the paper's joint, over a factor 16
+  b.k_s = m.E_c / b.spacing * 0.126 * between(0.25, 4.0);
+  b.cohesion = m.tau_c * between(0.1, 0.6);
+  b.sigma_n = b.cohesion * between(0.1, 1.0);
+  b.mu = between(0.2, 0.8);
+  return r;
+}
+
+struct Trial {
+  Recipe truth;
+  std::vector<Comparison> response;  ///< of the truth on the packings of the table
+  std::vector<Comparison> unseen;    ///< of the truth on the packings of the verification
+  Calibration found;
+};
+
+inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
+                       std::int64_t max_tests, Simulator& simulator) {
+  Trial t;
+  t.truth = trial_rock(k, model);
+  TwinOptions options;
+  options.angles = angles, options.noise_seed = k;
+  t.response = twin_response(t.truth, angles, options.seeds, simulator);
+  t.unseen = twin_response(t.truth, angles, {6, 7, 8, 9, 10}, simulator);
+  Rock rock;
+  rock.name = fmt::format("twin {}", k), rock.model = model;
+  rock.readings = twin_readings(t.response, options);
+  CalibrationOptions how;
+  how.max_tests = max_tests;
+  t.found = calibrate(rock, how, simulator);
+  return t;
+}
+
+/// Of `rows` against `truth`, matched by property and angle; relative.
+inline double rmse_against(const std::vector<Comparison>& rows, const std::vector<Comparison>& truth,
+                           Property property) {
+  double squares = 0.0;
+  int n = 0;
+  for (const Comparison& a : rows)
+    for (const Comparison& b : truth)
+      if (a.target.property == property && b.target.property == property &&
+          a.target.theta == b.target.theta) {
+        const double e = a.mean / b.mean - 1.0;
+        squares += e * e, ++n;
+      }
+  return std::sqrt(squares / n);
+}
+
+/// True parameter behind the key of an estimate.
+inline double true_value(const Recipe& r, const std::string& key) {
+  const MatrixRecipe& m = r.matrix;
+  const BeddingRecipe& b = r.bedding[0];
+  const std::vector<std::pair<const char*, double>> list = {{"matrix.E_c", m.E_c},
+                                                            {"matrix.ks_over_kn", m.ks_over_kn},
+                                                            {"bedding[0].k_n", b.k_n},
+                                                            {"bedding[0].k_s", b.k_s},
+                                                            {"matrix.sigma_c", m.sigma_c},
+                                                            {"tau_c/sigma_c", m.tau_c / m.sigma_c},
+                                                            {"matrix.mu", m.mu},
+                                                            {"C_sj/tau_c", b.cohesion / m.tau_c},
+                                                            {"sigma_n,sj/C_sj", b.sigma_n / b.cohesion},
+                                                            {"bedding[0].mu", b.mu},
+                                                            {"matrix.tau_c", m.tau_c},
+                                                            {"bedding[0].cohesion", b.cohesion},
+                                                            {"bedding[0].sigma_n", b.sigma_n}};
+  for (const auto& [name, value] : list)
+    if (key == name) return value;
+  return std::nan("");
+}
+
+/// How often the 95 % intervals held the truth, and how wide they were.
+struct Coverage {
+  int inside = 0, n = 0;
+  std::vector<double> widths;  ///< high/low - 1
+  void add(double low, double high, double value) {
+    inside += low <= value && value <= high ? 1 : 0, ++n;
+    widths.push_back(high / low - 1.0);
+  }
+  double share() const { return static_cast<double>(inside) / n; }
+  double median_width() const {
+    std::vector<double> w = widths;
+    std::sort(w.begin(), w.end());
+    return w.empty() ? 0.0 : w[w.size() / 2];
+  }
+};
+
+/// Intervals of the rock's own response.
+inline void add_response(const Trial& t, Property property, Coverage& coverage) {
+  for (const Comparison& c : t.found.fitted)
+    for (const Comparison& truth : t.response)
+      if (c.target.property == property && truth.target.property == property &&
+          c.target.theta == truth.target.theta)
+        coverage.add(c.low, c.high, truth.mean);
+}
+
+/// Intervals of the parameters that are said to be determined.
+inline void add_parameters(const Trial& t, Coverage& coverage) {
+  for (const ParameterEstimate& e : t.found.parameters)
+    if (e.determined) coverage.add(e.low, e.high, true_value(t.truth, e.key));
+}
+
+}  // namespace phy

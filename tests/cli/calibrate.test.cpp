@@ -1,0 +1,96 @@
+// A calibration as a user meets it: table in, files out; stopped, killed and taken up again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <sstream>
+#include <thread>
+
+#include "../program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CalibrateCli : public ProgramTest {
+ protected:
+  /// A table of the small specimen at four angles, made by the program from other strengths.
+  std::string rock() const {
+    write("start.toml",
+          "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing "
+          "= \"2 "
+          "mm\"\n");
+    write("table.csv",
+          "theta [deg],E [GPa],nu,UCS "
+          "[MPa],n\n0,17.5,0.10,105,3\n30,15.6,0.36,60,3\n60,21.0,0.5,45,3\n90,48,0.25,"
+          "128,3\n");
+    return write("rock.toml", "data = \"table.csv\"\nrecipe = \"start.toml\"\n");
+  }
+  std::string calibrate(const std::string& more) const {
+    return "calibrate " + rock() + " --threads 2 --max-tests 52 --out " + more;  // the least
+  }
+  std::string at(const std::string& name) const { return (folder / name).string(); }
+  std::string read(const std::string& file) const {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// Starts the program, sends it a signal after a while and returns its exit code (-1: died of it).
+  int signalled(const std::string& arguments, int signal, double seconds) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::istringstream words(arguments);
+      std::vector<std::string> list = {PHY_PROGRAM};
+      for (std::string word; words >> word;) list.push_back(word);
+      std::vector<char*> pointers;
+      for (std::string& w : list) pointers.push_back(w.data());
+      pointers.push_back(nullptr);
+      ::freopen("/dev/null", "w", stdout);
+      ::freopen("/dev/null", "w", stderr);
+      ::execv(PHY_PROGRAM, pointers.data());
+      ::_exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+};
+
+TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
+  ASSERT_THAT(run(calibrate(out())), testing::AnyOf(0, 1)) << output;  // 1: verdict "out of reach"
+  for (const char* text : {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
+                           "verdict:", "RMSE UCS", "at angles left out", "52 tests of strength"})
+    EXPECT_THAT(output, HasSubstr(text));
+  EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
+  EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
+  EXPECT_THAT(read(out() + "/calibrated-yade.py"), HasSubstr("JCFpmMat"));
+  ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;  // a recipe that the program reads
+  ASSERT_EQ(run(calibrate(out())), 2);
+  EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
+  ASSERT_EQ(run("calibrate " + rock() + " --max-tests 51 --out " + at("more")), 2);
+  EXPECT_THAT(output, HasSubstr("at least 52"));
+}
+
+TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
+  ASSERT_THAT(run(calibrate(at("whole"))), testing::AnyOf(0, 1)) << output;
+  const std::string expected = read(at("whole") + "/calibration.json");
+  EXPECT_EQ(signalled(calibrate(at("parts")), SIGKILL, 1.0), -1);
+  EXPECT_FALSE(fs::exists(at("parts") + "/calibration.json"));
+  EXPECT_EQ(signalled(calibrate(at("parts") + " --resume"), SIGINT, 0.5), 1);
+  ASSERT_THAT(run(calibrate(at("parts") + " --resume")), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(read(at("parts") + "/calibration.json"), expected);
+  EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));
+}
+
+TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {
+  write("table.csv", "theta [deg],E [GPa],UCS [MPa]\n0,20,-5\n120,25,90\n45,abc,60\n");
+  ASSERT_EQ(run("calibrate " + write("bad.toml", "data = \"table.csv\"\n") + " --out " + out()), 2);
+  for (const char* text : {"table.csv:2", "table.csv:3", "table.csv:4"}) EXPECT_THAT(output, HasSubstr(text));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace

@@ -1,0 +1,68 @@
+// Twenty twin trials. PHY_TWIN_MAGNIFICATION sets the size of the grains (1: the paper's 7,481 discs, hours;
+// default 2.5: 1,197 discs), PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose rocks.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include "../calibration/twin_trial.hpp"
+
+namespace phy {
+namespace {
+
+double setting(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+TEST(TwinTrials, TwentyRocks) {
+  const auto first = static_cast<std::uint32_t>(setting("PHY_TWIN_FIRST", 0));
+  const auto n = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", 20));
+  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 2.5));
+  const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
+  const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
+  std::vector<double> rmse_E, rmse_ucs;
+  Coverage E, ucs, parameters;
+  for (std::uint32_t k = first; k < n; ++k) {
+    const auto simulator = make_simulator({threads, "", nullptr, nullptr});
+    const Trial t = run_trial(k, model, angles, 300, *simulator);
+    rmse_E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
+    rmse_ucs.push_back(rmse_against(t.found.verification, t.unseen, Property::ucs));
+    add_response(t, Property::E, E), add_response(t, Property::ucs, ucs), add_parameters(t, parameters);
+    Coverage here_E, here_ucs, here;
+    add_response(t, Property::E, here_E), add_response(t, Property::ucs, here_ucs), add_parameters(t, here);
+    std::printf(
+        "rock %2u: RMSE E %5.2f %%, UCS %5.2f %%; inside %d/%d E, %d/%d UCS, %d/%d parameters; %lld tests, "
+        "%.0f "
+        "s, %s\n",
+        k, 100.0 * rmse_E.back(), 100.0 * rmse_ucs.back(), here_E.inside, here_E.n, here_ucs.inside,
+        here_ucs.n, here.inside, here.n, static_cast<long long>(t.found.n_strength_tests), t.found.seconds,
+        to_string(t.found.verdict.status));
+    std::fflush(stdout);
+    EXPECT_LE(t.found.n_strength_tests, 300);
+  }
+  // four elastic parameters from E and nu, six strengths from UCS, 21 specimens
+  std::printf("median RMSE: E %.2f %% (noise floor %.2f %%), UCS %.2f %% (noise floor %.2f %%)\n",
+              100.0 * median(rmse_E), 5.0 * std::sqrt(4.0 / 42.0), 100.0 * median(rmse_ucs),
+              5.0 * std::sqrt(6.0 / 21.0));
+  const auto print = [](const char* what, const Coverage& c) {
+    std::printf("95 %% intervals of %s: truth inside in %d of %d (%.0f %%), median width %.1f %%\n", what,
+                c.inside, c.n, 100.0 * c.share(), 100.0 * c.median_width());
+  };
+  print("E(theta)", E), print("UCS(theta)", ucs), print("determined parameters", parameters);
+  EXPECT_LE(median(rmse_E), 0.03);
+  EXPECT_LE(median(rmse_ucs), 0.06);
+  for (const Coverage* c : {&E, &ucs, &parameters}) {
+    EXPECT_GE(c->share(), 0.88);
+    EXPECT_LE(c->share(), 1.00);
+  }
+}
+
+}  // namespace
+}  // namespace phy
