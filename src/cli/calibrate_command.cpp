@@ -84,6 +84,7 @@ int run_calibration(const Arguments& args, const Session& session) {
     return 1;
   }
   write_files(args.out, result, tables);
+  write_report(args.out);
   fmt::print("calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n", args.out);
   const VerdictStatus status = result.verdict.status;
   return status == VerdictStatus::out_of_reach ? 1 : 0;

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "cli/commands.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
@@ -277,6 +278,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   write_file((folder / "lines.csv").string(), lines_csv(variants));
   write_file((folder / "fig4.csv").string(), fig4_csv(variants, factors));
   write_file((folder / "moduli.csv").string(), moduli_csv(variants));
+  write_report(out);
   fmt::print("{:.1f} s in all; all readings in {}\n",
              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), out);
   return solved ? 0 : 1;

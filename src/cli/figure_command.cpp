@@ -25,10 +25,15 @@ FigureData data_for(const FigureKind& kind, const FigureArguments& args) {
                              kind.varied ? "the folder of a study or of `phyllite elastic` with a [sweep]"
                                          : "the folder of `phyllite run`",
                              "`phyllite figure --help` tells which kind is of which results"});
-  if (kind.varied)
+  if (kind.varied) {
     data.variations = read_variations(args.result);
-  else
+    if (data.variations.front().parameters.empty())
+      throw InputError(Problem{args.result, "", "",
+                               "parameters that vary one at a time around the first point",
+                               "use the designs one_at_a_time or full_factorial"});
+  } else {
     data.run = read_run(args.result);
+  }
   if (!args.rock.empty()) data.laboratory = targets_of(read_rock(args.rock));
   return data;
 }

@@ -1,44 +1,95 @@
-// `phyllite report RESULT`: writes report.html anew, with laboratory data beside the model if a rock is
-// named.
+// `phyllite report RESULT`: writes report.html anew: of a run, a study, a sweep or a calibration.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
+#include "io/load_variation.hpp"
 #include "io/rock_in.hpp"
+#include "io/table.hpp"
+#include "io/toml_in.hpp"
 #include "report/page.hpp"
 
 namespace phy {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ReportArguments {
   std::string result, rock, out;
 };
 
-void report(const ReportArguments& args) {
-  const RunRecord run = read_run(args.result);
+bool has(const std::string& folder, const char* file) {
+  std::error_code none;
+  return fs::exists(fs::path(folder) / file, none);
+}
+std::string text_of(const std::string& folder, const char* file) {
+  return has(folder, file) ? read_file((fs::path(folder) / file).string()) : "";
+}
+
+PageExtras of_calibration(const std::string& folder) {
   PageExtras extras;
+  extras.calibration = text_of(folder, "calibration.json");
+  try {
+    const auto j = nlohmann::json::parse(extras.calibration);
+    if (j.at("format") != 1) throw std::out_of_range("another version of the format");
+    extras.name = j.at("rock");
+  } catch (const std::exception& e) {
+    throw InputError(Problem{folder + "/calibration.json", "", "", "a calibration of format 1", e.what()});
+  }
+  extras.recipe = text_of(folder, "calibrated.toml");
+  return extras;
+}
+
+PageExtras of_variations(const std::string& folder) {
+  PageExtras extras;
+  extras.variations = read_variations(folder);
+  extras.name = extras.variations.size() == 1 ? extras.variations.front().name : "Sweep of joint stiffnesses";
+  extras.recipe = text_of(folder, "recipe.toml");
+  if (has(folder, "effects.csv")) {
+    const Table table = parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
+    if (!table.problems.empty()) throw InputError(table.problems);
+    extras.effects.push_back(table.header);
+    for (const TableRow& row : table.rows) extras.effects.push_back(row.cells);
+  }
+  return extras;
+}
+
+void report(const ReportArguments& args) {
+  RunRecord run;
+  PageExtras extras;
+  if (has(args.result, "calibration.json"))
+    extras = of_calibration(args.result);
+  else if (holds_variations(args.result))
+    extras = of_variations(args.result);
+  else
+    run = read_run(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(read_rock(args.rock));
-  const std::string out =
-      args.out.empty() ? (std::filesystem::path(args.result) / "report.html").string() : args.out;
+  const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
   const auto start = std::chrono::steady_clock::now();
   const std::string page = report_page(run, extras);
   write_file(out, page);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  fmt::print("{}: {} specimens, {:.1f} MB, written in {:.2f} s\n", out, run.tests.size(),
+  fmt::print("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
+             run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
              1e-6 * static_cast<double>(page.size()), seconds);
   for (const MissingTest& m : run.missing) fmt::print("{}: missing: {}\n", m.name, m.reason);
 }
 
 }  // namespace
 
+void write_report(const std::string& folder) { report({folder, "", ""}); }
+
 void add_report_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ReportArguments>();
   CLI::App* verb = app.add_subcommand("report", "write report.html of a result anew");
-  verb->add_option("result", args->result, "folder that `phyllite run` wrote, or one specimen of it")
+  verb->add_option("result", args->result,
+                   "folder of a run (or one specimen of it), study, sweep or calibration")
       ->required();
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
   verb->add_option("--out", args->out, "file; default: report.html in the folder");

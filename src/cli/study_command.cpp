@@ -176,6 +176,7 @@ void write_tables(const Plan& plan, const StudyRows& rows, const std::string& fo
   write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
   tell_effects(plan, rows, folder);
   fmt::print("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
+  if (!plan.study.vary.empty()) write_report(folder);
 }
 
 int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,

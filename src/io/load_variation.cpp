@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/check.hpp"
 #include "base/units.hpp"
@@ -21,10 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using Rows = std::vector<const TableRow*>;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double number_of(const std::string& cell) {
   const Quantity q = parse_quantity(cell, Dimension::none);
-  return q.ok ? q.value : std::numeric_limits<double>::quiet_NaN();
+  return q.ok ? q.value : not_known;
 }
 
 /// A table whose columns are asked for by name.
@@ -34,10 +36,16 @@ class Named {
     if (!table_.problems.empty()) throw InputError(table_.problems);
   }
   std::size_t column(const std::string& name) const {
-    const auto it = std::find(table_.header.begin(), table_.header.end(), name);
-    if (it == table_.header.end())
+    const std::optional<std::size_t> found = maybe(name);
+    if (!found)
       throw InputError(
           Problem{file_, name, "", "a column of this name", "write the table anew with this program"});
+    return *found;
+  }
+  /// Where nothing has been finished, numbers have no columns yet.
+  std::optional<std::size_t> maybe(const std::string& name) const {
+    const auto it = std::find(table_.header.begin(), table_.header.end(), name);
+    if (it == table_.header.end()) return std::nullopt;
     return static_cast<std::size_t>(it - table_.header.begin());
   }
   const std::string& at(const TableRow& row, const std::string& name) const {
@@ -58,10 +66,12 @@ class Named {
 };
 
 /// A column over the inclination: mean and interval of all rows of one angle.
-std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::size_t value, double unit) {
+std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::optional<std::size_t> value,
+                                    double unit) {
   std::map<double, std::vector<double>> found;
   for (const TableRow* row : rows)
-    if (const double angle = number_of(row->cells[theta]), v = number_of(row->cells[value]);
+    if (const double angle = number_of(row->cells[theta]),
+        v = value ? number_of(row->cells[*value]) : not_known;
         std::isfinite(angle) && std::isfinite(v))
       found[angle].push_back(v * unit);
   std::vector<AngleValue> out;
@@ -69,10 +79,11 @@ std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::si
   return out;
 }
 
-double mean_of(const Rows& rows, std::size_t value, double unit) {
+double mean_of(const Rows& rows, std::optional<std::size_t> value, double unit) {
   std::vector<double> values;
   for (const TableRow* row : rows)
-    if (const double v = number_of(row->cells[value]); std::isfinite(v)) values.push_back(v * unit);
+    if (const double v = value ? number_of(row->cells[*value]) : not_known; std::isfinite(v))
+      values.push_back(v * unit);
   return values.empty() ? 0.0 : summarise(values).mean;
 }
 
@@ -128,9 +139,9 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
                  [&](const TableRow* row) { return row->cells[column] == level; });
     const double base_value = number_of(base.cells[column]);
     parameter.settings.push_back(
-        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : number_of(""),
-         level == base.cells[column], over_angles(rows, theta, table.column("E_tangent [Pa]"), 1.0),
-         over_angles(rows, theta, table.column("ucs [Pa]"), 1.0)});
+        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : not_known,
+         level == base.cells[column], over_angles(rows, theta, table.maybe("E_tangent [Pa]"), 1.0),
+         over_angles(rows, theta, table.maybe("ucs [Pa]"), 1.0)});
   }
   return parameter;
 }
@@ -143,15 +154,11 @@ Variation read_study_table(const std::string& folder) {
   v.name = recipe.name;
   v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
   v.E_intact = mean_of(table.rows([&](const TableRow& row) { return table.at(row, "intact") == "1"; }),
-                       table.column("E_tangent [Pa]"), 1.0);
+                       table.maybe("E_tangent [Pa]"), 1.0);
   const std::vector<std::size_t> columns = varied_columns(table);
   for (const std::size_t c : columns)
     if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)
       v.parameters.push_back(std::move(p));
-  if (v.parameters.empty())
-    throw InputError(Problem{table.file(), "", "",
-                             "parameters that vary one at a time around the first point",
-                             "use the designs one_at_a_time or full_factorial"});
   return v;
 }
 

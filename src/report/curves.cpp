@@ -131,4 +131,32 @@ Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
   return rose;
 }
 
+Eq1Fit fit_setting(const VariedSetting& s, double E_intact) {
+  std::vector<ModulusReading> readings;
+  Eq1Options options;
+  options.reference = E_intact > 0.0 ? Eq1Reference::given : Eq1Reference::free;
+  options.E = E_intact;
+  for (const AngleValue& a : s.E) {
+    if (a.value.n == 0) continue;
+    readings.push_back({a.theta, a.value.mean});
+    if (a.theta == 90.0) options.reference = Eq1Reference::measured_90;
+  }
+  return fit_eq1(readings, options);
+}
+
+std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& p) {
+  if (!p.macro.empty()) return p.macro;
+  std::vector<MacroPoint> points;
+  for (const VariedSetting& s : p.settings) {
+    const Eq1Fit fit = fit_setting(s, v.E_intact);
+    if (!fit.ok() || v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
+    MacroPoint point;
+    point.factor = s.factor;
+    point.K_n.n = point.K_s.n = 1;
+    point.K_n.mean = fit.rock.K_n_delta / v.spacing, point.K_s.mean = fit.rock.K_s_delta / v.spacing;
+    points.push_back(point);
+  }
+  return points;
+}
+
 }  // namespace phy

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "records/test_record.hpp"
+#include "records/variation.hpp"
+#include "theory/eq1_fit.hpp"
 
 namespace phy {
 
@@ -29,6 +31,13 @@ struct Rose {
   double bin() const { return 180.0 / static_cast<double>(tension.size()); }
 };
 Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins = 18);
+
+/// Eq. 1 fitted in compliance to E(theta) of one setting; E is that at 90 degrees, else `E_intact` [Pa], else
+/// free.
+Eq1Fit fit_setting(const VariedSetting& setting, double E_intact);
+/// Macro stiffnesses over a parameter: those that came with it, else by fit_setting; where there is no fit,
+/// no point.
+std::vector<MacroPoint> macro_points(const Variation& variation, const VariedParameter& parameter);
 
 /// Value of a number, NaN where the result has none.
 double value_of(const TestRecord& test, const std::string& name);

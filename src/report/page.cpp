@@ -80,50 +80,39 @@ Json target_json(const Target& t) {
       {"property", to_string(t.property)}, {"theta", t.theta}, {"mean", t.mean}, {"sd", t.sd}, {"n", t.n}};
 }
 
-Json comparisons_json(const std::vector<Comparison>& rows) {
+Json spread_json(double at, const Summary& s) {
+  return {{"at", at}, {"mean", s.mean}, {"half", number_or_null(s.half_width)}};
+}
+
+Json angles_json(const std::vector<AngleValue>& values) {
   Json j = Json::array();
-  for (const Comparison& c : rows)
-    j.push_back({{"property", to_string(c.target.property)},
-                 {"theta", c.target.theta},
-                 {"lab", c.target.mean},
-                 {"lab_sd", c.target.sd},
-                 {"n", c.target.n},
-                 {"mean", number_or_null(c.mean)},
-                 {"sd", number_or_null(c.sd)},
-                 {"low", number_or_null(c.low)},
-                 {"high", number_or_null(c.high)}});
+  for (const AngleValue& v : values)
+    if (v.value.n > 0) j.push_back(spread_json(v.theta, v.value));
   return j;
 }
 
-Json calibration_json(const Calibration* c) {
-  if (c == nullptr) return nullptr;
+Json variation_json(const Variation& v) {
   Json parameters = Json::array();
-  for (const ParameterEstimate& p : c->parameters)
-    parameters.push_back({{"key", p.key},
-                          {"symbol", p.symbol},
-                          {"unit", p.unit},
-                          {"value", number_or_null(p.value)},
-                          {"low", number_or_null(p.low)},
-                          {"high", number_or_null(p.high)},
-                          {"determined", p.determined},
-                          {"rests_on", p.rests_on},
-                          {"next_test", p.next_test}});
-  return {{"rock", c->rock},
-          {"verdict", to_string(c->verdict.status)},
-          {"findings", c->verdict.findings},
-          {"parameters", parameters},
-          {"fitted", comparisons_json(c->fitted)},
-          {"verification", comparisons_json(c->verification)},
-          {"left_out", comparisons_json(c->left_out)},
-          {"notes", c->notes}};
+  for (const VariedParameter& p : v.parameters) {
+    Json settings = Json::array(), K_n = Json::array(), K_s = Json::array();
+    for (const VariedSetting& s : p.settings)
+      settings.push_back(
+          {{"text", s.text}, {"base", s.base}, {"E", angles_json(s.E)}, {"ucs", angles_json(s.ucs)}});
+    for (const MacroPoint& m : macro_points(v, p)) {
+      if (m.K_n.n > 0) K_n.push_back(spread_json(m.factor, m.K_n));
+      if (m.K_s.n > 0) K_s.push_back(spread_json(m.factor, m.K_s));
+    }
+    parameters.push_back({{"key", p.key}, {"settings", settings}, {"K_n", K_n}, {"K_s", K_s}});
+  }
+  return {{"name", v.name}, {"parameters", parameters}};
 }
 
 Json report_json(const RunRecord& run, const PageExtras& extras) {
   Json j;
   const TestRecord none;
   const TestRecord& first = run.tests.empty() ? none : run.tests.front();
-  j["name"] = run.tests.empty() ? "no specimens" : first.recipe.name;
-  j["program"] = first.program;
+  j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
+  j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();
@@ -132,11 +121,12 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   j["curves"] = {{"E", curve_json(curves.E)}, {"nu", curve_json(curves.nu)}, {"ucs", curve_json(curves.ucs)}};
   j["laboratory"] = Json::array();
   for (const Target& t : extras.laboratory) j["laboratory"].push_back(target_json(t));
-  if (extras.calibration != nullptr && extras.laboratory.empty())
-    for (const Comparison& c : extras.calibration->fitted) j["laboratory"].push_back(target_json(c.target));
-  j["calibration"] = calibration_json(extras.calibration);
+  j["calibration"] = extras.calibration.empty() ? Json(nullptr) : Json::parse(extras.calibration);
+  j["variations"] = Json::array();
+  for (const Variation& v : extras.variations) j["variations"].push_back(variation_json(v));
+  j["effects"] = extras.effects;
   j["methods"] = methods_text(run);
-  j["recipe"] = run.tests.empty() ? "" : write_recipe(first.recipe);
+  j["recipe"] = !extras.recipe.empty() ? extras.recipe : run.tests.empty() ? "" : write_recipe(first.recipe);
   return j;
 }
 

@@ -5,16 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "records/calibration.hpp"
 #include "records/rock.hpp"
 #include "records/test_record.hpp"
+#include "records/variation.hpp"
 
 namespace phy {
 
-/// What a report may say beyond a run.
+/// What a report says beyond a run, or instead of one.
 struct PageExtras {
-  std::vector<Target> laboratory;            ///< points beside E(theta), nu(theta), UCS(theta)
-  const Calibration* calibration = nullptr;  ///< adds a section, and its targets as laboratory points
+  std::string name;                               ///< title; default: that of the run's recipe
+  std::vector<Target> laboratory;                 ///< points beside E(theta), nu(theta), UCS(theta)
+  std::string calibration;                        ///< calibration.json, taken over unchanged; empty: none
+  std::vector<Variation> variations;              ///< of a study or a sweep
+  std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
+  std::string recipe;                             ///< of a study or calibration; default: that of the run
 };
 
 /// The page as text. A run without specimens gives a page that says so.

@@ -10,6 +10,7 @@
 #include "io/base64.hpp"
 #include "io/store.hpp"
 #include "records/assembly.hpp"
+#include "report/calibration_files.hpp"
 #include "report/curves.hpp"
 #include "theory/goodman.hpp"
 
@@ -104,12 +105,34 @@ TEST(Page, CarriesCalibrationAndLaboratory) {
   row.mean = 5.9e7;
   c.fitted = {row};
   PageExtras extras;
-  extras.calibration = &c;
+  extras.calibration = calibration_json(c, "9.9");
+  extras.laboratory = {row.target};
   const Json data = data_of(report_page(three(), extras));
-  EXPECT_EQ(data["calibration"]["verdict"], "calibrated except");
-  EXPECT_EQ(data["calibration"]["fitted"][0]["mean"].get<double>(), 5.9e7);
-  EXPECT_TRUE(data["calibration"]["fitted"][0]["low"].is_null());
+  EXPECT_EQ(data["calibration"], Json::parse(extras.calibration));
+  EXPECT_EQ(data["calibration"]["fitted"][0]["model"].get<double>(), 5.9e7);
   EXPECT_EQ(data["laboratory"][0]["mean"].get<double>(), 6e7);
+}
+
+TEST(Page, CarriesStudiesWithoutSpecimens) {
+  AngleValue E;
+  E.theta = 30.0, E.value.n = 2, E.value.mean = 2.5e10, E.value.half_width = 1e9;
+  VariedSetting base{"3360 GPa/m", 1.0, true, {E}, {}},
+      other{"1680 GPa/m <b>", 0.5, false, {E}, {AngleValue{}}};
+  PageExtras extras;
+  extras.name = "study";
+  extras.variations = {
+      {"study", 0.005, 0.0, {{"bedding.k_n", {other, base}, {{0.5, E.value, Summary{}, 0.0}}}}}};
+  extras.effects = {{"number", "slope"}, {"ucs", "1e-5"}};
+  const std::string page = report_page(RunRecord{}, extras);
+  EXPECT_THAT(page, Not(HasSubstr("GPa/m <b>")));
+  const Json data = data_of(page);
+  EXPECT_EQ(data["name"], "study");
+  const Json& k_n = data["variations"][0]["parameters"][0];
+  EXPECT_EQ(k_n["settings"][1]["E"][0]["mean"].get<double>(), 2.5e10);
+  EXPECT_EQ(k_n["settings"][0]["ucs"].size(), 0U);  // none of the specimens has one
+  EXPECT_EQ(k_n["K_n"][0]["half"].get<double>(), 1e9);
+  EXPECT_EQ(k_n["K_s"].size(), 0U);
+  EXPECT_EQ(data["effects"][1][1], "1e-5");
 }
 
 TEST(TheoryCurves, GoThroughReadingsThatTheyMade) {

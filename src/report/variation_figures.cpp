@@ -7,8 +7,8 @@
 #include <map>
 
 #include "base/check.hpp"
+#include "report/curves.hpp"
 #include "report/palette.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy {
 namespace {
@@ -37,34 +37,6 @@ std::string symbol_of(const std::string& key) {
   return text;
 }
 
-Eq1Fit fit_of(const VariedSetting& s, double E_intact) {
-  std::vector<ModulusReading> readings;
-  Eq1Options options;
-  options.reference = E_intact > 0.0 ? Eq1Reference::given : Eq1Reference::free;
-  options.E = E_intact;
-  for (const AngleValue& a : s.E) {
-    if (a.value.n == 0) continue;
-    readings.push_back({a.theta, a.value.mean});
-    if (a.theta == 90.0) options.reference = Eq1Reference::measured_90;
-  }
-  return fit_eq1(readings, options);
-}
-
-std::vector<MacroPoint> macro_of(const Variation& v, const VariedParameter& p) {
-  if (!p.macro.empty()) return p.macro;
-  std::vector<MacroPoint> points;
-  for (const VariedSetting& s : p.settings) {
-    const Eq1Fit fit = fit_of(s, v.E_intact);
-    if (!fit.ok() || v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
-    MacroPoint point;
-    point.factor = s.factor;
-    point.K_n.n = point.K_s.n = 1;
-    point.K_n.mean = fit.rock.K_n_delta / v.spacing, point.K_s.mean = fit.rock.K_s_delta / v.spacing;
-    points.push_back(point);
-  }
-  return points;
-}
-
 Row bar(double x, const Summary& s, double factor) {
   const double half = std::isfinite(s.half_width) ? s.half_width : 0.0;
   return {x, factor * s.mean, factor * (s.mean - half), factor * (s.mean + half)};
@@ -90,7 +62,7 @@ void stiffness_panel(GnuplotScript& s, const std::vector<Variation>& variations,
     for (const VariedParameter& p : v.parameters) {
       if (sweeps && p.key != (k == 0 ? "bedding.k_n" : "bedding.k_s")) continue;
       std::vector<Row> rows;
-      for (const MacroPoint& m : macro_of(v, p)) {
+      for (const MacroPoint& m : macro_points(v, p)) {
         const Summary& K = k == 0 ? m.K_n : m.K_s;
         if (K.n > 0) rows.push_back(bar(m.factor, K, 1e-9));
         if (m.paper > 0.0 && &v == &variations.front()) paper.push_back({m.factor, 1e-9 * m.paper});
@@ -154,7 +126,7 @@ void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, doubl
     for (const AngleValue& a : modulus ? setting.E : setting.ucs)
       if (a.value.n > 0) rows.push_back(bar(a.theta, a.value, modulus ? 1e-9 : 1e-6));
     if (rows.empty()) continue;
-    const std::vector<Row> line = modulus ? eq1_line(fit_of(setting, E_intact)) : std::vector<Row>();
+    const std::vector<Row> line = modulus ? eq1_line(fit_setting(setting, E_intact)) : std::vector<Row>();
     const std::string look = fmt::format("lc rgb '{}'", hex_color(value_color(i, p.settings.size())));
     if (!line.empty()) parts.push_back(fmt::format("{} with lines lw 1.2 {} notitle", s.block(line), look));
     const std::string name =

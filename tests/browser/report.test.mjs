@@ -2,7 +2,7 @@
 // `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -223,6 +223,39 @@ test("a page says which specimens failed or are missing", async () => {
   assert.match(text, /theta = 45 deg: not peaked.*raise test\.max_strain/);
   assert.match(text, /intact: missing/);
   assert.match(text, /theta_0_deg: missing/);
+});
+
+test("a calibration: verdict, what the data determine, laboratory beside model", async () => {
+  const result = join(folder, "calibration");
+  mkdirSync(result);
+  const row = (theta, model) => ({ property: "UCS", unit: "Pa", "theta [deg]": theta, laboratory: { mean: 60e6, sd: 3e6, n: 4, sd_assumed: false }, model, sd_of_packings: null, n_packings: 1, low: 0.9 * model, high: 1.1 * model });
+  const parameter = (key, determined) => ({ key, symbol: key, unit: "Pa", value: 40.25e9, low: 35e9, high: 46e9, box: [1e9, 200e9], determined, next_test: determined ? undefined : "<b>tension</b>" });
+  const calibration = { format: 1, rock: hostile, verdict: { status: "calibrated except", findings: ["<i>UCS(45)</i> is out by 12 %"] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [row(0, 57.5e6), row(45, 66e6)], verification: [], left_out: [], notes: ["a note"] };
+  writeFileSync(join(result, "calibration.json"), JSON.stringify(calibration));
+  report(result);
+  const page = await open(result);
+  assert.deepEqual(page.trouble, []);
+  assert.equal(await page.locator("h1").textContent(), hostile);
+  const text = await page.locator("#calibration").textContent();
+  for (const part of ["calibrated except", "<i>UCS(45)</i> is out by 12 %", "57.50", "-4.2", "40.25 GPa", "<b>tension</b>"]) assert.ok(text.includes(part), part);
+  assert.ok((await seen(page, "#calibration figure svg")).colors > 12);
+});
+
+test("a study: every parameter drawn, its numbers below", async () => {
+  const result = join(folder, "study");
+  mkdirSync(result);
+  writeFileSync(join(result, "recipe.toml"), readFileSync(join(press, "intact", "recipe.toml")));
+  const rows = [0, 45, 90].flatMap((theta) => [1, 2].map((packing) => `0,${packing},1,${theta},0,3e12,${6e7 + 1e6 * packing},${3e10 + 1e8 * theta}`));
+  const varied = [0, 45, 90].map((theta) => `1,1,1,${theta},0,6e12,7e7,4e10`);
+  writeFileSync(join(result, "results.csv"), ["point,packing,bond_seed,theta [deg],intact,bedding.k_n [Pa/m],ucs [Pa],E_tangent [Pa]", ...rows, ...varied].join("\n") + "\n");
+  report(result);
+  const page = await open(result);
+  assert.deepEqual(page.trouble, []);
+  const charts = page.locator("#study-0 figure svg");
+  assert.ok((await charts.count()) >= 2);
+  assert.ok((await seen(page, "#study-0 figure svg")).colors > 12);
+  const text = await page.locator("#study-0").textContent();
+  for (const part of ["3000 GPa/m (base)", "6000 GPa/m", "61.50 ± ", "34.50 ± 0.00", "70.00"]) assert.ok(text.includes(part), part);
 });
 
 test("seven specimens of 7481 discs: written and open soon, little script per frame", async (t) => {

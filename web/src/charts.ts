@@ -1,6 +1,6 @@
 // Charts as SVG (Observable Plot): they scale, follow light and dark through CSS colours, and print as vectors.
 import * as Plot from "@observablehq/plot";
-import { Comparison, Curve, LabPoint, Report, Test, crackKinds, lastUpTo } from "./data";
+import { Comparison, Curve, LabPoint, Report, Spread, Test, crackKinds, lastUpTo } from "./data";
 
 const base = {
   style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
@@ -248,10 +248,17 @@ export function rose(t: Test): SVGElement {
   return root;
 }
 
+/** 95 % interval by the fit, else the standard deviation of the packings. */
+function bounds(r: Comparison, factor: number) {
+  if (r.low !== null && r.high !== null) return { low: r.low * factor, high: r.high * factor };
+  if (r.sd_of_packings === null) return { low: null, high: null };
+  return { low: (r.model! - r.sd_of_packings) * factor, high: (r.model! + r.sd_of_packings) * factor };
+}
+
 /** Laboratory beside model for one property of a calibration. */
 export function comparison(rows: Comparison[], factor: number, label: string, width: number): SVGSVGElement | HTMLElement {
-  const lab = rows.map((r) => ({ theta: r.theta, value: r.lab * factor, half: ((1.96 * r.lab_sd) / Math.sqrt(r.n)) * factor }));
-  const model = rows.filter((r) => r.mean !== null).map((r) => ({ theta: r.theta, value: r.mean! * factor, low: r.low === null ? null : r.low * factor, high: r.high === null ? null : r.high * factor }));
+  const lab = rows.map((r) => ({ theta: r["theta [deg]"], value: r.laboratory.mean * factor, half: ((1.96 * r.laboratory.sd) / Math.sqrt(r.laboratory.n)) * factor }));
+  const model = rows.filter((r) => r.model !== null).map((r) => ({ theta: r["theta [deg]"], value: r.model! * factor, ...bounds(r, factor) }));
   const bounded = model.filter((m) => m.low !== null && m.high !== null);
   return Plot.plot({
     ...base,
@@ -267,6 +274,35 @@ export function comparison(rows: Comparison[], factor: number, label: string, wi
       Plot.dot(model, { x: (d) => d.theta + 1.2, y: "value", fill: "var(--accent)", r: 5, tip: true }),
       Plot.ruleX(lab, { x: (d) => d.theta - 1.2, y1: (d) => d.value - d.half, y2: (d) => d.value + d.half, stroke: "var(--ink)", strokeWidth: 1.4 }),
       Plot.dot(lab, { x: (d) => d.theta - 1.2, y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6 }),
+    ],
+  }) as SVGSVGElement;
+}
+
+/** Several series of means with intervals, one colour each. */
+export interface Series {
+  name: string;
+  color: string;
+  bold: boolean;
+  points: Spread[];
+}
+
+export function seriesChart(series: Series[], factor: number, labels: { x: string; y: string }, width: number): SVGSVGElement | HTMLElement {
+  const points = series.flatMap((s) => s.points.map((p) => ({ x: p.at, y: p.mean * factor, low: (p.mean - (p.half ?? 0)) * factor, high: (p.mean + (p.half ?? 0)) * factor, s })));
+  const overAngles = labels.x.includes("θ");
+  const [low, high] = [Math.min(...points.map((p) => p.y)), Math.max(...points.map((p) => p.y))];
+  const wide = low > 0 && high > 30 * low; // no linear axis would show the small ones
+  return Plot.plot({
+    ...base,
+    width,
+    height: Math.max(220, width * 0.66),
+    marginLeft: 54,
+    marginBottom: 40,
+    x: { label: labels.x, labelAnchor: "center", labelArrow: "none", ...(overAngles ? { domain: [0, 90], ticks: angles(90, width) } : { zero: true }) },
+    y: { label: labels.y, labelArrow: "none", nice: true, ...(wide ? { type: "log" } : { zero: true }) },
+    marks: [
+      Plot.line(points, { x: "x", y: "y", z: (d) => d.s.name, stroke: (d) => d.s.color, strokeWidth: (d) => (d.s.bold ? 2.8 : 1.6) }),
+      Plot.ruleX(points.filter((p) => p.high > p.low), { x: "x", y1: "low", y2: "high", stroke: (d) => d.s.color, strokeWidth: 1.2 }),
+      Plot.dot(points, { x: "x", y: "y", fill: (d) => d.s.color, r: 4, stroke: "var(--surface)", tip: true, title: (d) => `${d.s.name}\n${d.y.toPrecision(4)} at ${d.x.toPrecision(3)}` }),
     ],
   }) as SVGSVGElement;
 }

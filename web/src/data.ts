@@ -22,39 +22,58 @@ export interface LabPoint {
   n: number;
 }
 
+/** calibration.json as `phyllite calibrate` writes it (docs/formats.md). */
 export interface Estimate {
   key: string;
   symbol: string;
   unit: string;
   value: number | null;
-  low: number;
-  high: number;
+  low: number | null;
+  high: number | null;
+  box: [number, number]; // values that the calibration admits
   determined: boolean;
-  rests_on: string;
-  next_test: string;
+  rests_on?: string;
+  next_test?: string;
 }
 
 export interface Comparison {
   property: string;
-  theta: number;
-  lab: number;
-  lab_sd: number;
-  n: number;
-  mean: number | null;
-  sd: number | null;
+  "theta [deg]": number;
+  laboratory: { mean: number; sd: number; n: number };
+  model: number | null;
+  sd_of_packings: number | null;
+  n_packings: number;
   low: number | null;
   high: number | null;
 }
 
 export interface Calibration {
   rock: string;
-  verdict: string;
-  findings: string[];
+  verdict: { status: string; findings: string[] };
   parameters: Estimate[];
   fitted: Comparison[];
   verification: Comparison[];
   left_out: Comparison[];
   notes: string[];
+}
+
+/** Of a study or sweep: a mean with its 95 % interval (null: one value only). */
+export interface Spread {
+  at: number; // inclination in degrees, or parameter / base
+  mean: number;
+  half: number | null;
+}
+
+export interface Parameter {
+  key: string;
+  settings: { text: string; base: boolean; E: Spread[]; ucs: Spread[] }[];
+  K_n: Spread[];
+  K_s: Spread[];
+}
+
+export interface Variation {
+  name: string;
+  parameters: Parameter[];
 }
 
 export interface Rose {
@@ -89,6 +108,8 @@ interface RawReport {
   curves: { E: Curve; nu: Curve; ucs: Curve };
   laboratory: LabPoint[];
   calibration: Calibration | null;
+  variations: Variation[];
+  effects: string[][]; // effects.csv of a study, header first; empty: none
   methods: string[];
   recipe: string;
 }

@@ -1,6 +1,6 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { damage, comparison, LinkedChart, modeShare, overAngle, rose, stressAt, stressStrain } from "./charts";
-import { Comparison, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
+import { damage, comparison, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
+import { Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
 import { Field, Viewer, headHeight } from "./viewer";
 
 type Child = Node | string | null | false;
@@ -525,55 +525,140 @@ function friendly(value: number | null, unit: string): string {
   return `${(value * (giga ? 1e-9 : mega ? 1e-6 : 1)).toPrecision(4)}${unit === "1" ? "" : ` ${giga ? "G" : mega ? "M" : ""}${unit}`}`;
 }
 
-function comparisonTable(rows: Comparison[], caption: string): Child {
-  if (rows.length === 0) return null;
-  const f = (r: Comparison, v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
+function table(label: string, heads: string[], rows: Child[][], caption: string | null = null, words: number[] = []): HTMLElement {
+  const of = (i: number): Record<string, string> => (words.includes(i) ? { class: "words" } : {});
   return h(
     "div",
-    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": label },
     h(
       "table",
       {},
-      h("caption", {}, caption),
-      h("thead", {}, h("tr", {}, ...["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd", "95 % interval", "error [%]"].map((x) => h("th", { scope: "col" }, x)))),
-      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, scales[r.property]?.[1] ?? r.property), ...[String(r.theta), f(r, r.lab), f(r, r.lab_sd), String(r.n), f(r, r.mean), f(r, r.sd), r.low === null ? "–" : `${f(r, r.low)} … ${f(r, r.high)}`, r.mean === null ? "–" : (100 * (r.mean / r.lab - 1)).toFixed(1)].map((x) => h("td", {}, x))))),
+      caption && h("caption", {}, caption),
+      h("thead", {}, h("tr", {}, ...heads.map((x, i) => h("th", { scope: "col", ...of(i) }, x)))),
+      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, r[0]), ...r.slice(1).map((x, i) => h("td", of(i + 1), x))))),
     ),
   );
+}
+
+function comparisonTable(rows: Comparison[], caption: string): Child {
+  if (rows.length === 0) return null;
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "95 % interval", "error [%]"];
+  return table(
+    caption,
+    heads,
+    rows.map((r) => {
+      const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
+      const { mean, sd, n } = r.laboratory;
+      const error = r.model === null ? "–" : (100 * (r.model / mean - 1)).toFixed(1);
+      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error];
+    }),
+    caption,
+  );
+}
+
+/** Where the interval of a parameter lies between the values that the calibration admits, in logarithms. */
+function intervalBar(p: Estimate): Child {
+  const [low, high] = p.box;
+  if (!(low > 0 && high > low) || p.low === null || p.high === null || !(p.low > 0)) return "–";
+  const at = (v: number) => Math.min(100, Math.max(0, (100 * Math.log(v / low)) / Math.log(high / low)));
+  const bar = h("i", { style: `left:${at(p.low)}%;width:${Math.max(1.5, at(p.high) - at(p.low))}%` });
+  return h("span", { class: "interval", role: "img", "aria-label": `${Math.round(at(p.low))} to ${Math.round(at(p.high))} % of the range` }, bar);
 }
 
 function calibration() {
   const c = report.calibration;
   if (!c) return;
-  const properties = [...new Set(c.fitted.map((r) => r.property))];
+  const properties = [...new Set([...c.verification, ...c.fitted].map((r) => r.property))];
+  const shown = (p: string) => {
+    const unseen = c.verification.filter((r) => r.property === p);
+    return unseen.length > 0 ? unseen : c.fitted.filter((r) => r.property === p);
+  };
   section(
     "calibration",
     "Calibration",
-    h("div", { class: "notice verdict" }, h("strong", {}, `${c.rock}: ${c.verdict}. `), ...c.findings.map((f) => h("p", {}, f))),
-    h("ul", { class: "legend" }, h("li", {}, "◇ laboratory, 95 % interval of the mean"), h("li", {}, h("i", { style: "background:var(--accent);border-radius:50%" }), "calibrated model")),
+    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, `${c.rock}: ${c.verdict.status}`), ...c.verdict.findings.map((f) => h("p", {}, f))),
+    h("ul", { class: "legend" }, h("li", {}, "◇ laboratory, 95 % interval of the mean"), h("li", {}, h("i", { style: "background:var(--accent);border-radius:50%" }), "calibrated model, on unseen packings where there are; 95 % interval by the fit, else ± sd of the packings")),
     h(
       "div",
-      { class: "grid" },
+      { class: "grid four" },
       ...properties.map((p) => {
         const [factor, label] = scales[p] ?? [1, p];
-        return chart(label, null, (width) => comparison((c.verification.some((r) => r.property === p) ? c.verification : c.fitted).filter((r) => r.property === p), factor, label, width));
+        return chart(label, null, (width) => comparison(shown(p), factor, label, width));
       }),
     ),
     comparisonTable(c.fitted, "On the packings of the fit"),
     comparisonTable(c.verification, "On packings that the fit has not seen"),
     comparisonTable(c.left_out, "Each angle predicted from the others"),
     h("h3", {}, "What the data determine"),
-    h(
-      "div",
-      { class: "scroll", tabindex: "0", role: "region", "aria-label": "Parameters" },
-      h(
-        "table",
-        {},
-        h("thead", {}, h("tr", {}, ...["parameter", "value", "95 % interval", "determined"].map((x) => h("th", { scope: "col" }, x)), h("th", { class: "words" }, "rests on"), h("th", { class: "words" }, "next test"))),
-        h("tbody", {}, ...c.parameters.map((p) => h("tr", {}, h("th", { scope: "row" }, p.key), h("td", {}, friendly(p.value, p.unit)), h("td", {}, `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`), h("td", {}, p.determined ? "yes" : "no"), h("td", { class: "words" }, p.rests_on), h("td", { class: "words" }, p.next_test)))),
-      ),
+    table(
+      "Parameters",
+      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on", "next test"],
+      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.rests_on ?? "", p.next_test ?? ""]),
+      null,
+      [5, 6],
     ),
     ...c.notes.map((n) => h("p", { class: "muted" }, n)),
   );
+}
+
+// --- studies -------------------------------------------------------------------------------------------------
+
+const shades = ["#c98f00", "#d0601b", "#b8384a", "#9a3a83", "#6b4bb5", "#3e63c8", "#2a86b8"];
+
+function settingsOf(p: Parameter, what: "E" | "ucs"): Series[] {
+  const last = Math.max(1, p.settings.length - 1);
+  return p.settings.map((s, i) => ({ name: s.text, color: shades[Math.round((6 * i) / last)], bold: s.base, points: s[what] })).filter((s) => s.points.length > 0);
+}
+
+function settingsTable(p: Parameter): HTMLElement {
+  const columns = (["E", "ucs"] as const).flatMap((what) => [...new Set(p.settings.flatMap((s) => s[what].map((v) => v.at)))].sort((a, b) => a - b).map((at) => ({ what, at })));
+  const head = (c: { what: "E" | "ucs"; at: number }) => `${c.what === "E" ? "E [GPa]" : "UCS [MPa]"} ${c.at}°`;
+  const rows = p.settings.map((s) => [
+    s.text + (s.base ? " (base)" : ""),
+    ...columns.map((c) => {
+      const v = s[c.what].find((x) => x.at === c.at);
+      const scale = c.what === "E" ? 1e-9 : 1e-6;
+      return v ? (v.mean * scale).toFixed(2) + (v.half === null ? "" : ` ± ${(v.half * scale).toFixed(2)}`) : "–";
+    }),
+  ]);
+  return table(p.key, [p.key, ...columns.map(head)], rows);
+}
+
+function parameterCharts(p: Parameter): Child[] {
+  const [E, ucs] = [settingsOf(p, "E"), settingsOf(p, "ucs")];
+  const legend = h("ul", { class: "legend" }, ...(ucs.length > 0 ? ucs : E).map((s) => h("li", {}, h("i", { style: `background:${s.color}` }), s.name + (s.bold ? " (base)" : ""))));
+  const x = "inclination of bedding θ [°]";
+  return [
+    h("h3", {}, p.key),
+    legend,
+    h(
+      "div",
+      { class: "grid" },
+      E.length > 0 && chart(`E for values of ${p.key}`, null, (width) => seriesChart(E, 1e-9, { x, y: "E [GPa]" }, width)),
+      ucs.length > 0 && chart(`UCS for values of ${p.key}`, null, (width) => seriesChart(ucs, 1e-6, { x, y: "UCS [MPa]" }, width)),
+    ),
+    h("details", {}, h("summary", {}, "Numbers"), settingsTable(p)),
+  ];
+}
+
+/** effects.csv as it stands, numbers shortened. */
+function effects() {
+  if (report.effects.length < 2) return;
+  const short = (cell: string) => (cell.length > 8 && Number.isFinite(Number(cell)) ? Number(cell).toPrecision(5) : cell);
+  const [head, ...rows] = report.effects;
+  section("effects", "Effects", h("details", {}, h("summary", {}, `${rows.length} effects of the parameters`), table("Effects", head, rows.map((r) => r.map(short)))));
+}
+
+function studies() {
+  report.variations.forEach((v, i) => {
+    const macro = (what: "K_n" | "K_s") => v.parameters.map((p, k): Series => ({ name: p.key, color: `var(--line-${k % 6})`, bold: false, points: p[what] })).filter((s) => s.points.length > 0);
+    const one = (what: "K_n" | "K_s", name: string) => chart(`Macro ${name} stiffness ${what}, by Eq. 1`, null, (width) => seriesChart(macro(what), 1e-9, { x: "parameter / base", y: `${what} [GPa/m]` }, width));
+    const parts: Child[] =
+      macro("K_n").length === 0
+        ? []
+        : [h("ul", { class: "legend" }, ...macro("K_n").map((s) => h("li", {}, h("i", { style: `background:${s.color}` }), s.name))), h("div", { class: "grid" }, one("K_n", "normal"), one("K_s", "shear"))];
+    section(`study-${i}`, report.variations.length > 1 ? v.name : "What the parameters do", h("p", { class: "muted" }, "One parameter varies, the others stay at their base (thick). Bars are 95 % intervals over packings and bond seeds, where there are several."), ...parts, ...v.parameters.flatMap(parameterCharts));
+  });
 }
 
 // --- text ----------------------------------------------------------------------------------------------------
@@ -589,10 +674,10 @@ function copyButton(text: string): HTMLElement {
 }
 
 function texts() {
-  section("methods", "Methods", ...report.methods.map((p) => h("p", {}, p)), copyButton(report.methods.join("\n\n")));
-  section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe));
+  if (report.methods.length > 0) section("methods", "Methods", ...report.methods.map((p) => h("p", {}, p)), copyButton(report.methods.join("\n\n")));
+  if (report.recipe) section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe));
   const hashes = report.tests.map((t) => `${t.label} ${t.result.result_hash}`).join(", ");
-  document.getElementById("footer")!.append(h("p", {}, `${report.program}. Fingerprints of the results: ${hashes}.`));
+  document.getElementById("footer")!.append(h("p", {}, `${report.program}.${hashes ? ` Fingerprints of the results: ${hashes}.` : ""}`));
 }
 
 // --- start ---------------------------------------------------------------------------------------------------
@@ -627,15 +712,20 @@ function start() {
   document.getElementById("title")!.textContent = report.name;
   const n = report.tests.length;
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
-  document.getElementById("subtitle")!.textContent = `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak · ${report.program}`;
+  const about = report.calibration ? "calibration" : report.variations.length > 0 ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
+  document.getElementById("subtitle")!.textContent = `${about} · ${report.program}`;
   theme();
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
-  specimens();
-  curves();
   calibration();
-  anisotropy();
-  roses();
-  tables();
+  studies();
+  effects();
+  if (n > 0) {
+    specimens();
+    curves();
+    anisotropy();
+    roses();
+    tables();
+  }
   texts();
   redraw(false, charts.slice(0, 1));
   update();
