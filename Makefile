@@ -45,6 +45,18 @@ bench: build
 	$(BUILD)/bench_engine
 	$(BUILD)/bench_statics
 
+# The paper's studies into results/paper (resumed if they are there) and docs/paper.md from their stores. A study that holds
+# a test without a peak ends with 1, which is a finding.
+paper: build
+	@for s in study no-jump crossing choices area base; do f=study-$$s; [ $$s = study ] && f=study; \
+	  $(BUILD)/phyllite study examples/paper/$$f.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
+	$(BUILD)/phyllite elastic examples/paper/elastic.toml --out results/paper/elastic || [ $$? = 1 ]
+	python3 tools/paper.py results/paper docs
+
+# The paper's specimen here and in Yade (Debian: yade), one core each; takes some minutes, never part of CI.
+bench-peers: build
+	python3 bench/peers/run.py $(BUILD)/phyllite
+
 # Studies over MPI ranks (Debian: libopenmpi-dev), built and tested beside the usual build.
 mpi:
 	@cmake -S . -B build/mpi -G Ninja -DPHY_MPI=ON -DPHY_BENCH=OFF >/dev/null

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "study/effects.hpp"
 #include "study/table.hpp"
@@ -106,7 +107,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows) {
   return text + effect_table(plan, {fits.K_n, fits.K_s});
 }
 
-/// ucs, E, nu of all specimens, then K_n and K_s by every reference.
+/// All numbers of all specimens, then Eq. 1 on E at 50 % of ucs by every reference, and on E at small strain.
 std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
   std::vector<Response> all;
   std::vector<std::string> names;
@@ -116,14 +117,17 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
         if (std::find(names.begin(), names.end(), n.name) == names.end()) names.push_back(n.name);
   for (const std::string& name : names)
     for (Response& r : responses(plan, rows, name)) all.push_back(std::move(r));
-  const std::pair<Eq1Reference, const char*> references[] = {
-      {Eq1Reference::given, "intact"}, {Eq1Reference::measured_90, "E(90)"}, {Eq1Reference::free, "free"}};
-  for (const auto& [reference, name] : references) {
-    JointFits fits = fit_joints(plan, rows, modulus, reference);
+  const std::tuple<const char*, Eq1Reference, const char*> fitted[] = {
+      {modulus, Eq1Reference::given, "reference intact"},
+      {modulus, Eq1Reference::measured_90, "reference E(90)"},
+      {modulus, Eq1Reference::free, "reference free"},
+      {"E_small", Eq1Reference::given, "reference intact (E_small)"}};
+  for (const auto& [from, reference, name] : fitted) {
+    JointFits fits = fit_joints(plan, rows, from, reference);
     std::vector<Response> of = std::move(fits.E);
     of.insert(of.end(), {fits.K_n, fits.K_s, fits.R2});
     for (Response& r : of) {
-      r.specimen += fmt::format(", reference {}", name);
+      r.specimen += fmt::format(", {}", name);
       all.push_back(std::move(r));
     }
   }
