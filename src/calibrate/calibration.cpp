@@ -19,8 +19,7 @@ constexpr int n_fit = 5;     // packings of the fit
 constexpr int n_unseen = 5;  // packings of the verification
 constexpr double z_95 = 1.959964;
 constexpr double strength_tolerance = 0.06;
-constexpr std::int64_t full_search = 250;  // tests; below, a miss may be the search's
-constexpr double strength_limit = 0.10;    // root mean square, from which a table is out of reach
+constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
 
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {
@@ -53,8 +52,20 @@ std::vector<Target> strength_targets(const std::vector<Target>& targets) {
   return some;
 }
 
+/// UCS over tension at each angle that has both: the laboratory's and, where the strengths are out of reach,
+/// the nearest that the search found.
+void tell_ratios(Calibration& result) {
+  for (const Comparison& t : result.verification)
+    for (const Comparison& u : result.verification)
+      if (t.target.property == Property::direct_tension && u.target.property == Property::ucs &&
+          t.target.theta == u.target.theta)
+        result.verdict.findings.push_back(
+            fmt::format("UCS/DTS({:g}) = {:.1f} in the laboratory, {:.1f} in the nearest model",
+                        t.target.theta, u.target.mean / t.target.mean, u.mean / t.mean));
+}
+
 /// Strengths on unseen packings that miss the table by more than the laboratory's scatter explains.
-void judge_strength(Calibration& result) {
+void judge_strength(Calibration& result, bool short_search) {
   double squares = 0.0;
   int n = 0;
   for (const Comparison& c : result.verification) {
@@ -72,15 +83,16 @@ void judge_strength(Calibration& result) {
     result.verdict.findings.push_back(fmt::format(
         "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
         100.0 * std::sqrt(squares / n)));
-    if (result.n_strength_tests < full_search)
+    tell_ratios(result);
+    if (short_search)
       result.verdict.findings.emplace_back("the search was short: a larger --max-tests may come nearer");
   }
 }
 
-void judge(Calibration& result, const ElasticFit& elastic) {
+void judge(Calibration& result, const ElasticFit& elastic, bool short_search) {
   Verdict& v = result.verdict;
   v.findings.insert(v.findings.begin(), elastic.findings.begin(), elastic.findings.end());
-  judge_strength(result);
+  judge_strength(result, short_search);
   if (elastic.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
     v.status = VerdictStatus::calibrated_except;
@@ -89,7 +101,7 @@ void judge(Calibration& result, const ElasticFit& elastic) {
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, const Rock& rock, const CalibrationOptions& options,
                         const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
-                        const std::vector<std::int64_t>& unseen, Simulator& simulator) {
+                        const std::vector<std::int64_t>& unseen, Simulator& simulator, bool& short_search) {
   const std::vector<Target> targets = strength_targets(all);
   const auto n = static_cast<std::int64_t>(targets.size()), reserved = n * n_unseen;
   if (options.max_tests < reserved + least_points * n)
@@ -105,7 +117,7 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   result.parameters.insert(result.parameters.end(), fit.parameters.begin(), fit.parameters.end());
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
-  result.verdict.findings = fit.findings;
+  result.verdict.findings = fit.findings, short_search = fit.short_search;
   if (fit.interrupted || fit.fitted.empty()) return !fit.interrupted;
   options.say("verification of the strengths on unseen packings");
   const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
@@ -145,12 +157,16 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   options.say("verification of the moduli on unseen packings");
   result.verification = elastic_response(result.recipe, targets, unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
-  const bool strength = !options.elastic_only && !strength_targets(targets).empty();
-  const bool done =
-      !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen, simulator);
+  const bool strength = !options.elastic_only && !of_property(targets, Property::ucs).empty();
+  bool short_search = false;
+  const bool done = !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen,
+                                                    simulator, short_search);
   make_ready(result.recipe, rock, targets);
+  if (!of_property(targets, Property::brazilian).empty())
+    result.notes.emplace_back(
+        "BTS was not fitted: of the tests in tension this version runs the direct one (DTS)");
   add_identifiability(result, rock);
-  judge(result, elastic);
+  judge(result, elastic, short_search);
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,6 +1,6 @@
-// A rock mechanics laboratory on paper, for tests of the strength stage that need many tests: UCS(theta) of
-// a matrix with one set of bonded joints from closed forms, with scatter of packings and of runs, in place of
-// the press. The moduli are Goodman's.
+// A rock mechanics laboratory on paper, for tests of the strength stage that need many tests: UCS(theta)
+// and direct tension of a matrix with one set of bonded joints from closed forms, with scatter of packings
+// and of runs, in place of the press. The moduli are Goodman's.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,10 @@ class PaperPress : public Simulator {
       const double noise = packing_scatter * draw(r, 0) + run_scatter * draw(r, 1);
       const double bias = r.packing.n_grains < 5000 ? coarse_bias * std::cos(theta_of(r) / 20.0) : 0.0;
       results[i].outcome.status = Status::peaked;
-      results[i].numbers.push_back({"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""});
+      if (r.test.kind == TestKind::direct_tension)
+        results[i].numbers.push_back({"sigma_t", tension(r) * std::exp(noise + bias), "Pa", "", ""});
+      else
+        results[i].numbers.push_back({"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""});
     }
     return results;
   }
@@ -56,6 +59,16 @@ class PaperPress : public Simulator {
     // sliding resists with cohesion, friction and, in part, the tensile strength of the joints
     const double slide = 1.6 * (b.cohesion * (0.7 + 0.6 * b.mu) + 0.5 * b.sigma_n) / (s * c + 0.02);
     return std::pow(std::pow(matrix, -6.0) + std::pow(slide, -6.0), -1.0 / 6.0);
+  }
+
+  /// Bonds in tension, or joints that open or slide.
+  static double tension(const Recipe& r) {
+    const double matrix = 0.5 * r.matrix.sigma_c;
+    if (r.bedding.empty()) return matrix;
+    const BeddingRecipe& b = r.bedding.front();
+    const double a = theta_of(r) * 3.14159265358979323846 / 180.0, s = std::sin(a), c = std::cos(a);
+    const double joint = 1.6 / (c * c / b.sigma_n + s * c / b.cohesion + 1e-9 / b.cohesion);
+    return std::pow(std::pow(matrix, -4.0) + std::pow(joint, -4.0), -0.25);
   }
 
  private:

@@ -42,8 +42,6 @@ class StrengthProblem {
     for (const Target& t : targets) largest_ = std::max(largest_, t.mean);
   }
 
-  std::vector<double> peak_strain;  ///< expected, per target
-
   Eigen::Index n_ratios() const { return static_cast<Eigen::Index>(parameters_.size()) - 1; }
   std::size_t n_targets() const { return targets_.size(); }
   const std::vector<Target>& targets() const { return targets_; }
@@ -216,15 +214,6 @@ std::vector<Batch> plan(std::int64_t max_tests, std::size_t n_targets, bool with
   return {{with_coarse, n_first}, {with_coarse, n_last}, {false, n_last}, {false, n_last}};
 }
 
-/// A test of the search: jump start and twice the speed halve its steps and move UCS by +1.3 +- 0.4 %
-/// (docs/calibration.md, "Two speeds").
-Recipe quick_test(const Recipe& recipe, const Target& t, double peak_strain, std::int64_t seed) {
-  Recipe one = single_at(recipe, t.theta, seed);
-  one.test.jump_strain = jump_share * peak_strain;
-  one.test.platen_speed *= search_speed;
-  return one;
-}
-
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe.
 std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                                  Simulator& simulator) {
@@ -236,36 +225,78 @@ std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>
   return strains;
 }
 
+/// Speed of platens or grips at which a wave crosses the specimen a hundred times until the earliest peak of
+/// a property; infinite without targets.
+double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
+                  const std::vector<double>& strains, Property property) {
+  double speed = infinity;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (targets[i].property == property) {
+      const double wave = std::sqrt(targets[i].mean / strains[i] / recipe.matrix.density);
+      speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
+    }
+  return speed;
+}
+
+/// The tests of a table: what the laboratory did to its specimens, for one packing each.
+class Tests {
+ public:
+  Tests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed, Simulator& simulator)
+      : targets_(targets), strains_(peak_strains(recipe, targets, seed, simulator)) {
+    tension_speed_ = slow_speed(recipe, targets_, strains_, Property::direct_tension);
+  }
+  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
+    Recipe one = single_at(recipe, targets_[target].theta, seed);
+    if (targets_[target].property == Property::direct_tension)
+      one.test.kind = TestKind::direct_tension, one.test.platen_speed = tension_speed_;
+    return one;
+  }
+  /// For the search: jump start and twice the speed halve the steps of a compression test and move UCS by
+  /// +1.3
+  /// +- 0.4 % (docs/calibration.md, "Two speeds").
+  Recipe quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
+    Recipe one = of(recipe, target, seed);
+    one.test.platen_speed *= search_speed;
+    if (one.test.kind == TestKind::uniaxial) one.test.jump_strain = jump_share * strains_[target];
+    return one;
+  }
+
+ private:
+  std::vector<Target> targets_;
+  std::vector<double> strains_;
+  double tension_speed_ = 0.0;
+};
+
 /// Strength of a test [Pa]; NaN if it has none.
-double strength_of(const TestResult& result) {
+double strength_of(const TestResult& result, Property property) {
   if (result.outcome.status != Status::peaked) return std::nan("");
-  const Number* n = find(result.numbers, "ucs");
+  const Number* n = find(result.numbers, property == Property::ucs ? "ucs" : "sigma_t");
   return n != nullptr ? n->value : std::nan("");
 }
 
-std::vector<Recipe> tests_of(const StrengthProblem& problem, const std::vector<VectorXd>& points,
-                             bool is_coarse, const Recipe& recipe, const std::vector<std::int64_t>& seeds) {
+std::vector<Recipe> tests_at(const StrengthProblem& problem, const Tests& tests,
+                             const std::vector<VectorXd>& points, bool is_coarse, const Recipe& recipe,
+                             const std::vector<std::int64_t>& seeds) {
   std::vector<Recipe> recipes;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Recipe point = problem.recipe_at(is_coarse ? coarse(recipe) : recipe, points[p]);
     for (std::size_t i = 0; i < problem.n_targets(); ++i)
-      recipes.push_back(
-          quick_test(point, problem.targets()[i], problem.peak_strain[i], seeds[p % n_packings]));
+      recipes.push_back(tests.quick(point, i, seeds[p % n_packings]));
   }
   return recipes;
 }
 
 /// Runs a batch and hands its answers to the surrogates. False: stopped.
-bool run_batch(StrengthProblem& problem, const std::vector<VectorXd>& points, bool is_coarse,
-               const Recipe& recipe, const std::vector<std::int64_t>& seeds, Simulator& simulator,
+bool run_batch(StrengthProblem& problem, const Tests& tests, const std::vector<VectorXd>& points,
+               bool is_coarse, const std::vector<std::int64_t>& seeds, Simulator& simulator,
                StrengthFit& fit) {
-  const std::vector<Recipe> recipes = tests_of(problem, points, is_coarse, recipe, seeds);
+  const std::vector<Recipe> recipes = tests_at(problem, tests, points, is_coarse, fit.recipe, seeds);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
   std::size_t failed = 0;
   for (std::size_t k = 0; k < results.size(); ++k) {
     const VectorXd& x = points[k / problem.n_targets()];
-    const double strength = strength_of(results[k]);
+    const double strength = strength_of(results[k], problem.targets()[k % problem.n_targets()].property);
     if (std::isfinite(strength))
       problem.add_run(k % problem.n_targets(),
                       {x.tail(problem.n_ratios()), static_cast<int>((k / problem.n_targets()) % n_packings),
@@ -371,34 +402,30 @@ void report(const StrengthProblem& problem, const std::vector<VectorXd>& draws, 
 }
 
 /// All tests to come, the verification included, at the middle of the box.
-void announce(const StrengthProblem& problem, const std::vector<Batch>& batches, const Recipe& recipe,
-              const std::vector<std::int64_t>& seeds, Simulator& simulator) {
-  std::vector<Recipe> tests;
+void announce(const StrengthProblem& problem, const Tests& tests, const std::vector<Batch>& batches,
+              const Recipe& recipe, const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  std::vector<Recipe> all;
   VectorXd middle = VectorXd::Zero(problem.n_ratios() + 1);
   middle[0] = problem.first_sigma();
   for (const Batch& b : batches) {
     const std::vector<VectorXd> points(b.n_points, middle);
-    const std::vector<Recipe> some = tests_of(problem, points, b.coarse, recipe, seeds);
-    tests.insert(tests.end(), some.begin(), some.end());
+    const std::vector<Recipe> some = tests_at(problem, tests, points, b.coarse, recipe, seeds);
+    all.insert(all.end(), some.begin(), some.end());
   }
-  for (const Target& t : problem.targets())
-    for (const std::int64_t seed : seeds)
-      tests.push_back(single_at(problem.recipe_at(recipe, middle), t.theta, seed));
-  simulator.announce(tests);
+  for (std::size_t i = 0; i < problem.n_targets(); ++i)
+    for (const std::int64_t seed : seeds) all.push_back(tests.of(problem.recipe_at(recipe, middle), i, seed));
+  simulator.announce(all);
 }
 
 }  // namespace
 
-bool can_test(Property property) { return property == Property::ucs; }
+bool can_test(Property property) { return property == Property::ucs || property == Property::direct_tension; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
   const std::vector<Target> targets = of_property(all, Property::ucs);
   const std::vector<double> strains = peak_strains(recipe, targets, seed, simulator);
-  double speed = infinity, largest = 0.0;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const double wave = std::sqrt(targets[i].mean / strains[i] / recipe.matrix.density);
-    speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits), largest = std::max(largest, strains[i]);
-  }
+  const double speed = slow_speed(recipe, targets, strains, Property::ucs);
+  const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;
   if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = std::max(0.01, 6.0 * largest);
   test.stop_at = 0.8, test.post_peak = 0.15;
@@ -410,15 +437,17 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  const Tests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
-  for (const Target& t : targets)
-    for (const std::int64_t seed : seeds) recipes.push_back(single_at(recipe, t.theta, seed));
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed));
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     std::vector<double> values;
     for (std::size_t p = 0; p < seeds.size(); ++p)
-      if (const double s = strength_of(results[i * seeds.size() + p]); std::isfinite(s)) values.push_back(s);
+      if (const double s = strength_of(results[i * seeds.size() + p], targets[i].property); std::isfinite(s))
+        values.push_back(s);
     const Summary s = summarise(values);
     Comparison c;
     c.target = targets[i], c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
@@ -436,9 +465,10 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
     if (can_test(t.property)) targets.push_back(t);
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   StrengthProblem problem(rock, targets);
-  problem.peak_strain = peak_strains(fit.recipe, targets, seeds.front(), simulator);
+  const Tests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::vector<Batch> batches = plan(max_tests, targets.size(), has_coarse(fit.recipe));
-  announce(problem, batches, fit.recipe, seeds, simulator);
+  fit.short_search = max_tests < most_points * static_cast<std::int64_t>(targets.size());
+  announce(problem, tests, batches, fit.recipe, seeds, simulator);
   std::vector<VectorXd> draws;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
@@ -446,8 +476,7 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
                                                 : spread_draws(problem, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(problem, points, batch.coarse, fit.recipe, seeds, simulator, fit) ||
-        !problem.can_learn()) {
+    if (!run_batch(problem, tests, points, batch.coarse, seeds, simulator, fit) || !problem.can_learn()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
         fit.findings.emplace_back("no test of some angle gave a peak: strengths were not fitted");

@@ -37,6 +37,7 @@ struct StrengthFit {
   std::vector<Comparison> left_out;           ///< each target predicted without it; empty below four targets
   std::int64_t n_tests = 0, n_coarse = 0;
   bool interrupted = false;
+  bool short_search = false;  ///< the budget did not allow all points
   std::vector<std::string> findings;
 };
 

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
+#include "calibrate/calibration.hpp"
 #include "calibrate/paper_press.test.hpp"
 #include "calibrate/strength_stage.hpp"
 
@@ -148,6 +150,51 @@ TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
   ASSERT_EQ(f.parameters.size(), 4U);  // sigma_c, tau_c/sigma_c, mu, and tau_c
   EXPECT_NEAR(PaperPress::ucs(f.recipe) / 150e6, 1.0, 0.06);
   EXPECT_TRUE(f.left_out.empty());
+}
+
+/// A rock of strengths only.
+Rock rock_of(const std::vector<std::tuple<Property, double, double>>& values, bool bedded) {
+  Rock rock;
+  rock.bedded = bedded;
+  if (bedded) rock.model.bedding.resize(1);
+  for (const auto& [property, theta, value] : values) {
+    RockReading r;
+    r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
+    rock.readings.push_back(r);
+  }
+  return rock;
+}
+
+TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNearest) {
+  PaperPress press;  // reaches 9 at most
+  const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::direct_tension, 0.0, 10e6}}, false);
+  const Calibration c = calibrate(rock, {}, press);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings,
+              testing::Contains(testing::HasSubstr("UCS/DTS(0) = 15.0 in the laboratory")));
+  const Comparison *ucs = nullptr, *tension = nullptr;
+  for (const Comparison& row : c.verification) (row.target.property == Property::ucs ? ucs : tension) = &row;
+  ASSERT_TRUE(ucs != nullptr && tension != nullptr);
+  EXPECT_GT(ucs->mean / tension->mean, 7.0);  // and the nearest is near what the model can do
+}
+
+TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
+  PaperPress press;
+  Recipe truth_rock = truth(4);
+  truth_rock.matrix.tau_c = 2.0 * truth_rock.matrix.sigma_c;
+  truth_rock.bedding[0].cohesion = 0.3 * truth_rock.matrix.tau_c;
+  truth_rock.bedding[0].sigma_n = 0.12 * truth_rock.bedding[0].cohesion;
+  std::vector<std::tuple<Property, double, double>> values;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    truth_rock.bedding[0].theta = theta;
+    values.emplace_back(Property::ucs, theta, PaperPress::ucs(truth_rock));
+    values.emplace_back(Property::direct_tension, theta, PaperPress::tension(truth_rock));
+  }
+  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << testing::PrintToString(c.verdict.findings);
+  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
+  for (const ParameterEstimate& e : c.parameters)
+    if (e.symbol == "sigma_n,sj") EXPECT_TRUE(e.determined);
 }
 
 TEST(StrengthStage, StopsWhenTheUserDoes) {
