@@ -35,6 +35,7 @@ class ForceLoop {
  public:
   using T = ScalarOf<R>;
   static constexpr std::size_t W = NumberTraits<R>::width;
+  static constexpr T closest = T(1e-4);  // of (distance of two centres / that at the start)^2
 
   explicit ForceLoop(GroupView<T>& view) : v(view) {
     for (int i = 0; i < n_lane_fields; ++i) lane[i] = load<R>(v.lane, i);
@@ -123,7 +124,9 @@ class ForceLoop {
     const R dux = load<R>(b, g_ux) - load<R>(a, g_ux);
     const R duy = load<R>(b, g_uy) - load<R>(a, g_uy);
     const R q = R(2) * (R(c.X) * dux + R(c.Y) * duy) + (dux * dux + duy * duy);
-    const R d = sqrt(R(c.d0 * c.d0) + q);
+    // Joints let grains slide into each other, until their centres meet: there the branch has no direction
+    // (its normal fades to zero) and the joint, which has its own, does not need one.
+    const R d = sqrt(max(R(c.d0 * c.d0) + q, R(c.d0 * c.d0 * closest)));
     Kinematics k;
     const R inv_d = R(1) / d;
     k.stretch = q / (d + R(c.d0));
