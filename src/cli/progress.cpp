@@ -26,7 +26,9 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
   std::string text = say(std::chrono::duration<double>(now - start_).count());
   if (terminal_) {
     if (static_cast<int>(text.size()) >= width_) text.resize(static_cast<std::size_t>(width_ - 1));
-    fmt::print(stderr, "\r\033[K{}", text);
+    clear();
+    draw_lines();
+    fmt::print(stderr, "{}", text);
   } else {
     fmt::print(stderr, "{}\n", text);
   }
@@ -34,7 +36,18 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
 }
 
 void ProgressLine::clear() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (!terminal_) return;
+  if (n_drawn_ > 0) fmt::print(stderr, "\033[{}A", n_drawn_);
+  fmt::print(stderr, "\r\033[J");
+  n_drawn_ = 0;
+}
+
+void ProgressLine::draw_lines() {
+  if (!terminal_ || !lines_) return;
+  for (const std::string& line : lines_()) {
+    fmt::print(stderr, "{}\n", line);
+    ++n_drawn_;
+  }
 }
 
 void ProgressLine::note(const std::string& text) {
@@ -42,6 +55,10 @@ void ProgressLine::note(const std::string& text) {
   fmt::print(stderr, "{}\n", text);
 }
 
-void ProgressLine::finish() { clear(); }
+void ProgressLine::finish() {
+  clear();
+  draw_lines();
+  n_drawn_ = 0;  // what stands now stays
+}
 
 }  // namespace phy

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "study/scheduler.hpp"
 
@@ -15,6 +16,9 @@ class ProgressLine {
   void update(const Progress& progress);
   /// Shows `text(seconds since the start)` unless the last update was a moment ago.
   void show(const std::function<std::string(double)>& text);
+  /// Lines to be drawn above the line of progress on a terminal, asked for with every drawing. The last ones
+  /// stay.
+  void draw_above(std::function<std::vector<std::string>()> lines) { lines_ = std::move(lines); }
   /// A message that stays.
   void note(const std::string& text);
   void finish();
@@ -22,8 +26,11 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
   void clear();
+  void draw_lines();
   bool terminal_;
   int width_;
+  std::size_t n_drawn_ = 0;  // lines above
+  std::function<std::vector<std::string>()> lines_;
   Clock::time_point start_, shown_;
 };
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/live_plot.hpp"
 #include "cli/progress.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/packing.hpp"
@@ -113,6 +114,18 @@ void write_report(const std::string& folder, const std::vector<TestResult>& resu
   write_file((std::filesystem::path(folder) / "report.html").string(), report_page(run));
 }
 
+/// Names and colours of the curves on the terminal.
+std::vector<TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
+  std::vector<TerminalCurve> curves;
+  for (const auto& s : specimens) {
+    TestResult r;
+    r.intact = s->bedding.empty();
+    r.theta = r.intact ? 0.0 : s->bedding[0].theta;
+    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), angle_color(r), {}, {}});
+  }
+  return curves;
+}
+
 int run_one(const std::string& path, const RunArguments& args, const Session& session, bool several) {
   const Recipe recipe = read_recipe(path);
   const std::string folder =
@@ -133,7 +146,10 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
              machine.threads);
   std::fflush(stdout);
   ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  LivePlot plot(curves_of(made.specimens));
+  line.draw_above([&] { return plot.lines(); });
   ScheduleHooks hooks;
+  hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
   hooks.stop = &stop_requested;
   hooks.on_progress = [&](const Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {

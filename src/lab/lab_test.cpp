@@ -140,6 +140,10 @@ void LabTest::interrupt() {
         "run the same recipe again");
 }
 
+LabTest::Reading LabTest::latest() const {
+  return result_.history.rows.empty() ? Reading{} : reading(result_.history.rows.back());
+}
+
 double LabTest::progress() const {
   return phase_ == Phase::load ? std::min(1.0, reading(group_.row(lane_)).strain / max_strain()) : 0.0;
 }

@@ -37,13 +37,14 @@ class LabTest {
   TestResult take_result();
   /// Strain over the strain at which the test would give up: a lower bound of the progress, 0 ... 1.
   double progress() const;
-
- protected:
   /// What the stop rule watches, growing while the test loads: stress [Pa] and strain.
   struct Reading {
     double stress = 0.0, strain = 0.0;
   };
+  /// After the last block; zeros before there is a row.
+  Reading latest() const;
 
+ protected:
   /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
   LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
           Rig rig);

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "records/recipe_schema.hpp"
+#include "report/axes.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 #include "report/specimen_picture.hpp"
@@ -36,31 +37,37 @@ std::vector<const TestRecord*> with_scene(const RunRecord& run) {
 // --- curves
 // --------------------------------------------------------------------------------------------------
 
+TestAxes axes_of(const RunRecord& run) {
+  return test_axes(run.tests.empty() ? TestKind::uniaxial : run.tests.front().recipe.test.kind);
+}
+
 /// Where the curve first reaches the value of a number.
-void add_mark(const TestRecord& t, const char* name, std::vector<Row>& marks) {
+void add_mark(const TestRecord& t, const TestAxes& axes, const std::string& name, std::vector<Row>& marks) {
   const double level = value_of(t, name);
   for (const HistoryRow& row : t.result.history.rows)
-    if (row.axial_stress >= level) return marks.push_back({100.0 * row.axial_strain, 1e-6 * level});
+    if (axes.stress_of(row) >= level)
+      return marks.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * level});
 }
 
 double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
+  const TestAxes axes = axes_of(data.run);
+  s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
   s.add(
-      "set xlabel 'axial strain [%]'; set ylabel 'axial stress [MPa]' offset 1; set xrange [0:*]; set yrange "
-      "[0:*]");
-  s.add("set key outside right top reverse Left; set lmargin at screen 0.09");
+      "set xrange [0:*]; set yrange [0:*]; set key outside right top reverse Left; set lmargin at screen "
+      "0.09");
   std::vector<std::string> parts;
   std::array<std::vector<Row>, 3> marks;
-  constexpr std::array<const char*, 3> names = {"sigma_ci", "sigma_cd", "ucs"};
-  constexpr std::array<const char*, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", "UCS"};
+  const std::array<std::string, 3> names = {"sigma_ci", "sigma_cd", axes.strength};
+  const std::array<std::string, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", axes.strength_label};
   constexpr std::array<int, 3> symbols = {9, 5, 7};
   for (const TestRecord& t : data.run.tests) {
     std::vector<Row> rows;
     for (const HistoryRow& row : t.result.history.rows)
-      rows.push_back({100.0 * row.axial_strain, 1e-6 * row.axial_stress});
+      rows.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * axes.stress_of(row)});
     if (rows.empty()) continue;
     parts.push_back(fmt::format("{} with lines lw 1.5 lc rgb '{}' title '{}'", s.block(rows),
                                 hex_color(angle_color(t.result)), heading(t)));
-    for (std::size_t k = 0; k < 3; ++k) add_mark(t, names[k], marks[k]);
+    for (std::size_t k = 0; k < 3; ++k) add_mark(t, axes, names[k], marks[k]);
   }
   for (std::size_t k = 0; k < 3; ++k)
     if (!marks[k].empty())
@@ -72,8 +79,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
 }
 
 struct Panel {
-  const char* number;
-  const char* label;
+  std::string number, label;
   double factor;
   Property property;
   const AngleCurve* theory;
@@ -115,7 +121,8 @@ double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
       "key top center reverse Left");
   angle_panel(s, data, {"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E});
   s.add("unset key");
-  angle_panel(s, data, {"ucs", "UCS [MPa]", 1e-6, Property::ucs, &curves.ucs});
+  const TestAxes axes = axes_of(data.run);
+  angle_panel(s, data, {axes.strength, axes.strength_label + " [MPa]", 1e-6, axes.property, &curves.ucs});
   angle_panel(s, data, {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu});
   s.add("unset multiplot");
   return 0.34 * width;

@@ -22,8 +22,10 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
   for (const TestRecord& t : run.tests) {
     if (t.scene.frames.empty()) continue;
     places_.push_back({&t, {}});
+    axes_ = test_axes(t.recipe.test.kind);
     end_ = std::max(end_, last_strain(t));
-    for (const HistoryRow& row : t.result.history.rows) strongest_ = std::max(strongest_, row.axial_stress);
+    for (const HistoryRow& row : t.result.history.rows)
+      strongest_ = std::max(strongest_, axes_.stress_of(row));
   }
   if (places_.empty() || !(end_ > 0.0))
     throw InputError(Problem{"result", "scene.bin", "", "discs and displacements",
@@ -63,10 +65,11 @@ void Film::draw_curves(Canvas& canvas, double strain) const {
     const auto& rows = p.test->result.history.rows;
     const Color color = angle_color(p.test->result);
     std::size_t last = 0;
-    for (std::size_t i = 1; i < rows.size() && rows[i].axial_strain <= strain; last = i++)
-      canvas.line(x(rows[i - 1].axial_strain), y(rows[i - 1].axial_stress), x(rows[i].axial_strain),
-                  y(rows[i].axial_stress), 1.6, color);
-    if (!rows.empty()) canvas.disc(x(rows[last].axial_strain), y(rows[last].axial_stress), 4.5, color);
+    for (std::size_t i = 1; i < rows.size() && axes_.strain_of(rows[i]) <= strain; last = i++)
+      canvas.line(x(axes_.strain_of(rows[i - 1])), y(axes_.stress_of(rows[i - 1])),
+                  x(axes_.strain_of(rows[i])), y(axes_.stress_of(rows[i])), 1.6, color);
+    if (!rows.empty())
+      canvas.disc(x(axes_.strain_of(rows[last])), y(axes_.stress_of(rows[last])), 4.5, color);
   }
 }
 
@@ -79,8 +82,8 @@ std::string Film::labels() const {
   for (const Place& p : places_)
     add(p.test->result.intact ? "intact" : fmt::format("θ = {:g}°", p.test->result.theta),
         p.view.left + 0.46 * cell_, 9.0, angle_color(p.test->result));
-  add(fmt::format("axial stress to {:.0f} MPa over axial strain to {:.2g} percent", 1e-6 * strongest_,
-                  100.0 * end_),
+  add(fmt::format("{} to {:.3g} MPa over {} to {:.2g} {}", axes_.stress, 1e-6 * strongest_, axes_.strain,
+                  axes_.strain_factor * end_, axes_.strain_unit == "%" ? "percent" : axes_.strain_unit),
       0.5 * width(), height_ - 24.0, ink);
   return filter;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/units.hpp"
+#include "report/axes.hpp"
 
 namespace phy {
 namespace {
@@ -61,6 +62,15 @@ std::string bedding_text(const BeddingRecipe& b) {
       quantity(b.cohesion, Dimension::pressure), b.phi, b.psi);
 }
 
+std::string tools_text(const TestRecipe& t) {
+  const std::string speed = quantity(t.platen_speed, Dimension::speed), kind = to_string(t.kind);
+  if (kind == "uniaxial")
+    return fmt::format("Two rigid platens (friction {:g}) closed at {} each.", t.platen_friction, speed);
+  if (kind == "direct_tension")
+    return fmt::format("Grips on both ends, free to move sideways, pulled at {} each.", speed);
+  return fmt::format("The test was one of the kind {}, its tools moved at {} each.", kind, speed);
+}
+
 std::string loading_text(const RunRecord& run) {
   const TestRecord& t = run.tests.front();
   double least = t.result.dt, most = t.result.dt;
@@ -68,20 +78,21 @@ std::string loading_text(const RunRecord& run) {
     least = std::min(least, other.result.dt), most = std::max(most, other.result.dt);
   const Recipe& r = t.recipe;
   return fmt::format(
-      "Two rigid platens (friction {:g}) closed at {} each. The explicit time step was {:.3g} to {:.3g} s "
+      "{} The explicit time step was {:.3g} to {:.3g} s "
       "({:g} of the "
       "proven stable step), local damping {:g}, {} precision. A test ended when the stress had fallen to "
       "{:g} % of the peak or "
       "the strain exceeded that of the peak by {:g} %.",
-      r.test.platen_friction, quantity(r.test.platen_speed, Dimension::speed), least, most,
-      r.engine.step_safety, r.engine.damping,
+      tools_text(r.test), least, most, r.engine.step_safety, r.engine.damping,
       r.engine.precision == Precision::double_precision ? "double" : "single", 100.0 * r.test.stop_at,
       100.0 * r.test.post_peak);
 }
 
 std::string definitions_text(const TestRecord& t) {
   std::string text = "Definitions. ";
-  for (const char* name : {"E_tangent", "nu", "ucs", "sigma_ci", "sigma_cd"})
+  const std::string strength = test_axes(t.recipe.test.kind).strength;
+  for (const std::string& name : {std::string("E_tangent"), std::string("nu"), strength,
+                                  std::string("sigma_ci"), std::string("sigma_cd")})
     for (const Number& n : t.result.numbers)
       if (n.name == name && !n.definition.empty()) text += fmt::format("{}: {}. ", name, n.definition);
   return text;

@@ -10,6 +10,7 @@
 #include "io/scene.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "report/axes.hpp"
 #include "report/curves.hpp"
 #include "report/methods.hpp"
 
@@ -35,20 +36,28 @@ std::string packed(const Items& items, Value value) {
   return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
-Json history_json(const History& history) {
-  Json j;
-  for (const HistoryColumn& c : history_columns())
-    for (const char* name : {"axial_strain", "axial_stress"})
-      if (std::string_view(c.name) == name)
-        j[name] = packed<double>(history.rows, [&](const HistoryRow& row) { return row.*c.value; });
-  return j;
+/// Growing while the test loads, whatever the kind of test.
+Json history_json(const History& history, const TestAxes& axes) {
+  return {{"strain", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.strain_of(r); })},
+          {"stress", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.stress_of(r); })}};
 }
 
-Json cracks_json(const std::vector<CrackEvent>& cracks) {
+Json axes_json(const TestAxes& a) {
+  return {{"strain", a.strain},
+          {"strain_unit", a.strain_unit},
+          {"strain_factor", a.strain_factor},
+          {"stress", a.stress},
+          {"sign", a.sign},
+          {"strength", a.strength},
+          {"strength_label", a.strength_label},
+          {"property", to_string(a.property)}};
+}
+
+Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
   const auto kind = [](const CrackEvent& c) {
     return (c.mode == CrackMode::shear ? 1 : 0) + (c.place == CrackPlace::bedding ? 2 : 0);
   };
-  return {{"strain", packed<double>(cracks, [](const CrackEvent& c) { return c.strain; })},
+  return {{"strain", packed<double>(cracks, [&](const CrackEvent& c) { return sign * c.strain; })},
           {"a", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.a; })},
           {"b", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.b; })},
           {"kind", packed<std::uint8_t>(cracks, kind)},
@@ -59,6 +68,7 @@ Json cracks_json(const std::vector<CrackEvent>& cracks) {
 
 Json test_json(const TestRecord& t, std::size_t index) {
   const Rose rose = crack_rose(t.result.cracks);
+  const TestAxes axes = test_axes(t.recipe.test.kind);
   Json bedding = Json::array();
   for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
     bedding.push_back({{"theta", t.bedding[i].theta},
@@ -66,8 +76,8 @@ Json test_json(const TestRecord& t, std::size_t index) {
                        {"offset", t.recipe.bedding[i].offset}});
   return {{"result", Json::parse(result_json(t))},
           {"label", t.result.intact ? "intact" : print_number(t.result.theta) + "°"},
-          {"history", history_json(t.result.history)},
-          {"cracks", cracks_json(t.result.cracks)},
+          {"history", history_json(t.result.history, axes)},
+          {"cracks", cracks_json(t.result.cracks, axes.sign)},
           {"rose", {{"bin", rose.bin()}, {"tension", rose.tension}, {"shear", rose.shear}}},
           {"bedding", bedding},
           {"scene", t.scene.frames.empty() ? Json(nullptr) : Json("scene-" + std::to_string(index))}};
@@ -113,6 +123,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const TestRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
+  j["axes"] = axes_json(test_axes(first.recipe.test.kind));
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();

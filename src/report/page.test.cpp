@@ -113,6 +113,32 @@ TEST(Page, CarriesCalibrationAndLaboratory) {
   EXPECT_EQ(data["laboratory"][0]["mean"].get<double>(), 6e7);
 }
 
+// A tension test is recorded as negative; its curve and cracks reach the page growing.
+TEST(Page, CurvesGrowWhateverTheTest) {
+  RunRecord press = three(), pull = press;
+  for (TestRecord& t : press.tests) {
+    t.result.history.rows[1].axial_stress = 3e6;
+    t.result.cracks[1].strain = 0.25;
+  }
+  for (TestRecord& t : pull.tests) {
+    t.recipe.test.kind = TestKind::direct_tension;
+    t.result.history.rows[2].axial_strain *= -1.0;
+    t.result.history.rows[1].axial_stress = -3e6;
+    t.result.cracks[1].strain = -0.25;
+  }
+  const Json a = data_of(report_page(press)), b = data_of(report_page(pull));
+  EXPECT_EQ(b["axes"]["strength"], "sigma_t");
+  EXPECT_EQ(b["axes"]["sign"].get<double>(), -1.0);
+  // -0.0 differs from 0.0 in its bits, so rows are compared where they are not zero: the last 8 of 24 bytes.
+  const auto tail = [](const Json& j, const char* name) {
+    const std::string text = j["tests"][0]["history"][name];
+    return text.substr(text.size() - 10);
+  };
+  EXPECT_EQ(tail(a, "strain"), tail(b, "strain"));
+  EXPECT_EQ(a["tests"][0]["cracks"]["strain"].get<std::string>().substr(12),
+            b["tests"][0]["cracks"]["strain"].get<std::string>().substr(12));
+}
+
 TEST(Page, CarriesStudiesWithoutSpecimens) {
   AngleValue E;
   E.theta = 30.0, E.value.n = 2, E.value.mean = 2.5e10, E.value.half_width = 1e9;

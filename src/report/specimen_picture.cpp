@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/exact_math.hpp"
+#include "report/axes.hpp"
 #include "report/palette.hpp"
 
 namespace phy {
@@ -33,13 +34,14 @@ Vec2 vector_of(const std::array<float, 2>& u) {
   return {static_cast<double>(u[0]), static_cast<double>(u[1])};
 }
 
-std::vector<Vec2> displacements(const Scene& scene, double strain) {
+/// `sign` makes the recorded strains grow.
+std::vector<Vec2> displacements(const Scene& scene, double strain, double sign) {
   const auto& frames = scene.frames;
   std::size_t after = 0;
-  while (after + 1 < frames.size() && frames[after].axial_strain < strain) ++after;
+  while (after + 1 < frames.size() && sign * frames[after].axial_strain < strain) ++after;
   const Frame &a = frames[after == 0 ? 0 : after - 1], &b = frames[after];
-  const double span = b.axial_strain - a.axial_strain;
-  const double part = span > 0.0 ? std::clamp((strain - a.axial_strain) / span, 0.0, 1.0) : 1.0;
+  const double start = sign * a.axial_strain, span = sign * b.axial_strain - start;
+  const double part = span > 0.0 ? std::clamp((strain - start) / span, 0.0, 1.0) : 1.0;
   std::vector<Vec2> u;
   for (std::size_t i = 0; i < scene.discs.size(); ++i)
     u.push_back((1.0 - part) * vector_of(a.u[i]) + part * vector_of(b.u[i]));
@@ -63,13 +65,15 @@ void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
 }  // namespace
 
 double last_strain(const TestRecord& test) {
-  return test.result.history.rows.empty() ? 0.0 : test.result.history.rows.back().axial_strain;
+  const auto& rows = test.result.history.rows;
+  return rows.empty() ? 0.0 : test_axes(test.recipe.test.kind).strain_of(rows.back());
 }
 
 void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain) {
   const Scene& scene = test.scene;
+  const double sign = test_axes(test.recipe.test.kind).sign;
   const std::vector<std::size_t> tone = tones_of(test);
-  std::vector<Vec2> at = displacements(scene, strain);
+  std::vector<Vec2> at = displacements(scene, strain, sign);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Disc& d = scene.discs[i];
     at[i] = {view.left + view.scale * (d.x + view.magnify * at[i].x),
@@ -77,7 +81,7 @@ void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& v
     draw_disc(canvas, at[i], view.scale * d.r, disc_colors[tone[i]]);
   }
   for (const CrackEvent& c : test.result.cracks) {
-    if (!view.cracks || c.strain > strain) break;  // ordered by step
+    if (!view.cracks || sign * c.strain > strain) break;  // ordered by step
     if (c.a >= at.size() || c.b >= at.size()) continue;
     const double part = scene.discs[c.a].r / (scene.discs[c.a].r + scene.discs[c.b].r);
     const Vec2 middle = (1.0 - part) * at[c.a] + part * at[c.b];

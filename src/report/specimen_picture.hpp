@@ -16,7 +16,8 @@ struct SpecimenView {
 /// Needs a scene with at least one frame.
 void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain);
 
-/// Axial strain of the last row.
+/// Strain of the last row, as draw_specimen takes it: positive, in the direction of the test
+/// (report/axes.hpp).
 double last_strain(const TestRecord& test);
 
 }  // namespace phy

@@ -74,10 +74,16 @@ struct Desk {
     progress.steps_done += steps;
     if (hooks.on_progress) hooks.on_progress(progress);
   }
+  void reading(std::size_t index, double strain, double stress) {
+    const std::lock_guard lock(mutex);
+    hooks.on_reading(index, strain, stress);
+  }
   LaneHooks for_lanes() {
-    return {[this] { return next(); },
-            [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
-            [this](double steps, double) { block(steps); }, [this] { return stopped(); }};
+    return {
+        [this] { return next(); }, [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
+        [this](double steps, double) { block(steps); }, [this] { return stopped(); },
+        hooks.on_reading ? [this](std::size_t i, double strain, double stress) { reading(i, strain, stress); }
+                         : std::function<void(std::size_t, double, double)>()};
   }
 };
 
@@ -107,6 +113,8 @@ void run_lanes(const GroupOptions& options, const LaneHooks& hooks) {
       if (!seat.test) return;
       seat.seconds += seconds / busy;
       bool over = seat.test->after_block();
+      if (const LabTest::Reading r = seat.test->latest(); hooks.reading)
+        hooks.reading(seat.job.index, r.strain, r.stress);
       if (!over && hooks.stopped()) seat.test->interrupt(), over = true;
       if (!over) return;
       close_seat(hooks, seat);

@@ -36,6 +36,8 @@ struct Progress {
 struct ScheduleHooks {
   std::function<void(std::size_t index, const TestResult&)> on_result;  ///< from a worker, one at a time
   std::function<void(const Progress&)> on_progress;                     ///< from a worker, one at a time
+  /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
+  std::function<void(std::size_t index, double strain, double stress)> on_reading;
   const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 
@@ -52,6 +54,7 @@ struct LaneHooks {
   std::function<void(std::size_t index, TestResult)> done;
   std::function<void(double steps, double seconds)> block;  ///< cycles times specimens, thread CPU time
   std::function<bool()> stopped;
+  std::function<void(std::size_t index, double strain, double stress)> reading = nullptr;
 };
 
 /// Fills the lanes of one group until `next` has no more and all lanes are over. All jobs are of one packing

@@ -81,6 +81,35 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
   EXPECT_TRUE(fs::exists(locked / "deeper" / "x.pdf"));
 }
 
+// `script` (of every Debian) gives the program a terminal.
+TEST_F(Cli, CurvesAreDrawnOnlyWhereATerminalCanShowThem) {
+  const std::string recipe = small_recipe("platen_friction = 0.1\n");
+  const auto on_terminal = [&](const std::string& size, const std::string& environment) {
+    return run_line("env -u LC_ALL -u LC_CTYPE -u NO_COLOR TERM=xterm " + environment +
+                    " script -qec \"stty " + size + "; " PHY_PROGRAM " run " + recipe + " --out " + out() +
+                    "\" /dev/null");
+  };
+  const auto has_dots = [&] {
+    return output.find("\xE2\xA1") != output.npos || output.find("\xE2\xA0") != output.npos;
+  };
+  ASSERT_EQ(on_terminal("cols 100 rows 40", "LANG=C.UTF-8"), 0) << output;
+  EXPECT_TRUE(has_dots()) << output;
+  EXPECT_THAT(output, HasSubstr("\033[38;2;"));
+  EXPECT_THAT(output, HasSubstr("MPa│"));
+  ASSERT_EQ(on_terminal("cols 100 rows 40", "LANG=C.UTF-8 NO_COLOR=1"), 0);
+  EXPECT_TRUE(has_dots());
+  EXPECT_EQ(output.find("\033[38"), output.npos);
+  for (const auto& [size, environment] : {std::pair{"cols 60 rows 40", "LANG=C.UTF-8"},
+                                          {"cols 100 rows 20", "LANG=C.UTF-8"},
+                                          {"cols 100 rows 40", "LANG=C"},
+                                          {"cols 100 rows 40", "LANG=C.UTF-8 TERM=dumb"}}) {
+    ASSERT_EQ(on_terminal(size, environment), 0) << output;
+    EXPECT_FALSE(has_dots()) << size << " " << environment;
+  }
+  ASSERT_EQ(run("run " + recipe + " --out " + out()), 0);
+  EXPECT_FALSE(has_dots());
+}
+
 TEST_F(Cli, FilmsAreEncoded) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   EXPECT_EQ(run("film " + out() + " --out " + (folder / "film.avi").string()), 2);

@@ -1,6 +1,6 @@
 // Charts as SVG (Observable Plot): they scale, follow light and dark through CSS colours, and print as vectors.
 import * as Plot from "@observablehq/plot";
-import { Comparison, Curve, LabPoint, Report, Spread, Test, crackKinds, lastUpTo } from "./data";
+import { Axes, Comparison, Curve, LabPoint, Report, Spread, Test, crackKinds, lastUpTo } from "./data";
 
 const base = {
   style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
@@ -15,15 +15,15 @@ const angles = (far: number, width: number) => {
 
 const value = (t: Test, name: string): number | null => t.numbers[name]?.value ?? null;
 
-/** Stress in MPa over strain in per cent; long histories are thinned to what a chart can show. */
-function curvePoints(t: Test) {
+/** Stress in MPa over strain in the unit of the axes; long histories are thinned to what a chart can show. */
+function curvePoints(t: Test, axes: Axes) {
   const step = Math.max(1, Math.floor(t.strain.length / 900));
   const points: { strain: number; stress: number; name: string }[] = [];
   let top = 0;
   for (let i = 0; i < t.stress.length; ++i) if (t.stress[i] > t.stress[top]) top = i;
   for (let i = 0; i < t.strain.length; ++i)
     if (i % step === 0 || i === top || i === t.strain.length - 1)
-      points.push({ strain: 100 * t.strain[i], stress: 1e-6 * t.stress[i], name: t.name });
+      points.push({ strain: axes.strain_factor * t.strain[i], stress: 1e-6 * t.stress[i], name: t.name });
   return points;
 }
 
@@ -34,35 +34,37 @@ function strainAt(t: Test, stress: number | null): number | null {
   return null;
 }
 
-const levels = [
-  { name: "sigma_ci", label: "σci", symbol: "triangle" as const },
-  { name: "sigma_cd", label: "σcd", symbol: "square" as const },
-  { name: "ucs", label: "UCS", symbol: "star" as const },
-];
-
-function marks(t: Test) {
+/** Damage stresses and strength where the curve first reaches them. */
+function marks(t: Test, axes: Axes) {
+  const levels = [
+    { name: "sigma_ci", label: "σci", symbol: "triangle" as const },
+    { name: "sigma_cd", label: "σcd", symbol: "square" as const },
+    { name: axes.strength, label: peakLabel(axes), symbol: "star" as const },
+  ];
   return levels.flatMap((l) => {
     const stress = value(t, l.name);
-    const strain = l.name === "ucs" ? value(t, "peak_strain") : strainAt(t, stress);
+    const strain = strainAt(t, stress);
     return stress === null || strain === null
       ? []
-      : [{ strain: 100 * strain, stress: 1e-6 * stress, symbol: l.symbol, label: l.label, test: t }];
+      : [{ strain: axes.strain_factor * strain, stress: 1e-6 * stress, symbol: l.symbol, label: l.label, peak: l.name === axes.strength, test: t }];
   });
 }
 
+export const peakLabel = (axes: Axes) => (axes.strength_label.length > 5 ? "peak" : axes.strength_label);
+
 export interface LinkedChart {
   node: SVGSVGElement | HTMLElement;
-  x: (strain: number) => number; // strain in per cent to pixels
+  x: (strain: number) => number; // strain in the unit of the axes to pixels
   y: (stress: number) => number;
 }
 
 /** All stress-strain curves with damage stresses marked. */
 export function stressStrain(report: Report, width: number, selected: number | null): LinkedChart {
   const points = report.tests.flatMap((t, i) =>
-    curvePoints(t).map((p) => ({ ...p, color: t.color, fade: selected !== null && selected !== i })),
+    curvePoints(t, report.axes).map((p) => ({ ...p, color: t.color, fade: selected !== null && selected !== i })),
   );
-  const all = report.tests.flatMap((t, i) => (selected === null || selected === i ? marks(t) : []));
-  const largest = Math.max(1, ...points.map((p) => p.stress));
+  const all = report.tests.flatMap((t, i) => (selected === null || selected === i ? marks(t, report.axes) : []));
+  const largest = Math.max(1e-9, ...points.map((p) => p.stress));
   const node = Plot.plot({
     ...base,
     width,
@@ -70,16 +72,16 @@ export function stressStrain(report: Report, width: number, selected: number | n
     marginLeft: 48,
     marginRight: 20,
     marginBottom: 42,
-    x: { label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", domain: [0, Math.max(0.01, ...points.map((p) => p.strain))] },
-    y: { label: "axial stress [MPa]", labelArrow: "none", domain: [0, largest * 1.05], nice: true },
+    x: { label: `${report.axes.strain} [${report.axes.strain_unit}]`, labelAnchor: "center", labelArrow: "none", domain: [0, Math.max(1e-9, ...points.map((p) => p.strain))] },
+    y: { label: `${report.axes.stress} [MPa]`, labelArrow: "none", domain: [0, largest * 1.05], nice: true },
     marks: [
       Plot.ruleY([0]),
       Plot.line(points, { x: "strain", y: "stress", z: "name", stroke: "color", strokeWidth: 1.8, strokeOpacity: (d: { fade: boolean }) => (d.fade ? 0.22 : 1) }),
       Plot.dot(all, { x: "strain", y: "stress", symbol: (d: any) => d.symbol, fill: (d: any) => d.test.color, stroke: "var(--surface)", strokeWidth: 1, r: 5 }),
-      Plot.text(all.filter((m) => m.label === "UCS"), { x: "strain", y: "stress", text: (d) => d.test.label, dy: -13, fill: (d) => d.test.color, fontWeight: 600, stroke: "var(--surface)", strokeWidth: 4 }),
+      Plot.text(all.filter((m) => m.peak), { x: "strain", y: "stress", text: (d) => d.test.label, dy: -13, fill: (d) => d.test.color, fontWeight: 600, stroke: "var(--surface)", strokeWidth: 4 }),
       Plot.tip(
         points.filter((p) => !p.fade),
-        Plot.pointer({ x: "strain", y: "stress", title: (d) => `${d.name}\n${d.stress.toFixed(2)} MPa at ${d.strain.toFixed(4)} %`, fill: "var(--surface)" }),
+        Plot.pointer({ x: "strain", y: "stress", title: (d) => `${d.name}\n${d.stress.toFixed(2)} MPa at ${d.strain.toPrecision(4)} ${report.axes.strain_unit}`, fill: "var(--surface)" }),
       ),
     ],
   });
@@ -88,9 +90,9 @@ export function stressStrain(report: Report, width: number, selected: number | n
 }
 
 /** One specimen: stress, crack counts by kind on the right axis, damage stresses. */
-export function damage(t: Test, width: number): LinkedChart {
-  const points = curvePoints(t);
-  const all = marks(t);
+export function damage(t: Test, axes: Axes, width: number): LinkedChart {
+  const points = curvePoints(t, axes);
+  const all = marks(t, axes);
   const largest = Math.max(1e-9, ...points.map((p) => p.stress)) * 1.12;
   const n = t.cracks.strain.length;
   const scale = largest / Math.max(1, n) / 1.12;
@@ -102,11 +104,12 @@ export function damage(t: Test, width: number): LinkedChart {
     for (; i < n && t.cracks.strain[i] <= strain; ++i) ++counts[t.cracks.kind[i]];
     let low = 0;
     counts.forEach((c, kind) => {
-      areas.push({ strain: 100 * strain, low: low * scale, high: (low + c) * scale, kind });
+      areas.push({ strain: axes.strain_factor * strain, low: low * scale, high: (low + c) * scale, kind });
       low += c;
     });
   }
   const ticks = [0, 0.5, 1].map((part) => part * n);
+  const label = `${axes.strain} [${axes.strain_unit}]`;
   const node = Plot.plot({
     ...base,
     width,
@@ -115,16 +118,16 @@ export function damage(t: Test, width: number): LinkedChart {
     marginRight: 44,
     marginTop: 26,
     marginBottom: 34,
-    x: { label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", ticks: 4, domain: [0, Math.max(1e-3, 100 * t.end)] },
+    x: { label, labelAnchor: "center", labelArrow: "none", ticks: 4, domain: [0, Math.max(1e-9, axes.strain_factor * t.end)] },
     y: { label: "stress [MPa]", labelArrow: "none", ticks: 5, domain: [0, largest] },
     marks: [
       Plot.areaY(areas, { x: "strain", y1: "low", y2: "high", z: "kind", fill: (d: { kind: number }) => `var(${crackKinds[d.kind].variable})`, fillOpacity: 0.55 }),
       Plot.axisY({ anchor: "left", ticks: 5, label: "stress [MPa]", labelArrow: "none" }),
-      Plot.axisX({ label: "axial strain [%]", labelAnchor: "center", labelArrow: "none", ticks: 4 }),
+      Plot.axisX({ label, labelAnchor: "center", labelArrow: "none", ticks: 4 }),
       Plot.axisY(ticks.map((v) => v * scale), { anchor: "right", label: "cracks", labelArrow: "none", tickFormat: (v) => Math.round(v / scale).toString() }),
       Plot.line(points, { x: "strain", y: "stress", stroke: "var(--ink)", strokeWidth: 1.6 }),
       Plot.dot(all, { x: "strain", y: "stress", symbol: (d: any) => d.symbol, fill: "var(--ink)", stroke: "var(--surface)", r: 4.5 }),
-      ...[all.filter((m) => m.label === "UCS"), all.filter((m) => m.label !== "UCS")].map((some, i) =>
+      ...[all.filter((m) => m.peak), all.filter((m) => !m.peak)].map((some, i) =>
         Plot.text(some, { x: "strain", y: "stress", text: "label", dx: i === 0 ? 0 : -9, dy: i === 0 ? -13 : 2, textAnchor: i === 0 ? "middle" : "end", stroke: "var(--surface)", strokeWidth: 4, fill: "var(--ink)" }),
       ),
     ],

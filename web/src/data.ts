@@ -100,9 +100,22 @@ interface RawTest {
   scene: string | null;
 }
 
+/** What the curve of a test is (src/report/axes.hpp). */
+export interface Axes {
+  strain: string;
+  strain_unit: string;
+  strain_factor: number; // from the recorded value
+  stress: string;
+  sign: number; // of recorded strains of scenes
+  strength: string; // name of a number
+  strength_label: string;
+  property: string; // of the laboratory
+}
+
 interface RawReport {
   name: string;
   program: string;
+  axes: Axes;
   tests: RawTest[];
   missing: { name: string; reason: string }[];
   curves: { E: Curve; nu: Curve; ucs: Curve };
@@ -138,7 +151,7 @@ export interface Test {
   bedding: RawTest["bedding"];
   color: string;
   scene: string | null;
-  end: number; // axial strain of the last row
+  end: number; // strain of the last row, growing as the test loads
 }
 
 export interface Report extends Omit<RawReport, "tests"> {
@@ -179,7 +192,7 @@ export function readReport(): Report {
   const raw = JSON.parse(document.getElementById("report-data")!.textContent!) as RawReport;
   const tests = raw.tests.map((t): Test => {
     const theta = t.result["theta [deg]"] ?? null;
-    const strain = f64(t.history.axial_strain);
+    const strain = f64(t.history.strain);
     return {
       name: t.result.specimen,
       label: t.label,
@@ -188,7 +201,7 @@ export function readReport(): Report {
       numbers: t.result.numbers,
       result: t.result,
       strain,
-      stress: f64(t.history.axial_stress),
+      stress: f64(t.history.stress),
       cracks: {
         strain: f64(t.cracks.strain),
         a: u32(t.cracks.a),
@@ -265,7 +278,7 @@ function sections(head: SceneHead, plain: Uint8Array) {
   };
 }
 
-export async function readScene(id: string): Promise<Scene> {
+export async function readScene(id: string, sign: number): Promise<Scene> {
   const all = bytes(document.getElementById(id)!.textContent!.trim());
   const end = all.indexOf(10);
   const head = JSON.parse(new TextDecoder().decode(all.subarray(0, end))) as SceneHead;
@@ -299,11 +312,11 @@ export async function readScene(id: string): Promise<Scene> {
     height: head["height [m]"],
     discs,
     quantum: head["displacement_quantum [m]"],
-    strains: head.frames.map((f) => f.axial_strain),
+    strains: head.frames.map((f) => sign * f.axial_strain),
     frames,
     links,
     kinds: Uint8Array.from(kind),
-    forceStrains: head.forces.map((f) => f.axial_strain),
+    forceStrains: head.forces.map((f) => sign * f.axial_strain),
     forceMax: head.forces.map((f) => f["F_max [N/m]"]),
     forces,
   };

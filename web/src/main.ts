@@ -1,5 +1,5 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
-import { damage, comparison, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
+import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
 import { Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
 import { Field, Viewer, headHeight } from "./viewer";
 
@@ -103,7 +103,7 @@ const slider = h("input", { type: "range", min: "0", max: "1000", value: "1000",
 const readout = h("output", { for: "slider" });
 
 function setDot(dot: HTMLElement, c: LinkedChart, t: Test, strain: number) {
-  const [x, y] = [c.x(100 * strain), c.y(1e-6 * stressAt(t, strain))];
+  const [x, y] = [c.x(report.axes.strain_factor * strain), c.y(1e-6 * stressAt(t, strain))];
   dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
 }
 
@@ -119,7 +119,7 @@ function update() {
     }
   });
   for (const m of multiples) setDot(m.dot, m.chart, report.tests[m.test], strains[m.test]);
-  readout.textContent = equalStrain ? `strain ${(100 * position * longest).toFixed(3)} %` : `${(100 * position).toFixed(1)} % of each test`;
+  readout.textContent = equalStrain ? `${report.axes.strain} ${(report.axes.strain_factor * position * longest).toPrecision(3)} ${report.axes.strain_unit}` : `${(100 * position).toFixed(1)} % of each test`;
   slider.setAttribute("aria-valuetext", readout.textContent);
 }
 
@@ -339,7 +339,7 @@ function specimens() {
   }
   target.append(place, transport);
   try {
-    viewer = new Viewer(canvas, report.tests, () => {
+    viewer = new Viewer(canvas, report.tests, report.axes.sign, () => {
       overlay.replaceChildren();
       feet.length = 0;
       for (const cell of viewer!.cells) {
@@ -371,9 +371,9 @@ function curves() {
       b.addEventListener("click", () => select(i));
       return h("li", {}, b);
     }),
-    h("li", {}, "▲ σci  ■ σcd  ★ UCS"),
+    h("li", {}, `▲ σci  ■ σcd  ★ ${peakLabel(report.axes)}`),
   );
-  const all = chart("Stress and strain", "Mean stress of both platens over the strain between them. Dots follow the slider.", (width, place) => {
+  const all = chart("Stress and strain", "Dots follow the slider.", (width, place) => {
     overviewPlace = place;
     overview = stressStrain(report, width, selected);
     if (dots.length === 0)
@@ -389,7 +389,7 @@ function curves() {
     const entry: { chart: LinkedChart | null; dot: HTMLElement } = { chart: null, dot: h("i", { class: "cursor", style: "background:var(--ink)" }) };
     grid.append(
       chart(heading(t), null, (width, place) => {
-        const linked = damage(t, width);
+        const linked = damage(t, report.axes, width);
         if (!entry.chart) place.append(entry.dot);
         const known = multiples.find((m) => m.test === i);
         if (known) known.chart = linked;
@@ -411,8 +411,9 @@ function anisotropy() {
     h("li", {}, h("i", { class: "line", style: "color:var(--theory)" }), "theory"),
     report.laboratory.length > 0 && h("li", {}, "◇ laboratory, 95 % interval of the mean"),
   );
+  const x = report.axes;
   const one = (name: string, label: string, title: string, factor: number, curve: Report["curves"]["E"], property: string) =>
-    chart(title, curve.note, (width) => overAngle(report, width, { name, label, factor, curve, property }));
+    report.tests.some((t) => t.numbers[name]) && chart(title, curve.note, (width) => overAngle(report, width, { name, label, factor, curve, property }));
   section(
     "anisotropy",
     "Anisotropy",
@@ -420,9 +421,9 @@ function anisotropy() {
     h(
       "div",
       { class: "grid four" },
-      one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, "E"),
-      one("ucs", "UCS [MPa]", "Uniaxial compressive strength", 1e-6, c.ucs, "UCS"),
-      one("nu", "ν", "Poisson’s ratio", 1, c.nu, "nu"),
+      one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, x.strength === "ucs" ? "E" : ""),
+      one(x.strength, `${x.strength_label} [MPa]`, x.strength === "ucs" ? "Uniaxial compressive strength" : x.strength_label[0].toUpperCase() + x.strength_label.slice(1), 1e-6, x.strength === "ucs" ? c.ucs : { note: "", theta: [], value: [] }, x.property),
+      one("nu", "ν", "Poisson’s ratio", 1, c.nu, x.strength === "ucs" ? "nu" : ""),
       chart("Failure mode: share of broken bonds and joints", crackLegend(), (width) => modeShare(report, width)),
     ),
   );
@@ -455,8 +456,8 @@ const columns: Column[] = [
   { name: "E_tangent", head: "E tangent", unit: "GPa", factor: 1e-9, digits: 2 },
   { name: "E_secant", head: "E secant", unit: "GPa", factor: 1e-9, digits: 2 },
   { name: "nu", head: "ν", unit: "", factor: 1, digits: 3 },
-  { name: "ucs", head: "UCS", unit: "MPa", factor: 1e-6, digits: 2 },
-  { name: "peak_strain", head: "strain at peak", unit: "%", factor: 100, digits: 4 },
+  { name: report.axes.strength, head: report.axes.strength_label, unit: "MPa", factor: 1e-6, digits: report.axes.strength === "ucs" ? 2 : 3 },
+  { name: "peak_strain", head: `${report.axes.strain} at peak`, unit: report.axes.strain_unit, factor: report.axes.strain_factor, digits: 4 },
   { name: "sigma_ci", head: "σci", unit: "MPa", factor: 1e-6, digits: 2 },
   { name: "sigma_cd", head: "σcd", unit: "MPa", factor: 1e-6, digits: 2 },
   ...crackKinds.map((k) => ({ name: k.key, head: k.label, unit: "cracks", factor: 1, digits: 0 })),

@@ -239,6 +239,7 @@ export class Viewer {
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly tests: Test[],
+    private sign: number, // of recorded strains
     private onLayout: () => void,
   ) {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -260,7 +261,7 @@ export class Viewer {
       const id = this.tests[i].scene;
       if (!id) continue;
       try {
-        this.loaded[i] = this.upload(this.tests[i], await readScene(id));
+        this.loaded[i] = this.upload(this.tests[i], await readScene(id, this.sign));
       } catch (error) {
         // A scene that cannot be read leaves an empty cell; the numbers of the specimen stand.
         continue;
