@@ -137,11 +137,15 @@ std::string pfc_commands(const Recipe& r) {
       "contact property fric {:.8g} pb_rmul {:.8g} pb_mcf {:.8g} pb_fa {:.8g} lin_mode 1 range contact type "
       "'ball-ball'\n"
       "[sigma_c = {:.8g}]\n[sigma_c_sd = {:.8g}]\n[tau_c = {:.8g}]\n[tau_c_sd = {:.8g}]\n"
+      "fish define draw(mean, sd)   ; normal, drawn again beyond 3 SD\n"
+      "  local z = math.random.gauss\n"
+      "  loop while math.abs(z) > 3.0\n    z = math.random.gauss\n  endloop\n"
+      "  draw = mean + sd*z\nend\n"
       "fish define draw_strengths\n"
       "  loop foreach local c contact.list('ball-ball')\n"
-      "    if contact.model(c) = 'linearpbond' then   ; normal, redrawn beyond 3 SD\n"
-      "      contact.prop(c,'pb_ten') = sigma_c + sigma_c_sd*math.max(-3.0,math.min(3.0,math.random.gauss))\n"
-      "      contact.prop(c,'pb_coh') = tau_c + tau_c_sd*math.max(-3.0,math.min(3.0,math.random.gauss))\n"
+      "    if contact.model(c) = 'linearpbond' then\n"
+      "      contact.prop(c,'pb_ten') = draw(sigma_c,sigma_c_sd)\n"
+      "      contact.prop(c,'pb_coh') = draw(tau_c,tau_c_sd)\n"
       "    endif\n  endloop\nend\n@draw_strengths\n\n",
       m.E_b, 1.0 / m.bond_ks_over_kn, m.mu, m.radius_multiplier, m.moment_contribution, m.phi, m.sigma_c,
       m.sigma_c_sd, m.tau_c, m.tau_c_sd);

@@ -1,0 +1,67 @@
+// Input for PFC2D and Yade: the numbers of the recipe in the other program's terms.
+#include "report/calibration_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace phy {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Recipe paper() {
+  Recipe r;
+  r.bedding.resize(1);
+  r.bedding[0].theta = 30.0;
+  return r;
+}
+
+TEST(PfcCommands, TranslateRatiosStiffnessesAndTheAngle) {
+  const std::string text = pfc_commands(paper());
+  EXPECT_THAT(text, HasSubstr("kn 3.8e+10 ks 1.14e+10"));  // PFC 3.1: k_n = E_c t, k_s = 0.3 k_n
+  EXPECT_THAT(text,
+              HasSubstr("pb_deformability emod 3.8e+10 kratio 3.3333333"));  // kn/ks, the inverse of ours
+  EXPECT_THAT(text, HasSubstr("[theta = 30]"));
+  EXPECT_THAT(text, HasSubstr("'dip') = 180.0 - theta"));
+  EXPECT_THAT(text, HasSubstr("contact.prop(c,'sj_kn') = 3.36e+12"));
+  EXPECT_THAT(text, HasSubstr("zone rule"));
+}
+
+TEST(PfcCommands, FollowTheConventionAndTheRuleOfTheRecipe) {
+  Recipe r = paper();
+  r.matrix.stiffness_convention = StiffnessConvention::pfc5;
+  r.bedding[0].rule = BeddingRule::crossing;
+  const std::string text = pfc_commands(r);
+  EXPECT_THAT(text, HasSubstr("contact method deformability emod 3.8e+10 kratio 3.3333333"));
+  EXPECT_THAT(text, HasSubstr("crossing rule"));
+  r.bedding.clear();
+  EXPECT_THAT(pfc_commands(r), Not(HasSubstr("smoothjoint")));
+}
+
+TEST(YadeScript, MatchesTheStiffnessPerBondArea) {
+  const std::string text = yade_script(paper());
+  EXPECT_THAT(text, HasSubstr("young=1.1938052e+11"));  // pi/2 (38 + 38) GPa
+  EXPECT_THAT(text, HasSubstr("jointCohesion=30000000"));
+  EXPECT_THAT(text, HasSubstr("bedded=True"));
+}
+
+TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
+  Calibration c;
+  c.rock = "r", c.verdict = {VerdictStatus::calibrated_except, {"why"}};
+  Comparison row;
+  row.target = {Property::ucs, 45.0, 50e6, 2e6, 3, false};
+  c.fitted = {row};
+  c.seconds = 17.0;
+  const auto j = nlohmann::json::parse(calibration_json(c, "1.2"));
+  EXPECT_EQ(j["verdict"]["status"], "calibrated except");
+  EXPECT_EQ(j["fitted"][0]["theta [deg]"], 45.0);
+  EXPECT_TRUE(j["fitted"][0]["model"].is_null());
+  EXPECT_FALSE(j.contains("seconds"));
+}
+
+}  // namespace
+}  // namespace phy
