@@ -48,9 +48,11 @@ bench: build
 # The paper's studies into results/paper (resumed if they are there) and docs/paper.md from their stores. A study that holds
 # a test without a peak ends with 1, which is a finding.
 paper: build
-	@for s in study no-jump crossing choices area base; do f=study-$$s; [ $$s = study ] && f=study; \
+	@for s in study no-jump small small-jump crossing choices area; do f=study-$$s; [ $$s = study ] && f=study; \
 	  $(BUILD)/phyllite study examples/paper/$$f.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
 	$(BUILD)/phyllite elastic examples/paper/elastic.toml --out results/paper/elastic || [ $$? = 1 ]
+	for k in 4:stiffness 5:modulus 6:strength; do $(BUILD)/phyllite figure results/paper/study --kind fig$${k%%:*} \
+	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
 	python3 tools/paper.py results/paper docs
 
 # The paper's specimen here and in Yade (Debian: yade), one core each; takes some minutes, never part of CI.

@@ -1,6 +1,6 @@
 """The paper's specimen in Phyllite and in Yade (Debian package `yade`): the same uniaxial test, one core each.
 
-    python3 bench/peers/run.py build/release/phyllite [--max-steps N] [--out FOLDER]
+    python3 bench/peers/run.py build/release/phyllite [--recipe R] [--max-steps N] [--out FOLDER]
 
 Prints steps, seconds of CPU, ns per contact and step, UCS of both and the ratios. `make bench-peers`.
 """
@@ -35,10 +35,10 @@ def press(program, recipe, out):
             "ucs": r["numbers"]["ucs"]["value"], "recipe": r["recipe"]}
 
 
-def lanes(program, out):
+def lanes(program, recipe, out):
     """Sixteen bond seeds side by side in single precision: seconds and UCS per specimen."""
     study = out / "lanes.toml"
-    study.write_text(f'recipe = "{(here / "peer.toml").resolve()}"\nbond_seeds = {list(range(1, 17))}\n'
+    study.write_text(f'recipe = "{recipe.resolve()}"\nbond_seeds = {list(range(1, 17))}\n'
                      '[set]\n"engine.precision" = "float"\n')
     call(program, "--threads", 1, "study", study, "--out", out / "lanes")
     rows = list(csv.DictReader(open(out / "lanes" / "results.csv")))
@@ -75,15 +75,16 @@ def yade(out, ours, max_steps):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("program")
+    arguments.add_argument("--recipe", type=pathlib.Path, default=here / "peer.toml")
     arguments.add_argument("--max-steps", type=int, default=100000, help="of Yade; fewer: speed only, no UCS")
     arguments.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/peers"))
     a = arguments.parse_args()
     if shutil.which("yade") is None:
         sys.exit("yade is not installed (Debian: apt install yade)")
     a.out.mkdir(parents=True, exist_ok=True)
-    call(a.program, "specimen", here / "peer.toml", "--out", a.out / "specimen")
-    ours = press(a.program, here / "peer.toml", a.out / "press")
-    side = lanes(a.program, a.out)
+    call(a.program, "specimen", a.recipe, "--out", a.out / "specimen")
+    ours = press(a.program, a.recipe, a.out / "press")
+    side = lanes(a.program, a.recipe, a.out)
     side["contacts"] = ours["contacts"]
     theirs = yade(a.out, ours, a.max_steps)
     rows = [("Phyllite, one specimen, double", ours), ("Phyllite, 16 in lanes, float", side), ("Yade JCFpm", theirs)]
