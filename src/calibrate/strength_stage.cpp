@@ -238,17 +238,35 @@ double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
   return speed;
 }
 
-/// The tests of a table: what the laboratory did to its specimens, for one packing each.
+/// How a strength of the table is tested, and which number of the result it is.
+struct Procedure {
+  Property property;
+  TestKind kind;
+  const char* number;
+};
+const Procedure* procedure_of(Property property) {
+  static const std::vector<Procedure> list = {
+      {Property::ucs, TestKind::uniaxial, "ucs"},
+      {Property::direct_tension, TestKind::direct_tension, "sigma_t"}};
+  for (const Procedure& p : list)
+    if (p.property == property) return &p;
+  return nullptr;
+}
+
+/// The tests of a table: what the laboratory did to its specimens, for one packing each. Compression runs at
+/// the recipe's speed, every test in tension at its own slow_speed.
 class Tests {
  public:
   Tests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed, Simulator& simulator)
       : targets_(targets), strains_(peak_strains(recipe, targets, seed, simulator)) {
-    tension_speed_ = slow_speed(recipe, targets_, strains_, Property::direct_tension);
+    for (const Target& t : targets_)
+      speeds_.push_back(t.property == Property::ucs ? recipe.test.platen_speed
+                                                    : slow_speed(recipe, targets_, strains_, t.property));
   }
   Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
     Recipe one = single_at(recipe, targets_[target].theta, seed);
-    if (targets_[target].property == Property::direct_tension)
-      one.test.kind = TestKind::direct_tension, one.test.platen_speed = tension_speed_;
+    one.test.kind = procedure_of(targets_[target].property)->kind;
+    one.test.platen_speed = speeds_[target];
     return one;
   }
   /// For the search: jump start and twice the speed halve the steps of a compression test and move UCS by
@@ -263,14 +281,13 @@ class Tests {
 
  private:
   std::vector<Target> targets_;
-  std::vector<double> strains_;
-  double tension_speed_ = 0.0;
+  std::vector<double> strains_, speeds_;
 };
 
 /// Strength of a test [Pa]; NaN if it has none.
 double strength_of(const TestResult& result, Property property) {
   if (result.outcome.status != Status::peaked) return std::nan("");
-  const Number* n = find(result.numbers, property == Property::ucs ? "ucs" : "sigma_t");
+  const Number* n = find(result.numbers, procedure_of(property)->number);
   return n != nullptr ? n->value : std::nan("");
 }
 
@@ -419,7 +436,7 @@ void announce(const StrengthProblem& problem, const Tests& tests, const std::vec
 
 }  // namespace
 
-bool can_test(Property property) { return property == Property::ucs || property == Property::direct_tension; }
+bool can_test(Property property) { return procedure_of(property) != nullptr; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
   const std::vector<Target> targets = of_property(all, Property::ucs);
