@@ -300,11 +300,11 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
                                   100.0 * packings, c.n_packings)
                     : ""));
     } else if (std::fabs(c.mean - t.mean) > std::max(nu_tolerance, z_95 * t.standard_error())) {
-      fit.findings.push_back(
-          fmt::format("nu({:g}) = {:.3f} instead of {:.3f}: joints leave nu/E as it is in every direction, "
-                      "so E and nu of "
-                      "this table conflict{}",
-                      t.theta, c.mean, t.mean, fit.nu_gave_way ? "; nu gave way" : ""));
+      fit.findings.push_back(fmt::format(
+          "nu({:g}) = {:.3f} instead of {:.3f}{}", t.theta, c.mean, t.mean,
+          fit.nu_gave_way ? ": joints leave nu/E as it is in every direction, so E and nu of this "
+                            "table conflict; nu gave way"
+                          : " (joints leave nu/E as it is in every direction)"));
     }
   }
   if (worst > 0.0) fit.findings.push_back(limit_of(eq1));
