@@ -59,7 +59,7 @@ paper: build
 bench-peers: build
 	python3 bench/peers/run.py $(BUILD)/phyllite
 
-# Studies over MPI ranks (Debian: libopenmpi-dev), built and tested beside the usual build.
+# Studies over MPI ranks (Debian: libopenmpi-dev, openmpi-bin), built and tested beside the usual build.
 mpi:
 	@cmake -S . -B build/mpi -G Ninja -DPHY_MPI=ON -DPHY_BENCH=OFF >/dev/null
 	@cmake --build build/mpi -j $(JOBS) --target phyllite test_x_mpi

@@ -55,6 +55,27 @@ TEST_F(Runner, ThreadsAndLanesChangeNothing) {
   EXPECT_EQ(one.hash(), four.hash());
 }
 
+TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
+  const Plan p = plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");  // 45, 60 deg, intact
+  Store store(at("s.sqlite"));
+  const StudyHooks none;
+  StoreDesk desk(p, store, none, 2);
+  const std::size_t batch = desk.enter().batch;
+  std::optional<std::size_t> one, two;
+  std::vector<std::size_t> kinds_one, kinds_two;
+  for (int i = 0; i < 3; ++i) {  // two workers in turn
+    one = desk.take(batch, one), two = desk.take(batch, two);
+    kinds_one.push_back(p.tests[*one].kind), kinds_two.push_back(p.tests[*two].kind);
+  }
+  EXPECT_EQ(std::set<std::size_t>(kinds_one.begin(), kinds_one.end()).size(), 1u);
+  EXPECT_EQ(std::set<std::size_t>(kinds_two.begin(), kinds_two.end()).size(), 1u);
+  EXPECT_NE(kinds_one[0], kinds_two[0]) << "the second worker begins another angle";
+  const auto last = desk.take(batch, one);
+  ASSERT_TRUE(last);
+  EXPECT_TRUE(p.tests[*last].recipe.bedding.empty()) << "what is left";
+  EXPECT_FALSE(desk.take(batch, last));
+}
+
 TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
   const Plan p = plan(two_packings);
   Store store(at("s.sqlite"));
