@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "base/check.hpp"
 #include "records/recipe_schema.hpp"
@@ -81,7 +82,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
 struct Panel {
   std::string number, label;
   double factor;
-  Property property;
+  std::optional<Property> property;
   const AngleCurve* theory;
 };
 
@@ -91,7 +92,8 @@ void angle_panel(GnuplotScript& s, const FigureData& data, const Panel& p) {
     if (!t.result.intact) model.push_back({t.result.theta, p.factor * value_of(t, p.number)});
   for (std::size_t i = 0; i < p.theory->theta.size(); ++i)
     theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
-  for (const Target& t : of_property(data.laboratory, p.property)) {
+  for (const Target& t : data.laboratory) {
+    if (p.property != t.property) continue;
     const double half = 1.96 * t.standard_error();
     laboratory.push_back(
         {t.theta, p.factor * t.mean, p.factor * (t.mean - half), p.factor * (t.mean + half)});

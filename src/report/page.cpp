@@ -50,7 +50,7 @@ Json axes_json(const TestAxes& a) {
           {"sign", a.sign},
           {"strength", a.strength},
           {"strength_label", a.strength_label},
-          {"property", to_string(a.property)}};
+          {"property", a.property ? to_string(*a.property) : ""}};
 }
 
 Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {

@@ -179,7 +179,9 @@ double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>&
   if (modulus)
     s.add("set key top left reverse Left");
   else  // room for the key above the curves
-    s.add("set offsets 0,0,graph 0.3,0; set key top right reverse Left maxrows 2 font ',6' width -2");
+    s.add(
+        "set offsets 0,0,graph 0.42,0; set key top center reverse Left maxrows 3 samplen 1.2 font ',6' width "
+        "-2");
   char letter = 'a';
   for (const VariedParameter* p : parameters) {
     const std::string unit = common_unit(*p);
