@@ -79,6 +79,17 @@ std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::op
   return out;
 }
 
+/// The same for every packing and bond seed by itself.
+std::vector<std::vector<AngleValue>> each_over_angles(const Named& table, const Rows& rows) {
+  std::map<std::pair<std::string, std::string>, Rows> replicates;
+  for (const TableRow* row : rows)
+    replicates[{table.at(*row, "packing"), table.at(*row, "bond_seed")}].push_back(row);
+  std::vector<std::vector<AngleValue>> out;
+  for (const auto& [seeds, own] : replicates)
+    out.push_back(over_angles(own, table.column("theta [deg]"), table.maybe("E_tangent [Pa]"), 1.0));
+  return out;
+}
+
 double mean_of(const Rows& rows, std::optional<std::size_t> value, double unit) {
   std::vector<double> values;
   for (const TableRow* row : rows)
@@ -141,7 +152,7 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
     parameter.settings.push_back(
         {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : not_known,
          level == base.cells[column], over_angles(rows, theta, table.maybe("E_tangent [Pa]"), 1.0),
-         over_angles(rows, theta, table.maybe("ucs [Pa]"), 1.0)});
+         over_angles(rows, theta, table.maybe("ucs [Pa]"), 1.0), each_over_angles(table, rows)});
   }
   return parameter;
 }
@@ -208,6 +219,7 @@ VariedParameter swept(const Named& macro, const Rows& points, const Named& modul
          factor,
          factor == 1.0,
          over_angles(rows, moduli.column("theta [deg]"), moduli.column("E gauge [GPa]"), giga),
+         {},
          {}});
   }
   return parameter;

@@ -52,6 +52,9 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   EXPECT_DOUBLE_EQ(k_n.settings[1].ucs[0].value.mean, 1.1e8);  // two packings
   EXPECT_EQ(k_n.settings[1].ucs.size(), 1U);                   // no strength at 90
   EXPECT_EQ(k_n.settings[1].E.size(), 2U);
+  ASSERT_EQ(k_n.settings[1].E_each.size(), 2U);  // the second packing was not run at 90
+  EXPECT_EQ(k_n.settings[1].E_each[0].size(), 2U);
+  EXPECT_EQ(k_n.settings[1].E_each[1].at(0).value.mean, 2.2e10);
   EXPECT_EQ(v.parameters[1].settings[1].text, "0.6");
 }
 

@@ -27,6 +27,7 @@ struct VariedSetting {
   double factor = 0.0;  ///< of the base; NaN for words, and for a base of 0
   bool base = false;
   std::vector<AngleValue> E, ucs;  ///< angles ascending; ucs is empty where no test was run to the peak
+  std::vector<std::vector<AngleValue>> E_each;  ///< of each packing and bond seed by itself; empty: not known
 };
 
 struct VariedParameter {

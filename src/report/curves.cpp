@@ -131,12 +131,12 @@ Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
   return rose;
 }
 
-Eq1Fit fit_setting(const VariedSetting& s, double E_intact) {
+Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact) {
   std::vector<ModulusReading> readings;
   Eq1Options options;
   options.reference = E_intact > 0.0 ? Eq1Reference::given : Eq1Reference::free;
   options.E = E_intact;
-  for (const AngleValue& a : s.E) {
+  for (const AngleValue& a : E) {
     if (a.value.n == 0) continue;
     readings.push_back({a.theta, a.value.mean});
     if (a.theta == 90.0) options.reference = Eq1Reference::measured_90;
@@ -148,13 +148,12 @@ std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& 
   if (!p.macro.empty()) return p.macro;
   std::vector<MacroPoint> points;
   for (const VariedSetting& s : p.settings) {
-    const Eq1Fit fit = fit_setting(s, v.E_intact);
-    if (!fit.ok() || v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
-    MacroPoint point;
-    point.factor = s.factor;
-    point.K_n.n = point.K_s.n = 1;
-    point.K_n.mean = fit.rock.K_n_delta / v.spacing, point.K_s.mean = fit.rock.K_s_delta / v.spacing;
-    points.push_back(point);
+    if (v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
+    std::vector<double> K_n, K_s;
+    for (const auto& E : s.E_each.empty() ? std::vector<std::vector<AngleValue>>{s.E} : s.E_each)
+      if (const Eq1Fit fit = fit_moduli(E, v.E_intact); fit.ok())
+        K_n.push_back(fit.rock.K_n_delta / v.spacing), K_s.push_back(fit.rock.K_s_delta / v.spacing);
+    if (!K_n.empty()) points.push_back({s.factor, summarise(K_n), summarise(K_s), 0.0});
   }
   return points;
 }

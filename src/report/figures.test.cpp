@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "report/curves.hpp"
 #include "report/palette.hpp"
 #include "report/specimen_picture.hpp"
 #include "theory/goodman.hpp"
@@ -64,6 +65,17 @@ TEST(Figures, MacroStiffnessesAreThoseOfTheContinuum) {
   const std::string script = script_of("stiffness", data);
   for (const char* row : {"0.5 3500 ", "1 7000 ", "2 14000 ", "0.5 1400 ", "2 1400 "})
     EXPECT_THAT(script, HasSubstr(row));
+}
+
+// Two packings, 10 % softer and stiffer in K_n: mean and interval of both fits, not a fit of the mean.
+TEST(Figures, MacroStiffnessesAreFittedPackingByPacking) {
+  Variation v = continuum({1.0});
+  v.parameters[0].settings[0].E_each = {continuum({0.9}).parameters[0].settings[0].E,
+                                        continuum({1.1}).parameters[0].settings[0].E};
+  const std::vector<MacroPoint> points = macro_points(v, v.parameters[0]);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_NEAR(points[0].K_n.mean / 7e12, 1.0, 1e-6);
+  EXPECT_NEAR(points[0].K_n.half_width / (12.7062 * 0.7e12), 1.0, 1e-4);  // Student, one degree of freedom
 }
 
 TEST(Figures, ValuesLoseTheirCommonUnitToTheTitle) {

@@ -142,8 +142,8 @@ TEST(Page, CurvesGrowWhateverTheTest) {
 TEST(Page, CarriesStudiesWithoutSpecimens) {
   AngleValue E;
   E.theta = 30.0, E.value.n = 2, E.value.mean = 2.5e10, E.value.half_width = 1e9;
-  VariedSetting base{"3360 GPa/m", 1.0, true, {E}, {}},
-      other{"1680 GPa/m <b>", 0.5, false, {E}, {AngleValue{}}};
+  VariedSetting base{"3360 GPa/m", 1.0, true, {E}, {}, {}},
+      other{"1680 GPa/m <b>", 0.5, false, {E}, {AngleValue{}}, {}};
   PageExtras extras;
   extras.name = "study";
   extras.variations = {

@@ -126,7 +126,7 @@ void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, doubl
     for (const AngleValue& a : modulus ? setting.E : setting.ucs)
       if (a.value.n > 0) rows.push_back(bar(a.theta, a.value, modulus ? 1e-9 : 1e-6));
     if (rows.empty()) continue;
-    const std::vector<Row> line = modulus ? eq1_line(fit_setting(setting, E_intact)) : std::vector<Row>();
+    const std::vector<Row> line = modulus ? eq1_line(fit_moduli(setting.E, E_intact)) : std::vector<Row>();
     const std::string look = fmt::format("lc rgb '{}'", hex_color(value_color(i, p.settings.size())));
     if (!line.empty()) parts.push_back(fmt::format("{} with lines lw 1.2 {} notitle", s.block(line), look));
     const std::string name =
