@@ -19,6 +19,7 @@ constexpr int n_fit = 5;     // packings of the fit
 constexpr int n_unseen = 5;  // packings of the verification
 constexpr double z_95 = 1.959964;
 constexpr double strength_tolerance = 0.06;
+constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
 
 /// Seeds from `first` on.
@@ -66,19 +67,19 @@ void tell_ratios(Calibration& result) {
 
 /// Strengths on unseen packings that miss the table by more than the laboratory's scatter explains.
 void judge_strength(Calibration& result, bool short_search) {
-  double squares = 0.0;
+  double squares = 0.0, scaled = 0.0;  // of the errors; of the errors over what chance explains
   int n = 0;
   for (const Comparison& c : result.verification) {
     if (!is_strength(c.target.property)) continue;
-    const double packings = std::isfinite(c.sd) ? c.sd / std::sqrt(static_cast<double>(c.n_packings)) : 0.0;
-    const double noise = z_95 * std::hypot(c.target.standard_error(), packings) / c.target.mean;
-    squares += c.error() * c.error(), ++n;
-    if (std::fabs(c.error()) <= std::max(strength_tolerance, noise)) continue;
+    const double packing = std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_fit) : 0.0;
+    const double noise = std::hypot(c.target.standard_error(), packing) / c.target.mean;
+    squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
+    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_95 * noise)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
   }
-  if (n > 0 && std::sqrt(squares / n) > strength_limit) {
+  if (n > 0 && std::sqrt(squares / n) > strength_limit && std::sqrt(scaled / n) > chance_limit) {
     result.verdict.status = VerdictStatus::out_of_reach;
     result.verdict.findings.push_back(fmt::format(
         "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
