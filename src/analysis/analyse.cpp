@@ -1,10 +1,14 @@
 #include "analysis/analyse.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
 
+#include "analysis/brazilian.hpp"
+#include "analysis/confined.hpp"
 #include "analysis/cracks.hpp"
 #include "analysis/elastic.hpp"
 #include "analysis/energy.hpp"
@@ -55,6 +59,49 @@ std::vector<Number> tension(const History& history, const std::vector<CrackEvent
   return out;
 }
 
+std::vector<Number> disc(const History& history, const std::vector<CrackEvent>& cracks,
+                         const AnalysisOptions& options) {
+  LoadingBranch branch = loading_branch(history);
+  branch.strength = "bts", branch.stress = "tension at the centre of an elastic disc";
+  std::vector<Number> out = strength(branch);
+  const std::vector<Number> place = place_of_splitting(history, branch, cracks, options.disc_diameter);
+  const double y = place[0].value, x = place[1].value;
+  if (std::fmax(std::fabs(x), std::fabs(y)) > central_third)
+    out.front().note = joined(
+        out.front().note, fmt::format("no tensile strength: the first crack came {:.2f} diameters from the "
+                                      "centre, outside the central third",
+                                      std::hypot(x, y)));
+  add(out, place);
+  add(out, crack_initiation(branch, cracks, 0.0));
+  add(out, crack_numbers(branch, cracks));
+  add(out, energy_budget(branch, history));
+  add(out, run_checks(branch, history));
+  return out;
+}
+
+std::vector<Number> confined(const History& history, const std::vector<CrackEvent>& cracks,
+                             const AnalysisOptions& options) {
+  const History q = deviatoric(history);
+  LoadingBranch branch = loading_branch(q);
+  branch.strength = "q_max", branch.stress = "deviatoric stress";
+  std::vector<Number> out = press(q, branch, cracks, options);
+  const std::vector<Number> own = confined_strength(history, branch, options.confining_stress);
+  out.insert(out.begin() + 2, own.begin(), own.end());
+  return out;
+}
+
+std::vector<Number> shear(const History& history, const std::vector<CrackEvent>& cracks,
+                          const AnalysisOptions& options) {
+  LoadingBranch branch = loading_branch(history);
+  branch.strength = "tau_peak", branch.stress = "shear stress", branch.tool = "box";
+  std::vector<Number> out = shear_numbers(history, branch, options.normal_load);
+  add(out, crack_initiation(branch, cracks, 0.0));
+  add(out, crack_numbers(branch, cracks));
+  add(out, energy_budget(branch, history));
+  add(out, run_checks(branch, history));
+  return out;
+}
+
 }  // namespace
 
 const Number* find(const std::vector<Number>& numbers, const std::string& name) {
@@ -69,6 +116,9 @@ std::vector<Number> analyse(const History& history, const std::vector<CrackEvent
   switch (history.kind) {
     case TestKind::uniaxial: out = press(history, loading_branch(history), cracks, options); break;
     case TestKind::direct_tension: out = tension(history, cracks, options); break;
+    case TestKind::brazilian: out = disc(history, cracks, options); break;
+    case TestKind::biaxial: out = confined(history, cracks, options); break;
+    case TestKind::direct_shear: out = shear(history, cracks, options); break;
   }
   for (Number& n : out) {
     if (std::isfinite(n.value)) continue;

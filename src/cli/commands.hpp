@@ -25,6 +25,7 @@ void add_report_command(CLI::App& app, Session& session);
 void write_report(const std::string& folder);
 void add_figure_command(CLI::App& app, Session& session);
 void add_film_command(CLI::App& app, Session& session);
+void add_envelope_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
 
 /// Cores that this process may use.

@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   phy::add_report_command(app, session);
   phy::add_figure_command(app, session);
   phy::add_film_command(app, session);
+  phy::add_envelope_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

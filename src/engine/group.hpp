@@ -79,6 +79,7 @@ struct Lane {
   double jacket_base = 0.0;
   double work = 0.0, slip = 0.0, damping = 0.0, released = 0.0;
   double base_energy = 0.0, base_axial = 0.0, base_lateral = 0.0;
+  double zero_axial = 0.0, zero_lateral = 0.0;  // approach of the tools where strains count from
   bool settle_books = false;  // the next block's end is the zero of the energy balance (jump start)
   HistoryRow row;
   LaneHealth health;
@@ -103,6 +104,7 @@ class Group final : public LaneGroup {
   void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) override;
   void clear(int lane) override { reset_lane(lane); }
   void place_rig(int lane) override;
+  void zero_strains(int lane) override;
   void hold_bonds(int lane, bool hold) override { at(lane).hold = hold; }
   void drive(int lane, int tool, const Drive& drive) override;
   void press(int lane, double pressure) override { at(lane).pressure = pressure; }

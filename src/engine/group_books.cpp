@@ -63,7 +63,8 @@ CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
   e.time = lane.time + (raw.step + 1) * lane.dt;
   if (const LoadAxis& axis = lane.rig().axial; axis.present() && lane.placed)
     e.strain = lane.approach(axis, tool_vector(tool_u_, step, static_cast<std::size_t>(axis.lo), l),
-                             tool_vector(tool_u_, step, static_cast<std::size_t>(axis.hi), l));
+                             tool_vector(tool_u_, step, static_cast<std::size_t>(axis.hi), l)) -
+               lane.zero_axial;
   e.a = std::min(packing_id(k.a), packing_id(k.b));
   e.b = std::max(packing_id(k.a), packing_id(k.b));
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
@@ -89,18 +90,24 @@ void Group<T>::write_load(const Lane& lane, HistoryRow& r) const {
     return lane.tools[static_cast<std::size_t>(tool)].state;
   };
   if (const LoadAxis& axis = lane.rig().axial; axis.present()) {
-    r.axial_strain = lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement);
+    r.axial_strain =
+        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_axial;
     r.stress_bottom = dot(state(axis.lo).force, axis.direction) / axis.area;
     r.stress_top = -dot(state(axis.hi).force, axis.direction) / axis.area;
     r.axial_stress = 0.5 * (r.stress_bottom + r.stress_top);
   }
   if (const LoadAxis& axis = lane.rig().lateral; axis.present()) {
-    r.lateral_strain = lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement);
+    r.lateral_strain =
+        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_lateral;
     r.lateral_stress = 0.5 * dot(state(axis.lo).force - state(axis.hi).force, axis.direction) / axis.area;
   }
-  if (load_.empty()) return;
-  r.lateral_strain = (lane.jacket - lane.jacket_base) / (packing_->width * packing_->height);
-  r.lateral_stress = lane.pressure;
+  if (!load_.empty()) {
+    r.lateral_strain =
+        (lane.jacket - lane.jacket_base) / (packing_->width * packing_->height) - lane.zero_lateral;
+    r.lateral_stress = lane.pressure;
+  }
+  r.deviatoric_stress = r.axial_stress - r.lateral_stress;
+  r.volumetric_strain = r.axial_strain + r.lateral_strain;
 }
 
 template <class T>

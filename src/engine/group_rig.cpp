@@ -5,8 +5,8 @@
 namespace phy::group {
 namespace {
 
-constexpr double servo_proportional = 0.4;
-constexpr double servo_integral = 0.1;
+constexpr double servo_proportional = 0.6;
+constexpr double servo_integral = 0.2;
 
 /// One component of the servo (rig.hpp): displacement per block from the mean force of the last one.
 double servo_step(const Servo& servo, double mean_force, double displacement, double& memory, double block) {
@@ -101,10 +101,22 @@ void Group<T>::place_rig(int lane) {
   info.base_energy = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint;
   info.base_axial = r.axial_strain_gauge;
   info.base_lateral = r.lateral_strain_gauge;
+  info.zero_axial = info.zero_lateral = 0.0;
   info.jacket_base = info.jacket = jacket_of(l);
   info.cracks.clear();
   info.row = HistoryRow{};
   dirty_ = true;
+}
+
+template <class T>
+void Group<T>::zero_strains(int lane) {
+  Lane& info = at(lane);
+  HistoryRow& r = info.row;
+  for (CrackEvent& c : info.cracks) c.strain -= r.axial_strain;
+  info.zero_axial += r.axial_strain, info.zero_lateral += r.lateral_strain;
+  info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
+  r.axial_strain = r.lateral_strain = r.volumetric_strain = 0.0;
+  r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
 }
 
 /// Displacement of the loads, weighted with the length of boundary each stands for [m^2].

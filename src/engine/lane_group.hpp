@@ -54,6 +54,8 @@ class LaneGroup {
   virtual void clear(int lane) = 0;
   /// Sets the rig against the specimen as it lies now, at rest, and starts the books at zero.
   virtual void place_rig(int lane) = 0;
+  /// Strains count from now.
+  virtual void zero_strains(int lane) = 0;
   /// Stops or allows breakage (relaxation, jump start, elastic runs).
   virtual void hold_bonds(int lane, bool hold) = 0;
   /// How a tool moves from now on.

@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "lab/biaxial.hpp"
+#include "lab/brazilian.hpp"
+#include "lab/direct_shear.hpp"
 #include "lab/direct_tension.hpp"
 #include "lab/uniaxial.hpp"
 
@@ -99,7 +102,7 @@ bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
   // Nothing fails before something has broken: what falls earlier is the first stress wave.
-  const bool may_stop = now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
+  const bool may_stop = ends_after_peak() && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it",
@@ -110,6 +113,11 @@ bool LabTest::check_stop() {
                fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
                            peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
                            now.strain * 100.0),
+               "");
+  if (now.strain >= max_strain() && !ends_after_peak() && peak_.strain < now.strain)
+    return end(Status::peaked,
+               fmt::format("peak {:.2f} MPa at {:.4f} %, {:.2f} MPa at the end", peak_.stress * 1e-6,
+                           peak_.strain * 100.0, now.stress * 1e-6),
                "");
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
@@ -166,6 +174,9 @@ std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, con
   switch (recipe.test.kind) {
     case TestKind::uniaxial: return std::make_unique<UniaxialTest>(specimen, recipe, group, lane);
     case TestKind::direct_tension: return std::make_unique<DirectTensionTest>(specimen, recipe, group, lane);
+    case TestKind::brazilian: return std::make_unique<BrazilianTest>(specimen, recipe, group, lane);
+    case TestKind::biaxial: return std::make_unique<BiaxialTest>(specimen, recipe, group, lane);
+    case TestKind::direct_shear: return std::make_unique<DirectShearTest>(specimen, recipe, group, lane);
   }
   PHY_CHECK(false, "every kind of test has its room");
   return nullptr;

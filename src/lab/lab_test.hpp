@@ -60,6 +60,8 @@ class LabTest {
   virtual double max_strain() const { return recipe_.test.max_strain; }
   /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
   virtual double first_stop_strain() const { return 0.0; }
+  /// False for a test that runs to max_strain whatever happens, for what comes after the peak.
+  virtual bool ends_after_peak() const { return true; }
   /// What the analysis has to know beside the history.
   virtual AnalysisOptions analysis() const { return {}; }
 

@@ -1,10 +1,16 @@
 #include "lab/rigs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "base/exact_math.hpp"
 #include "base/units.hpp"
+#include "engine/stable_step.hpp"
+#include "genesis/cut.hpp"
 #include "records/result.hpp"
+#include "theory/hondros.hpp"
 
 namespace phy {
 
@@ -13,6 +19,13 @@ std::string rig_name(const Recipe& recipe) {
   switch (t.kind) {
     case TestKind::uniaxial: return to_string(t.kind);
     case TestKind::direct_tension: return std::string(to_string(t.kind)) + print_number(t.grip_thickness);
+    case TestKind::brazilian:
+      return std::string(to_string(t.kind)) + print_number(disc_diameter(recipe)) + " " +
+             print_number(t.loading_angle);
+    case TestKind::biaxial:
+      if (t.confining_stress == 0.0) return "unconfined biaxial";
+      return t.confinement == Confinement::walls ? "walls" : "jacket";
+    case TestKind::direct_shear: return std::string(to_string(t.kind)) + print_number(t.shear_gap);
   }
   return "";
 }
@@ -53,6 +66,122 @@ Rig grips(const Packing& packing, double thickness) {
   }
   rig.axial = {0, 1, {0.0, 1.0}, packing.height - 2.0 * thickness, packing.width};
   return rig;
+}
+
+std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
+  std::int64_t first = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < packing.discs.size(); ++i) {
+    const Disc& d = packing.discs[i];
+    const Vec2 c = Vec2{d.x, d.y} - from;
+    const double across = cross(direction, c);
+    if (std::fabs(across) >= d.r) continue;
+    const double distance = dot(direction, c) - std::sqrt(d.r * d.r - across * across);
+    if (distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
+  }
+  return first;
+}
+
+namespace {
+
+constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the surface is missed
+
+double smallest_radius(const Packing& packing) {
+  double r = packing.discs.front().r;
+  for (const Disc& d : packing.discs) r = std::min(r, d.r);
+  return r;
+}
+
+/// A jaw on the arc of the rim around `up` = (0, +-1).
+Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
+  Tool tool{std::move(name), {}, {}, true};
+  const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
+  const double arc = angle / 180.0 * pi * 0.5 * diameter;
+  const int n = static_cast<int>(std::ceil(arc / (ray_spacing * smallest_radius(packing))));
+  std::vector<char> held(packing.discs.size(), 0);
+  for (int k = 0; k <= n; ++k) {
+    const SinCos sc = sin_cos_degrees(angle * (static_cast<double>(k) / n - 0.5));
+    const Vec2 out{sc.sin, up * sc.cos};
+    const std::int64_t g = first_grain(packing, centre + diameter * out, -1.0 * out);
+    if (g >= 0) held[static_cast<std::size_t>(g)] = 1;
+  }
+  for (std::uint32_t g = 0; g < held.size(); ++g) {
+    if (held[g] == 0) continue;
+    const Vec2 inwards = centre - Vec2{packing.discs[g].x, packing.discs[g].y};
+    tool.touches.push_back({g, (1.0 / norm(inwards)) * inwards, 0.0});
+  }
+  return tool;
+}
+
+}  // namespace
+
+Rig jaws(const Packing& packing, double diameter, double angle) {
+  Rig rig;
+  if (angle > 0.0) {
+    rig.tools = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
+                 jaw(packing, "top jaw", diameter, angle, 1.0)};
+  } else {
+    double low = packing.height, high = 0.0;
+    for (const Disc& d : packing.discs) low = std::min(low, d.y - d.r), high = std::max(high, d.y + d.r);
+    rig.tools = {flat_wall(packing, "bottom platen", {0.0, low}, {0.0, 1.0}, true),
+                 flat_wall(packing, "top platen", {0.0, high}, {0.0, -1.0}, true)};
+  }
+  rig.axial = {0, 1, {0.0, 1.0}, diameter, 0.5 * pi * diameter / brazilian_arc_factor(0.5 * angle)};
+  return rig;
+}
+
+Rig confined_platens(const Packing& packing, const TestRecipe& test) {
+  Rig rig = platens(packing);
+  if (test.confining_stress == 0.0) return rig;
+  if (test.confinement == Confinement::walls) {
+    rig.tools.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
+    rig.tools.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
+    rig.lateral = {2, 3, {1.0, 0.0}, packing.width, packing.height};
+    return rig;
+  }
+  const int n = static_cast<int>(std::ceil(packing.height / (ray_spacing * smallest_radius(packing))));
+  for (const double side : {1.0, -1.0}) {
+    std::vector<double> share(packing.discs.size(), 0.0);
+    for (int k = 0; k < n; ++k) {
+      const double y = packing.height * (k + 0.5) / n;
+      const double outside = side > 0.0 ? -packing.width : 2.0 * packing.width;
+      const std::int64_t g = first_grain(packing, {outside, y}, {side, 0.0});
+      if (g >= 0) share[static_cast<std::size_t>(g)] += packing.height / n;
+    }
+    for (std::uint32_t g = 0; g < share.size(); ++g)
+      if (share[g] > 0.0) rig.loads.push_back({g, {side * share[g], 0.0}});
+  }
+  return rig;
+}
+
+Rig shear_boxes(const Packing& packing, double gap) {
+  Rig rig;
+  rig.tools = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
+  const double middle = 0.5 * packing.height;
+  for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
+    const double y = packing.discs[i].y - middle;
+    if (y < -0.5 * gap) rig.tools[0].grips.push_back({i, true, true, true});
+    if (y >= 0.5 * gap) rig.tools[1].grips.push_back({i, true, true, true});
+  }
+  rig.axial = {1, 0, {1.0, 0.0}, 1.0, packing.width};
+  rig.lateral = {0, 1, {0.0, 1.0}, 1.0, packing.width};
+  return rig;
+}
+
+double block_stiffness(const Specimen& specimen, double area, double length, double time) {
+  const MatrixRecipe& m = specimen.matrix;
+  const double E = m.E_c + m.radius_multiplier * m.E_b, rho_c = std::sqrt(E * m.density);
+  return 2.0 * E * area / length + rho_c * area / time;
+}
+
+double plane_stiffness(const Specimen& specimen, double gap) {
+  const std::vector<Disc>& discs = specimen.packing->discs;
+  const double middle = 0.5 * specimen.packing->height;
+  double sum = 0.0, radius = 0.0;
+  for (const Contact& c : specimen.contacts)
+    if ((discs[c.a].y < middle) != (discs[c.b].y < middle)) sum += initial_stiffness(specimen, c).k_n;
+  for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
+  return sum / (1.0 + gap / (2.0 * radius));
 }
 
 }  // namespace phy

@@ -23,4 +23,28 @@ double grip_thickness(const Recipe& recipe, const Packing& packing);
 /// Two grips that hold the grains within `thickness` of the bottom and the top, along y only. Tools 0 and 1.
 Rig grips(const Packing& packing, double thickness);
 
+/// The grain that a ray from `from` along the unit vector `direction` meets first; -1: none.
+std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
+
+/// Bottom and top of a Brazilian test on a disc in the middle of the box: flat platens against the outermost
+/// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
+/// centre (theory/hondros.hpp); axial strain: approach over `diameter` [m].
+Rig jaws(const Packing& packing, double diameter, double angle);
+
+/// The press with sides: walls (tools 2 left, 3 right) or a jacket (loads); none without confining stress.
+Rig confined_platens(const Packing& packing, const TestRecipe& test);
+
+/// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
+/// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
+Rig shear_boxes(const Packing& packing, double gap);
+
+/// For the servo of a pair of walls of that area [m^2/m], `length` apart [m]: change of force per
+/// displacement of each within a block of `time` [s], of rock as stiff as its contacts, at rest and as an
+/// elastic wave [N/m per m].
+double block_stiffness(const Specimen& specimen, double area, double length, double time);
+
+/// For the servo of a shear box: normal stiffness of what lies between the boxes, from the contacts across
+/// half the height [N/m per m].
+double plane_stiffness(const Specimen& specimen, double gap);
+
 }  // namespace phy

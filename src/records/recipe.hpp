@@ -19,7 +19,11 @@ enum class StiffnessConvention { pfc31, pfc5 };  ///< laws/linear/README.md
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
 enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
-enum class TestKind { uniaxial, direct_tension };
+enum class TestKind { uniaxial, direct_tension, brazilian, biaxial, direct_shear };
+enum class Confinement {
+  walls,
+  jacket
+};  ///< sides of a biaxial test: rigid walls, or pressure on side grains
 
 struct SpecimenSize {
   double width = 0.038;   ///< [m]
@@ -93,6 +97,13 @@ struct TestRecipe {
   std::int64_t n_frames = 40;           ///< stored displacement fields through the test
   double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start
   double grip_thickness = 0.0;          ///< [m] direct tension; 0: four times the largest radius
+  double disc_diameter = 0.0;           ///< [m] Brazilian; 0: the smaller side of the specimen
+  double loading_angle = 10.0;          ///< [deg] Brazilian: whole arc of each jaw; 0: flat platens
+  double confining_stress = 0.0;        ///< [Pa] biaxial
+  Confinement confinement = Confinement::walls;
+  double normal_stress = 0.0;     ///< [Pa] direct shear
+  double normal_stiffness = 0.0;  ///< [Pa/m] direct shear; 0: constant normal load
+  double shear_gap = 0.0;         ///< [m] direct shear: free rock between the boxes; 0: rigid halves
 };
 
 struct EngineRecipe {

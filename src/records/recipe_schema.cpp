@@ -180,7 +180,8 @@ void add_bedding(List& l) {
 void add_test(List& l) {
   using T = TestRecipe;
   constexpr auto part = &Recipe::test;
-  l.choice("test", "kind", {"uniaxial", "direct_tension"}, "laboratory test", part, &T::kind);
+  l.choice("test", "kind", {"uniaxial", "direct_tension", "brazilian", "biaxial", "direct_shear"},
+           "laboratory test", part, &T::kind);
   Field f;
   f.kind = FieldKind::quantities, f.table = "test", f.key = "angles", f.dimension = Dimension::angle;
   f.min = 0, f.max = 180, f.below_max = true;
@@ -214,6 +215,22 @@ void add_test(List& l) {
   l.quantity("test", "grip_thickness", Dimension::length, 0, 0.1, "",
              "direct_tension: rock held at each end; 0: four times the largest radius", part,
              &T::grip_thickness);
+  l.quantity("test", "disc_diameter", Dimension::length, 0, 10, "",
+             "brazilian: disc cut from the specimen; 0: its smaller side", part, &T::disc_diameter);
+  l.quantity("test", "loading_angle", Dimension::angle, 0, 30, "",
+             "brazilian: arc of the rim that each jaw holds; 0: flat platens", part, &T::loading_angle);
+  l.quantity("test", "confining_stress", Dimension::pressure, 0, 1e10, "", "biaxial: lateral stress", part,
+             &T::confining_stress);
+  l.choice("test", "confinement", {"walls", "jacket"},
+           "biaxial: sides are rigid walls under servo control, or a pressure on the side grains", part,
+           &T::confinement);
+  l.quantity("test", "normal_stress", Dimension::pressure, 0, 1e10, "", "direct_shear: stress on the plane",
+             part, &T::normal_stress);
+  l.quantity("test", "normal_stiffness", Dimension::stiffness, 0, 1e15, "",
+             "direct_shear: growth of the normal stress with dilation; 0: constant normal load", part,
+             &T::normal_stiffness);
+  l.quantity("test", "shear_gap", Dimension::length, 0, 1, "",
+             "direct_shear: free rock between the two boxes; 0: rigid halves", part, &T::shear_gap);
 }
 
 void add_engine(List& l) {
@@ -426,11 +443,36 @@ class CrossChecks {
     if (twice != sorted.end())
       tell("test.angles", print_quantity(*twice, Dimension::angle), "every angle once",
            "remove the second one; for another specimen change a seed");
+    test_of_kind();
     for (const auto& [key, strain] :
          {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"jump_strain", t.jump_strain}})
       if (strain >= t.max_strain)
         tell(std::string("test.") + key, print_number(strain),
              "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+  }
+
+  void test_of_kind() {
+    const TestRecipe& t = r_.test;
+    const double side = std::min(r_.specimen.width, r_.specimen.height);
+    const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
+    if (t.disc_diameter > side)
+      tell("test.disc_diameter", length(t.disc_diameter), "at most the smaller side, " + length(side),
+           "a disc is cut from the packing; use a larger specimen");
+    else if (t.disc_diameter > 0.0 && t.disc_diameter < least && r_.packing.file.empty())
+      tell("test.disc_diameter", length(t.disc_diameter),
+           "at least ten mean grain diameters, " + length(least), "use a larger disc or smaller grains");
+    if (3.0 * t.grip_thickness > r_.specimen.height)
+      tell("test.grip_thickness", length(t.grip_thickness), "at most a third of the height",
+           "the rock between the grips is what is tested");
+    if (t.shear_gap > 0.5 * r_.specimen.height)
+      tell("test.shear_gap", length(t.shear_gap), "at most half the height",
+           "the boxes have to hold something");
+    if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
+      tell("test.normal_stiffness", "given", "0 without normal_stress",
+           "give test.normal_stress, from which it grows");
+    if (t.jump_strain > 0.0 && t.kind != TestKind::uniaxial)
+      tell("test.jump_strain", print_number(t.jump_strain), "0 for this kind of test",
+           "only the uniaxial press can start loaded");
   }
 
   void sweep() {

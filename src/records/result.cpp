@@ -62,13 +62,58 @@ Columns tension_columns() {
        common_columns});
 }
 
+Columns disc_columns() {
+  return joined({clock_columns,
+                 {{"axial_strain", "1", "approach of the platens / diameter", &Row::axial_strain}},
+                 gauge_columns,
+                 {{"centre_tension", "Pa", "2P/(pi D t) times Hondros' factor, P mean platen force",
+                   &Row::axial_stress},
+                  {"centre_tension_top", "Pa", "the same from the top platen", &Row::stress_top},
+                  {"centre_tension_bottom", "Pa", "the same from the bottom platen", &Row::stress_bottom}},
+                 common_columns});
+}
+
+Columns confined_columns() {
+  return joined(
+      {clock_columns,
+       {{"axial_strain", "1", "shortening between the platens since the confinement / initial height",
+         &Row::axial_strain},
+        {"lateral_strain", "1", "approach of the sides since the confinement / initial width",
+         &Row::lateral_strain},
+        {"volumetric_strain", "1", "axial + lateral strain", &Row::volumetric_strain}},
+       gauge_columns,
+       {{"axial_stress", "Pa", "mean platen force / initial width", &Row::axial_stress},
+        {"stress_top", "Pa", "top platen force / initial width", &Row::stress_top},
+        {"stress_bottom", "Pa", "bottom platen force / initial width", &Row::stress_bottom},
+        {"lateral_stress", "Pa", "mean side force / initial height, or pressure of the jacket",
+         &Row::lateral_stress},
+        {"deviatoric_stress", "Pa", "axial - lateral stress", &Row::deviatoric_stress}},
+       common_columns});
+}
+
+Columns shear_columns() {
+  return joined(
+      {clock_columns,
+       {{"shear_displacement", "m", "of the upper box against the lower one", &Row::axial_strain},
+        {"normal_closure", "m", "approach of the boxes; dilation is negative", &Row::lateral_strain},
+        {"shear_stress", "Pa", "mean box force along the plane / width", &Row::axial_stress},
+        {"shear_stress_upper", "Pa", "upper box force along the plane / width", &Row::stress_bottom},
+        {"shear_stress_lower", "Pa", "lower box force along the plane / width", &Row::stress_top},
+        {"normal_stress", "Pa", "mean box force across the plane / width", &Row::lateral_stress}},
+       common_columns});
+}
+
 }  // namespace
 
 const std::vector<HistoryColumn>& history_columns(TestKind kind) {
-  static const Columns press = press_columns(), tension = tension_columns();
+  static const Columns press = press_columns(), tension = tension_columns(), disc = disc_columns(),
+                       confined = confined_columns(), shear = shear_columns();
   switch (kind) {
     case TestKind::uniaxial: return press;
     case TestKind::direct_tension: return tension;
+    case TestKind::brazilian: return disc;
+    case TestKind::biaxial: return confined;
+    case TestKind::direct_shear: return shear;
   }
   return press;
 }
@@ -77,6 +122,9 @@ const char* to_string(TestKind kind) {
   switch (kind) {
     case TestKind::uniaxial: return "uniaxial";
     case TestKind::direct_tension: return "direct_tension";
+    case TestKind::brazilian: return "brazilian";
+    case TestKind::biaxial: return "biaxial";
+    case TestKind::direct_shear: return "direct_shear";
   }
   return "unknown";
 }

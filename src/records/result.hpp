@@ -37,8 +37,10 @@ struct HistoryRow {
   double lateral_strain_gauge = 0.0;  ///< same fit, shortening positive (so negative in compression)
   double axial_stress = 0.0;          ///< mean of both platens over the initial width [Pa]
   double stress_top = 0.0, stress_bottom = 0.0;  ///< [Pa]
-  double lateral_strain = 0.0;  ///< of the side walls or the jacket; direct shear: normal to the plane
-  double lateral_stress = 0.0;  ///< [Pa]
+  double lateral_strain = 0.0;     ///< of the side walls or the jacket; direct shear: normal to the plane
+  double lateral_stress = 0.0;     ///< [Pa]
+  double deviatoric_stress = 0.0;  ///< axial - lateral [Pa]
+  double volumetric_strain = 0.0;  ///< axial + lateral, of the boundary; positive: denser
   double n_cracks = 0.0;
   double boundary_work = 0.0;  ///< done by the platens [J/m]
   double kinetic = 0.0;        ///< [J/m]
@@ -67,7 +69,8 @@ struct HistoryColumn {
 const std::vector<HistoryColumn>& history_columns(TestKind kind = TestKind::uniaxial);
 /// The recipe's word for a kind of test.
 const char* to_string(TestKind kind);
-constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension};
+constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension, TestKind::brazilian,
+                                  TestKind::biaxial, TestKind::direct_shear};
 
 enum class Status { peaked, not_peaked, not_settled, unstable, interrupted };
 const char* to_string(Status status);

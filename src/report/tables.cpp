@@ -72,10 +72,43 @@ Columns tension_columns(const Results& results) {
           reading("energy", "error", results, "energy_error", 1.0, 5)};
 }
 
+Columns disc_columns(const Results& results) {
+  return {reading("BTS", "MPa", results, "bts", 1e-6, 2),
+          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
+          reading("1st crack", "y/D", results, "first_crack_y", 1.0, 2),
+          reading("1st crack", "x/D", results, "first_crack_x", 1.0, 2),
+          reading("cracks in", "central third", results, "central_cracks", 1.0, 2),
+          reading("energy", "error", results, "energy_error", 1.0, 5)};
+}
+
+Columns confined_columns(const Results& results) {
+  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
+          reading("nu", "", results, "nu", 1.0, 3),
+          reading("sigma_3", "MPa", results, "sigma_3", 1e-6, 2),
+          reading("sigma_1", "MPa", results, "sigma_1", 1e-6, 2),
+          reading("sigma_ci", "MPa, q", results, "sigma_ci", 1e-6, 2),
+          reading("sigma_cd", "MPa, q", results, "sigma_cd", 1e-6, 2),
+          reading("confinem.", "error", results, "confinement_error", 1.0, 4),
+          reading("energy", "error", results, "energy_error", 1.0, 5)};
+}
+
+Columns shear_columns(const Results& results) {
+  return {reading("sigma_n", "MPa", results, "sigma_n", 1e-6, 2),
+          reading("tau peak", "MPa", results, "tau_peak", 1e-6, 2),
+          reading("u peak", "um", results, "u_peak", 1e6, 2),
+          reading("tau resid.", "MPa", results, "tau_residual", 1e-6, 2),
+          reading("K_s", "GPa/m", results, "K_s", 1e-9, 1),
+          reading("dilation", "deg", results, "dilation", 1.0, 2),
+          reading("energy", "error", results, "energy_error", 1.0, 5)};
+}
+
 Columns curve_columns(const Results& results) {
   switch (results.empty() ? TestKind::uniaxial : results.front().kind) {
     case TestKind::uniaxial: break;
     case TestKind::direct_tension: return tension_columns(results);
+    case TestKind::brazilian: return disc_columns(results);
+    case TestKind::biaxial: return confined_columns(results);
+    case TestKind::direct_shear: return shear_columns(results);
   }
   return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
           reading("E sec50", "GPa", results, "E_secant", 1e-9, 2),

@@ -12,10 +12,12 @@ constexpr double largest_friction = 60.0;  // [deg]
 constexpr int grid = 60;                   // per direction; with five rounds of 1/10 both are exact to 1e-6
 constexpr int rounds = 6;
 
-double misfit(const std::vector<StrengthReading>& readings, double matrix, const Coulomb& plane) {
+using Matrix = std::function<double(double)>;
+
+double misfit(const std::vector<StrengthReading>& readings, const Matrix& matrix, const Coulomb& plane) {
   double sum = 0.0;
   for (const StrengthReading& r : readings) {
-    const double d = r.ucs - jaeger_sigma_1(plane, matrix, r.theta, 0.0);
+    const double d = r.ucs - jaeger_sigma_1(plane, matrix(r.sigma_3), r.theta, r.sigma_3);
     sum += d * d;
   }
   return sum;
@@ -28,17 +30,17 @@ double spread(const std::vector<StrengthReading>& readings) {
   return sum;
 }
 
-std::string refusal(const std::vector<StrengthReading>& readings, double matrix) {
+std::string refusal(const std::vector<StrengthReading>& readings, const Matrix& matrix) {
   std::set<double> angles;
   bool oblique = false, weaker = false;
   for (const StrengthReading& r : readings) {
     if (!(r.ucs > 0.0) || !std::isfinite(r.ucs)) return "a strength is not positive";
-    weaker = weaker || r.ucs < matrix;
+    weaker = weaker || r.ucs < matrix(r.sigma_3);
     angles.insert(r.theta);
     const double folded = r.theta > 90.0 ? 180.0 - r.theta : r.theta;
     oblique = oblique || (folded > 20.0 && folded < 80.0);
   }
-  if (!(matrix > 0.0)) return "the strength of the matrix is not known";
+  if (!(matrix(0.0) > 0.0)) return "the strength of the matrix is not known";
   if (angles.size() < 3) return "fewer than three inclinations";
   if (!weaker) return "no specimen is weaker than the matrix";
   return oblique ? "" : "no inclination between 20 and 80 degrees";
@@ -47,10 +49,15 @@ std::string refusal(const std::vector<StrengthReading>& readings, double matrix)
 }  // namespace
 
 JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix_ucs) {
+  return fit_jaeger(readings, [matrix_ucs](double) { return matrix_ucs; });
+}
+
+JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix& matrix) {
   JaegerFit fit;
-  fit.reason = refusal(readings, matrix_ucs);
+  fit.reason = refusal(readings, matrix);
   if (!fit.reason.empty()) return fit;
   fit.ok = true;
+  const double matrix_ucs = matrix(0.0);
   double best = std::numeric_limits<double>::infinity();
   Coulomb middle{0.25 * matrix_ucs, 0.5 * largest_friction};
   double half_c = 0.25 * matrix_ucs, half_phi = 0.5 * largest_friction;
@@ -60,7 +67,7 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix
         const Coulomb plane{
             std::clamp(middle.cohesion + half_c * (2.0 * i / grid - 1.0), 0.0, 0.5 * matrix_ucs),
             std::clamp(middle.friction + half_phi * (2.0 * j / grid - 1.0), 0.0, largest_friction)};
-        const double sum = misfit(readings, matrix_ucs, plane);
+        const double sum = misfit(readings, matrix, plane);
         if (sum < best) best = sum, fit.plane = plane;
       }
     }

@@ -1,5 +1,5 @@
 // Cohesion and friction of one plane of weakness from strengths at several inclinations: least squares of
-// Jaeger's theory (theory/jaeger.hpp), unconfined, with the strength of the matrix as a cap.
+// Jaeger's theory (theory/jaeger.hpp), with the strength of the matrix as a cap.
 //
 //   minimise sum (ucs_i - min(matrix, sigma_1(c, phi; theta_i)))^2,   0 <= c <= matrix/2, 0 <= phi <= 60
 //
@@ -8,6 +8,7 @@
 // at kinks. Flat shoulders are part of the theory; rock is rounder (docs/theory/strength.md), so a low R2 is
 // a finding.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@
 namespace phy {
 
 struct StrengthReading {
-  double theta = 0.0;  ///< [deg]
-  double ucs = 0.0;    ///< [Pa]
+  double theta = 0.0;    ///< [deg]
+  double ucs = 0.0;      ///< peak sigma_1 [Pa]
+  double sigma_3 = 0.0;  ///< confining stress [Pa]
 };
 
 struct JaegerFit {
@@ -30,5 +32,9 @@ struct JaegerFit {
 /// Needs readings at three inclinations, one of them between 20 and 80 degrees, one weaker than the matrix,
 /// and a positive matrix strength [Pa].
 JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix_ucs);
+/// The same over confining stresses too; `matrix` gives the peak sigma_1 [Pa] of the matrix at a sigma_3
+/// [Pa].
+JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings,
+                     const std::function<double(double)>& matrix);
 
 }  // namespace phy

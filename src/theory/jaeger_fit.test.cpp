@@ -54,5 +54,19 @@ TEST(JaegerFit, RefusesWhatHoldsNoPlane) {
   EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {45.0, 1e8}, {90.0, 1e8}}, 1e8).ok);  // no plane shows
 }
 
+// Over confining stresses too: a plane of 8 MPa and 25 degrees in Coulomb rock of 30 MPa and 40 degrees.
+TEST(JaegerFit, FindsThePlaneOverConfiningStresses) {
+  const Coulomb plane{8e6, 25.0};
+  const auto matrix = [](double sigma_3) { return coulomb_sigma_1({30e6, 40.0}, sigma_3); };
+  std::vector<StrengthReading> readings;
+  for (const double sigma_3 : {0.0, 5e6, 20e6})
+    for (const double theta : {0.0, 30.0, 45.0, 60.0, 75.0})
+      readings.push_back({theta, jaeger_sigma_1(plane, matrix(sigma_3), theta, sigma_3), sigma_3});
+  const JaegerFit fit = fit_jaeger(readings, matrix);
+  ASSERT_TRUE(fit.ok) << fit.reason;
+  EXPECT_NEAR(fit.plane.cohesion, plane.cohesion, 1e-4 * plane.cohesion);
+  EXPECT_NEAR(fit.plane.friction, plane.friction, 1e-3);
+}
+
 }  // namespace
 }  // namespace phy

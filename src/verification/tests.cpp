@@ -4,8 +4,14 @@
 #include <memory>
 #include <numbers>
 
+#include "analysis/circle_stress.hpp"
+#include "base/exact_math.hpp"
+#include "genesis/cut.hpp"
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
 #include "lab/lab_test.hpp"
 #include "records/assembly.hpp"
+#include "theory/hondros.hpp"
 #include "verification/cases.hpp"
 
 namespace phy {
@@ -59,12 +65,99 @@ std::vector<Check> lattice_tension() {
            0.02}};
 }
 
+/// Mean over a circle of radius a of a stress field that is biharmonic: f(0) + a^2/8 laplacian f(0).
+double mean_in_circle(const BrazilianDisc& disc, double a, double DiameterStress::*stress) {
+  const double h = 1e-3, radius = 0.5 * disc.diameter;  // of the radius
+  const double centre = hondros_loaded_diameter(disc, 0.0).*stress;
+  const double laplacian = 2.0 *
+                           (hondros_loaded_diameter(disc, h).*stress - centre +
+                            (hondros_cross_diameter(disc, h).*stress - centre)) /
+                           (h * h * radius * radius);
+  return centre + a * a / 8.0 * laplacian;
+}
+
+struct CentreStress {
+  double x = 0.0, y = 0.0;  // measured over theory
+};
+
+/// Presses an elastic disc by two jaws of 10 degrees and reads the circle of radius D/8 in its middle.
+CentreStress centre_stress(const Packing& packing, double diameter) {
+  Specimen s;
+  s.packing = std::make_shared<const Packing>(cut_disc(packing, diameter));
+  s.matrix = soft_contact();
+  bond_touching(s);
+  Recipe r;
+  r.test.kind = TestKind::brazilian;
+  r.test.disc_diameter = diameter;
+  r.test.platen_speed = 0.02;
+  r.test.max_strain = 3e-4;
+  const auto disc = s.packing;
+  const TestResult result = run(std::move(s), r);
+  const Snapshot& last = result.snapshots.back();
+  const double alpha = 0.5 * r.test.loading_angle;
+  const double P = last.axial_stress * 0.5 * pi * diameter / brazilian_arc_factor(alpha);
+  const BrazilianDisc theory{diameter, 1.0, alpha, P};
+  const double a = diameter / 8.0;
+  const PlaneStress m = stress_in_circle(*disc, last, {0.5 * disc->width, 0.5 * disc->height}, a);
+  return {m.xx / mean_in_circle(theory, a, &DiameterStress::sigma_x),
+          m.yy / mean_in_circle(theory, a, &DiameterStress::sigma_y)};
+}
+
+std::vector<Check> brazilian_centre() {
+  constexpr double D = 0.02;
+  Packing lattice;
+  constexpr double r = 2e-4;
+  lattice.discs = hexagonal(54, 62, r);
+  lattice.width = r * 109.0, lattice.height = r * (2.0 + std::numbers::sqrt3 * 61.0);
+  const CentreStress hexagonal_disc = centre_stress(lattice, D);
+  CentreStress mean;
+  for (std::int64_t seed = 1; seed <= 5; ++seed) {
+    PackingRecipe recipe;
+    recipe.n_grains = 1031, recipe.seed = seed;
+    const CentreStress one = centre_stress(make_packing({D, D}, recipe, soft_contact()), D);
+    mean.x += one.x / 5.0, mean.y += one.y / 5.0;
+  }
+  return {{"hexagonal disc: tension across the load over Hondros [-]", 1.0, hexagonal_disc.x, 0.03},
+          {"hexagonal disc: compression along the load over Hondros [-]", 1.0, hexagonal_disc.y, 0.03},
+          {"five packings, mean: tension across the load over Hondros [-]", 1.0, mean.x, 0.05},
+          {"five packings, mean: compression along the load over Hondros [-]", 1.0, mean.y, 0.05}};
+}
+
+std::vector<Check> sheared_plane() {
+  Recipe r;
+  r.specimen = {0.016, 0.008};
+  r.packing.n_grains = 330;
+  r.matrix = soft_contact();
+  r.test.kind = TestKind::direct_shear;
+  r.test.normal_stress = 5e6;
+  r.test.max_strain = 4e-3;
+  r.test.platen_speed = 0.01;
+  r.bedding.resize(1);
+  BeddingRecipe& set = r.bedding.front();
+  set.rule = BeddingRule::crossing, set.spacing = 0.05, set.phi = 20.0, set.mu = 0.4;
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  Specimen s = make_specimens(packing, r).front();
+  const double overlap = s.bedding_report.front().overlap_ratio;
+  const TestResult result = run(std::move(s), r);
+  const double sigma = r.test.normal_stress;
+  return {{"peak shear stress c sum(A)/L + sigma_n tan(phi) [Pa]",
+           set.cohesion * overlap + sigma * tan_degrees(set.phi), value(result, "tau_peak"), 0.02},
+          {"shear stiffness k_s sum(A)/L [Pa/m]", set.k_s * overlap, value(result, "K_s"), 0.02},
+          {"residual shear stress mu sigma_n [Pa]", set.mu * sigma, value(result, "tau_residual"), 0.02}};
+}
+
 }  // namespace
 
 std::vector<VerificationCase> test_cases() {
   return {{"V13", "Direct tension of a hexagonal lattice, strengths without scatter",
            "uniform state of the lattice: s_t = 2 sqrt(3) lambda sigma_c (K_n + K_s)/(2 K_n + K_s)",
-           "the free sides disturb the state over a few grains", lattice_tension}};
+           "the free sides disturb the state over a few grains", lattice_tension},
+          {"V20", "Direct shear of two rigid halves joined by smooth joints",
+           "all joints slide together: forces of the joints add up",
+           "the largest stress falls between two rows of the history; the servo follows the normal load",
+           sheared_plane},
+          {"V21", "Elastic disc between two jaws: stress in the middle", "Hondros 1959; mean over the circle",
+           "grains are 1/30 of the diameter; packings scatter by some 5 %", brazilian_centre}};
 }
 
 }  // namespace phy

@@ -1,0 +1,35 @@
+#include "analysis/brazilian.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace phy {
+
+std::vector<Number> place_of_splitting(const History& history, const LoadingBranch& branch,
+                                       const std::vector<CrackEvent>& cracks, double diameter) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Number y{"first_crack_y", nan, "1", "height of the first crack above the centre / diameter", ""};
+  Number x{"first_crack_x", nan, "1", "distance of the first crack to the right of the centre / diameter",
+           ""};
+  Number share{
+      "central_cracks", nan, "1",
+      "share of the cracks up to the peak within a sixth of the diameter of the centre, along and across "
+      "the load",
+      ""};
+  double n = 0.0, central = 0.0;
+  for (const CrackEvent& c : cracks) {
+    if (!(c.strain <= branch.strain)) continue;
+    const double dx = (c.position.x - 0.5 * history.width) / diameter;
+    const double dy = (c.position.y - 0.5 * history.height) / diameter;
+    if (n == 0.0) x.value = dx, y.value = dy;
+    n += 1.0;
+    central += std::fmax(std::fabs(dx), std::fabs(dy)) <= central_third ? 1.0 : 0.0;
+  }
+  if (n > 0.0)
+    share.value = central / n;
+  else
+    x.note = y.note = share.note = "no crack before the peak";
+  return {y, x, share};
+}
+
+}  // namespace phy

@@ -1,0 +1,37 @@
+#include "analysis/confined.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace phy {
+
+History deviatoric(History history) {
+  for (HistoryRow& r : history.rows) {
+    for (double* stress : {&r.axial_stress, &r.stress_top, &r.stress_bottom}) *stress -= r.lateral_stress;
+  }
+  return history;
+}
+
+std::vector<Number> confined_strength(const History& history, const LoadingBranch& branch,
+                                      double confining_stress) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress", branch_note(branch)};
+  Number lateral{"sigma_3", nan, "Pa", "lateral stress at the largest deviatoric stress",
+                 branch_note(branch)};
+  Number error{
+      "confinement_error", nan, "1",
+      "largest |lateral stress (mean over a block) / target - 1| from the start of loading to the peak",
+      branch_note(branch)};
+  for (const HistoryRow& r : history.rows) {
+    if (branch.empty() || r.axial_strain > branch.strain) break;
+    if (confining_stress > 0.0)
+      error.value = std::fmax(error.value, std::fabs(r.lateral_stress / confining_stress - 1.0));
+    if (branch.peaked && r.axial_strain == branch.strain)
+      axial.value = r.axial_stress, lateral.value = r.lateral_stress;
+  }
+  if (confining_stress == 0.0) error.note = "not confined";
+  return {axial, lateral, error};
+}
+
+}  // namespace phy

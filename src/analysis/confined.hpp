@@ -1,0 +1,23 @@
+// Biaxial compression: peak strength under confinement. Numbers of the press, read on the deviatoric stress.
+//
+//   q_max               largest deviatoric stress sigma_1 - sigma_3
+//   sigma_1, sigma_3    axial and lateral stress at that moment
+//   confinement_error   largest |lateral stress / target - 1| from the start of loading to the peak
+// E, nu, sigma_ci and sigma_cd are those of the press with the deviatoric stress in the place of the axial
+// stress: sigma_3 is constant, so slopes are the same, and levels are fractions of q_max.
+#pragma once
+#include <vector>
+
+#include "analysis/branch.hpp"
+
+namespace phy {
+
+/// The history with the deviatoric stress in the place of the axial stress; both platens alike.
+History deviatoric(History history);
+
+/// sigma_1, sigma_3 [Pa] and confinement_error [1] of a history as recorded, whose deviatoric branch is
+/// given.
+std::vector<Number> confined_strength(const History& history, const LoadingBranch& branch,
+                                      double confining_stress);
+
+}  // namespace phy

@@ -1,0 +1,79 @@
+#include "analysis/shear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/stats.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double residual_part = 0.25;  // of the shear displacement, at its end
+
+using Rows = std::vector<const HistoryRow*>;
+
+Rows between(const History& history, double from, double to) {
+  Rows rows;
+  for (const HistoryRow& r : history.rows)
+    if (r.axial_strain >= from && r.axial_strain <= to) rows.push_back(&r);
+  return rows;
+}
+
+double mean(const Rows& rows, double HistoryRow::*value) {
+  double sum = 0.0;
+  for (const HistoryRow* r : rows) sum += r->*value / static_cast<double>(rows.size());
+  return rows.empty() ? nan : sum;
+}
+
+double slope(const Rows& rows, double HistoryRow::*y) {
+  std::vector<double> u, v;
+  for (const HistoryRow* r : rows) u.push_back(r->axial_strain), v.push_back(r->*y);
+  return fit_line(u, v).slope;
+}
+
+double load_error(const Rows& rows, const NormalLoad& load) {
+  double worst = 0.0;
+  for (const HistoryRow* r : rows) {
+    const double target = load.stress - load.stiffness * r->lateral_strain;
+    worst = std::max(worst, std::fabs(r->lateral_stress / target - 1.0));
+  }
+  return load.stress > 0.0 ? worst : nan;
+}
+
+}  // namespace
+
+std::vector<Number> shear_numbers(const History& history, const LoadingBranch& branch,
+                                  const NormalLoad& load) {
+  const std::string note = branch_note(branch);
+  const double end = history.rows.empty() ? nan : history.rows.back().axial_strain;
+  const Rows rising = between(history, 0.0, branch.strain);
+  const Rows residual = between(history, (1.0 - residual_part) * end, end);
+  const Rows sliding = between(history, 0.5 * (branch.strain + end), end);
+  Rows middle;
+  for (const HistoryRow& r : first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
+  const double tau_residual = mean(residual, &HistoryRow::axial_stress);
+  return {
+      {"tau_peak", branch.peaked ? branch.largest : nan, "Pa",
+       "largest shear stress (mean of both boxes over the initial width)", note},
+      {"u_peak", branch.peaked ? branch.strain : nan, "m", "shear displacement at the largest shear stress",
+       note},
+      {"tau_residual", tau_residual, "Pa",
+       "mean shear stress over the last quarter of the shear displacement", note},
+      {"sigma_n", mean(rising, &HistoryRow::lateral_stress), "Pa", "mean normal stress up to the peak", note},
+      {"sigma_n_error", load_error(rising, load), "1",
+       "largest relative deviation of the normal stress from the load asked for, up to the peak",
+       load.stress > 0.0 ? note : "no normal stress"},
+      {"K_s", slope(middle, &HistoryRow::axial_stress), "Pa/m",
+       "slope of shear stress over shear displacement between 40 and 60 % of tau_peak", note},
+      {"mu_residual", tau_residual / mean(residual, &HistoryRow::lateral_stress), "1",
+       "tau_residual over the mean normal stress of the same quarter",
+       load.stress > 0.0 ? note : "no normal stress"},
+      {"dilation", -std::atan(slope(sliding, &HistoryRow::lateral_strain)) * 180.0 / std::numbers::pi, "deg",
+       "angle of dilation: opening over shear displacement in the second half of the sliding after the peak",
+       note}};
+}
+
+}  // namespace phy

@@ -1,0 +1,40 @@
+// Biaxial compression: a specimen under constant confining stress, shortened along y.
+//
+//   prepare   platens and sides bring the specimen to test.confining_stress all round, along a ramp as slow
+//   as the
+//             later loading; done when both stresses are within 0.5 % for ten blocks in a row. Bonds may
+//             break.
+//   load      strains count from here; platens close at test.platen_speed, the sides keep the stress
+//
+// Sides (test.confinement): "walls", two frictionless rigid walls, each under a servo (engine/rig.hpp), as in
+// a press with side platens; "jacket", a pressure on the grains that a horizontal ray from outside meets
+// first, as a rubber jacket: sides may bulge. Without confining stress there are no sides: the uniaxial
+// press.
+//
+// History: axial stress is the mean platen force over the initial width, lateral stress that of the walls
+// over the initial height (mean over each block, which is what the servo sees) or the jacket's pressure.
+// Numbers: analysis/confined.hpp. Stop rule on the deviatoric stress.
+#pragma once
+#include "lab/lab_test.hpp"
+
+namespace phy {
+
+class BiaxialTest final : public LabTest {
+ public:
+  BiaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+
+ private:
+  void on_placed() override;
+  bool prepare(std::int64_t n_blocks) override;
+  void drive() override;
+  Reading reading(const HistoryRow& row) const override { return {row.deviatoric_stress, row.axial_strain}; }
+  double first_stop_strain() const override { return 2e-4; }
+  AnalysisOptions analysis() const override;
+
+  /// Servos of platens and sides towards a stress all round [Pa]; sides alone while the platens are driven.
+  void confine(double stress, bool platens_too);
+
+  int steady_ = 0;  // blocks in a row at the target
+};
+
+}  // namespace phy

@@ -1,0 +1,41 @@
+// Direct shear along a horizontal plane half-way up, as in a shear box.
+//
+//   prepare   the upper box presses down with test.normal_stress, as slowly as it shears later
+//   load      displacements count from here; the boxes slide past each other, each at test.platen_speed, to a
+//             shear displacement of test.max_strain times the width
+//
+// The boxes hold all grains but those within test.shear_gap / 2 of the plane, in both directions and against
+// turning, like rock cast into grout; with a gap of 0 two rigid halves meet on the plane. The upper box
+// carries the normal load: constant (test.normal_stiffness = 0), or growing with dilation,
+//   sigma = normal_stress + normal_stiffness * dilation
+// Bedding at theta = 0 with a plane through the centre is sheared along a plane; other angles shear across.
+//
+// History: shear stress and normal stress are the forces of the boxes over the initial width; shear
+// displacement and normal closure (dilation negative) are those of the boxes [m]. The test always runs to its
+// end, for the residual stress. Numbers: analysis/shear.hpp.
+#pragma once
+#include "lab/lab_test.hpp"
+
+namespace phy {
+
+class DirectShearTest final : public LabTest {
+ public:
+  DirectShearTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+
+ private:
+  void on_placed() override;
+  bool prepare(std::int64_t n_blocks) override;
+  void drive() override;
+  Reading reading(const HistoryRow& row) const override {
+    return {row.axial_stress, row.axial_strain / packing().width};
+  }
+  bool ends_after_peak() const override { return false; }
+
+  AnalysisOptions analysis() const override;
+
+  Servo normal_load(double stress, double spring, double offset) const;
+
+  int steady_ = 0;  // blocks in a row at the target
+};
+
+}  // namespace phy

@@ -1,0 +1,58 @@
+// The shear box: constant normal load, constant normal stiffness, energy. Strength and stiffness of rigid
+// halves are V20 of `phyllite verify`.
+#include "lab/direct_shear.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lab/rigs.hpp"
+#include "lab/test_bench.test.hpp"
+
+namespace phy {
+namespace {
+
+Recipe box() {
+  Recipe r = small_rock(TestKind::direct_shear);
+  r.specimen = {0.016, 0.008};
+  r.bedding.resize(1);
+  r.bedding.front().spacing = 0.05, r.bedding.front().rule = BeddingRule::crossing;
+  r.bedding.front().mu = 0.5, r.bedding.front().psi = 10.0;
+  r.test.normal_stress = 4e6;
+  r.test.max_strain = 3e-3;
+  r.test.platen_speed = 0.01;
+  return r;
+}
+
+TEST(DirectShear, ConstantNormalLoadAndDilation) {
+  const TestResult r = run_alone(box());
+  ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
+  EXPECT_NEAR(number(r, "sigma_n").value, 4e6, 0.02 * 4e6);
+  EXPECT_GT(number(r, "tau_peak").value, number(r, "tau_residual").value);
+  EXPECT_NEAR(number(r, "mu_residual").value, 0.5, 0.01);
+  EXPECT_LT(number(r, "energy_error").value, 5e-3);
+  EXPECT_NEAR(number(r, "dilation").value, 10.0, 0.2) << "that of the joints";
+}
+
+// With a stiff normal support dilation raises the normal stress along the line asked for.
+TEST(DirectShear, ConstantNormalStiffness) {
+  Recipe r = box();
+  r.test.normal_stiffness = 1000e9;
+  const TestResult result = run_alone(r);
+  const HistoryRow& last = result.history.rows.back();
+  ASSERT_LT(last.lateral_strain, -1e-6);
+  EXPECT_NEAR(last.lateral_stress / (4e6 - 1000e9 * last.lateral_strain), 1.0, 0.02);
+  EXPECT_GT(last.lateral_stress, 6e6);
+}
+
+TEST(DirectShear, BoxesHoldAllButTheGap) {
+  const Recipe r = box();
+  const auto packing = small_packing(r);
+  for (const double gap : {0.0, 0.002}) {
+    const Rig rig = shear_boxes(*packing, gap);
+    std::size_t free = 0;
+    for (const Disc& d : packing->discs) free += std::fabs(d.y - 0.5 * packing->height) < 0.5 * gap ? 1 : 0;
+    EXPECT_EQ(rig.tools[0].grips.size() + rig.tools[1].grips.size() + free, packing->discs.size());
+  }
+}
+
+}  // namespace
+}  // namespace phy

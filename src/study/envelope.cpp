@@ -1,0 +1,100 @@
+#include "study/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/analyse.hpp"
+
+namespace phy {
+namespace {
+
+/// Inclination from across the load, 0 ... 90 [deg].
+double folded(double theta) { return theta > 90.0 ? 180.0 - theta : theta; }
+
+std::vector<SpecimenEnvelope> collect(const EnvelopeTests& tests) {
+  std::vector<SpecimenEnvelope> all(tests.results.empty() ? 0 : tests.results.front().size());
+  for (std::size_t i = 0; i < tests.confining.size(); ++i) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const TestResult& r = tests.results[i][k];
+      all[k].name = r.name, all[k].intact = r.intact, all[k].theta = r.theta;
+      const Number* sigma_1 = find(r.numbers, "sigma_1");
+      if (r.outcome.status == Status::peaked && sigma_1 != nullptr && std::isfinite(sigma_1->value))
+        all[k].readings.push_back({tests.confining[i], sigma_1->value});
+    }
+  }
+  return all;
+}
+
+/// k = m(theta) / m_i, errors of both taken as independent.
+void fit_anisotropy(Envelope& envelope) {
+  const SpecimenEnvelope* across = nullptr;
+  for (const SpecimenEnvelope& s : envelope.specimens)
+    if (!s.intact && s.hoek_brown.ok && (across == nullptr || folded(s.theta) < folded(across->theta)))
+      across = &s;
+  if (across == nullptr) return;
+  const Estimate m_i = across->hoek_brown.m_i;
+  envelope.m_i = m_i.value;
+  for (SpecimenEnvelope& s : envelope.specimens) {
+    if (s.intact || !s.hoek_brown.ok) continue;
+    const Estimate m = s.hoek_brown.m_i;
+    s.k.value = m.value / m_i.value;
+    s.k.se = &s == across ? 0.0 : s.k.value * std::hypot(m.se / m.value, m_i.se / m_i.value);
+  }
+}
+
+void fit_plane(Envelope& envelope) {
+  const SpecimenEnvelope* matrix = nullptr;
+  std::vector<StrengthReading> readings;
+  for (const SpecimenEnvelope& s : envelope.specimens) {
+    if (!s.intact)
+      for (const EnvelopeReading& r : s.readings) readings.push_back({s.theta, r.sigma_1, r.sigma_3});
+    if (!s.mohr_coulomb.ok) continue;
+    if (matrix == nullptr || s.mohr_coulomb.ucs.value > matrix->mohr_coulomb.ucs.value) matrix = &s;
+  }
+  if (matrix == nullptr) {
+    envelope.plane.reason = "no specimen has a Mohr-Coulomb envelope";
+    return;
+  }
+  envelope.matrix = matrix->name;
+  const Coulomb rock{matrix->mohr_coulomb.cohesion.value, matrix->mohr_coulomb.friction.value};
+  envelope.plane = fit_jaeger(readings, [rock](double sigma_3) { return coulomb_sigma_1(rock, sigma_3); });
+}
+
+}  // namespace
+
+Recipe confined_recipe(Recipe recipe, double confining_stress) {
+  recipe.test.kind = TestKind::biaxial;
+  recipe.test.confining_stress = confining_stress;
+  recipe.test.jump_strain = 0.0;
+  return recipe;
+}
+
+EnvelopeTests run_envelope(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                           const Recipe& recipe, const std::vector<double>& confining,
+                           const MachineOptions& machine, const OnConfinedResult& on_result,
+                           const std::atomic<bool>* stop) {
+  EnvelopeTests tests{confining, {}};
+  for (std::size_t i = 0; i < confining.size(); ++i) {
+    ScheduleHooks hooks;
+    hooks.stop = stop;
+    if (on_result)
+      hooks.on_result = [&](std::size_t k, const TestResult& result) { on_result(i, k, result); };
+    tests.results.push_back(run_tests(specimens, confined_recipe(recipe, confining[i]), machine, hooks));
+  }
+  return tests;
+}
+
+Envelope fit_envelope(const EnvelopeTests& tests) {
+  Envelope envelope;
+  envelope.specimens = collect(tests);
+  for (SpecimenEnvelope& s : envelope.specimens) {
+    s.mohr_coulomb = fit_mohr_coulomb(s.readings);
+    s.hoek_brown = fit_hoek_brown(s.readings);
+  }
+  fit_anisotropy(envelope);
+  fit_plane(envelope);
+  return envelope;
+}
+
+}  // namespace phy

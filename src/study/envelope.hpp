@@ -1,0 +1,56 @@
+// Strength envelope: the specimens of a recipe under several confining stresses.
+//
+// Every specimen (bedding angles, intact rock) goes through one biaxial test per confining stress; without
+// confining stress that is the uniaxial press (lab/biaxial.hpp). Peaks give Mohr-Coulomb and Hoek-Brown per
+// specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness (Jaeger, in the
+// strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of the specimen
+// whose planes lie nearest to across the load.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/scheduler.hpp"
+#include "theory/envelope_fit.hpp"
+#include "theory/jaeger_fit.hpp"
+
+namespace phy {
+
+/// The specimens of the recipe and their tests: results[i][k] is specimen k under confining[i] [Pa].
+struct EnvelopeTests {
+  std::vector<double> confining;
+  std::vector<std::vector<TestResult>> results;
+};
+
+/// Called from a worker, one at a time, for every test that has ended.
+using OnConfinedResult = std::function<void(std::size_t stress, std::size_t specimen, const TestResult&)>;
+
+/// The recipe of the tests under one confining stress [Pa].
+Recipe confined_recipe(Recipe recipe, double confining_stress);
+
+/// Runs the tests stress by stress; `specimens` are those of the recipe.
+EnvelopeTests run_envelope(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                           const Recipe& recipe, const std::vector<double>& confining,
+                           const MachineOptions& machine, const OnConfinedResult& on_result = {},
+                           const std::atomic<bool>* stop = nullptr);
+
+/// One specimen over all confining stresses.
+struct SpecimenEnvelope {
+  std::string name;
+  bool intact = false;
+  double theta = 0.0;                     ///< [deg]
+  std::vector<EnvelopeReading> readings;  ///< of the tests that peaked
+  MohrCoulombFit mohr_coulomb;
+  HoekBrownFit hoek_brown;
+  Estimate k;  ///< Saroglou & Tsiambaos; NaN for the intact rock
+};
+
+struct Envelope {
+  std::vector<SpecimenEnvelope> specimens;
+  std::string matrix;  ///< name of the specimen taken as the matrix in Jaeger's theory
+  JaegerFit plane;
+  double m_i = std::numeric_limits<double>::quiet_NaN();  ///< of the specimen with k = 1
+};
+
+Envelope fit_envelope(const EnvelopeTests& tests);
+
+}  // namespace phy

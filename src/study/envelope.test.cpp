@@ -1,0 +1,76 @@
+// Envelopes: from peaks to fits, and the whole way on a small specimen.
+#include "study/envelope.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/analyse.hpp"
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "theory/hoek_brown.hpp"
+
+namespace phy {
+namespace {
+
+TestResult peak(double theta, double sigma_1) {
+  TestResult r;
+  r.name = "theta = " + std::to_string(static_cast<int>(theta)) + " deg";
+  r.kind = TestKind::biaxial, r.intact = false, r.theta = theta;
+  r.outcome.status = Status::peaked;
+  r.numbers = {{"sigma_1", sigma_1, "Pa", "", ""}};
+  return r;
+}
+
+// Rock made of Saroglou & Tsiambaos: m_i = 10, k = 1 and 0.6.
+TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
+  EnvelopeTests tests{{0.0, 5e6, 10e6, 20e6}, {}};
+  for (const double s : tests.confining)
+    tests.results.push_back({peak(0.0, saroglou_tsiambaos_sigma_1(90e6, 1.0, 10.0, s)),
+                             peak(45.0, saroglou_tsiambaos_sigma_1(50e6, 0.6, 10.0, s)),
+                             peak(60.0, saroglou_tsiambaos_sigma_1(40e6, 0.6, 10.0, s))});
+  tests.results[1][1].outcome.status = Status::unstable;
+  tests.results[1][1].numbers[0].value = 1e9;
+  const Envelope e = fit_envelope(tests);
+  EXPECT_NEAR(e.m_i, 10.0, 1e-6);
+  EXPECT_NEAR(e.specimens[0].k.value, 1.0, 1e-12);
+  EXPECT_EQ(e.specimens[1].readings.size(), 3u);
+  EXPECT_NEAR(e.specimens[1].k.value, 0.6, 1e-6);
+  EXPECT_NEAR(e.specimens[2].hoek_brown.ucs.value, 40e6, 1.0);
+  EXPECT_EQ(e.matrix, "theta = 0 deg");
+  EXPECT_TRUE(e.plane.ok) << e.plane.reason;
+}
+
+TEST(Envelope, ConfinementStrengthensAndOneThreadGivesTheSameBits) {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 330;
+  r.bedding.resize(1);
+  r.bedding.front().spacing = 0.002;
+  r.test.angles = {0.0, 90.0};
+  r.test.platen_speed = 0.1;
+  r.test.history_interval = 50;
+  r.test.confinement = Confinement::jacket;
+  r.test.stop_at = 0.9, r.test.max_strain = 0.05;
+  r.engine.precision = Precision::single_precision;
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  std::vector<std::shared_ptr<const Specimen>> specimens;
+  for (Specimen& s : make_specimens(packing, r))
+    specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  MachineOptions one, two;
+  one.isa = two.isa = native_isa();
+  two.threads = 2, two.lanes = 4;
+  const std::vector<double> confining = {0.0, 4e6, 8e6};
+  const EnvelopeTests a = run_envelope(specimens, r, confining, one),
+                      b = run_envelope(specimens, r, confining, two);
+  for (std::size_t i = 0; i < confining.size(); ++i)
+    for (std::size_t k = 0; k < specimens.size(); ++k) EXPECT_EQ(a.results[i][k].hash, b.results[i][k].hash);
+  for (std::size_t k = 0; k < specimens.size(); ++k) {
+    ASSERT_EQ(a.results[2][k].outcome.status, Status::peaked) << a.results[2][k].outcome.reason;
+    EXPECT_GT(find(a.results[2][k].numbers, "sigma_1")->value,
+              find(a.results[0][k].numbers, "sigma_1")->value + 8e6);
+  }
+}
+
+}  // namespace
+}  // namespace phy
