@@ -126,6 +126,22 @@ std::vector<TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Spe
   return curves;
 }
 
+/// Threads, lanes and instruction set; prints them.
+MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
+                              std::size_t n_specimens) {
+  MachineOptions machine;
+  machine.isa = native_isa();
+  machine.threads = session.threads > 0 ? session.threads : available_cores();
+  machine.lanes = args.lanes;
+  machine.skew = args.skew;
+  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lane(s) of {}, {} thread(s)\n",
+             n_specimens, recipe.test.platen_speed,
+             recipe.engine.precision == Precision::double_precision ? "double" : "single",
+             lanes_for(n_specimens, recipe.engine.precision, machine), to_string(machine.isa),
+             machine.threads);
+  return machine;
+}
+
 int run_one(const std::string& path, const RunArguments& args, const Session& session, bool several) {
   const Recipe recipe = read_recipe(path);
   const std::string folder =
@@ -134,16 +150,7 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   const auto start = std::chrono::steady_clock::now();
   fmt::print("recipe    {} ({})\n", recipe.name, path);
   const Made made = make_all(recipe, args.no_cache);
-  MachineOptions machine;
-  machine.isa = native_isa();
-  machine.threads = session.threads > 0 ? session.threads : available_cores();
-  machine.lanes = args.lanes;
-  machine.skew = args.skew;
-  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lane(s) of {}, {} thread(s)\n",
-             made.specimens.size(), recipe.test.platen_speed,
-             recipe.engine.precision == Precision::double_precision ? "double" : "single",
-             lanes_for(made.specimens.size(), recipe.engine.precision, machine), to_string(machine.isa),
-             machine.threads);
+  const MachineOptions machine = chosen_machine(recipe, args, session, made.specimens.size());
   std::fflush(stdout);
   ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
   LivePlot plot(curves_of(made.specimens));

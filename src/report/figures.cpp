@@ -55,7 +55,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
   s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
   s.add(
       "set xrange [0:*]; set yrange [0:*]; set key outside right top reverse Left; set lmargin at screen "
-      "0.09");
+      "0.11");
   std::vector<std::string> parts;
   std::array<std::vector<Row>, 3> marks;
   const std::array<std::string, 3> names = {"sigma_ci", "sigma_cd", axes.strength};
