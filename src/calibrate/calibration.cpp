@@ -165,7 +165,7 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   make_ready(result.recipe, rock, targets);
   if (!of_property(targets, Property::brazilian).empty())
     result.notes.emplace_back(
-        "BTS was not fitted: of the tests in tension this version runs the direct one (DTS)");
+        "BTS was not fitted: of the tests in tension the calibration uses the direct one (DTS)");
   add_identifiability(result, rock);
   judge(result, elastic, short_search);
   if (!done)
