@@ -44,6 +44,23 @@ std::vector<std::string> hashes(const Recipe& r,
   return h;
 }
 
+// Every kind of test: the narrowest lanes of the portable instruction set on one thread, and the widest of
+// this processor on two.
+TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
+  for (const TestKind kind : all_kinds) {
+    Recipe r = small_recipe(Precision::single_precision);
+    r.test.kind = kind;
+    r.test.confining_stress = r.test.normal_stress = 5e6;
+    r.test.shear_gap = 0.002;
+    r.test.max_strain = 0.004;
+    const auto specimens = specimens_of(r);
+    MachineOptions narrow, wide;
+    narrow.lanes = 4, narrow.skew = 1;
+    wide.isa = native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
+    EXPECT_EQ(hashes(r, specimens, narrow), hashes(r, specimens, wide)) << to_string(kind);
+  }
+}
+
 class OneHash : public testing::TestWithParam<Precision> {};
 
 TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
