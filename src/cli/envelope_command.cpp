@@ -75,7 +75,7 @@ void print_strengths(const EnvelopeTests& tests) {
   }
 }
 
-void print_fits(const Envelope& envelope) {
+void print_fits(const Envelope& envelope, std::size_t n_stresses) {
   fmt::print("\n{:<16} {:>16} {:>16} {:>7} {:>18} {:>16} {:>7} {:>16}\n", "least squares", "c [MPa]",
              "phi [deg]", "R2", "ucs_hb [MPa]", "m_i", "R2", "k");
   std::string reasons;
@@ -88,6 +88,10 @@ void print_fits(const Envelope& envelope) {
                R2(s.mohr_coulomb.ok, s.mohr_coulomb.R2), with_error(s.hoek_brown.ucs, 1e-6, 2),
                with_error(s.hoek_brown.m_i, 1.0, 2), R2(s.hoek_brown.ok, s.hoek_brown.R2),
                with_error(s.k, 1.0, 3));
+    if (s.readings.size() < n_stresses)
+      reasons += fmt::format(
+          "{}: {} of {} tests peaked, the others give no reading (test.stop_at, test.max_strain)\n", s.name,
+          s.readings.size(), n_stresses);
     if (!s.mohr_coulomb.ok)
       reasons += fmt::format("{}: no Mohr-Coulomb envelope: {}\n", s.name, s.mohr_coulomb.reason);
     if (!s.hoek_brown.ok)
@@ -166,7 +170,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const EnvelopeTests tests = run_envelope(specimens, recipe, confining, machine, on_result);
   const Envelope envelope = fit_envelope(tests);
   print_strengths(tests);
-  print_fits(envelope);
+  print_fits(envelope, tests.confining.size());
   write_file((out / "envelope.csv").string(), strengths_csv(tests));
   write_file((out / "fits.csv").string(), fits_csv(envelope));
   fmt::print("results in {}: envelope.csv, fits.csv, one folder per test\n", args.out);

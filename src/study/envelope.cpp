@@ -9,6 +9,8 @@
 namespace phy {
 namespace {
 
+constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
+
 /// Inclination from across the load, 0 ... 90 [deg].
 double folded(double theta) { return theta > 90.0 ? 180.0 - theta : theta; }
 
@@ -32,7 +34,7 @@ void fit_anisotropy(Envelope& envelope) {
   for (const SpecimenEnvelope& s : envelope.specimens)
     if (!s.intact && s.hoek_brown.ok && (across == nullptr || folded(s.theta) < folded(across->theta)))
       across = &s;
-  if (across == nullptr) return;
+  if (across == nullptr || folded(across->theta) > across_planes) return;
   const Estimate m_i = across->hoek_brown.m_i;
   envelope.m_i = m_i.value;
   for (SpecimenEnvelope& s : envelope.specimens) {

@@ -4,7 +4,8 @@
 // confining stress that is the uniaxial press (lab/biaxial.hpp). Peaks give Mohr-Coulomb and Hoek-Brown per
 // specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness (Jaeger, in the
 // strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of the specimen
-// whose planes lie nearest to across the load.
+// whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A test that did
+// not peak gives no reading.
 #pragma once
 #include <string>
 #include <vector>
