@@ -151,7 +151,8 @@ std::string hash_of(const TestResult& result) {
          {c.time, c.strain, c.position.x, c.position.y, c.normal.x, c.normal.y, c.size, c.energy})
       h.add(v);
   }
-  if (!result.snapshots.empty())
+  // After a blow-up positions are no numbers, and which ones depends on the neighbours in the lanes.
+  if (!result.snapshots.empty() && result.outcome.status != Status::unstable)
     for (const GrainState& g : result.snapshots.back().grains) h.add(g.ux), h.add(g.uy), h.add(g.rotation);
   return h.text();
 }
