@@ -220,7 +220,7 @@ Fig. 6; its Table 3, Table 4 and the curves of its figures are not in it, so we 
 
 Specimen: 38 x 76 mm, 7,481 discs, Tables 1 and 2; `examples/paper/press.toml` states what the paper leaves open. Press:
 {0} m/s per platen, single precision, jump start to strain {1}. Factors 0.25, 0.5, 1, 1.5, 2 of each of six parameters, one
-at a time, seven angles: {2} tests with the intact rock, {3:.2f} million cycles, {4:.0f} s of CPU on a busy machine.
+at a time, seven angles: {2} tests with the intact rock, {3:.2f} million cycles, {4:.0f} s of CPU.
 {5}
 +- is the 95 % interval of the mean over packings (one packing where there is none).
 
