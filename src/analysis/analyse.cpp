@@ -30,7 +30,15 @@ void add(std::vector<Number>& out, std::vector<Number> more) {
   out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// What every kind of test has: strength, elasticity, damage, cracks, energies, checks.
+/// What every kind of test has.
+void add_cracks_energies_checks(std::vector<Number>& out, const History& history, const LoadingBranch& branch,
+                                const std::vector<CrackEvent>& cracks) {
+  add(out, crack_numbers(branch, cracks));
+  add(out, energy_budget(branch, history));
+  add(out, run_checks(branch, history));
+}
+
+/// A specimen loaded along its axis: strength, elasticity, damage, cracks, energies, checks.
 std::vector<Number> press(const History& history, const LoadingBranch& branch,
                           const std::vector<CrackEvent>& cracks, const AnalysisOptions& options) {
   std::vector<Number> out = strength(branch);
@@ -38,9 +46,7 @@ std::vector<Number> press(const History& history, const LoadingBranch& branch,
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
   add(out, crack_initiation(branch, cracks, options.jump_strain));
   out.push_back(crack_damage(branch));
-  add(out, crack_numbers(branch, cracks));
-  add(out, energy_budget(branch, history));
-  add(out, run_checks(branch, history));
+  add_cracks_energies_checks(out, history, branch, cracks);
   return out;
 }
 
@@ -73,9 +79,7 @@ std::vector<Number> disc(const History& history, const std::vector<CrackEvent>& 
                                       std::hypot(x, y)));
   add(out, place);
   add(out, crack_initiation(branch, cracks, 0.0));
-  add(out, crack_numbers(branch, cracks));
-  add(out, energy_budget(branch, history));
-  add(out, run_checks(branch, history));
+  add_cracks_energies_checks(out, history, branch, cracks);
   return out;
 }
 
@@ -96,9 +100,7 @@ std::vector<Number> shear(const History& history, const std::vector<CrackEvent>&
   branch.strength = "tau_peak", branch.stress = "shear stress", branch.tool = "box";
   std::vector<Number> out = shear_numbers(history, branch, options.normal_load);
   add(out, crack_initiation(branch, cracks, 0.0));
-  add(out, crack_numbers(branch, cracks));
-  add(out, energy_budget(branch, history));
-  add(out, run_checks(branch, history));
+  add_cracks_energies_checks(out, history, branch, cracks);
   return out;
 }
 

@@ -30,8 +30,8 @@ struct AnalysisOptions {
   double jump_strain = 0.0;       ///< axial strain of a jump start, 0: none; cracks below it could not show
   StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of ucs
   double secant = 0.5;               ///< level of E_secant, fraction of ucs
-  StressRange small_strain = {
-      0.1, 0.2};  ///< of E_small: before cracking, comparable with the direct elastic solution
+  /// Of E_small: before cracking, comparable with the direct elastic solution.
+  StressRange small_strain = {0.1, 0.2};
 };
 
 /// All numbers of one test, by the kind that its history names, in the order above.

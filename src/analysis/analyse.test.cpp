@@ -57,6 +57,25 @@ TEST(Analyse, EveryNumberHasItsOwnNameAUnitAndADefinition) {
   EXPECT_EQ(find({}, "ucs"), nullptr);
 }
 
+// "Axial stress" is what the uniaxial press reads; under it the column of a disc holds a tension, that of a
+// shear box a shear stress.
+TEST(Analyse, DefinitionsSpeakOfTheStressOfTheirTest) {
+  for (const auto& [kind, stress] : {std::pair{TestKind::uniaxial, "axial stress"},
+                                     {TestKind::direct_tension, "tension"},
+                                     {TestKind::brazilian, "tension at the centre of an elastic disc"},
+                                     {TestKind::biaxial, "deviatoric stress"},
+                                     {TestKind::direct_shear, "shear stress"}}) {
+    History h = marble();
+    h.kind = kind, h.width = h.height = 0.1;
+    const auto numbers = analyse(h, {});
+    EXPECT_EQ(find(numbers, "sigma_first_crack")->definition, std::string(stress) + " at the first crack");
+    for (const Number& n : numbers) {
+      if (kind == TestKind::uniaxial || n.name == "sigma_1") continue;  // that one is the axial stress
+      EXPECT_EQ(n.definition.find("axial stress"), std::string::npos) << n.name << ": " << n.definition;
+    }
+  }
+}
+
 /// What has no finite value must be NaN and say why.
 void expect_told(const History& h, const std::vector<CrackEvent>& cracks) {
   for (const Number& n : analyse(h, cracks))

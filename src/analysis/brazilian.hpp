@@ -1,11 +1,10 @@
 // Brazilian test: indirect tensile strength, and whether it is one.
 //
-//   bts              largest tension at the centre that elasticity gives for the platen force, 2P/(pi D t)
-//   times
-//                    Hondros' factor of the arc
-//   first_crack_y    place of the first crack along the loading diameter, from the centre, over D (+-0.5 =
-//   rim) first_crack_x    the same across it central_cracks   share of the cracks up to the peak that lie in
-//   the central third both ways
+//   bts              largest tension at the centre that elasticity gives for the platen force,
+//                    2P/(pi D t) times Hondros' factor of the arc
+//   first_crack_y    place of the first crack along the loading diameter, from the centre, over D; +-0.5: rim
+//   first_crack_x    the same across it
+//   central_cracks   share of the cracks up to the peak that lie in the central third both ways
 // The formula holds if the disc splits from its centre. A first crack outside the central third says so in
 // the note of bts: the platens broke the rim, the value is then no tensile strength. Source of the test: ISRM
 // suggested methods (1978), IJRMMS 15:99-103.

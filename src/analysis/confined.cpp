@@ -19,10 +19,9 @@ std::vector<Number> confined_strength(const History& history, const LoadingBranc
   Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress", branch_note(branch)};
   Number lateral{"sigma_3", nan, "Pa", "lateral stress at the largest deviatoric stress",
                  branch_note(branch)};
-  Number error{
-      "confinement_error", nan, "1",
-      "largest |lateral stress (mean over a block) / target - 1| from the start of loading to the peak",
-      branch_note(branch)};
+  Number error{"confinement_error", nan, "1",
+               "largest |lateral stress / target - 1| from the start of loading to the peak",
+               branch_note(branch)};
   for (const HistoryRow& r : history.rows) {
     if (branch.empty() || r.axial_strain > branch.strain) break;
     if (confining_stress > 0.0)

@@ -60,9 +60,9 @@ Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFro
   Number n{
       std::move(name), nan, "Pa",
       fmt::format(
-          "slope of the least-squares line of axial stress over axial strain of the {} at the first passage "
-          "between {} of {}, before the peak",
-          place_of(branch, from), range_text(range), branch.strength),
+          "slope of the least-squares line of {} over axial strain of the {} at the first passage between {} "
+          "of {}, before the peak",
+          branch.stress, place_of(branch, from), range_text(range), branch.strength),
       ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
   return n;
@@ -82,8 +82,8 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
 
 Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom from, std::string name) {
   Number n{std::move(name), nan, "Pa",
-           fmt::format("axial stress over axial strain of the {} where the stress first reaches {:g} % of {}",
-                       place_of(branch, from), 100 * fraction, branch.strength),
+           fmt::format("{} over axial strain of the {} where the stress first reaches {:g} % of {}",
+                       branch.stress, place_of(branch, from), 100 * fraction, branch.strength),
            branch_note(branch)};
   const double level = fraction * branch.largest;
   const auto strain = axial_strain_of(from);

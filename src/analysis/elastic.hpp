@@ -2,8 +2,9 @@
 //
 // The modulus depends on where on the curve it is read: cracks close, then open. So every definition carries
 // its range.
-//   tangent   slope of the straight line fitted to stress over strain in a range of stress, usual: 40-60 % of
-//   ucs secant    stress / strain at one level, usual: 50 % of ucs; counts from the history's zero of strain
+//   tangent   slope of the straight line fitted to stress over strain in a range of stress, usual: 40-60 %
+//             of ucs
+//   secant    stress / strain at one level, usual: 50 % of ucs; counts from the history's zero of strain
 //   nu        -slope of lateral over axial strain in the same range
 // The fit is plain least squares of stress on strain: the strains are far less noisy than the platen forces.
 // Read as plane stress these are E and nu of the rock; a plane-strain reading needs E (1 - nu'^2), nu' = nu /

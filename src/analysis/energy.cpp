@@ -80,7 +80,7 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
   for (const HistoryColumn& c : energy_columns())
     out.push_back({std::string("energy_") + c.name + "_at_peak",
                    present && branch.peaked ? branch.rows.back().*c.value : nan, "J/m",
-                   std::string(c.meaning) + ", at the largest axial stress",
+                   std::string(c.meaning) + ", at the largest " + branch.stress,
                    joined(branch_note(branch), missing)});
   return out;
 }

@@ -15,11 +15,11 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
 /// Checks, all [1]:
 ///   energy_error         largest |work not accounted for| of any row / largest boundary work of the test
 ///   energy_error_of_row  largest |energy_error| of any row, each over the work up to its own row (large
-///   where the work
-///                        has hardly begun)
+///                        where the work has hardly begun)
 ///   kinetic_ratio        largest kinetic / stored energy from 20 % of ucs to the peak; quasi-static: well
-///   below 1e-2 platen_difference    largest |top - bottom platen stress| / ucs before the peak; and _95: not
-///   exceeded by 95 % of rows
+///                        below 1e-2
+///   platen_difference    largest |top - bottom platen stress| / ucs before the peak; and _95: not exceeded
+///                        by 95 % of rows
 std::vector<Number> run_checks(const LoadingBranch& branch, const History& history);
 
 }  // namespace phy

@@ -2,9 +2,9 @@
 //
 //   tau_peak, u_peak   largest shear stress and the shear displacement there
 //   tau_residual       mean shear stress over the last quarter of the shear displacement
-//   sigma_n            mean normal stress up to the peak; sigma_n_error: its largest relative deviation from
-//   the
-//                      normal load asked for, from the start to the peak
+//   sigma_n            mean normal stress up to the peak
+//   sigma_n_error      its largest relative deviation from the normal load asked for, from the start to the
+//                      peak
 //   K_s                slope of shear stress over shear displacement between 40 and 60 % of tau_peak
 //   mu_residual        tau_residual over the mean normal stress there
 //   dilation           angle of dilation: slope of opening over shear displacement in the second half of the

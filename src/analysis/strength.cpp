@@ -44,10 +44,11 @@ std::vector<Number> strength(const LoadingBranch& branch) {
 
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
                                      double jump_strain) {
+  const std::string stress = branch.stress;
   Number ci{"sigma_ci", nan, "Pa",
-            "axial stress when the number of cracks reaches max(3, 1 % of the cracks at the peak)",
+            stress + " when the number of cracks reaches max(3, 1 % of the cracks at the peak)",
             branch_note(branch)};
-  Number first{"sigma_first_crack", nan, "Pa", "axial stress at the first crack", ""};
+  Number first{"sigma_first_crack", nan, "Pa", stress + " at the first crack", ""};
   if (branch.empty()) {
     first.note = branch_note(branch);
     return {ci, first};
@@ -63,7 +64,8 @@ std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vec
 
 Number crack_damage(const LoadingBranch& branch) {
   Number n{"sigma_cd", nan, "Pa",
-           "axial stress where the volumetric strain (axial + lateral, gauge) is largest, before the peak",
+           std::string(branch.stress) +
+               " where the volumetric strain (axial + lateral, gauge) is largest, before the peak",
            branch_note(branch)};
   const HistoryRow *first = nullptr, *best = nullptr, *last = nullptr;
   double largest = -std::numeric_limits<double>::infinity();

@@ -1,12 +1,11 @@
 // Strength and the two stresses at which damage begins, of a compression test.
 //   ucs        largest axial stress; no smoothing, no parabola through the neighbours: the definition of the
-//   laboratory sigma_ci   crack initiation: axial stress at crack number max(3, 1 % of the cracks at the
-//   peak). The 1 % rule is
-//              that of Potyondy & Cundall 2004 (IJRMMS 41:1329-1364); at least three, because single weak
-//              bonds break early
-//   sigma_cd   crack damage: axial stress where the volumetric strain eps_axial + eps_lateral (two
-//   dimensions) turns
-//              from shortening to dilation. Source of the idea: Martin & Chandler 1994 (IJRMMS 31:643-659)
+//              laboratory
+//   sigma_ci   crack initiation: axial stress at crack number max(3, 1 % of the cracks at the peak). The 1 %
+//              rule is that of Potyondy & Cundall 2004 (IJRMMS 41:1329-1364); at least three, because single
+//              weak bonds break early
+//   sigma_cd   crack damage: axial stress where the volumetric strain, axial + lateral, turns from shortening
+//              to dilation. Source of the idea: Martin & Chandler 1994 (IJRMMS 31:643-659)
 #pragma once
 #include <vector>
 

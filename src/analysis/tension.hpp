@@ -7,8 +7,7 @@
 //   sigma_t           largest tension
 //   failure_position  median height of the cracks from the peak on, 0 = bottom, 1 = top
 //   failure_at_grip   share of these cracks within 1.5 grip thicknesses of an end; above one half the
-//   strength
-//                     is that of the gripping, a lower bound, and its note says so
+//                     strength is that of the gripping, a lower bound, and its note says so
 #pragma once
 #include <vector>
 

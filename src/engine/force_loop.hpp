@@ -1,8 +1,7 @@
 // The hot loop: motion and forces, row by row, over lanes. One cycle is
 //
 //   motion   v(t+dt/2) = v(t-dt/2) + dt (F + F_damp)/m,   u(t+dt) = u(t) + dt v(t+dt/2)
-//   forces   gap and normal from displacements, increments from velocities, laws, forces and couples on both
-//   grains
+//   forces   gap and normal from displacements, increments from velocities, laws, forces on both grains
 //
 // Gap without cancellation, also in single precision: with X the initial branch vector (length d0) and u the
 // relative displacement, q = 2 X.u + u.u, d = sqrt(d0^2 + q), and the stretch d - d0 = q/(d + d0).
@@ -78,12 +77,17 @@ class ForceLoop {
     return ToolLoop<R>(v, lane).template press<sample>(row, step);
   }
 
+  /// -F_damp: the force of local damping against the motion.
+  PHY_HOT static R brake_of(R force, R velocity, R alpha) {
+    const R size = alpha * abs(force);
+    return select(velocity > R(0), size, select(velocity < R(0), -size, R(0)));
+  }
+
   /// One component of motion; returns the damping work times 2/dt.
   static R move_component(T* grain, int f, int vel, int u, R scale, R alpha, R dt) {
     const R force = load<R>(grain, f);
     const R old = load<R>(grain, vel);
-    const R size = alpha * abs(force);
-    const R brake = select(old > R(0), size, select(old < R(0), -size, R(0)));
+    const R brake = brake_of(force, old, alpha);
     const R now = old + (force - brake) * scale;
     store(grain, vel, now);
     store(grain, u, load<R>(grain, u) + now * dt);
@@ -336,9 +340,7 @@ class ForceLoop {
   R kinetic_of(const T* grain, int f, int vel, R scale) const {
     const R old = load<R>(grain, vel);
     const R force = load<R>(grain, f);
-    const R size = lane[l_damping] * abs(force);
-    const R brake = select(old > R(0), size, select(old < R(0), -size, R(0)));
-    const R now = old + (force - brake) * scale;
+    const R now = old + (force - brake_of(force, old, lane[l_damping])) * scale;
     return R(T(0.25)) * (old * old + now * now) * select(scale > R(0), lane[l_dt] / scale, R(0));
   }
 };

@@ -116,8 +116,7 @@ void Group<T>::jump(int lane, double axial_strain) {
   if (dirty_) rebuild();
   const auto l = static_cast<std::size_t>(lane);
   Lane& info = at(lane);
-  constexpr double lateral =
-      0.25;  // a first guess of Poisson's ratio; the damped cycles that follow correct it
+  constexpr double lateral = 0.25;  // Poisson's ratio, a guess; the damped cycles that follow correct it
   const auto field = [&](Vec2 x) {
     return Vec2{lateral * axial_strain * (x.x - 0.5 * packing_->width),
                 -axial_strain * (x.y - 0.5 * packing_->height)};

@@ -3,8 +3,7 @@
 namespace phy::group {
 namespace {
 
-constexpr double birth_factor =
-    0.02;  // a pair across a plane becomes a joint below a gap of birth_factor * r_min
+constexpr double birth_factor = 0.02;  // a pair meets below a gap of birth_factor * r_min
 
 /// A union of lists of pairs. The lanes agree on nearly all of them, so a pair is looked for among the few of
 /// its upper grain; sorting all lists together takes ten times as long.

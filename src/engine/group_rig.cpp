@@ -22,7 +22,7 @@ double servo_step(const Servo& servo, double mean_force, double displacement, do
 template <class T>
 void Group<T>::adopt_rig(const Rig& rig) {
   if (rig.tools.empty() && rig.loads.empty()) return;
-  if (n_tools_ > 0) {
+  if (n_tools_ > 0 || !load_.empty()) {
     PHY_CHECK(rig.tools.size() == n_tools_ && rig.loads.size() == load_.size(), "lanes share one rig");
     return;
   }

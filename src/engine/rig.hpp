@@ -1,9 +1,8 @@
 // The rig of a test: the rigid tools around a specimen, and the loads on single grains.
 //
 // Every boundary of the laboratory is one of three things, so that the engine knows no test by name:
-//   touch   a tool pushes grains like a wall: linear law, normal of its own for every grain (a flat platen
-//   has
-//           the same everywhere, a curved jaw has not), no tension
+//   touch   a tool pushes grains like a wall: linear law without tension, a normal of its own for every grain
+//           (a flat platen has the same everywhere, a curved jaw has not)
 //   grip    a tool holds grains: chosen components of their motion are those of the tool
 //   load    a force on a grain, proportional to one pressure (flexible jacket)
 // A tool translates and does not turn. Each of its two components moves at a velocity or under a servo. Force
@@ -12,8 +11,7 @@
 // Servo. Once per block (the recipe's history interval) the speed is set so that a fraction of the missing
 // force would arrive within the next block; PFC's rule v = gain (F_target - F), with a memory of the speed so
 // that a steady drift (the specimen bulging while it is loaded) leaves no error:
-//   d_{k+1} = m_k + proportional e_k / K,   m_{k+1} = m_k + integral e_k / K,   e = F_target - mean force of
-//   the block
+//   m <- m + integral e / K,   d = m + proportional e / K,   e = F_target - mean force of the last block
 // K is what the specimen answers with within a block, stated by the laboratory. Source of the rule: Itasca
 // PFC documentation, wall servo.
 #pragma once

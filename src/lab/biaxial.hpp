@@ -1,9 +1,8 @@
 // Biaxial compression: a specimen under constant confining stress, shortened along y.
 //
 //   prepare   platens and sides bring the specimen to test.confining_stress all round, along a ramp as slow
-//   as the
-//             later loading; done when both stresses are within 0.5 % for ten blocks in a row. Bonds may
-//             break.
+//             as the later loading; done when both stresses are within 0.5 % for ten blocks in a row. Bonds
+//             may break.
 //   load      strains count from here; platens close at test.platen_speed, the sides keep the stress
 //
 // Sides (test.confinement): "walls", two frictionless rigid walls, each under a servo (engine/rig.hpp), as in
@@ -12,7 +11,7 @@
 // press.
 //
 // History: axial stress is the mean platen force over the initial width, lateral stress that of the walls
-// over the initial height (mean over each block, which is what the servo sees) or the jacket's pressure.
+// over the initial height, or the jacket's pressure. The servo sees the walls' mean force over each block.
 // Numbers: analysis/confined.hpp. Stop rule on the deviatoric stress.
 #pragma once
 #include "lab/lab_test.hpp"

@@ -109,6 +109,7 @@ TYPED_TEST(Conformance, MirrorImage) {
 
 TYPED_TEST(Conformance, BrokenStaysBroken) {
   TypeParam law;
+  const bool bonded = law.capacity() > 0.0;
   bool broken = false;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const auto r = law.step(-3e-9 + 5e-8 * draw(i, 0), 1e-7 * draw(i, 1), 0.0);
@@ -119,6 +120,7 @@ TYPED_TEST(Conformance, BrokenStaysBroken) {
     }
     broken = broken || broke(r);
   }
+  EXPECT_EQ(broken, bonded) << "the path is to break what can break";
 }
 
 TYPED_TEST(Conformance, StateIsAllThereIs) {

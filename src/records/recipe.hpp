@@ -11,19 +11,15 @@
 namespace phy {
 
 enum class RadiusDistribution { by_number, by_area };  ///< radii uniform by number, or by area fraction
-enum class InitialStress {
-  stress_free,
-  isotropic
-};                                               ///< overlaps declared stress-free, or a locked-in stress
-enum class StiffnessConvention { pfc31, pfc5 };  ///< laws/linear/README.md
+/// Overlaps declared stress-free, or a locked-in stress.
+enum class InitialStress { stress_free, isotropic };
+enum class StiffnessConvention { pfc31, pfc5 };            ///< laws/linear/README.md
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
 enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
 enum class TestKind { uniaxial, direct_tension, brazilian, biaxial, direct_shear };
-enum class Confinement {
-  walls,
-  jacket
-};  ///< sides of a biaxial test: rigid walls, or pressure on side grains
+/// Sides of a biaxial test: rigid walls, or pressure on side grains.
+enum class Confinement { walls, jacket };
 
 struct SpecimenSize {
   double width = 0.038;   ///< [m]
@@ -83,9 +79,9 @@ struct BeddingRecipe {
 
 struct TestRecipe {
   TestKind kind = TestKind::uniaxial;
-  std::vector<double>
-      angles;           ///< [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
-  bool intact = false;  ///< also a specimen without bedding
+  /// [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
+  std::vector<double> angles;
+  bool intact = false;         ///< also a specimen without bedding
   double platen_speed = 0.05;  ///< [m/s] of each platen
   double ramp_strain = 2e-5;   ///< axial strain over which the speed rises from 0
   double platen_friction = 0.0;

@@ -18,8 +18,7 @@ struct AngleValue {
 struct MacroPoint {
   double factor = 0.0;  ///< parameter / its base
   Summary K_n, K_s;     ///< [Pa/m]; n = 0: the data allow none
-  double paper =
-      0.0;  ///< the stiffness that belongs to the parameter, by the paper's Eq. 2 [Pa/m]; 0: not known
+  double paper = 0.0;   ///< what belongs to the parameter by the paper's Eq. 2 [Pa/m]; 0: not known
 };
 
 struct VariedSetting {

@@ -5,8 +5,8 @@
 //   F_s = F_s(spring) - c_s d(slide)/dt            modes 2 and 3: no dashpot while the spring slips
 //   c = 2 beta sqrt(m_c k),  m_c = m1 m2/(m1 + m2) (a wall: m1);  beta = 1 is critical
 // Restitution of a central impact, s = sqrt(1 - beta^2):
-//   mode 0 and 2:  e = exp(-pi beta/s)                                  contact ends where closure returns to
-//   0 mode 1 and 3:  e = exp(-(beta/s) (pi - atan2(2 beta s, 1 - 2 beta^2)))   it ends where the force is 0
+//   mode 0 and 2:  e = exp(-pi beta/s)                                         ends where closure is 0 again
+//   mode 1 and 3:  e = exp(-(beta/s) (pi - atan2(2 beta s, 1 - 2 beta^2)))     ends where the force is 0
 //
 // Source: Cundall & Strack 1979 (contact damping); modes and names as in Itasca PFC's `linear` (dp_mode). The
 // closed forms follow from m_c x'' + c x' + k x = 0, x(0) = 0 (derived again in tests and in V9). The spring
@@ -54,9 +54,9 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
 inline double coefficient(double beta, double m_c, double k) { return 2.0 * beta * std::sqrt(m_c * k); }
 
 inline constexpr ParameterInfo schema[] = {
-    {"k_n", "N/m", 1e3, 1e15, 38e9, "kn", "normal stiffness per metre of thickness"},
-    {"k_s", "N/m", 1e3, 1e15, 11.4e9, "ks", "shear stiffness per metre of thickness"},
-    {"mu", "1", 0.0, 10.0, 0.8, "fric", "friction coefficient"},
+    linear::schema[0],  // k_n, k_s and mu of the springs
+    linear::schema[1],
+    linear::schema[2],
     {"c_n", "N s/m", 0.0, 1e12, 1e3, "dp_nratio * 2 sqrt(m kn)", "normal dashpot"},
     {"c_s", "N s/m", 0.0, 1e12, 500.0, "dp_sratio * 2 sqrt(m ks)", "shear dashpot"},
     {"inv_dt", "1/s", 1e-6, 1e12, 1e6, "1/timestep", "steps per second"},
@@ -72,7 +72,7 @@ struct Contact {
   Parameters<R> p;
   State<R> s{R(0)};
   explicit Contact(std::span<const double> v)
-      : p{{R(v[0]), R(v[1]), R(1.0 / v[1]), R(v[2])}, R(v[3]), R(v[4]), R(v[5]), static_cast<int>(v[6])} {}
+      : p{linear::Contact<R>(v).p, R(v[3]), R(v[4]), R(v[5]), static_cast<int>(v[6])} {}
   Reaction<R> step(const Motion<R>& m) { return respond(p, s, m); }
   /// Of the springs: the dashpots, which the reaction counts in, hold none.
   R energy(const Motion<R>& m, const Reaction<R>&) const {

@@ -56,8 +56,7 @@ R strain_energy(const Parameters<R>& p, R F_n, R F_s) {
 inline double stiffness_factor(bool pfc5, double r1, double r2) {
   return pfc5 ? 2.0 * (r1 < r2 ? r1 : r2) / (r1 + r2) : 1.0;
 }
-/// k_n / E* of a disc against a rigid platen: 2 t in both conventions (pfc31: the platen is rigid, one grain
-/// spring).
+/// k_n / E* of a disc against a rigid platen: 2 t in both conventions (pfc31: one grain spring).
 constexpr double wall_stiffness_factor = 2.0;
 
 inline constexpr ParameterInfo schema[] = {

@@ -1,13 +1,15 @@
 // Parallel bond: a patch of cement between two grains that carries tension, shear and bending until it breaks
 // for good.
 //
-//   F_n = kb_n A closure                closure since bonding: the total form of dF_n = kb_n A du_n, free of
-//   drift F_s <- F_s - kb_s A d_slide M   = -kb_n I rotation              rotation of grain 2 against grain 1
-//   since bonding sigma_max = -F_n/A + beta |M| R_bar/I   >= sigma_c   breaks in tension (tested first)
-//   tau_max   = |F_s|/A >= c + (F_n/A) tan(phi)          breaks in shear; phi = 0 and c = tau_c: Potyondy &
-//   Cundall R_bar = lambda min(R1, R2);  A = 2 R_bar t;  I = (2/3) R_bar^3 t;  kb_n = E_b/(R1 + R2)  [Pa/m];
-//   t = 1 m
-// A broken bond carries nothing; the linear contact beside it stays.
+//   F_n = kb_n A closure
+//   F_s <- F_s - kb_s A d_slide
+//   M   = -kb_n I rotation
+//   breaks in tension where   -F_n/A + beta |M| R_bar/I >= sigma_c    (tested first)
+//   breaks in shear where     |F_s|/A >= c + (F_n/A) tan(phi)
+//   R_bar = lambda min(R1, R2);  A = 2 R_bar t;  I = (2/3) R_bar^3 t;  kb_n = E_b/(R1 + R2) [Pa/m];  t = 1 m
+// Closure and rotation (of grain 2 against grain 1) count since bonding: the total form of dF_n = kb_n A
+// du_n, free of drift. phi = 0 and c = tau_c: Potyondy & Cundall. A broken bond carries nothing; the linear
+// contact beside it stays.
 //
 // Source: Potyondy & Cundall 2004 (IJRMMS 41:1329-1364), section on the parallel bond; the moment
 // contribution beta and the cohesion-friction strength are those of Itasca PFC's `linearpbond` (pb_mcf,

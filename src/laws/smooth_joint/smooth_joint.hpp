@@ -7,15 +7,15 @@
 //
 //   closure <- closure + d_closure;      gap closed g = closure + dilation
 //   bonded:  F_n = k_n A g,  F_s <- F_s - k_s A d_slide
-//            -F_n >= sigma_n A                            breaks in tension: F_n = F_s = 0, the opening is
-//            remembered |F_s| >= c A + F_n tan(phi)                  breaks in shear: goes on as unbonded
-//            with the same forces
+//            breaks in tension where  -F_n >= sigma_n A              then F_n = F_s = 0
+//            breaks in shear where    |F_s| >= c A + F_n tan(phi)    then as broken, with the same forces
 //   broken:  F_n = k_n A max(g, 0);  open (g <= 0): F_n = F_s = 0
-//            F_s* = F_s - k_s A d_slide^e (the part of the step in which the joint is closed)
-//            |F_s*| > mu F_n: slip.  e = (|F_s*| - mu F_n)/(1 + mu (k_n/k_s) tan psi);  F_n += e (k_n/k_s)
-//            tan psi; F_s = mu F_n sign(F_s*);  dilation += e tan psi/(k_s A)          implicit: exact for
-//            any step
-// No couple: M = 0. A = 2 lambda min(R1, R2) t.
+//            F_s* = F_s - k_s A d_slide (the part of the step in which the joint is closed)
+//            slips where |F_s*| > mu F_n:
+//              e = (|F_s*| - mu F_n)/(1 + mu (k_n/k_s) tan psi)
+//              F_n += e (k_n/k_s) tan psi;  F_s = mu F_n sign(F_s*);  dilation += e tan psi/(k_s A)
+// The opening at breakage is remembered. The slip is implicit: exact for any step. No couple: M = 0.
+// A = 2 lambda min(R1, R2) t.
 //
 // Source: Mas Ivars et al. 2011 (IJRMMS 48:219-244); Itasca PFC `smoothjoint`, small-strain mode. There the
 // slip update is explicit; iterated, it alternates between slip and stick when mu (k_n/k_s) tan psi > 1,
