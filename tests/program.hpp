@@ -6,9 +6,12 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 class ProgramTest : public testing::Test {
  protected:
@@ -43,5 +46,34 @@ class ProgramTest : public testing::Test {
         "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.2 m/s\"\n" +
             more);
   }
-  std::string out() const { return (folder / "out").string(); }
+  std::string out() const { return at("out"); }
+  std::string at(const std::string& name) const { return (folder / name).string(); }
+  static std::string read(const std::string& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// Of "hash 0123456789abcdef", as a study prints it last.
+  std::string hash() const {
+    const std::size_t place = output.rfind("hash ");
+    return place == output.npos ? "no hash in: " + output : output.substr(place + 5, 16);
+  }
+  /// Whether a tool is there, as a condition to run a test at all. .ci/run installs the tools and says so in
+  /// PHY_ALL_TOOLS: there a missing one is a failure, or a test could stay away for ever unseen.
+  bool has(const std::string& tool) {
+    if (run_line("command -v " + tool) == 0) return true;
+    if (std::getenv("PHY_ALL_TOOLS") != nullptr) ADD_FAILURE() << tool << " is missing";
+    return false;
+  }
+  /// Starts the program in the background, silent.
+  static pid_t start(const std::vector<std::string>& arguments) {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    std::vector<char*> words = {const_cast<char*>(PHY_PROGRAM)};
+    for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
+    words.push_back(nullptr);
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(126);
+    if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(126);
+    ::execv(PHY_PROGRAM, words.data());
+    ::_exit(127);
+  }
 };

@@ -32,26 +32,10 @@ class CalibrateCli : public ProgramTest {
   std::string calibrate(const std::string& more) const {
     return "calibrate " + rock() + " --threads 2 --max-tests 52 --out " + more;  // the least
   }
-  std::string at(const std::string& name) const { return (folder / name).string(); }
-  std::string read(const std::string& file) const {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   /// Starts the program, sends it a signal after a while and returns its exit code (-1: died of it).
   int signalled(const std::string& arguments, int signal, double seconds) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      std::istringstream words(arguments);
-      std::vector<std::string> list = {PHY_PROGRAM};
-      for (std::string word; words >> word;) list.push_back(word);
-      std::vector<char*> pointers;
-      for (std::string& w : list) pointers.push_back(w.data());
-      pointers.push_back(nullptr);
-      ::freopen("/dev/null", "w", stdout);
-      ::freopen("/dev/null", "w", stderr);
-      ::execv(PHY_PROGRAM, pointers.data());
-      ::_exit(127);
-    }
+    std::istringstream words(arguments);
+    const pid_t child = start({std::istream_iterator<std::string>(words), {}});
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     ::kill(child, signal);
     int status = 0;

@@ -66,7 +66,7 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
   EXPECT_EQ(run_line("PATH=/nonexistent " PHY_PROGRAM " " + figure + "cracks"), 3);
   EXPECT_THAT(output, HasSubstr("apt install gnuplot-nox"));
   EXPECT_FALSE(fs::exists(file));
-  if (run_line("command -v gnuplot") != 0) GTEST_SKIP() << "no gnuplot here";
+  if (!has("gnuplot")) GTEST_SKIP() << "no gnuplot here";
   for (const char* kind : {"stress_strain", "anisotropy", "rose", "cracks", "fig2", "fig3"}) {
     ASSERT_EQ(run(figure + kind), 0) << output;
     std::ifstream in(file);
@@ -114,7 +114,7 @@ TEST_F(Cli, FilmsAreEncoded) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   EXPECT_EQ(run("film " + out() + " --out " + (folder / "film.avi").string()), 2);
   EXPECT_THAT(output, HasSubstr(".webm"));
-  if (run_line("command -v ffmpeg") != 0) GTEST_SKIP() << "no ffmpeg here";
+  if (!has("ffmpeg")) GTEST_SKIP() << "no ffmpeg here";
   const std::pair<const char*, const char*> films[] = {{"film.gif", "GIF89a"},
                                                        {"film.webm", "\x1A\x45\xDF\xA3"}};
   for (const auto& [name, magic] : films) {
@@ -238,11 +238,6 @@ TEST_F(Cli, ElasticPrintsModuliFitsAndSensitivities) {
   EXPECT_THAT(output, HasSubstr("no fit: 2 distinct angle(s)"));
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 TEST_F(Cli, ElasticComparesWithThePress) {
   ASSERT_EQ(run("elastic --press " + small_recipe()), 0) << output;
   EXPECT_THAT(output, HasSubstr("held: nothing breaks and nothing slips"));
@@ -260,12 +255,12 @@ TEST_F(Cli, ElasticSweepsTwoRecipesUnderBothRules) {
   ASSERT_EQ(run("elastic " + first + " --out " + out()), 0) << output;
   EXPECT_THAT(output, HasSubstr("paper, Eq. 2"));
   EXPECT_THAT(output, HasSubstr("second, crossing rule, 2 packings"));
-  const std::string lines = text_of(fs::path(out()) / "lines.csv");
+  const std::string lines = read(out() + "/lines.csv");
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1 + 2 * 2 * 24 * 2);  // variants, readings, lines
   EXPECT_THAT(lines, HasSubstr("\"first, of two\",zone,pushing,gauge,compliance,intact,K_n(k_n),2,"));
-  const std::string points = text_of(fs::path(out()) / "fig4.csv");
+  const std::string points = read(out() + "/fig4.csv");
   EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 1 + 2 * 2 * 24 * 2 * 3);
-  const std::string moduli = text_of(fs::path(out()) / "moduli.csv");
+  const std::string moduli = read(out() + "/moduli.csv");
   EXPECT_EQ(std::count(moduli.begin(), moduli.end(), '\n'), 1 + 2 * 2 * 2 * 2 * (5 * 3 + 1));
 }
 

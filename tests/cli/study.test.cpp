@@ -25,27 +25,6 @@ class StudyCli : public ProgramTest {
     return write("study.toml", "recipe = \"small.toml\"\n" + more +
                                    "[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");
   }
-  std::string at(const char* name) const { return (folder / name).string(); }
-  std::string read(const std::string& file) const {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  /// "hash 0123456789abcdef" of the last output.
-  std::string hash() const {
-    const std::size_t at = output.rfind("hash ");
-    return at == output.npos ? "no hash in: " + output : output.substr(at + 5, 16);
-  }
-  pid_t start(const std::vector<std::string>& words) const {
-    const pid_t child = ::fork();
-    if (child != 0) return child;
-    std::vector<char*> arguments;
-    for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
-    arguments.push_back(nullptr);
-    ::freopen("/dev/null", "w", stdout);
-    ::freopen("/dev/null", "w", stderr);
-    ::execv(PHY_PROGRAM, arguments.data());
-    ::_exit(127);
-  }
 };
 
 TEST_F(StudyCli, TellsThePlanRunsItAndLeavesATable) {
@@ -104,7 +83,7 @@ TEST_F(StudyCli, KilledAtTwentyMomentsItEndsWithTheSameHash) {
   std::minstd_rand moment(5);
   int n_killed = 0;
   for (int i = 0; i < 20; ++i) {
-    const pid_t child = start({"phyllite", "study", file, "--threads", "2", "--out", out()});
+    const pid_t child = start({"study", file, "--threads", "2", "--out", out()});
     std::this_thread::sleep_for(std::chrono::milliseconds(10 + moment() % 70));
     ::kill(child, SIGKILL);
     int status = 0;
@@ -120,7 +99,7 @@ TEST_F(StudyCli, TwoProcessesShareTheWork) {
   const std::string file = study("packings = [1, 2, 3]\n");
   ASSERT_EQ(run("study " + file + " --threads 2 --out " + at("one")), 0) << output;
   const std::string alone = hash();
-  const pid_t other = start({"phyllite", "study", file, "--threads", "1", "--out", out()});
+  const pid_t other = start({"study", file, "--threads", "1", "--out", out()});
   ASSERT_EQ(run("study " + file + " --threads 1 --out " + out()), 0) << output;
   EXPECT_EQ(hash(), alone);
   int status = 0;

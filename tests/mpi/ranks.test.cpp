@@ -24,11 +24,6 @@ class RanksTest : public ProgramTest {
     return run_line("mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(n) + " " + PHY_PROGRAM +
                     " " + arguments + " --mpi");
   }
-  std::string hash() const {
-    const std::size_t at = output.rfind("hash ");
-    return at == output.npos ? "no hash in: " + output : output.substr(at + 5, 16);
-  }
-  std::string at(const std::string& name) const { return (folder / name).string(); }
 };
 
 TEST_F(RanksTest, GiveTheStoreOfThreads) {

@@ -104,7 +104,8 @@ Recipe by_optimiser(nlopt::algorithm algorithm, const Recipe& elastic, const std
   double value = 0.0;
   try {
     optimiser.optimize(x, value);
-  } catch (const std::exception&) {  // the budget is spent
+  } catch (const nlopt::forced_stop&) {       // the budget is spent
+  } catch (const nlopt::roundoff_limited&) {  // it has come as far as it can
   }
   return strengths_at(elastic, best, largest);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "analysis/analyse.hpp"
 #include "base/stats.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
@@ -20,12 +21,6 @@ constexpr std::size_t n_seeds = 4;
 struct Series {
   std::vector<std::vector<double>> ucs, E;  // [angle][seed]
 };
-
-double number(const TestResult& r, const std::string& name) {
-  for (const Number& n : r.numbers)
-    if (n.name == name) return n.value;
-  return std::nan("");
-}
 
 Series press(Recipe r, Precision precision, const std::shared_ptr<const Packing>& packing) {
   r.engine.precision = precision;
@@ -43,22 +38,14 @@ Series press(Recipe r, Precision precision, const std::shared_ptr<const Packing>
   s.ucs.resize(r.test.angles.size()), s.E.resize(r.test.angles.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i].outcome.status, Status::peaked) << results[i].name;
-    s.ucs[i % r.test.angles.size()].push_back(number(results[i], "ucs"));
-    s.E[i % r.test.angles.size()].push_back(number(results[i], "E_small"));
+    s.ucs[i % r.test.angles.size()].push_back(find(results[i].numbers, "ucs")->value);
+    s.E[i % r.test.angles.size()].push_back(find(results[i].numbers, "E_small")->value);
   }
   return s;
 }
 
-double mean(const std::vector<double>& v) {
-  double sum = 0.0;
-  for (const double x : v) sum += x;
-  return sum / static_cast<double>(v.size());
-}
-double spread(const std::vector<double>& v) {
-  double sum = 0.0;
-  for (const double x : v) sum += (x - mean(v)) * (x - mean(v));
-  return std::sqrt(sum / static_cast<double>(v.size() - 1));
-}
+double mean(const std::vector<double>& v) { return summarise(v).mean; }
+double spread(const std::vector<double>& v) { return summarise(v).sd; }
 
 TEST(Precision, SingleAgainstDoubleBesideBondSeeds) {
   Recipe r;

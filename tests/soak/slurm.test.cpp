@@ -21,11 +21,6 @@ class SlurmTest : public ProgramTest {
     if (up) run_line(node + " stop " + at("slurm"));
     ProgramTest::TearDown();
   }
-  std::string at(const char* name) const { return (folder / name).string(); }
-  std::string hash() const {
-    const std::size_t place = output.rfind("hash ");
-    return place == output.npos ? "no hash in: " + output : output.substr(place + 5, 16);
-  }
 };
 
 TEST_F(SlurmTest, JobArrayGivesTheStoreOfOneRun) {

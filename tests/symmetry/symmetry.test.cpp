@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/analyse.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "study/scheduler.hpp"
@@ -44,11 +45,7 @@ TestResult run(const Recipe& r, Packing packing) {
   return run_tests(specimens, r, MachineOptions{}).front();
 }
 
-double number(const TestResult& r, const std::string& name) {
-  for (const Number& n : r.numbers)
-    if (n.name == name) return n.value;
-  return std::nan("");
-}
+double ucs(const TestResult& r) { return find(r.numbers, "ucs")->value; }
 
 /// Lengths by 2^p, stresses by 2^q; densities by 2^s. Time then scales by 2^(p + (s - q)/2).
 void expect_scaled(int p, int q, int s) {
@@ -94,7 +91,7 @@ void expect_same(Recipe r, const std::pair<Packing, double>& one, const std::pai
     r.test.angles = {which.second};
     return run(r, which.first);
   };
-  EXPECT_NEAR(number(result(other), "ucs") / number(result(one), "ucs"), 1.0, 0.1);
+  EXPECT_NEAR(ucs(result(other)) / ucs(result(one)), 1.0, 0.1);
   r.engine.damping = 0.0;
   r.test.history_interval = 20;
   r.test.max_strain = 1e-3;
