@@ -12,12 +12,7 @@ BrazilianTest::BrazilianTest(std::shared_ptr<const Specimen> specimen, const Rec
   begin();
 }
 
-void BrazilianTest::drive() {
-  const double speed = recipe_.test.platen_speed;
-  const double ramp = recipe_.test.ramp_strain * disc_diameter(recipe_) / speed;
-  group_.drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
-  group_.drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
-}
+void BrazilianTest::drive() { close_platens(disc_diameter(recipe_)); }
 
 AnalysisOptions BrazilianTest::analysis() const {
   AnalysisOptions options;

@@ -47,19 +47,18 @@ void LabTest::begin() {
   blocks_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
-    settle();
+    place_rig();
   } else {
     group_.hold_bonds(lane_, true);
   }
 }
 
 /// The specimen has settled: the rig comes in.
-bool LabTest::settle() {
+void LabTest::place_rig() {
   group_.place_rig(lane_);
   blocks_ = 0;
   phase_ = Phase::prepare;
   on_placed();
-  return false;
 }
 
 void LabTest::start_loading() {
@@ -68,6 +67,13 @@ void LabTest::start_loading() {
   drive();
   result_.history.width = packing().width;
   result_.history.height = packing().height;
+}
+
+void LabTest::close_platens(double length) {
+  const double speed = recipe_.test.platen_speed;
+  const double ramp = recipe_.test.ramp_strain * length / speed;
+  group_.drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
+  group_.drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
 }
 
 bool LabTest::end(Status status, std::string reason, std::string advice) {
@@ -84,7 +90,10 @@ bool LabTest::after_block() {
                "lower engine.step_safety, or look for extreme stiffness ratios");
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
-    if (row.unbalanced <= settled) return settle();
+    if (row.unbalanced <= settled) {
+      place_rig();
+      return false;
+    }
     if (cycles < settle_cycles) return false;
     return end(
         Status::not_settled,
@@ -180,6 +189,17 @@ std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, con
   }
   PHY_CHECK(false, "every kind of test has its room");
   return nullptr;
+}
+
+TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {
+  GroupOptions options;
+  options.isa = native_isa();
+  options.interval = static_cast<int>(recipe.test.history_interval);
+  const auto group = make_group(specimen->packing, options);
+  const auto test = make_test(specimen, recipe, *group, 0);
+  do group->advance();
+  while (!test->after_block());
+  return test->take_result();
 }
 
 }  // namespace phy

@@ -66,6 +66,8 @@ class LabTest {
   virtual AnalysisOptions analysis() const { return {}; }
 
   void start_loading();
+  /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
+  void close_platens(double length);
   bool end(Status status, std::string reason, std::string advice);
   const Packing& packing() const { return *specimen_->packing; }
 
@@ -77,7 +79,7 @@ class LabTest {
 
  private:
   enum class Phase { settle, prepare, load, over };
-  bool settle();
+  void place_rig();
   Frame frame() const;
   void keep_pictures();
   bool check_stop();
@@ -93,5 +95,8 @@ class LabTest {
 /// The test that the recipe names, in a lane of the group.
 std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
                                    LaneGroup& group, int lane);
+
+/// Runs the recipe's test on one specimen to its end, alone and in double precision.
+TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe);
 
 }  // namespace phy

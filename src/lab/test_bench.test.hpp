@@ -21,22 +21,13 @@ inline Recipe small_rock(TestKind kind) {
   return r;
 }
 
-/// The recipe's packing, made once per size and seed.
 inline std::shared_ptr<const Packing> small_packing(const Recipe& r) {
   return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
 }
 
-/// The first specimen of the recipe, tested alone in double precision.
+/// The first specimen of the recipe, tested alone.
 inline TestResult run_alone(const Recipe& r) {
-  const auto specimen = std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front());
-  GroupOptions options;
-  options.isa = native_isa();
-  options.interval = static_cast<int>(r.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
-  const auto test = make_test(specimen, r, *group, 0);
-  do group->advance();
-  while (!test->after_block());
-  return test->take_result();
+  return run_alone(std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front()), r);
 }
 
 inline const Number& number(const TestResult& r, const std::string& name) {

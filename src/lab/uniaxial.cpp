@@ -32,12 +32,7 @@ bool UniaxialTest::prepare(std::int64_t n_blocks) {
   return false;
 }
 
-void UniaxialTest::drive() {
-  const double speed = recipe_.test.platen_speed;
-  const double ramp = recipe_.test.ramp_strain * packing().height / speed;
-  group_.drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
-  group_.drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
-}
+void UniaxialTest::drive() { close_platens(packing().height); }
 
 AnalysisOptions UniaxialTest::analysis() const {
   AnalysisOptions options;

@@ -19,17 +19,8 @@ namespace {
 
 constexpr double R = 3e-4;
 
-/// Runs one test alone, in double precision.
 TestResult run(Specimen s, const Recipe& recipe) {
-  const auto specimen = std::make_shared<const Specimen>(std::move(s));
-  GroupOptions options;
-  options.isa = native_isa();
-  options.interval = static_cast<int>(recipe.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
-  const auto test = make_test(specimen, recipe, *group, 0);
-  do group->advance();
-  while (!test->after_block());
-  return test->take_result();
+  return run_alone(std::make_shared<const Specimen>(std::move(s)), recipe);
 }
 
 double value(const TestResult& r, const char* name) {
