@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "calibrate/calibration.hpp"
-#include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
@@ -18,12 +16,6 @@
 
 namespace phy {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-void on_interrupt(int) {
-  stop_requested = true;
-  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends at once; finished tests are in the store
-}
 
 struct Arguments {
   std::string rock, out = "results/calibration";
@@ -66,8 +58,8 @@ int run_calibration(const Arguments& args, const Session& session) {
   std::fflush(stdout);
   ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
   SimulatorOptions machine;
-  machine.threads = session.threads > 0 ? session.threads : available_cores();
-  machine.stop = &stop_requested;
+  machine.threads = n_threads(session);
+  machine.stop = stop_on_interrupt();
   machine.store = store_in(args);
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
   CalibrationOptions options;
@@ -102,7 +94,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--max-tests", args->max_tests, "budget: tests of strength, verification included")
       ->capture_default_str();
   verb->callback([args, &session] {
-    std::signal(SIGINT, on_interrupt);
+    stop_on_interrupt();
     session.exit_code = run_calibration(*args, session);
   });
 }

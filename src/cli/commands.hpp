@@ -9,7 +9,7 @@ namespace phy {
 struct Session {
   int exit_code = 0;
   int threads = 0;           ///< 0: all cores
-  int terminal_width = 100;  ///< columns of the terminal, or 100 when the output is no terminal
+  int terminal_width = 160;  ///< columns of the terminal, or 160 when the output is no terminal
 };
 
 void add_run_command(CLI::App& app, Session& session);
@@ -27,8 +27,6 @@ void add_figure_command(CLI::App& app, Session& session);
 void add_film_command(CLI::App& app, Session& session);
 void add_envelope_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
-
-/// Cores that this process may use.
-int available_cores();
+void add_elastic_command(CLI::App& app, Session& session);
 
 }  // namespace phy

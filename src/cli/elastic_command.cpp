@@ -1,5 +1,4 @@
-#include "cli/elastic_command.hpp"
-
+// `phyllite elastic RECIPE`: E(theta), nu(theta), joint stiffnesses and sensitivities without time stepping.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -7,6 +6,7 @@
 #include <cstdio>
 
 #include "cli/elastic_sweep.hpp"
+#include "cli/machine.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/toml_in.hpp"
@@ -67,11 +67,9 @@ void print_moduli(const ElasticStudy& study) {
                r.n_alternating, r.n_loose, r.n_iterations, r.seconds + b.seconds);
   }
   fmt::print(
-      "E, nu: gauge of the middle 60 %, contacts push only; `pulling`: contacts also pull; open: contacts "
-      "that\n"
-      "carry nothing beside their bond; undec.: contacts without a consistent state;\n"
-      "loose: grains without load; solut.: "
-      "factorisations\n");
+      "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull;\n"
+      "open: contacts that carry nothing beside their bond; undec.: contacts without\n"
+      "a consistent state; loose: grains without load; solut.: factorisations\n");
 }
 
 /// Reasons and advice of all results without an answer. Returns whether all were solved.
@@ -97,12 +95,14 @@ void print_fit(const char* contacts, const char* reference, const Eq1Fit& fit, d
     return;
   }
   const double scale = 1e-9 / spacing;
-  fmt::print("{:>8.2f} {:>9.1f} {:>7.1f} {:>9.1f} {:>7.1f} {:>9.5f}  {}\n", fit.rock.E * 1e-9,
-             fit.rock.K_n_delta * scale, fit.se_K_n_delta * scale, fit.rock.K_s_delta * scale,
-             fit.se_K_s_delta * scale, fit.R2,
-             fit.shape.type == CurveType::shoulder
-                 ? fmt::format("shoulder at {:.1f} deg", fit.shape.theta_star)
-                 : "incremental");
+  const auto error = [&](double se) {
+    return std::isfinite(se) ? fmt::format("{:.1f}", se * scale) : std::string("-");
+  };
+  fmt::print(
+      "{:>8.2f} {:>9.1f} {:>7} {:>9.1f} {:>7} {:>9.5f}  {}\n", fit.rock.E * 1e-9, fit.rock.K_n_delta * scale,
+      error(fit.se_K_n_delta), fit.rock.K_s_delta * scale, error(fit.se_K_s_delta), fit.R2,
+      fit.shape.type == CurveType::shoulder ? fmt::format("shoulder at {:.1f} deg", fit.shape.theta_star)
+                                            : "incremental");
 }
 
 void print_fits(const ElasticStudy& study, bool modulus_loss) {
@@ -167,21 +167,17 @@ void print_packing(const ElasticStudy& study) {
                p.report.stress_left * 1e-6);
   for (std::size_t i = 0; i < study.n_angles(); ++i) {
     const BeddingReport& b = study.specimens[i].bedding_report[0];
-    const double E_90 = study.one_sided[i].E_gauge, E = study.intact().E_gauge;
     fmt::print(
         "{:>5g} deg  sum(A)/L {:.3f}  bridges {:>4.1f} %  joints off the plane {:>4.1f} %  E/E_intact "
         "{:.4f}\n",
         study.theta(i), b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction,
-        E_90 / E);
+        study.one_sided[i].E_gauge / study.intact().E_gauge);
   }
 }
 
 /// Runs the specimens under the press too, without and with slip and cracking. Returns whether all runs
 /// ended.
-bool print_press(const ElasticStudy& study, int threads) {
-  MachineOptions machine;
-  machine.isa = native_isa();
-  machine.threads = threads;
+bool print_press(const ElasticStudy& study, const MachineOptions& machine) {
   const auto held = press_moduli(study.specimens, study.recipe, machine, true);
   const auto free = press_moduli(study.specimens, study.recipe, machine, false);
   fmt::print("\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
@@ -207,7 +203,7 @@ bool print_press(const ElasticStudy& study, int threads) {
 }
 
 int elastic(const ElasticArguments& args, const Session& session) {
-  const int threads = session.threads > 0 ? session.threads : available_cores();
+  const int threads = n_threads(session);
   const Recipe recipe = read_recipe(args.recipe);
   if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads);
   const ElasticStudy study = solve_recipe(recipe, args, threads);
@@ -218,7 +214,7 @@ int elastic(const ElasticArguments& args, const Session& session) {
   bool all_solved = print_outcomes(study);
   print_fits(study, args.modulus_loss);
   print_sensitivities(study);
-  if (args.press) all_solved = print_press(study, threads) && all_solved;
+  if (args.press) all_solved = print_press(study, machine_of(session)) && all_solved;
   fmt::print("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
   return all_solved ? 0 : 1;
 }

@@ -9,7 +9,7 @@
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
-#include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
@@ -152,9 +152,6 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : make_specimens(packing, confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  MachineOptions machine;
-  machine.isa = native_isa();
-  machine.threads = session.threads > 0 ? session.threads : available_cores();
   fmt::print("envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n", specimens.size(),
              packing->discs.size(), confining.size(),
              recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
@@ -167,7 +164,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
                r.outcome.reason);
     std::fflush(stdout);
   };
-  const EnvelopeTests tests = run_envelope(specimens, recipe, confining, machine, on_result);
+  const EnvelopeTests tests = run_envelope(specimens, recipe, confining, machine_of(session), on_result);
   const Envelope envelope = fit_envelope(tests);
   print_strengths(tests);
   print_fits(envelope, tests.confining.size());

@@ -21,7 +21,7 @@ struct FigureArguments {
 FigureData data_for(const FigureKind& kind, const FigureArguments& args) {
   FigureData data;
   if (kind.varied != holds_variations(args.result))
-    throw InputError(Problem{args.result, "--kind", kind.name,
+    throw InputError(Problem{args.result, "--kind", args.kind,
                              kind.varied ? "the folder of a study or of `phyllite elastic` with a [sweep]"
                                          : "the folder of `phyllite run`",
                              "`phyllite figure --help` tells which kind is of which results"});

@@ -1,7 +1,6 @@
 // `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit
 // codes.
 #include <fmt/format.h>
-#include <sched.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -12,31 +11,36 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
-#include "cli/elastic_command.hpp"
-
-namespace phy {
-
-int available_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-  return std::max(1, CPU_COUNT(&set));
-}
-
-}  // namespace phy
+#include "records/recipe_schema.hpp"
 
 namespace {
 
-int terminal_width() {
+void measure_terminal(phy::Session& session) {
   winsize size{};
-  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-    return 160;
-  return size.ws_col;
+  if (isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    session.terminal_width = size.ws_col;
+}
+
+/// A word where a verb is missing, of phyllite itself or of a verb with verbs of its own.
+phy::InputError unknown_verb(const CLI::App& app, const std::string& word) {
+  if (word.starts_with("-"))
+    return phy::InputError(phy::Problem{"command line", "option", word, "an option that --help lists", ""});
+  const CLI::App* of = &app;
+  while (!of->get_subcommands().empty()) of = of->get_subcommands().front();
+  std::vector<std::string> verbs;
+  std::string list;
+  for (const CLI::App* verb : of->get_subcommands([](const CLI::App*) { return true; })) {
+    verbs.push_back(verb->get_name());
+    list += (list.empty() ? "" : ", ") + verbs.back();
+  }
+  const std::string near = phy::nearest(word, verbs);
+  return phy::InputError(phy::Problem{"command line", "verb", word, "one of " + list,
+                                      near.empty() ? "" : "did you mean " + near + "?"});
 }
 
 int run(int argc, char** argv) {
   phy::Session session;
-  session.terminal_width = terminal_width();
+  measure_terminal(session);
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions."};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));
@@ -58,6 +62,9 @@ int run(int argc, char** argv) {
   phy::add_envelope_command(app, session);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& e) {
+    if (const auto lost = app.remaining(true); !lost.empty()) throw unknown_verb(app, lost.front());
+    return app.exit(e) == 0 ? 0 : 2;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }

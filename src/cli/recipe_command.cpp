@@ -36,9 +36,12 @@ std::string explain(const std::string& key) {
       if (in_pfc ? has_pfc_name(f, word) : f.path() == word || f.key == word) text += explanation(f);
     if (!text.empty()) return text;
   }
-  std::vector<std::string> known;
-  for (const Field& f : recipe_fields()) known.push_back(word.find('.') == word.npos ? f.key : f.path());
-  const std::string near = nearest(word, known);
+  std::vector<std::string> known, longer;
+  for (const Field& f : recipe_fields()) {
+    known.push_back(word.find('.') == word.npos ? f.key : f.path());
+    if (known.back().starts_with(word)) longer.push_back(known.back());
+  }
+  const std::string near = longer.empty() ? nearest(word, known) : longer.front();
   throw InputError(Problem{
       "command line", "--explain", key, "a key of the recipe",
       near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?"});

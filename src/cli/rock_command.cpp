@@ -5,7 +5,7 @@
 
 #include "calibrate/foresee.hpp"
 #include "calibrate/twin.hpp"
-#include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
@@ -41,7 +41,7 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
   TwinOptions options;
   if (!truth.test.angles.empty()) options.angles = truth.test.angles;
   SimulatorOptions machine;
-  machine.threads = session.threads > 0 ? session.threads : available_cores();
+  machine.threads = n_threads(session);
   const auto simulator = make_simulator(machine);
   const auto response = twin_response(truth, options.angles, options.seeds, *simulator);
   const std::string about = fmt::format(

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/live_plot.hpp"
+#include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/packing.hpp"
@@ -19,16 +18,9 @@
 #include "io/toml_in.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
-#include "study/scheduler.hpp"
 
 namespace phy {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-void on_interrupt(int) {
-  stop_requested = true;
-  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends at once; finished results are on disk already
-}
 
 struct RunArguments {
   std::vector<std::string> recipes;
@@ -129,9 +121,7 @@ std::vector<TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Spe
 /// Threads, lanes and instruction set; prints them.
 MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
                               std::size_t n_specimens) {
-  MachineOptions machine;
-  machine.isa = native_isa();
-  machine.threads = session.threads > 0 ? session.threads : available_cores();
+  MachineOptions machine = machine_of(session);
   machine.lanes = args.lanes;
   machine.skew = args.skew;
   fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lane(s) of {}, {} thread(s)\n",
@@ -157,7 +147,7 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   line.draw_above([&] { return plot.lines(); });
   ScheduleHooks hooks;
   hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
-  hooks.stop = &stop_requested;
+  hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
     if (result.outcome.status == Status::interrupted) return;
@@ -191,7 +181,7 @@ void add_run_command(CLI::App& app, Session& session) {
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
   run->add_flag("--no-cache", args->no_cache, "make the packing anew");
   run->callback([args, &session] {
-    std::signal(SIGINT, on_interrupt);
+    stop_on_interrupt();
     for (const std::string& path : args->recipes)
       session.exit_code =
           std::max(session.exit_code, run_one(path, *args, session, args->recipes.size() > 1));

@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
@@ -23,12 +22,6 @@ namespace phy {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stop_requested{false};
-void on_interrupt(int) {
-  stop_requested = true;
-  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends at once; finished specimens are in the store already
-}
 
 struct StudyArguments {
   std::string study, folder, shard, csv;
@@ -140,26 +133,20 @@ struct StudyRun {
   std::size_t n_new = 0, n_guest = 0;
 };
 
-MachineOptions machine_of(int threads) {
-  MachineOptions machine;
-  machine.isa = native_isa();
-  machine.threads = threads;
-  return machine;
-}
-
-StudyRun run_plan(const Plan& plan, Store& store, const Session& session, int threads, const Ranks* ranks) {
+StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const Ranks* ranks) {
   ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
   StudyHooks hooks;
-  hooks.stop = &stop_requested;
+  hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const StudyProgress& p) {
     line.show([&](double seconds) { return progress_text(p, seconds, p.n_total); });
   };
   hooks.on_result = [&](const PlannedTest&, const TestResult& r) {
     if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);
   };
-  StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(threads) : threads);
-  const WorkReport report = ranks != nullptr ? work_as_host(*ranks, desk, plan, machine_of(threads))
-                                             : work_at(desk, plan, machine_of(threads));
+  const MachineOptions machine = machine_of(session);
+  StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
+  const WorkReport report =
+      ranks != nullptr ? work_as_host(*ranks, desk, plan, machine) : work_at(desk, plan, machine);
   line.finish();
   return {report, desk.progress().n_new, desk.progress().n_guest};
 }
@@ -196,9 +183,9 @@ int finish_study(const Plan& plan, const Store& store, const std::string& folder
 }
 
 /// All but rank 0: work for rank 0's store, write and print nothing.
-int run_as_guest(const Plan& plan, const Ranks& ranks, int threads) {
-  ranks.sum(threads);
-  work_as_guest(ranks, plan, machine_of(threads));
+int run_as_guest(const Plan& plan, const Ranks& ranks, const MachineOptions& machine) {
+  ranks.sum(machine.threads);
+  work_as_guest(ranks, plan, machine);
   return 0;
 }
 
@@ -208,23 +195,22 @@ int run_study(const Study& study, const StudyArguments& args, const std::string&
   if (args.mpi) ranks.emplace();
   const Shard shard = parse_shard(args.shard);
   const Plan plan = make_plan(study, shard);
-  const int threads = session.threads > 0 ? session.threads : available_cores();
   if (ranks) ranks->check_same(plan);
-  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, threads);
+  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
   const std::string file = store_file(folder, shard);
   if (args.dry_run) {
     std::vector<std::optional<StoredResult>> rows(plan.tests.size());
     if (fs::exists(file)) rows = rows_of(plan, Store(file));
-    print_plan(plan, rows, threads);
+    print_plan(plan, rows, n_threads(session));
     return 0;
   }
   check_writable(folder);
   for (const auto& [name, content] : study_files(study))
     write_file((fs::path(folder) / name).string(), content);
   Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
-  print_plan(plan, rows_of(plan, store), threads);
+  print_plan(plan, rows_of(plan, store), n_threads(session));
   std::fflush(stdout);
-  const StudyRun run = run_plan(plan, store, session, threads, ranks ? &*ranks : nullptr);
+  const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
   return finish_study(plan, store, folder, shard, run);
 }
 
@@ -240,7 +226,7 @@ int status_of(const StudyArguments& args, const Session& session) {
   const Plan plan = make_plan(study_in(args.folder));
   const Store store(store_file(args.folder, {}));
   const auto rows = rows_of(plan, store);
-  print_plan(plan, rows, session.threads > 0 ? session.threads : available_cores());
+  print_plan(plan, rows, n_threads(session));
   const std::size_t n_left = n_unfinished(plan, rows), n_bad = print_failures(plan, rows);
   fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n",
              plan.tests.size() - n_left, plan.tests.size(), store.n_claimed(), n_bad, store.hash());
@@ -266,6 +252,8 @@ int effects_of_study(const StudyArguments& args) {
 
 int merge_stores(const StudyArguments& args) {
   std::vector<std::string> stores = args.stores;
+  if (!fs::is_directory(args.folder))
+    throw IoError(args.folder + ": is no folder; name the --out of `phyllite study`");
   if (stores.empty())
     for (const auto& entry : fs::directory_iterator(args.folder))
       if (entry.path().filename().string().starts_with("shard-") && entry.path().extension() == ".sqlite")
@@ -363,7 +351,7 @@ void add_study_command(CLI::App& app, Session& session) {
   CLI::App* merge = verb("merge", "join the stores of shards");
   merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
   study->callback([=, &session] {
-    std::signal(SIGINT, on_interrupt);
+    stop_on_interrupt();
     session.exit_code = *status    ? status_of(*args, session)
                         : *resume  ? run_study(study_in(args->folder), *args, args->folder, session)
                         : *csv     ? export_study(*args)

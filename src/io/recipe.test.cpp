@@ -228,6 +228,31 @@ TEST(Recipe, SyntaxErrorsDoNotHideOtherProblems) {
   EXPECT_EQ(std::count(p.begin(), p.end(), '\n'), 4) << p;
 }
 
+// A wrong key does not hide that two others contradict each other; it does silence what would be about
+// itself.
+TEST(Recipe, MistakesBetweenKeysAreToldBesideMistakesInKeys) {
+  const std::string p = problems_of(
+      "[matrix]\nmu = -1\n[[bedding]]\nspacing = \"2 mm\"\nzone_thickness = \"3 mm\"\n[test]\n"
+      "jump_strain = 0.05\nmax_strain = \"1 %\"\n");
+  EXPECT_THAT(p, HasSubstr("r.toml:2: matrix.mu"));
+  EXPECT_THAT(p, HasSubstr("r.toml:5: bedding[0].zone_thickness = 3 mm: expected below the spacing of 2 mm"));
+  EXPECT_THAT(p, HasSubstr("r.toml:8: test.max_strain"));
+  EXPECT_EQ(std::count(p.begin(), p.end(), '\n'), 2) << "jump_strain waits for max_strain: " << p;
+}
+// What a misspelt key or a broken line was meant to give is not known, so only given keys are compared.
+TEST(Recipe, NothingIsHeldAgainstADefaultThatMayNotBeMeant) {
+  const std::string p = problems_of("[packing]\nradius_mni = \"0.1 mm\"\nradius_max = \"0.2 mm\"\n");
+  EXPECT_THAT(p, HasSubstr("did you mean \"radius_min\"?"));
+  EXPECT_EQ(p.find("exchange the two"), p.npos) << p;
+  const std::string q = problems_of(
+      "nmae = \"x\"\n[[bedding]]\nspacing = \"2 mm\"\nrule = \"zone\"\n"
+      "zone_thickness = \"3 mm\"\n");
+  EXPECT_THAT(q, HasSubstr("did you mean \"name\"?"));
+  EXPECT_THAT(q, HasSubstr("below the spacing of 2 mm"));
+  EXPECT_EQ(problems_of("[test]\nangles = [\"0 deg\"]\n[bedding]\n").find("add [[bedding]]"),
+            std::string::npos);
+}
+
 TEST(Recipe, ProblemsComeInTheOrderOfTheFile) {
   const std::string p =
       problems_of("[test]\nstop_at = 7\n[matrix]\nmu = -1\n[engine]\nzzz = 1\ndamping = 2\n");

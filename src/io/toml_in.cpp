@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "io/csv.hpp"
@@ -131,6 +132,7 @@ class Reader {
   Recipe read() {
     find_unknown();
     count_bedding();
+    all_told_apart_ = problems.empty();
     for (const Field& f : recipe_fields()) {
       if (f.table != "bedding")
         read_field(f, table_of(f.table), f.path(), 0);
@@ -139,9 +141,10 @@ class Reader {
           read_field(f, bedding_[i], "bedding[" + std::to_string(i) + "]." + f.key, i);
     }
     choose_number_or_porosity();
-    if (problems.empty())
-      for (Problem& p : cross_checks(recipe_, [&](const std::string& path) { return place(path); }))
-        problems.push_back(std::move(p));
+    for (Problem& p : cross_checks(
+             recipe_, [&](const std::string& path) { return place(path); },
+             [&](const std::string& path) { return is_known(path); }))
+      problems.push_back(std::move(p));
     std::stable_sort(problems.begin(), problems.end(),
                      [&](const Problem& a, const Problem& b) { return line_of(a) < line_of(b); });
     return recipe_;
@@ -154,6 +157,8 @@ class Reader {
   Recipe recipe_;
   std::vector<const toml::table*> bedding_;
   std::map<std::string, std::string> places_;
+  std::set<std::string> misread_;
+  bool all_told_apart_ = true;  // every line of the file is TOML, and belongs to a key that we know
 
   std::string at(const toml::node& node) const { return at_line(where_, node.source().begin.line); }
   /// The line that a problem names; 0 for one about the whole file.
@@ -166,6 +171,10 @@ class Reader {
   std::string place(const std::string& path) const {
     const auto it = places_.find(path);
     return it == places_.end() ? where_ : it->second;
+  }
+  /// Read well; or not given, and none of the lines that were not understood can have been meant to give it.
+  bool is_known(const std::string& path) const {
+    return places_.contains(path) ? !misread_.contains(path) : all_told_apart_;
   }
   const toml::table* table_of(const std::string& name) const {
     if (name.empty()) return &root_;
@@ -220,25 +229,30 @@ class Reader {
     const toml::node* node = table != nullptr ? table->get(f.key) : nullptr;
     if (node == nullptr) return;
     places_[path] = at(*node);
+    const std::size_t n_before = problems.size();
+    take_field(f, *node, path, index);
+    if (problems.size() > n_before) misread_.insert(path);
+  }
+  void take_field(const Field& f, const toml::node& node, const std::string& path, std::size_t index) {
     switch (f.kind) {
       case FieldKind::text:
-        if (const auto* s = node->as_string())
+        if (const auto* s = node.as_string())
           f.set_text(recipe_, s->get());
         else
-          tell(*node, path, "text in quotes", "");
+          tell(node, path, "text in quotes", "");
         return;
       case FieldKind::boolean:
-        if (const auto* b = node->as_boolean())
+        if (const auto* b = node.as_boolean())
           f.set(recipe_, index, b->get() ? 1.0 : 0.0);
         else
-          tell(*node, path, "true or false", "");
+          tell(node, path, "true or false", "");
         return;
-      case FieldKind::choice: return read_choice(f, *node, path, index);
-      case FieldKind::quantities: return read_list(f, *node, path);
+      case FieldKind::choice: return read_choice(f, node, path, index);
+      case FieldKind::quantities: return read_list(f, node, path);
       default: break;
     }
     double value = 0.0;
-    if (read_value(f, *node, path, value)) f.set(recipe_, index, value);
+    if (read_value(f, node, path, value)) f.set(recipe_, index, value);
   }
   void read_choice(const Field& f, const toml::node& node, const std::string& path, std::size_t index) {
     const auto* s = node.as_string();

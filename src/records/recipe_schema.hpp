@@ -40,9 +40,11 @@ const std::vector<Field>& recipe_fields();
 std::string range_text(const Field& field);
 /// A value as it is written in a file.
 std::string print_field(const Field& field, const Recipe& recipe, std::size_t index);
-/// Problems between keys (thickness against spacing, ...). `where(path)` tells file and line of a key.
-std::vector<Problem> cross_checks(const Recipe& recipe,
-                                  const std::function<std::string(const std::string&)>& where);
+/// Problems between keys (thickness against spacing, ...). `where(path)` tells file and line of a key; a
+/// check is left out if one of its keys has a value that nobody means (`is_known(path)` is false).
+std::vector<Problem> cross_checks(
+    const Recipe& recipe, const std::function<std::string(const std::string&)>& where,
+    const std::function<bool(const std::string&)>& is_known = [](const std::string&) { return true; });
 /// True if `word` is one of the names of the field in PFC.
 bool has_pfc_name(const Field& field, const std::string& word);
 /// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what, or the

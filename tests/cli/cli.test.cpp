@@ -62,7 +62,7 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
   const fs::path file = folder / "a picture.svg";
   const std::string figure = "figure " + out() + " --out '" + file.string() + "' --kind ";
   EXPECT_EQ(run(figure + "fig5"), 2);
-  EXPECT_THAT(output, HasSubstr("study"));
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("--kind = fig5"), HasSubstr("study")));
   EXPECT_EQ(run_line("PATH=/nonexistent " PHY_PROGRAM " " + figure + "cracks"), 3);
   EXPECT_THAT(output, HasSubstr("apt install gnuplot-nox"));
   EXPECT_FALSE(fs::exists(file));
@@ -236,6 +236,7 @@ TEST_F(Cli, ElasticPrintsModuliFitsAndSensitivities) {
   for (const char* part : {"theta = 45 deg", "intact", "sum(A)/L", "bridges", "bedding[0].k_n", "K_s"})
     EXPECT_THAT(output, HasSubstr(part));
   EXPECT_THAT(output, HasSubstr("no fit: 2 distinct angle(s)"));
+  EXPECT_EQ(output.find(" nan"), output.npos);
 }
 
 TEST_F(Cli, ElasticComparesWithThePress) {

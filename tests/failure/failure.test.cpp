@@ -90,6 +90,14 @@ TEST_F(Failure, CommandLine) {
   EXPECT_EQ(run("run " + small_recipe() + " --lanes 3"), 2);
   EXPECT_THAT(output, HasSubstr("--lanes"));
   EXPECT_EQ(run("run " + small_recipe() + " --lnaes 4"), 2);
+  EXPECT_EQ(run("calibrat rock.toml"), 2);
+  EXPECT_THAT(output, AllOf(HasSubstr("verb = calibrat"), HasSubstr("did you mean calibrate?")));
+  EXPECT_EQ(run("rock nwe"), 2);
+  EXPECT_THAT(output, AllOf(HasSubstr("one of new, check, twin"), HasSubstr("did you mean new?")));
+  EXPECT_EQ(run("recipe --explain zone"), 2);
+  EXPECT_THAT(output, HasSubstr("did you mean \"zone_thickness\"?"));
+  EXPECT_EQ(run("study merge " + (folder / "absent").string()), 3);
+  EXPECT_THAT(output, HasSubstr("absent: is no folder; name the --out"));
   EXPECT_EQ(run("verify V99"), 2);
   EXPECT_THAT(output, HasSubstr("V99"));
   EXPECT_EQ(run("recipe"), 2);
