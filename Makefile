@@ -1,15 +1,16 @@
 # make deps     install what is missing (Debian packages)    make demo    calibrate the twin rock, print the tables
-# make deps-all also what figures and films need              make test    build and run all tests
+# make deps-all also what no test is left out without        make test    build and run all tests
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
 #                                                             make bench   measure the speed of the press
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
             libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
-PICTURES := gnuplot-nox fonts-dejavu-core ffmpeg  # for phyllite figure and film only
+# For phyllite figure, film and study --mpi only, and for the test of a full disk.
+MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build demo demo-press test soak deps-soak bench lint tidy docs web browser clean
+.PHONY: deps deps-all build demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -18,7 +19,7 @@ deps:
 	  echo "deps: installing$$missing"; \
 	  $(SUDO) apt-get update -qq && DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
 
-deps-all: PACKAGES += $(PICTURES)
+deps-all: PACKAGES += $(MORE)
 deps-all: deps
 
 build:

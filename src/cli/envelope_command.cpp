@@ -16,6 +16,7 @@
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "study/envelope.hpp"
+#include "study/table.hpp"
 
 namespace phy {
 namespace {
@@ -117,7 +118,7 @@ std::string strengths_csv(const EnvelopeTests& tests) {
     for (const TestResult& r : tests.results[i]) {
       const auto value = [&](const char* name) {
         const Number* n = find(r.numbers, name);
-        return n == nullptr || !std::isfinite(n->value) ? std::string() : print_number(n->value);
+        return n == nullptr ? std::string() : csv_cell(n->value);
       };
       text += fmt::format("{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
@@ -130,14 +131,13 @@ std::string fits_csv(const Envelope& envelope) {
   std::string text =
       "specimen,theta [deg],cohesion [Pa],cohesion_se [Pa],friction [deg],friction_se [deg],R2_mohr_coulomb,"
       "ucs_hb [Pa],ucs_hb_se [Pa],m_i,m_i_se,R2_hoek_brown,k,k_se\n";
-  const auto number = [](double v) { return std::isfinite(v) ? print_number(v) : std::string(); };
   for (const SpecimenEnvelope& s : envelope.specimens) {
     text += s.name + "," + (s.intact ? "" : print_number(s.theta));
     for (const double v :
          {s.mohr_coulomb.cohesion.value, s.mohr_coulomb.cohesion.se, s.mohr_coulomb.friction.value,
           s.mohr_coulomb.friction.se, s.mohr_coulomb.R2, s.hoek_brown.ucs.value, s.hoek_brown.ucs.se,
           s.hoek_brown.m_i.value, s.hoek_brown.m_i.se, s.hoek_brown.R2, s.k.value, s.k.se})
-      text += "," + number(v);
+      text += "," + csv_cell(v);
     text += "\n";
   }
   return text;

@@ -441,6 +441,10 @@ std::string as_written(const TomlValue& v) {
   return "a date";
 }
 
+bool within_range(const Field& f, double value) {
+  return (f.above_min ? value > f.min : value >= f.min) && (f.below_max ? value < f.max : value <= f.max);
+}
+
 bool take_value(const Field& f, const TomlValue& v, double& value, std::string& remedy) {
   const bool numeric = v.kind == TomlValue::Kind::integer || v.kind == TomlValue::Kind::number;
   if (f.dimension != Dimension::none) {
@@ -455,9 +459,7 @@ bool take_value(const Field& f, const TomlValue& v, double& value, std::string& 
     remedy = f.kind == FieldKind::integer ? "write a whole number" : "write a bare number";
     return false;
   }
-  const bool low = f.above_min ? !(value > f.min) : !(value >= f.min);
-  const bool high = f.below_max ? !(value < f.max) : !(value <= f.max);
-  return !low && !high;
+  return within_range(f, value);
 }
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }

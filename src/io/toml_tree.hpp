@@ -33,6 +33,9 @@ TomlValue parse_toml(std::string_view text, const std::string& where, std::vecto
 /// The value as it stands in the file, for messages.
 std::string as_written(const TomlValue& value);
 
+/// False for NaN too.
+bool within_range(const Field& field, double value);
+
 /// One number of a recipe key, with its unit and within its range. False: `remedy` says what to do (may be
 /// empty where range_text says it all).
 bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);

@@ -63,12 +63,13 @@ std::string bedding_text(const BeddingRecipe& b) {
 }
 
 std::string tools_text(const TestRecipe& t) {
-  const std::string speed = quantity(t.platen_speed, Dimension::speed), kind = to_string(t.kind);
-  if (kind == "uniaxial")
+  const std::string speed = quantity(t.platen_speed, Dimension::speed);
+  if (t.kind == TestKind::uniaxial)
     return fmt::format("Two rigid platens (friction {:g}) closed at {} each.", t.platen_friction, speed);
-  if (kind == "direct_tension")
+  if (t.kind == TestKind::direct_tension)
     return fmt::format("Grips on both ends, free to move sideways, pulled at {} each.", speed);
-  return fmt::format("The test was one of the kind {}, its tools moved at {} each.", kind, speed);
+  return fmt::format("The test was one of the kind {}, its tools moved at {} each.", to_string(t.kind),
+                     speed);
 }
 
 std::string loading_text(const RunRecord& run) {

@@ -13,6 +13,7 @@
 #include "report/axes.hpp"
 #include "report/curves.hpp"
 #include "report/methods.hpp"
+#include "report/palette.hpp"
 
 // The page without data, taken into the program by the assembler.
 asm(".section .rodata\n"
@@ -54,13 +55,10 @@ Json axes_json(const TestAxes& a) {
 }
 
 Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
-  const auto kind = [](const CrackEvent& c) {
-    return (c.mode == CrackMode::shear ? 1 : 0) + (c.place == CrackPlace::bedding ? 2 : 0);
-  };
   return {{"strain", packed<double>(cracks, [&](const CrackEvent& c) { return sign * c.strain; })},
           {"a", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.a; })},
           {"b", packed<std::uint32_t>(cracks, [](const CrackEvent& c) { return c.b; })},
-          {"kind", packed<std::uint8_t>(cracks, kind)},
+          {"kind", packed<std::uint8_t>(cracks, crack_kind)},
           {"normal_x", packed<float>(cracks, [](const CrackEvent& c) { return c.normal.x; })},
           {"normal_y", packed<float>(cracks, [](const CrackEvent& c) { return c.normal.y; })},
           {"size", packed<float>(cracks, [](const CrackEvent& c) { return c.size; })}};

@@ -64,12 +64,10 @@ Column label(const Results& results) {
 }
 
 Columns tension_columns(const Results& results) {
-  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
-          reading("nu", "", results, "nu", 1.0, 3),
+  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2), reading("nu", "", results, "nu", 1.0, 3),
           reading("sigma_t", "MPa", results, "sigma_t", 1e-6, 2),
           reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
-          reading("cracks at", "the grips", results, "failure_at_grip", 1.0, 2),
-          reading("energy", "error", results, "energy_error", 1.0, 5)};
+          reading("cracks at", "the grips", results, "failure_at_grip", 1.0, 2)};
 }
 
 Columns disc_columns(const Results& results) {
@@ -77,8 +75,7 @@ Columns disc_columns(const Results& results) {
           reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
           reading("1st crack", "y/D", results, "first_crack_y", 1.0, 2),
           reading("1st crack", "x/D", results, "first_crack_x", 1.0, 2),
-          reading("cracks in", "central third", results, "central_cracks", 1.0, 2),
-          reading("energy", "error", results, "energy_error", 1.0, 5)};
+          reading("cracks in", "central third", results, "central_cracks", 1.0, 2)};
 }
 
 Columns confined_columns(const Results& results) {
@@ -88,8 +85,7 @@ Columns confined_columns(const Results& results) {
           reading("sigma_1", "MPa", results, "sigma_1", 1e-6, 2),
           reading("sigma_ci", "MPa, q", results, "sigma_ci", 1e-6, 2),
           reading("sigma_cd", "MPa, q", results, "sigma_cd", 1e-6, 2),
-          reading("confinem.", "error", results, "confinement_error", 1.0, 4),
-          reading("energy", "error", results, "energy_error", 1.0, 5)};
+          reading("confinem.", "error", results, "confinement_error", 1.0, 4)};
 }
 
 Columns shear_columns(const Results& results) {
@@ -98,11 +94,10 @@ Columns shear_columns(const Results& results) {
           reading("u peak", "um", results, "u_peak", 1e6, 2),
           reading("tau resid.", "MPa", results, "tau_residual", 1e-6, 2),
           reading("K_s", "GPa/m", results, "K_s", 1e-9, 1),
-          reading("dilation", "deg", results, "dilation", 1.0, 2),
-          reading("energy", "error", results, "energy_error", 1.0, 5)};
+          reading("dilation", "deg", results, "dilation", 1.0, 2)};
 }
 
-Columns curve_columns(const Results& results) {
+Columns numbers_of_kind(const Results& results) {
   switch (results.empty() ? TestKind::uniaxial : results.front().kind) {
     case TestKind::uniaxial: break;
     case TestKind::direct_tension: return tension_columns(results);
@@ -115,8 +110,13 @@ Columns curve_columns(const Results& results) {
           reading("nu", "", results, "nu", 1.0, 3),
           reading("UCS", "MPa", results, "ucs", 1e-6, 2),
           reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
-          reading("sigma_cd", "MPa", results, "sigma_cd", 1e-6, 2),
-          reading("energy", "error", results, "energy_error", 1.0, 5)};
+          reading("sigma_cd", "MPa", results, "sigma_cd", 1e-6, 2)};
+}
+
+Columns curve_columns(const Results& results) {
+  Columns columns = numbers_of_kind(results);
+  columns.push_back(reading("energy", "error", results, "energy_error", 1.0, 5));
+  return columns;
 }
 
 Columns run_columns(const Results& results) {

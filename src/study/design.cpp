@@ -12,7 +12,6 @@ namespace phy {
 namespace {
 
 constexpr int morris_levels = 4;
-constexpr double morris_step = 2.0 / 3.0;  // p / (2 (p - 1)): every level is reached equally often
 
 /// Random numbers of a study: a dimension and a running number.
 double draw(const Study& study, std::size_t dimension, std::size_t i) {

@@ -26,6 +26,9 @@ namespace phy {
 
 enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
 constexpr int n_designs = 7;
+/// Of morris, in parts of the range: p / (2 (p - 1)) with p = 4 levels, so that each is reached equally
+/// often.
+constexpr double morris_step = 2.0 / 3.0;
 const char* to_string(Design design);
 
 /// A key of the recipe; of the bedding either one set or all sets alike.

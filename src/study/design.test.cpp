@@ -175,6 +175,10 @@ TEST_F(StudyFile, PointsThatNoRecipeMayHaveAreRefused) {
               HasSubstr("zone_thickness = 3 mm: bedding[0].zone_thickness"));
   EXPECT_THAT(problems_of("design = \"full_factorial\"\nsamples = 1\n" + std::string(two_ranges)),
               HasSubstr("values or times with this design"));
+  EXPECT_THAT(
+      problems_of(
+          "[set]\n\"bedding.theta\" = \"90 deg\"\n[[vary]]\nkey = \"bedding.theta\"\ntimes = [1, 2]\n"),
+      HasSubstr("within 0 deg <= value < 180 deg"));
 }
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {

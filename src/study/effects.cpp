@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
-#include "base/units.hpp"
+#include "records/test_record.hpp"
 
 namespace phy {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double morris_step = 2.0 / 3.0;  // of the range (study/design.cpp: four levels, steps of two)
 
 /// Place of a run's packing and bond seed among the replicates.
 std::size_t replicate_of(const Plan& plan, const Run& run) {
@@ -30,10 +29,8 @@ const Number* number_of(const StudyRows& rows, const Run& run, const std::string
   return row ? find(row->result.numbers, name) : nullptr;
 }
 
-std::string angle_name(double theta) { return "theta = " + print_number(theta) + " deg"; }
-
-std::string specimen_name(const Recipe& r) {
-  return r.bedding.empty() ? "intact" : angle_name(r.bedding.front().theta);
+std::string name_of(const Recipe& single) {
+  return single.bedding.empty() ? "intact" : specimen_name(single.bedding.front().theta);
 }
 
 std::vector<std::vector<double>> no_values(const Plan& plan) {
@@ -74,11 +71,19 @@ double range_of(const Plan& plan, std::size_t factor) {
   return high - low;
 }
 
-void add_line(Collected& all, const Plan& plan, const Response& r, std::size_t replicate, std::size_t factor,
-              const std::string& slope_unit) {
-  const LineFit line = curve_lines(plan, r, factor)[replicate];
+/// A line through the values `y` of one replicate by point.
+LineFit curve_line(const Plan& plan, const std::vector<double>& y, const std::vector<std::size_t>& points,
+                   std::size_t factor) {
+  std::vector<double> x, finite;
+  for (const std::size_t p : points)
+    if (std::isfinite(y[p])) x.push_back(plan.points[p].values[factor]), finite.push_back(y[p]);
+  return fit_line(x, finite);
+}
+
+void add_line(Collected& all, const Plan& plan, const Response& r, const std::vector<double>& y,
+              std::size_t factor, const std::string& slope_unit) {
   const std::vector<std::size_t> points = curve_points(plan, factor);
-  const std::vector<double>& y = r.values[replicate];
+  const LineFit line = curve_line(plan, y, points, factor);
   all.add("slope", slope_unit, line.slope), all.add("slope se", slope_unit, line.slope_se);
   all.add("intercept", r.unit, line.intercept), all.add("intercept se", r.unit, line.intercept_se);
   all.add("R2", "1", line.R2);
@@ -98,7 +103,7 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
   std::vector<Response> all;
   for (const Run& run : plan.runs) {
     const Number* n = number_of(rows, run, number);
-    const std::string specimen = specimen_name(plan.tests[run.test].recipe);
+    const std::string specimen = name_of(plan.tests[run.test].recipe);
     auto r = std::find_if(all.begin(), all.end(), [&](const Response& x) { return x.specimen == specimen; });
     if (r == all.end()) r = all.insert(r, {number, "", specimen, no_values(plan)});
     if (n == nullptr) continue;
@@ -146,7 +151,7 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string&
     fits.R2.values[place.first][place.second] = fit.R2;
     for (std::size_t i = 0; i < r.layered.size(); ++i) {
       const double theta = r.layered[i].theta;
-      if (i == fits.E.size()) fits.E.push_back({"E_eq1", "Pa", angle_name(theta), no_values(plan)});
+      if (i == fits.E.size()) fits.E.push_back({"E_eq1", "Pa", specimen_name(theta), no_values(plan)});
       fits.E[i].values[place.first][place.second] = goodman_E(fit.rock, theta);
     }
   }
@@ -165,15 +170,8 @@ std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor) {
 
 std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor) {
   std::vector<LineFit> lines;
-  for (const std::vector<double>& values : response.values) {
-    std::vector<double> x, y;
-    for (const std::size_t p : curve_points(plan, factor)) {
-      if (!std::isfinite(values[p])) continue;
-      x.push_back(plan.points[p].values[factor]);
-      y.push_back(values[p]);
-    }
-    lines.push_back(fit_line(x, y));
-  }
+  const std::vector<std::size_t> points = curve_points(plan, factor);
+  for (const std::vector<double>& y : response.values) lines.push_back(curve_line(plan, y, points, factor));
   return lines;
 }
 
@@ -181,10 +179,9 @@ std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::
   const RecipeKey& key = plan.study.vary[factor].key;
   const std::string slope_unit = response.unit + " per " + key.unit();
   Collected all;
-  for (std::size_t i = 0; i < response.values.size(); ++i) {
-    const std::vector<double>& y = response.values[i];
+  for (const std::vector<double>& y : response.values) {
     if (plan.study.design == Design::one_at_a_time) {
-      add_line(all, plan, response, i, factor, slope_unit);
+      add_line(all, plan, response, y, factor, slope_unit);
     } else if (plan.study.design == Design::morris) {
       const ElementaryEffect e = elementary_effects(plan.points, y)[factor];
       all.add("mu", response.unit, e.mu), all.add("mu_star", response.unit, e.mu_star);

@@ -31,8 +31,7 @@ Recipe confined_recipe(Recipe recipe, double confining_stress);
 /// Runs the tests stress by stress; `specimens` are those of the recipe.
 EnvelopeTests run_envelope(const std::vector<std::shared_ptr<const Specimen>>& specimens,
                            const Recipe& recipe, const std::vector<double>& confining,
-                           const MachineOptions& machine, const OnConfinedResult& on_result = {},
-                           const std::atomic<bool>* stop = nullptr);
+                           const MachineOptions& machine, const OnConfinedResult& on_result = {});
 
 /// One specimen over all confining stresses.
 struct SpecimenEnvelope {

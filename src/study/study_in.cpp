@@ -281,8 +281,7 @@ class Reader {
     const Field& field = *f.key.field;
     for (const TomlValue& v : list.items) {
       const double value = v.number * base;
-      if ((v.kind == Kind::integer || v.kind == Kind::number) && value >= field.min && value <= field.max &&
-          !(field.above_min && value == field.min))
+      if ((v.kind == Kind::integer || v.kind == Kind::number) && within_range(field, value))
         f.levels.push_back(value);
       else
         tell(v, name, "a factor that keeps " + f.key.path() + " within " + range_text(field), "");

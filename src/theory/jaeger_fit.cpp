@@ -9,8 +9,9 @@ namespace phy {
 namespace {
 
 constexpr double largest_friction = 60.0;  // [deg]
-constexpr int grid = 60;                   // per direction; with five rounds of 1/10 both are exact to 1e-6
+constexpr int grid = 60;                   // per direction and round; a step of the last is 4e-7 of the range
 constexpr int rounds = 6;
+constexpr double narrower = 0.12;  // 3.6 steps of the grid before to either side
 
 using Matrix = std::function<double(double)>;
 
@@ -72,7 +73,7 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
       }
     }
     middle = fit.plane;
-    half_c *= 0.12, half_phi *= 0.12;
+    half_c *= narrower, half_phi *= narrower;
   }
   const double total = spread(readings);
   fit.R2 = total > 0.0 ? 1.0 - best / total : std::numeric_limits<double>::quiet_NaN();

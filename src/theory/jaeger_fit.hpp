@@ -4,9 +4,9 @@
 //   minimise sum (ucs_i - min(matrix, sigma_1(c, phi; theta_i)))^2,   0 <= c <= matrix/2, 0 <= phi <= 60
 //
 // The sum has kinks where a specimen changes between plane and matrix, and may have several minima: a grid
-// over phi and c, then two rounds of finer grids around the best point. Rejected: Gauss-Newton, which stops
-// at kinks. Flat shoulders are part of the theory; rock is rounder (docs/theory/strength.md), so a low R2 is
-// a finding.
+// over phi and c, then finer grids around the best point, each 0.12 times as wide. Rejected: Gauss-Newton,
+// which stops at kinks. Flat shoulders are part of the theory; rock is rounder (docs/theory/strength.md), so
+// a low R2 is a finding.
 #pragma once
 #include <functional>
 #include <string>

@@ -7,6 +7,11 @@ const base = {
   grid: true,
 };
 
+/** A chart that shares its row with others. */
+const panel = (width: number, marginLeft = 46) => ({ ...base, width, height: Math.max(220, width * 0.66), marginLeft, marginBottom: 40 });
+
+const inclination = { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none" } as const;
+
 /** Ticks every 15 degrees, or 30 where it is narrow. */
 const angles = (far: number, width: number) => {
   const step = width < 280 ? 30 : 15;
@@ -58,6 +63,11 @@ export interface LinkedChart {
   y: (stress: number) => number;
 }
 
+function linked(node: ReturnType<typeof Plot.plot>): LinkedChart {
+  const [x, y] = [node.scale("x")!, node.scale("y")!];
+  return { node: node as SVGSVGElement, x: (v) => x.apply(v), y: (v) => y.apply(v) };
+}
+
 /** All stress-strain curves with damage stresses marked. */
 export function stressStrain(report: Report, width: number, selected: number | null): LinkedChart {
   const points = report.tests.flatMap((t, i) =>
@@ -85,8 +95,7 @@ export function stressStrain(report: Report, width: number, selected: number | n
       ),
     ],
   });
-  const [sx, sy] = [node.scale("x")!, node.scale("y")!];
-  return { node: node as SVGSVGElement, x: (v) => sx.apply(v), y: (v) => sy.apply(v) };
+  return linked(node);
 }
 
 /** One specimen: stress, crack counts by kind on the right axis, damage stresses. */
@@ -132,8 +141,7 @@ export function damage(t: Test, axes: Axes, width: number): LinkedChart {
       ),
     ],
   });
-  const [sx, sy] = [node.scale("x")!, node.scale("y")!];
-  return { node: node as SVGSVGElement, x: (v) => sx.apply(v), y: (v) => sy.apply(v) };
+  return linked(node);
 }
 
 interface AngleOptions {
@@ -164,12 +172,8 @@ export function overAngle(report: Report, width: number, o: AngleOptions): SVGSV
   const top = Math.max(1e-12, ...[...model, ...intact, ...theory].map((d) => d.value), ...points.map((p) => p.high));
   const far = Math.max(90, ...model.map((m) => m.theta));
   return Plot.plot({
-    ...base,
-    width,
-    height: Math.max(220, width * 0.66),
-    marginLeft: 46,
-    marginBottom: 40,
-    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [0, far], ticks: angles(far, width) },
+    ...panel(width),
+    x: { ...inclination, domain: [0, far], ticks: angles(far, width) },
     y: { label: o.label, labelArrow: "none", domain: [0, top * 1.06], nice: true },
     marks: [
       Plot.ruleY([0]),
@@ -192,11 +196,7 @@ export function modeShare(report: Report, width: number): SVGSVGElement | HTMLEl
     return all === 0 ? [] : counts.map((c, kind) => ({ label: t.label, share: (100 * c) / all, kind, count: c }));
   });
   return Plot.plot({
-    ...base,
-    width,
-    height: Math.max(220, width * 0.66),
-    marginLeft: 46,
-    marginBottom: 40,
+    ...panel(width),
     x: { label: "specimen", labelAnchor: "center", labelArrow: "none", domain: report.tests.map((t) => t.label), padding: 0.22 },
     y: { label: "share of cracks [%]", labelArrow: "none", domain: [0, 100] },
     marks: [
@@ -264,12 +264,8 @@ export function comparison(rows: Comparison[], factor: number, label: string, wi
   const model = rows.filter((r) => r.model !== null).map((r) => ({ theta: r["theta [deg]"], value: r.model! * factor, ...bounds(r, factor) }));
   const bounded = model.filter((m) => m.low !== null && m.high !== null);
   return Plot.plot({
-    ...base,
-    width,
-    height: Math.max(220, width * 0.66),
-    marginLeft: 46,
-    marginBottom: 40,
-    x: { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none", domain: [-3, 93], ticks: angles(90, width) },
+    ...panel(width),
+    x: { ...inclination, domain: [-3, 93], ticks: angles(90, width) },
     y: { label, labelArrow: "none", nice: true, zero: true },
     marks: [
       Plot.ruleY([0]),
@@ -295,11 +291,7 @@ export function seriesChart(series: Series[], factor: number, labels: { x: strin
   const [low, high] = [Math.min(...points.map((p) => p.y)), Math.max(...points.map((p) => p.y))];
   const wide = low > 0 && high > 30 * low; // no linear axis would show the small ones
   return Plot.plot({
-    ...base,
-    width,
-    height: Math.max(220, width * 0.66),
-    marginLeft: 54,
-    marginBottom: 40,
+    ...panel(width, 54),
     x: { label: labels.x, labelAnchor: "center", labelArrow: "none", ...(overAngles ? { domain: [0, 90], ticks: angles(90, width) } : { zero: true }) },
     y: { label: labels.y, labelArrow: "none", nice: true, ...(wide ? { type: "log" } : { zero: true }) },
     marks: [

@@ -1,7 +1,7 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
 import { Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
-import { Field, Viewer, headHeight } from "./viewer";
+import { Field, Viewer, headHeight, ramps } from "./viewer";
 
 type Child = Node | string | null | false;
 
@@ -181,12 +181,11 @@ function check(id: string, on: boolean, onChange: (on: boolean) => void): HTMLIn
 }
 
 function fieldLegend(v: Viewer, place: HTMLElement) {
-  const ramps = { magnitude: "#30123b,#3e7ef7,#1bcfb0,#c7ee3d,#f3a32e", horizontal: "#2166ac,#92c5de,#f2f2f0,#f4a582,#b2182b" };
   place.replaceChildren();
   if (v.state.field === "bedding") return;
   const micrometres = (1e6 * v.range()).toFixed(0);
   const signed = v.state.field !== "magnitude";
-  const ramp = signed ? ramps.horizontal : ramps.magnitude;
+  const ramp = (signed ? ramps.signed : ramps.magnitude).join(",");
   place.append(
     h("span", {}, signed ? `−${micrometres}` : "0"),
     h("i", { class: "ramp", style: `background: linear-gradient(90deg, ${ramp})` }),
@@ -240,15 +239,6 @@ function pointing(v: Viewer) {
   const c = v.canvas;
   const pointers = new Map<number, { x: number; y: number }>();
   let travelled = 0;
-  const pan = (dx: number, dy: number) => {
-    if (v.cells.length === 0) return;
-    const cell = v.cells[0];
-    const metres = v.metresPerPixel(cell);
-    const width = 1 / (metres * cell.width) > 0 ? cell.width * metres * v.state.zoom : 1;
-    v.state.x -= (dx * metres) / (width / 1.08);
-    v.state.y += (dy * metres) / (width / 1.08);
-    v.draw();
-  };
   const zoomBy = (factor: number) => {
     v.state.zoom = Math.min(40, Math.max(1, v.state.zoom * factor));
     v.draw();
@@ -268,7 +258,7 @@ function pointing(v: Viewer) {
     } else {
       travelled += Math.abs(e.clientX - before.x) + Math.abs(e.clientY - before.y);
       c.classList.add("panning");
-      pan(e.clientX - before.x, e.clientY - before.y);
+      v.pan(e.clientX - before.x, e.clientY - before.y);
     }
     pointers.set(e.pointerId, { x: e.clientX, y: e.clientY });
   });
@@ -300,10 +290,10 @@ function pointing(v: Viewer) {
       "+": () => zoomBy(1.3),
       "=": () => zoomBy(1.3),
       "-": () => zoomBy(1 / 1.3),
-      ArrowLeft: () => pan(step, 0),
-      ArrowRight: () => pan(-step, 0),
-      ArrowUp: () => pan(0, step),
-      ArrowDown: () => pan(0, -step),
+      ArrowLeft: () => v.pan(step, 0),
+      ArrowRight: () => v.pan(-step, 0),
+      ArrowUp: () => v.pan(0, step),
+      ArrowDown: () => v.pan(0, -step),
       ",": () => moveTo(position - 0.01),
       ".": () => moveTo(position + 0.01),
     };

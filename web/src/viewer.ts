@@ -16,6 +16,12 @@ export interface ViewState {
   only: number | null; // the one specimen shown, or all
 }
 
+/** Colour scales of displacements from 0, and of signed ones. */
+export const ramps = {
+  magnitude: ["#30123b", "#3e7ef7", "#1bcfb0", "#c7ee3d", "#f3a32e"],
+  signed: ["#2166ac", "#92c5de", "#f2f2f0", "#f4a582", "#b2182b"],
+};
+
 const rows = 256; // width of the displacement texture
 export const headHeight = 24; // above a specimen: its name [CSS pixels]
 const footHeight = 42; // below: stress and cracks, two lines
@@ -286,8 +292,8 @@ export class Viewer {
       push: get("--push"),
       pull: get("--pull"),
       kinds: list("--crack-0", "--crack-1", "--crack-2", "--crack-3"),
-      ramp: ["#30123b", "#3e7ef7", "#1bcfb0", "#c7ee3d", "#f3a32e"].flatMap(hex),
-      diverging: ["#2166ac", "#92c5de", "#f2f2f0", "#f4a582", "#b2182b"].flatMap(hex),
+      ramp: ramps.magnitude.flatMap(hex),
+      diverging: ramps.signed.flatMap(hex),
     };
   }
 
@@ -342,6 +348,16 @@ export class Viewer {
     const l = this.loaded[cell.test];
     if (!l) return 1;
     return Math.max(l.scene.width / cell.width, l.scene.height / cell.height) * (1.08 / this.state.zoom);
+  }
+
+  /** Moves the view along with a pointer [CSS pixels]. */
+  pan(dx: number, dy: number) {
+    const cell = this.cells.find((c) => this.loaded[c.test] !== null);
+    if (!cell) return;
+    const part = this.metresPerPixel(cell) / this.loaded[cell.test]!.scene.width;
+    this.state.x -= dx * part;
+    this.state.y += dy * part;
+    this.draw();
   }
 
   drawNow() {
