@@ -68,7 +68,7 @@ void print_strengths(const EnvelopeTests& tests) {
   for (std::size_t k = 0; k < tests.results.front().size(); ++k) {
     fmt::print("{:<16}", tests.results.front()[k].name);
     for (const auto& row : tests.results) {
-      const Number* n = find(row[k].numbers, "sigma_1");
+      const Number* n = row[k].outcome.status == Status::peaked ? find(row[k].numbers, "sigma_1") : nullptr;
       fmt::print(" {:>9}",
                  n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6) : "-");
     }
