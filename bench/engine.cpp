@@ -3,7 +3,7 @@
 // the start. Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
 // UCS_per_minute: whole tests per minute and core at that speed, with the recipe's time step, platen speed
 // and stop rule; how many cycles such a test takes is counted once, by running the seven angles to their end
-// in single precision.
+// in single precision. kind/...: the other tests of the laboratory on the same packing, 16 lanes of float.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -78,6 +78,53 @@ void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std
   state.counters["UCS_per_minute"] =
       benchmark::Counter(60.0 * cycles / cycles_per_test(angles), benchmark::Counter::kIsRate);
 }
+
+/// Any kind of test on the paper's packing at 45 degrees, 10 MPa where there is a confining or normal stress,
+/// all lanes alike: the loop of the press with another rig.
+void kind(benchmark::State& state, TestKind which, Confinement sides) {
+  if (native_isa() < Isa::avx512) {
+    state.SkipWithError("not measured: instruction set absent");
+    return;
+  }
+  Recipe recipe;
+  recipe.bedding = {BeddingRecipe{}};
+  recipe.test.angles = {45};
+  recipe.test.kind = which;
+  recipe.test.confinement = sides;
+  recipe.test.confining_stress = recipe.test.normal_stress = 10e6;
+  recipe.engine.precision = Precision::single_precision;
+  const auto& packing = paper_specimens().front()->packing;
+  const auto specimen = std::make_shared<const Specimen>(make_specimens(packing, recipe).front());
+  GroupOptions options;
+  options.isa = Isa::avx512;
+  options.precision = recipe.engine.precision;
+  options.lanes = 16;
+  const auto group = make_group(specimen->packing, options);
+  std::vector<std::unique_ptr<LabTest>> tests;
+  for (int l = 0; l < options.lanes; ++l) tests.push_back(make_test(specimen, recipe, *group, l));
+  const auto block = [&] {
+    group->advance();
+    for (const auto& t : tests) t->after_block();
+  };
+  for (int i = 0; i < 60; ++i) block();
+  for (auto _ : state) block();
+  state.counters["per_contact_step"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * options.interval * options.lanes *
+                             static_cast<double>(group->n_contacts(0)),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+#define KIND(name, which, sides)                                     \
+  BENCHMARK_CAPTURE(kind, name, TestKind::which, Confinement::sides) \
+      ->Unit(benchmark::kMillisecond)                                \
+      ->MeasureProcessCPUTime()
+
+KIND(press, uniaxial, walls);
+KIND(direct_tension, direct_tension, walls);
+KIND(brazilian, brazilian, walls);
+KIND(biaxial_walls, biaxial, walls);
+KIND(biaxial_jacket, biaxial, jacket);
+KIND(direct_shear, direct_shear, walls);
 
 #define PRESS(name, isa, precision, lanes, angles)                                          \
   BENCHMARK_CAPTURE(press, name, Isa::isa, Precision::precision##_precision, lanes, angles) \

@@ -12,7 +12,7 @@
 //   for front: for t: row = front - t; move(row); forces(row)
 // Every grain sees the same operations in the same order as without skewing; no bit changes. If a contact
 // joins rows that are not neighbours (fragments), the group runs with skew 1, where any lower row has been
-// moved already.
+// moved already. Tools in balance (rig.hpp) forbid skewing: where they stand in a cycle depends on all rows.
 //
 // Energy. Local damping F_damp = -alpha |F| sign(v) takes alpha |F| sign(v) (v_old + v_new)/2 dt, which
 // closes the kinetic energy of the leap-frog exactly; per cycle the sum goes to `damping` (times 2/dt), slip
@@ -42,13 +42,17 @@ class ForceLoop {
 
   void advance(int n_steps) {
     int done = 0;
+    if (v.n_balanced > 0) {
+      step_by_step(n_steps);
+      done = n_steps - 1;
+    }
     while (done + 1 < n_steps) {
       const int depth = n_steps - 1 - done < v.skew ? n_steps - 1 - done : v.skew;
       sweep(done, depth);
       done += depth;
     }
     for (int row = 0; row < v.n_rows; ++row) {
-      move_row(row, done);
+      if (v.n_balanced == 0) move_row(row, done);
       forces_row<true>(row, done);
     }
     for (int row = 0; row < v.n_rows; ++row) ToolLoop<R>(v, lane).collect(row, done);
@@ -68,6 +72,21 @@ class ForceLoop {
         forces_row<false>(row, first + t);
       }
     }
+  }
+
+  /// All cycles but the forces of the last, where tools in balance have to know all rows. Forces of a cycle
+  /// and motion of the next still share a sweep, unless contacts join rows that are not neighbours.
+  void step_by_step(int n_steps) {
+    const int behind = v.skew > 1 ? 1 : v.n_rows;
+    for (int row = 0; row < v.n_rows; ++row) move_row(row, 0);
+    for (int step = 0; step + 1 < n_steps; ++step) {
+      ToolLoop<R>(v, lane).balance(step);
+      for (int front = 0; front < v.n_rows + behind; ++front) {
+        if (front < v.n_rows) forces_row<false>(front, step);
+        if (front >= behind) move_row(front - behind, step + 1);
+      }
+    }
+    ToolLoop<R>(v, lane).balance(n_steps - 1);
   }
 
   // The rig (tool_loop.hpp), out of the way of the loop over contacts.

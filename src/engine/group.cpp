@@ -232,6 +232,8 @@ GroupView<T> Group<T>::view() {
   v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
   v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
+  v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data();
+  v.balance_on = balance_on_.get(), v.balance_force = balance_force_.get();
   v.slip = slip_.get(), v.damping = damping_.get(), v.sample = sample_.get();
   v.cracks = raw_cracks_.data();
   v.skew = far_rows_ ? 1 : options_.skew;
@@ -248,6 +250,7 @@ void Group<T>::advance() {
   std::fill_n(damping_.get(), n_steps() * W_, T(0));
   GroupView<T> v = view();
   kernel_(v, options_.interval);
+  read_balance();
   std::sort(raw_cracks_.begin(), raw_cracks_.begin() + static_cast<std::ptrdiff_t>(v.n_cracks),
             [](const RawCrack& p, const RawCrack& q) {
               return p.step != q.step         ? p.step < q.step

@@ -60,8 +60,12 @@ struct ToolMotion {
   Vec2 listed_at;  // displacement when the points near the tools were listed
 };
 
-inline double fastest_servo(const Drive& d) {
-  return (d.servo_x.on ? d.servo_x.max_speed : 0.0) + (d.servo_y.on ? d.servo_y.max_speed : 0.0);
+/// Upper bound of a tool's speed. In balance it is at most that of the fastest grain: moving all grains that
+/// it touches moves it by as much.
+inline double fastest_tool(const Drive& d, double fastest_grain) {
+  return norm(d.velocity) + (d.servo_x.on ? d.servo_x.max_speed : 0.0) +
+         (d.servo_y.on ? d.servo_y.max_speed : 0.0) +
+         (d.balance_x.on || d.balance_y.on ? fastest_grain : 0.0);
 }
 
 /// Everything the group knows about one specimen.
@@ -151,6 +155,8 @@ class Group final : public LaneGroup {
   Buffer<T> touch_gap_, touch_shear_;       // per tool, grain and lane
   Buffer<T> tool_u_, tool_v_, tool_force_;  // per step, tool, component and lane
   Buffer<double> tool_du_;
+  Buffer<T> balance_on_, balance_force_;  // per tool, component and lane
+  std::vector<BalancePoint> balanced_;    // in some lane, in the block that runs
   std::vector<std::int32_t> row_touch_, row_grip_, row_load_;
   std::vector<TouchPoint<T>> touch_;
   std::vector<GripPoint> grip_;
@@ -226,6 +232,8 @@ class Group final : public LaneGroup {
   void list_touches();
   void list_grips_and_loads(const Rig& rig);
   void plan_tools();
+  void plan_balance();
+  void read_balance();
   Vec2 block_velocity(Lane& lane, ToolMotion& tool) const;
   double jacket_of(std::size_t lane) const;
   // books

@@ -288,8 +288,8 @@ void Group<T>::watch_motion() {
     const double grains = moved(l) + std::sqrt(speed) * block;
     double tools = 0.0;
     for (const ToolMotion& t : lane.tools)
-      tools = std::max(tools, norm(t.state.displacement - t.listed_at) +
-                                  (norm(t.drive.velocity) + fastest_servo(t.drive)) * block);
+      tools = std::max(
+          tools, norm(t.state.displacement - t.listed_at) + fastest_tool(t.drive, std::sqrt(speed)) * block);
     dirty_ = 2.0 * grains > skin_ || grains + tools > skin_;
   }
 }

@@ -29,6 +29,7 @@ void Group<T>::adopt_rig(const Rig& rig) {
   n_tools_ = rig.tools.size();
   const std::size_t per_step = n_steps() * n_tools_ * 2 * W_;
   tool_u_.assign(per_step), tool_v_.assign(per_step), tool_force_.assign(per_step), tool_du_.assign(per_step);
+  balance_on_.assign(n_tools_ * 2 * W_), balance_force_.assign(n_tools_ * 2 * W_);
   touch_gap_.assign(n_tools_ * n_grains() * W_);
   touch_shear_.assign(n_tools_ * n_grains() * W_);
   std::fill_n(touch_gap_.get(), n_tools_ * n_grains() * W_, T(far_away));
@@ -165,13 +166,13 @@ void Group<T>::list_touches() {
   row_touch_.back() = static_cast<std::int32_t>(touch_.size());
 }
 
-/// Velocity of a tool in the next block at full speed.
+/// Velocity of a tool in the next block at full speed; 0 where it is in balance.
 template <class T>
 Vec2 Group<T>::block_velocity(Lane& lane, ToolMotion& tool) const {
   const double block = lane.dt * options_.interval;
   const Drive& d = tool.drive;
   const ToolState& s = tool.state;
-  Vec2 v = d.velocity;
+  Vec2 v{d.balance_x.on ? 0.0 : d.velocity.x, d.balance_y.on ? 0.0 : d.velocity.y};
   if (d.servo_x.on)
     v.x = servo_step(d.servo_x, s.mean_force.x, s.displacement.x, tool.memory.x, block) / block;
   if (d.servo_y.on)
@@ -179,8 +180,46 @@ Vec2 Group<T>::block_velocity(Lane& lane, ToolMotion& tool) const {
   return v;
 }
 
+/// What the loop has to know of tools in balance: planned at rest, they are moved by it.
+template <class T>
+void Group<T>::plan_balance() {
+  balanced_.clear();
+  for (std::size_t t = 0; t < n_tools_; ++t)
+    for (std::size_t c = 0; c < 2; ++c) {
+      bool any = false;
+      for (std::size_t l = 0; l < W_; ++l) {
+        const std::size_t i = tool_at(0, t, l) + c * W_;
+        const Drive d = t < lanes_[l].tools.size() ? lanes_[l].tools[t].drive : Drive{};
+        const Balance& b = c == 0 ? d.balance_x : d.balance_y;
+        balance_on_[i] = T(b.on ? 1 : 0), balance_force_[i] = T(b.force);
+        any = any || b.on;
+      }
+      if (any) balanced_.push_back({static_cast<std::int32_t>(t), static_cast<std::int32_t>(c)});
+    }
+}
+
+/// Where the loop has put the tools in balance.
+template <class T>
+void Group<T>::read_balance() {
+  for (const BalancePoint& p : balanced_) {
+    const auto tool = static_cast<std::size_t>(p.tool), c = static_cast<std::size_t>(p.component);
+    for (std::size_t l = 0; l < W_; ++l) {
+      if (balance_on_[tool_at(0, tool, l) + c * W_] == T(0)) continue;
+      Vec2& displacement = lanes_[l].tools[tool].state.displacement;
+      double& u = c == 0 ? displacement.x : displacement.y;
+      for (std::size_t s = 0; s < n_steps(); ++s) {
+        const std::size_t i = tool_at(s, tool, l) + c * W_;
+        const auto now = static_cast<double>(tool_u_[i]);
+        tool_du_[i] = now - u;
+        u = now;
+      }
+    }
+  }
+}
+
 template <class T>
 void Group<T>::plan_tools() {
+  plan_balance();
   std::fill_n(tool_force_.get(), n_steps() * n_tools_ * 2 * W_, T(0));
   for (std::size_t l = 0; l < W_; ++l) {
     Lane& lane = lanes_[l];

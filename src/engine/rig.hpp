@@ -5,8 +5,9 @@
 //           (a flat platen has the same everywhere, a curved jaw has not)
 //   grip    a tool holds grains: chosen components of their motion are those of the tool
 //   load    a force on a grain, proportional to one pressure (flexible jacket)
-// A tool translates and does not turn. Each of its two components moves at a velocity or under a servo. Force
-// and displacement of every tool are kept step by step; their product is the work in the energy books.
+// A tool translates and does not turn. Each of its two components moves at a velocity, under a servo or in
+// balance. Force and displacement of every tool are kept step by step; their product is the work in the
+// energy books.
 //
 // Servo. Once per block (the recipe's history interval) the speed is set so that a fraction of the missing
 // force would arrive within the next block; PFC's rule v = gain (F_target - F), with a memory of the speed so
@@ -14,6 +15,14 @@
 //   m <- m + integral e / K,   d = m + proportional e / K,   e = F_target - mean force of the last block
 // K is what the specimen answers with within a block, stated by the laboratory. Source of the rule: Itasca
 // PFC documentation, wall servo.
+//
+// Balance. A tool without mass that touches grains and is pressed on them with a given force: in every step
+// its place is the one where what it touches adds up to that force,
+//   sum_i k n_c max(0, n_i . (U - u_i) - gap_i) = F_target          solved for the component U_c, n_c = n_i .
+//   e_c
+// so the force on the specimen has no error to correct (docs/decisions/0007). Taking a degree of freedom
+// without mass out of the equations lowers no stable step: the stiffness that grains feel is at most that of
+// a wall at rest.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -74,11 +83,18 @@ struct Servo {
   double max_speed = 1.0;  ///< [m/s]
 };
 
+/// One component of a tool in balance with the grains that it touches.
+struct Balance {
+  bool on = false;
+  double force = 0.0;  ///< of the tool on the specimen, signed along the axis [N/m]
+};
+
 /// How a tool moves.
 struct Drive {
-  Vec2 velocity;      ///< [m/s]; a component under servo ignores it
+  Vec2 velocity;      ///< [m/s]; a component under servo or in balance ignores it
   double ramp = 0.0;  ///< time in which the velocity rises linearly from 0 [s]
   Servo servo_x, servo_y;
+  Balance balance_x = {}, balance_y = {};
 };
 
 /// A tool at the end of a block.

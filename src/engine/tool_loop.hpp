@@ -3,6 +3,10 @@
 // Holding works without a second kind of motion: before a row moves, the force on a held component goes to
 // the tool and its velocity becomes the tool's; the ordinary motion then carries it along. The force of step
 // t is therefore collected in step t + 1, and that of a block's last step at the end of the block.
+//
+// Balance is found by Newton's method on a sum of springs that only push: piecewise linear and rising, so
+// that a step or two meet the root. Every lane stops when its own force is met: no lane's bits depend on its
+// mates.
 #pragma once
 #include "engine/lane_memory.hpp"
 #include "engine/view.hpp"
@@ -19,32 +23,24 @@ class ToolLoop {
 
   ToolLoop(GroupView<T>& view, const R* lane_constants) : v(view), lane(lane_constants) {}
 
-  /// Before a row moves in `step`.
-  void hold(int row, int step) {
-    collect(row, step - 1);
-    for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1]; ++i) {
-      const GripPoint& p = v.grip[i];
-      T* grain = grain_at(p.grain);
-      const std::size_t at = tool_at(step, p.tool);
-      const auto held = lane[l_grips] > R(0);
-      if (p.x) store(grain, g_vx, select(held, load<R>(v.tool_v, at), load<R>(grain, g_vx)));
-      if (p.y) store(grain, g_vy, select(held, load<R>(v.tool_v, at + 1), load<R>(grain, g_vy)));
-      if (p.rotation) store(grain, g_w, select(held, R(0), load<R>(grain, g_w)));
+  /// Before a row moves in `step`: the forces of the step before go to the tools, their velocities to the
+  /// grains.
+  PHY_HOT void hold(int row, int step) {
+    for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1];) {
+      const std::size_t at = tool_at(step, v.grip[i].tool);
+      const R vx = load<R>(v.tool_v, at), vy = load<R>(v.tool_v, at + 1);
+      i = each_of_tool(i, row, step - 1, [&](const GripPoint& p, T* grain, MaskOf<R> held) {
+        if (p.x) store(grain, g_vx, select(held, vx, load<R>(grain, g_vx)));
+        if (p.y) store(grain, g_vy, select(held, vy, load<R>(grain, g_vy)));
+        if (p.rotation) store(grain, g_w, select(held, R(0), load<R>(grain, g_w)));
+      });
     }
   }
 
-  /// Forces on held components go to the tool, as those of `step`; before the first step they are dropped.
+  /// Forces on held components go to the tools, as those of `step`.
   void collect(int row, int step) {
-    for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1]; ++i) {
-      const GripPoint& p = v.grip[i];
-      T* grain = grain_at(p.grain);
-      const R fx = p.x ? take(grain, g_fx) : R(0);
-      const R fy = p.y ? take(grain, g_fy) : R(0);
-      if (p.rotation) take(grain, g_tq);
-      if (step < 0) continue;
-      add_to(v.tool_force, tool_at(step, p.tool), -fx);
-      add_to(v.tool_force, tool_at(step, p.tool) + 1, -fy);
-    }
+    for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1];)
+      i = each_of_tool(i, row, step, [](const GripPoint&, T*, MaskOf<R>) {});
   }
 
   /// Forces of tools and loads on the grains of a row; returns the slip work.
@@ -70,9 +66,60 @@ class ToolLoop {
     return slip;
   }
 
+  /// Puts the tools in balance where they stand in `step`; all rows have moved.
+  void balance(int step) {
+    for (int i = 0; i < v.n_balanced; ++i) {
+      const BalancePoint& p = v.balanced[i];
+      const auto component = static_cast<std::size_t>(p.component);
+      const std::size_t at = tool_at(step, p.tool), place = tool_at(0, p.tool) + component;
+      const MaskOf<R> on = load<R>(v.balance_on, place) > R(0);
+      const R planned = load<R>(v.tool_u, at + component), force = load<R>(v.balance_force, place);
+      const std::size_t last = tool_at(step > 0 ? step - 1 : 0, p.tool) + component;
+      const R before = select(on, load<R>(v.tool_u, last), planned);
+      R now = before;
+      MaskOf<R> off = on;
+      for (int k = 0; k < most_balance_steps; ++k) {
+        store(v.tool_u, at + component, now);
+        const Response r = response(p, at);
+        const R missing = force - r.force;
+        off = off & (abs(missing) > R(force_met) * abs(force));
+        if (!any(off)) break;
+        const R start = select(r.stiffness > R(0), now, now + r.reach);
+        now = select(off, start + missing / max(r.stiffness, lane[l_wall_kn]), now);
+      }
+      store(v.tool_u, at + component, now);
+      const R speed = (now - before) / lane[l_dt];
+      store(v.tool_v, at + component, select(on, speed, load<R>(v.tool_v, at + component)));
+    }
+  }
+
  private:
+  static constexpr T force_met = T(1e-4);  // of the force asked for; single precision resolves less after
+                                           // the specimen has bulged
+  static constexpr int most_balance_steps = 8;  // Newton's; two are usual
+
   GroupView<T>& v;
   const R* lane;
+
+  /// Force of a tool along a component, as it stands, how it changes with the tool's place, and how far it is
+  /// to the nearest grain (where it touches none).
+  struct Response {
+    R force = R(0), stiffness = R(0), nearest = R(T(-1e30)), reach = R(0);
+  };
+  Response response(const BalancePoint& p, std::size_t at) const {
+    Response r;
+    for (std::int32_t i = 0; i < v.row_touch[v.n_rows]; ++i) {
+      const TouchPoint<T>& t = v.touch[i];
+      const T along = p.component == 0 ? t.nx : t.ny;
+      if (t.tool != p.tool || along == T(0)) continue;
+      const R push = lane[l_wall_kn] * R(along), depth = closure(t, at);
+      r.force += push * max0(depth);
+      r.stiffness += select(depth > R(0), push * R(along), R(0));
+      r.reach = select(depth > r.nearest, R(T(-1) / along) * depth, r.reach);
+      r.nearest = max(r.nearest, depth);
+    }
+    return r;
+  }
 
   struct Sums {
     R fx = R(0), fy = R(0), energy = R(0), slip = R(0);
@@ -85,9 +132,40 @@ class ToolLoop {
            2;
   }
 
+  /// Grips of a row from `i` on that belong to one tool: their forces go to it as those of `step`, before the
+  /// first step nowhere; then `also` has the grain. Returns the next grip. A tool may hold all grains: its
+  /// sum stays in a register.
+  template <class Also>
+  PHY_HOT std::int32_t each_of_tool(std::int32_t i, int row, int step, const Also& also) {
+    const std::int32_t tool = v.grip[i].tool;
+    const std::size_t at = tool_at(step < 0 ? 0 : step, tool);
+    const MaskOf<R> held = lane[l_grips] > R(0);
+    R sum_x = load<R>(v.tool_force, at), sum_y = load<R>(v.tool_force, at + 1);
+    for (; i < v.row_grip[row + 1] && v.grip[i].tool == tool; ++i) {
+      const GripPoint& p = v.grip[i];
+      T* grain = grain_at(p.grain);
+      const R fx = p.x ? take(grain, g_fx, held) : R(0);
+      const R fy = p.y ? take(grain, g_fy, held) : R(0);
+      if (p.rotation) take(grain, g_tq, held);
+      sum_x = sum_x + -fx, sum_y = sum_y + -fy;
+      also(p, grain, held);
+    }
+    if (step >= 0) store(v.tool_force, at, sum_x), store(v.tool_force, at + 1, sum_y);
+    return i;
+  }
+
+  std::size_t place_of(const TouchPoint<T>& p) const {
+    return static_cast<std::size_t>(p.tool) * static_cast<std::size_t>(v.n_grains) +
+           static_cast<std::size_t>(p.grain);
+  }
+  R closure(const TouchPoint<T>& p, std::size_t at) const {
+    const T* grain = grain_at(p.grain);
+    return R(p.nx) * (load<R>(v.tool_u, at) - load<R>(grain, g_ux)) +
+           R(p.ny) * (load<R>(v.tool_u, at + 1) - load<R>(grain, g_uy)) - load<R>(v.touch_gap, place_of(p));
+  }
+
   /// Takes a force off a grain in the lanes whose grips hold.
-  R take(T* grain, int field) {
-    const auto held = lane[l_grips] > R(0);
+  static R take(T* grain, int field, MaskOf<R> held) {
     const R force = load<R>(grain, static_cast<std::size_t>(field));
     store(grain, static_cast<std::size_t>(field), select(held, R(0), force));
     return select(held, force, R(0));
@@ -97,18 +175,15 @@ class ToolLoop {
   template <bool sample>
   void touch(const TouchPoint<T>& p, std::size_t at, Sums& sums) {
     T* grain = grain_at(p.grain);
-    const std::size_t place = static_cast<std::size_t>(p.tool) * static_cast<std::size_t>(v.n_grains) +
-                              static_cast<std::size_t>(p.grain);
+    const std::size_t place = place_of(p);
     const R nx(p.nx), ny(p.ny), radius(v.grain_const[p.grain].radius);
-    const R closure = nx * (load<R>(v.tool_u, at) - load<R>(grain, g_ux)) +
-                      ny * (load<R>(v.tool_u, at + 1) - load<R>(grain, g_uy)) - load<R>(v.touch_gap, place);
     const R vx = load<R>(grain, g_vx) - load<R>(v.tool_v, at);
     const R vy = load<R>(grain, g_vy) - load<R>(v.tool_v, at + 1);
     const R d_slide = (nx * vy - ny * vx - load<R>(grain, g_w) * radius) * lane[l_dt];
     const linear::Parameters<R> law{lane[l_wall_kn], lane[l_wall_ks], lane[l_wall_inv_ks],
                                     lane[l_wall_mu] * R(p.rough)};
     linear::State<R> state{load<R>(v.touch_shear, place)};
-    const Reaction<R> r = linear::respond(law, state, Motion<R>{closure, R(0), d_slide, R(0)});
+    const Reaction<R> r = linear::respond(law, state, Motion<R>{closure(p, at), R(0), d_slide, R(0)});
     store(v.touch_shear, place, state.F_s);
     const R fx = nx * r.F_n - ny * r.F_s, fy = ny * r.F_n + nx * r.F_s;
     add_to(grain, g_fx, fx);

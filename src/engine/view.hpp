@@ -111,6 +111,11 @@ struct LoadPoint {
   T x, y;
 };
 
+/// A component of a tool that is in balance in some lane (rig.hpp).
+struct BalancePoint {
+  std::int32_t tool, component;  ///< 0: x, 1: y
+};
+
 struct RawCrack {
   std::int32_t step;  ///< within the block
   std::int32_t contact, lane;
@@ -138,12 +143,16 @@ struct GroupView {
   const LoadPoint<T>* load = nullptr;
   const T* touch_gap = nullptr;  ///< per tool and grain: closure needed before the tool acts
   T* touch_shear = nullptr;      ///< per tool and grain: shear force
-  const T* tool_u = nullptr;     ///< per step, tool, component: displacement
-  const T* tool_v = nullptr;     ///< per step, tool, component: velocity
+  T* tool_u = nullptr;           ///< per step, tool, component: displacement
+  T* tool_v = nullptr;           ///< per step, tool, component: velocity
   T* tool_force = nullptr;       ///< per step, tool, component: force on the specimen
-  T* slip = nullptr;             ///< per step: slip work
-  T* damping = nullptr;          ///< per step: 2/dt times the work of local damping
-  double* sample = nullptr;      ///< n_sample_fields lane vectors
+  int n_balanced = 0;
+  const BalancePoint* balanced = nullptr;
+  const T* balance_on = nullptr;     ///< per tool and component: 1 in the lanes that are in balance
+  const T* balance_force = nullptr;  ///< per tool and component: force on the specimen
+  T* slip = nullptr;                 ///< per step: slip work
+  T* damping = nullptr;              ///< per step: 2/dt times the work of local damping
+  double* sample = nullptr;          ///< n_sample_fields lane vectors
   RawCrack* cracks = nullptr;
   std::size_t n_cracks = 0;
   int skew = 4;  ///< cycles per sweep; does not change any bit

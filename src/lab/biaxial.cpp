@@ -12,7 +12,7 @@ namespace {
 
 constexpr double close_enough = 5e-3;  // of the target
 constexpr int steady_blocks = 10;
-constexpr double servo_speed = 20.0;  // of the platens: failing rock pushes the sides away fast
+constexpr double servo_speed = 20.0;  // of the platens while they bring the stress on, over their speed later
 constexpr double most_confining_strain =
     0.05;  // give up beyond: the specimen has failed under the confinement
 
@@ -26,26 +26,23 @@ BiaxialTest::BiaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe&
 
 void BiaxialTest::confine(double stress, bool platens_too) {
   const Packing& p = packing();
-  const auto servo = [&](double area, double length) {
-    Servo s;
-    s.on = true;
-    s.force = stress * area;
-    s.stiffness = block_stiffness(*specimen_, area, length,
-                                  result_.dt * static_cast<double>(recipe_.test.history_interval));
-    s.max_speed = servo_speed * recipe_.test.platen_speed;
-    return s;
-  };
   if (platens_too) {
-    Servo axial = servo(p.width, p.height);
+    Servo axial;
+    axial.on = true;
+    axial.force = stress * p.width;
+    axial.stiffness = block_stiffness(*specimen_, p.width, p.height,
+                                      result_.dt * static_cast<double>(recipe_.test.history_interval));
+    axial.max_speed = servo_speed * recipe_.test.platen_speed;
     group_.drive(lane_, 0, {{}, 0.0, {}, axial});
     axial.force = -axial.force;
     group_.drive(lane_, 1, {{}, 0.0, {}, axial});
   }
   if (recipe_.test.confinement == Confinement::jacket) return group_.press(lane_, stress);
-  Servo lateral = servo(p.height, p.width);
-  group_.drive(lane_, 2, {{}, 0.0, lateral, {}});
-  lateral.force = -lateral.force;
-  group_.drive(lane_, 3, {{}, 0.0, lateral, {}});
+  Drive wall;
+  wall.balance_x = {true, stress * p.height};
+  group_.drive(lane_, 2, wall);
+  wall.balance_x.force = -wall.balance_x.force;
+  group_.drive(lane_, 3, wall);
 }
 
 void BiaxialTest::on_placed() {

@@ -5,13 +5,13 @@
 //             may break.
 //   load      strains count from here; platens close at test.platen_speed, the sides keep the stress
 //
-// Sides (test.confinement): "walls", two frictionless rigid walls, each under a servo (engine/rig.hpp), as in
-// a press with side platens; "jacket", a pressure on the grains that a horizontal ray from outside meets
-// first, as a rubber jacket: sides may bulge. Without confining stress there are no sides: the uniaxial
-// press.
+// Sides (test.confinement): "walls", two frictionless rigid walls without mass, each in balance with the
+// confining stress in every step (engine/rig.hpp, docs/decisions/0007), as in a press with side platens;
+// "jacket", a pressure on the grains that a horizontal ray from outside meets first, as a rubber jacket:
+// sides may bulge. Without confining stress there are no sides: the uniaxial press.
 //
 // History: axial stress is the mean platen force over the initial width, lateral stress that of the walls
-// over the initial height, or the jacket's pressure. The servo sees the walls' mean force over each block.
+// over the initial height, both of the instant, or the jacket's pressure.
 // Numbers: analysis/confined.hpp. Stop rule on the deviatoric stress.
 #pragma once
 #include "lab/lab_test.hpp"
@@ -30,7 +30,8 @@ class BiaxialTest final : public LabTest {
   double first_stop_strain() const override { return 2e-4; }
   AnalysisOptions analysis() const override;
 
-  /// Servos of platens and sides towards a stress all round [Pa]; sides alone while the platens are driven.
+  /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are
+  /// driven.
   void confine(double stress, bool platens_too);
 
   int steady_ = 0;  // blocks in a row at the target

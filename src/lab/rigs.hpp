@@ -38,7 +38,7 @@ Rig confined_platens(const Packing& packing, const TestRecipe& test);
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
 Rig shear_boxes(const Packing& packing, double gap);
 
-/// For the servo of a pair of walls of that area [m^2/m], `length` apart [m]: change of force per
+/// For the servo of a pair of platens of that area [m^2/m], `length` apart [m]: change of force per
 /// displacement of each within a block of `time` [s], of rock as stiff as its contacts, at rest and as an
 /// elastic wave [N/m per m].
 double block_stiffness(const Specimen& specimen, double area, double length, double time);

@@ -221,9 +221,10 @@ void add_test(List& l) {
              "brazilian: arc of the rim that each jaw holds; 0: flat platens", part, &T::loading_angle);
   l.quantity("test", "confining_stress", Dimension::pressure, 0, 1e10, "", "biaxial: lateral stress", part,
              &T::confining_stress);
-  l.choice("test", "confinement", {"walls", "jacket"},
-           "biaxial: sides are rigid walls under servo control, or a pressure on the side grains", part,
-           &T::confinement);
+  l.choice(
+      "test", "confinement", {"walls", "jacket"},
+      "biaxial: sides are rigid walls that press with the confining stress, or a pressure on the side grains",
+      part, &T::confinement);
   l.quantity("test", "normal_stress", Dimension::pressure, 0, 1e10, "", "direct_shear: stress on the plane",
              part, &T::normal_stress);
   l.quantity("test", "normal_stiffness", Dimension::stiffness, 0, 1e15, "",
