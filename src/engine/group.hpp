@@ -2,6 +2,7 @@
 // defined by theme.
 //   group.cpp        loading, the block of cycles, states for others
 //   group_list.cpp   near pairs, contacts, births, time step
+//   group_move.cpp   a specimen on its way to another group
 //   group_rig.cpp    tools: placing, driving, the points where they act
 //   group_books.cpp  energy books, cracks, history row, watchdog
 #pragma once
@@ -107,6 +108,7 @@ class Group final : public LaneGroup {
   int lanes() const override { return options_.lanes; }
   void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) override;
   void clear(int lane) override { reset_lane(lane); }
+  void move_lane(int lane, LaneGroup& to, int to_lane) override;
   void place_rig(int lane) override;
   void zero_strains(int lane) override;
   void hold_bonds(int lane, bool hold) override { at(lane).hold = hold; }
@@ -226,6 +228,9 @@ class Group final : public LaneGroup {
   }
   double moved(std::size_t lane) const;  // the farthest grain since the lane's last search [m]
   void watch_motion();
+  // move
+  void send_motion(std::size_t lane, Group<T>& to, std::size_t to_lane) const;
+  void send_contacts(std::size_t lane, Group<T>& to, std::size_t to_lane) const;
   // rig
   void adopt_rig(const Rig& rig);
   void place_tool(std::size_t tool, std::size_t lane);

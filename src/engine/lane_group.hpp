@@ -52,6 +52,9 @@ class LaneGroup {
   virtual void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) = 0;
   /// Empties a lane.
   virtual void clear(int lane) = 0;
+  /// Moves a running specimen into an empty lane of another group of the same packing, precision and block.
+  /// Between blocks only; the state of both groups is whole again after their next block.
+  virtual void move_lane(int lane, LaneGroup& to, int to_lane) = 0;
   /// Sets the rig against the specimen as it lies now, at rest, and starts the books at zero.
   virtual void place_rig(int lane) = 0;
   /// Strains count from now.

@@ -33,21 +33,21 @@ void BiaxialTest::confine(double stress, bool platens_too) {
     axial.stiffness = block_stiffness(*specimen_, p.width, p.height,
                                       result_.dt * static_cast<double>(recipe_.test.history_interval));
     axial.max_speed = servo_speed * recipe_.test.platen_speed;
-    group_.drive(lane_, 0, {{}, 0.0, {}, axial});
+    group_->drive(lane_, 0, {{}, 0.0, {}, axial});
     axial.force = -axial.force;
-    group_.drive(lane_, 1, {{}, 0.0, {}, axial});
+    group_->drive(lane_, 1, {{}, 0.0, {}, axial});
   }
-  if (recipe_.test.confinement == Confinement::jacket) return group_.press(lane_, stress);
+  if (recipe_.test.confinement == Confinement::jacket) return group_->press(lane_, stress);
   Drive wall;
   wall.balance_x = {true, stress * p.height};
-  group_.drive(lane_, 2, wall);
+  group_->drive(lane_, 2, wall);
   wall.balance_x.force = -wall.balance_x.force;
-  group_.drive(lane_, 3, wall);
+  group_->drive(lane_, 3, wall);
 }
 
 void BiaxialTest::on_placed() {
   if (recipe_.test.confining_stress == 0.0) return start_loading();
-  group_.hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
   steady_ = 0;
   prepare(0);
 }
@@ -61,19 +61,19 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
   const double now = target * std::min(1.0, time / ramp);
   confine(now, true);
   if (n_blocks == 0) return false;
-  const HistoryRow& row = group_.row(lane_);
+  const HistoryRow& row = group_->row(lane_);
   if (std::fabs(row.axial_strain) > most_confining_strain)
     return end(
         Status::not_peaked,
         fmt::format("strain {:.1f} % before the confining stress was reached", 100.0 * row.axial_strain),
         "the rock does not bear this confining stress; lower it");
   const double axial =
-      0.5 * (group_.tool(lane_, 0).mean_force.y - group_.tool(lane_, 1).mean_force.y) / packing().width;
+      0.5 * (group_->tool(lane_, 0).mean_force.y - group_->tool(lane_, 1).mean_force.y) / packing().width;
   const bool there = now == target && std::fabs(axial / target - 1.0) < close_enough &&
                      std::fabs(row.lateral_stress / target - 1.0) < close_enough;
   steady_ = there ? steady_ + 1 : 0;
   if (steady_ < steady_blocks) return false;
-  group_.zero_strains(lane_);
+  group_->zero_strains(lane_);
   start_loading();
   return false;
 }

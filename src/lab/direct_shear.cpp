@@ -36,7 +36,7 @@ Servo DirectShearTest::normal_load(double stress, double spring, double offset) 
 void DirectShearTest::on_placed() {
   steady_ = 0;
   if (recipe_.test.normal_stress == 0.0) return start_loading();
-  group_.hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
   prepare(0);
 }
 
@@ -46,13 +46,13 @@ bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double ramp = target / stiffness / recipe_.test.platen_speed;
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   const double now = target * std::min(1.0, time / ramp);
-  group_.drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
+  group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
   if (n_blocks == 0) return false;
   const bool there =
-      now == target && std::fabs(group_.row(lane_).lateral_stress / target - 1.0) < close_enough;
+      now == target && std::fabs(group_->row(lane_).lateral_stress / target - 1.0) < close_enough;
   steady_ = there ? steady_ + 1 : 0;
   if (steady_ < steady_blocks) return false;
-  group_.zero_strains(lane_);
+  group_->zero_strains(lane_);
   start_loading();
   return false;
 }
@@ -61,9 +61,9 @@ void DirectShearTest::drive() {
   const double speed = recipe_.test.platen_speed;
   const double ramp = recipe_.test.ramp_strain * packing().width / speed;
   const Servo load = normal_load(recipe_.test.normal_stress, recipe_.test.normal_stiffness,
-                                 group_.tool(lane_, 1).displacement.y);
-  group_.drive(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
-  group_.drive(lane_, 1, {{speed, 0.0}, ramp, {}, load});
+                                 group_->tool(lane_, 1).displacement.y);
+  group_->drive(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
+  group_->drive(lane_, 1, {{speed, 0.0}, ramp, {}, load});
 }
 
 AnalysisOptions DirectShearTest::analysis() const {

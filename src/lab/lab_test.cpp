@@ -24,7 +24,7 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
                  Rig rig)
     : specimen_(std::move(specimen)),
       recipe_(recipe),
-      group_(group),
+      group_(&group),
       lane_(lane),
       rig_(std::make_shared<const Rig>(std::move(rig))),
       snapshots_(recipe.test.n_snapshots),
@@ -41,21 +41,21 @@ void LabTest::begin() {
   setup.step_safety = recipe_.engine.step_safety;
   setup.tool_friction = recipe_.test.platen_friction;
   setup.rig = rig_;
-  group_.load(lane_, specimen_, setup);
-  result_.dt = group_.time_step(lane_);
-  result_.n_contacts = group_.n_contacts(lane_);
+  group_->load(lane_, specimen_, setup);
+  result_.dt = group_->time_step(lane_);
+  result_.n_contacts = group_->n_contacts(lane_);
   blocks_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
     place_rig();
   } else {
-    group_.hold_bonds(lane_, true);
+    group_->hold_bonds(lane_, true);
   }
 }
 
 /// The specimen has settled: the rig comes in.
 void LabTest::place_rig() {
-  group_.place_rig(lane_);
+  group_->place_rig(lane_);
   blocks_ = 0;
   phase_ = Phase::prepare;
   on_placed();
@@ -63,7 +63,7 @@ void LabTest::place_rig() {
 
 void LabTest::start_loading() {
   phase_ = Phase::load;
-  group_.hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
   drive();
   result_.history.width = packing().width;
   result_.history.height = packing().height;
@@ -72,8 +72,8 @@ void LabTest::start_loading() {
 void LabTest::close_platens(double length) {
   const double speed = recipe_.test.platen_speed;
   const double ramp = recipe_.test.ramp_strain * length / speed;
-  group_.drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
-  group_.drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
+  group_->drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
+  group_->drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
 }
 
 bool LabTest::end(Status status, std::string reason, std::string advice) {
@@ -84,8 +84,8 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
 
 bool LabTest::after_block() {
   ++blocks_;
-  const HistoryRow& row = group_.row(lane_);
-  if (const LaneHealth& health = group_.health(lane_); !health.ok)
+  const HistoryRow& row = group_->row(lane_);
+  if (const LaneHealth& health = group_->health(lane_); !health.ok)
     return end(Status::unstable, health.reason,
                "lower engine.step_safety, or look for extreme stiffness ratios");
   if (phase_ == Phase::settle) {
@@ -137,24 +137,30 @@ bool LabTest::check_stop() {
 }
 
 Frame LabTest::frame() const {
-  const HistoryRow& row = group_.row(lane_);
+  const HistoryRow& row = group_->row(lane_);
   Frame f{row.step, row.axial_strain, row.axial_stress, {}};
-  for (const GrainState& g : group_.grains(lane_))
+  for (const GrainState& g : group_->grains(lane_))
     f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
   return f;
 }
 
 void LabTest::keep_pictures() {
   const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
-  if (snapshots_.due(row)) snapshots_.keep(group_.snapshot(lane_));
+  if (snapshots_.due(row)) snapshots_.keep(group_->snapshot(lane_));
   if (frames_.due(row)) frames_.keep(frame());
 }
 
 void LabTest::interrupt() {
   if (phase_ != Phase::over)
     end(Status::interrupted,
-        fmt::format("stopped by the user at strain {:.4f} %", reading(group_.row(lane_)).strain * 100.0),
+        fmt::format("stopped by the user at strain {:.4f} %", reading(group_->row(lane_)).strain * 100.0),
         "run the same recipe again");
+}
+
+void LabTest::move_to(LaneGroup& group, int lane) {
+  group_->move_lane(lane_, group, lane);
+  group_ = &group;
+  lane_ = lane;
 }
 
 LabTest::Reading LabTest::latest() const {
@@ -162,17 +168,17 @@ LabTest::Reading LabTest::latest() const {
 }
 
 double LabTest::progress() const {
-  return phase_ == Phase::load ? std::min(1.0, reading(group_.row(lane_)).strain / max_strain()) : 0.0;
+  return phase_ == Phase::load ? std::min(1.0, reading(group_->row(lane_)).strain / max_strain()) : 0.0;
 }
 
 TestResult LabTest::take_result() {
-  result_.cracks = group_.cracks(lane_);
+  result_.cracks = group_->cracks(lane_);
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
   });
-  result_.snapshots = snapshots_.take(group_.snapshot(lane_));
+  result_.snapshots = snapshots_.take(group_->snapshot(lane_));
   result_.frames = frames_.take(frame());
-  result_.n_steps = static_cast<std::int64_t>(group_.row(lane_).step);
+  result_.n_steps = static_cast<std::int64_t>(group_->row(lane_).step);
   result_.numbers = analyse(result_.history, result_.cracks, analysis());
   result_.hash = hash_of(result_);
   return std::move(result_);

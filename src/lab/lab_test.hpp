@@ -33,6 +33,8 @@ class LabTest {
   bool after_block();
   /// Ends an unfinished test.
   void interrupt();
+  /// Goes on in a lane of another group of the same packing; no bit of the result changes.
+  void move_to(LaneGroup& group, int lane);
   /// The result; call once, when over.
   TestResult take_result();
   /// Strain over the strain at which the test would give up: a lower bound of the progress, 0 ... 1.
@@ -73,7 +75,7 @@ class LabTest {
 
   std::shared_ptr<const Specimen> specimen_;
   const Recipe& recipe_;
-  LaneGroup& group_;
+  LaneGroup* group_;
   int lane_;
   TestResult result_;
 

@@ -18,14 +18,14 @@ UniaxialTest::UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recip
 
 void UniaxialTest::on_placed() {
   if (!may_jump_) return start_loading();
-  group_.hold_bonds(lane_, true);
-  group_.jump(lane_, recipe_.test.jump_strain);
+  group_->hold_bonds(lane_, true);
+  group_->jump(lane_, recipe_.test.jump_strain);
 }
 
 bool UniaxialTest::prepare(std::int64_t n_blocks) {
   if (n_blocks * recipe_.test.history_interval < jump_cycles) return false;
   may_jump_ = false;
-  if (!specimen_->matrix.unbreakable && group_.at_strength(lane_))
+  if (!specimen_->matrix.unbreakable && group_->at_strength(lane_))
     begin();
   else
     jumped_ = true, start_loading();

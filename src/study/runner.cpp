@@ -33,19 +33,24 @@ TestResult not_made(const PlannedTest& test, const std::string& reason) {
 /// One worker thread.
 class Worker {
  public:
-  Worker(Desk& desk, const Plan& plan, const MachineOptions& machine, const std::atomic<bool>& broken)
-      : desk_(desk), plan_(plan), machine_(machine), broken_(broken) {}
+  Worker(Desk& desk, const Plan& plan, const MachineOptions& machine, CrewExchange& exchange,
+         const std::atomic<bool>& broken)
+      : desk_(desk), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
 
   void run() {
     while (!stopped()) {
       const Assignment a = desk_.enter();
-      if (a.kind == Assignment::Kind::finished) return;
-      if (a.kind == Assignment::Kind::wait) {
-        std::this_thread::sleep_for(patience);
+      if (a.kind == Assignment::Kind::work) {
+        run_batch(a);
+        desk_.leave(a.batch);
         continue;
       }
-      run_batch(a);
-      desk_.leave(a.batch);
+      const bool finished = a.kind == Assignment::Kind::finished;
+      std::unique_ptr<Crew> crew = finished ? exchange_.wait() : exchange_.wait_for(patience);
+      if (crew)
+        run_crew(std::move(crew), hooks({}), exchange_);
+      else if (finished)
+        return;
     }
   }
 
@@ -53,6 +58,7 @@ class Worker {
   Desk& desk_;
   const Plan& plan_;
   const MachineOptions& machine_;
+  CrewExchange& exchange_;
   const std::atomic<bool>& broken_;  // another worker has failed
   std::shared_ptr<const Packing> packing_;
   std::optional<std::size_t> last_;  // of this batch
@@ -69,20 +75,20 @@ class Worker {
       return;
     }
     last_.reset();
-    GroupOptions options;
-    options.isa = machine_.isa;
-    options.precision = any.engine.precision;
     MachineOptions alone = machine_;
     alone.threads = 1;
-    options.lanes = lanes_for(a.n_tests, any.engine.precision, alone);
-    options.skew = machine_.skew;
-    options.interval = static_cast<int>(any.test.history_interval);
-    run_lanes(options, {[&] { return next(a.batch); },
-                        [&](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
-                        [&](double steps, double) {
-                          desk_.count(steps * static_cast<double>(packing_->discs.size()));
-                        },
-                        [&] { return stopped(); }});
+    auto crew = std::make_unique<Crew>(packing_, crew_options(a.n_tests, any, alone));
+    const LaneHooks lanes = hooks([&] { return next(a.batch); });
+    crew->fill(lanes);
+    run_crew(std::move(crew), lanes, exchange_);
+  }
+  LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
+    if (!next_job) next_job = [] { return std::optional<Job>(); };
+    return {
+        std::move(next_job),
+        [this](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
+        [this](double steps, std::size_t n_grains) { desk_.count(steps * static_cast<double>(n_grains)); },
+        [this] { return stopped(); }};
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {
@@ -265,7 +271,7 @@ WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) 
   std::mutex mutex;
   std::exception_ptr error;
   std::atomic<bool> broken{false};
-  std::vector<double> ends;
+  CrewExchange exchange(machine.threads);
   WorkReport report;
   {
     std::vector<std::jthread> workers;
@@ -273,21 +279,20 @@ WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) 
       workers.emplace_back([&] {
         std::exception_ptr mine;
         try {
-          Worker(desk, plan, machine, broken).run();
+          Worker(desk, plan, machine, exchange, broken).run();
         } catch (...) {
           mine = std::current_exception();
           broken = true;
         }
+        exchange.leave();
         const std::lock_guard lock(mutex);
         if (mine && !error) error = mine;
-        ends.push_back(seconds_since(start));
         report.cpu_seconds += thread_seconds();
       });
   }
   if (error) std::rethrow_exception(error);
-  report.wall_seconds = *std::max_element(ends.begin(), ends.end());
-  for (const double end : ends)
-    report.idle += (report.wall_seconds - end) / (report.wall_seconds * static_cast<double>(ends.size()));
+  report.wall_seconds = seconds_since(start);
+  report.idle = exchange.waited() / (report.wall_seconds * machine.threads);
   return report;
 }
 

@@ -1,49 +1,15 @@
 #include "study/scheduler.hpp"
 
-#include <ctime>
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "base/check.hpp"
-#include "lab/lab_test.hpp"
 
 namespace phy {
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 namespace {
-
-/// A test in a lane.
-struct Seat {
-  Job job;
-  std::unique_ptr<LabTest> test;  // refers to the job's recipe
-  double seconds = 0.0;
-};
-
-void take_seat(Job job, LaneGroup& group, Seat& seat, int lane) {
-  seat.test.reset();
-  seat.job = std::move(job);
-  seat.seconds = 0.0;
-  seat.test = make_test(seat.job.specimen, *seat.job.recipe, group, lane);
-}
-
-void fill_seat(const LaneHooks& hooks, LaneGroup& group, Seat& seat, int lane) {
-  if (std::optional<Job> job = hooks.next()) return take_seat(std::move(*job), group, seat, lane);
-  seat.test.reset();
-  group.clear(lane);
-}
-
-void close_seat(const LaneHooks& hooks, Seat& seat) {
-  TestResult result = seat.test->take_result();
-  result.seconds = seat.seconds;
-  hooks.done(seat.job.index, std::move(result));
-}
 
 /// What the workers of run_tests share.
 struct Desk {
@@ -78,10 +44,15 @@ struct Desk {
     const std::lock_guard lock(mutex);
     hooks.on_reading(index, strain, stress);
   }
+  void work(const CrewOptions& options, CrewExchange& exchange) {
+    const LaneHooks lanes = for_lanes();
+    auto crew = std::make_unique<Crew>(specimens.front()->packing, options);
+    for (crew->fill(lanes); crew; crew = exchange.wait()) run_crew(std::move(crew), lanes, exchange);
+  }
   LaneHooks for_lanes() {
     return {
         [this] { return next(); }, [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
-        [this](double steps, double) { block(steps); }, [this] { return stopped(); },
+        [this](double steps, std::size_t) { block(steps); }, [this] { return stopped(); },
         hooks.on_reading ? [this](std::size_t i, double strain, double stress) { reading(i, strain, stress); }
                          : std::function<void(std::size_t, double, double)>()};
   }
@@ -89,49 +60,22 @@ struct Desk {
 
 }  // namespace
 
-void run_lanes(const GroupOptions& options, const LaneHooks& hooks) {
-  std::optional<Job> first = hooks.next();
-  if (!first) return;
-  const std::unique_ptr<LaneGroup> group = make_group(first->specimen->packing, options);
-  std::vector<Seat> seats(static_cast<std::size_t>(options.lanes));
-  const auto each = [&](auto&& action) {
-    for (int lane = 0; lane < options.lanes; ++lane) action(seats[static_cast<std::size_t>(lane)], lane);
-  };
-  take_seat(std::move(*first), *group, seats.front(), 0);
-  each([&](Seat& seat, int lane) {
-    if (lane > 0) fill_seat(hooks, *group, seat, lane);
-  });
-  for (;;) {
-    int busy = 0;
-    for (const Seat& seat : seats) busy += seat.test ? 1 : 0;
-    if (busy == 0) return;
-    const double before = thread_seconds();
-    group->advance();
-    const double seconds = thread_seconds() - before;
-    hooks.block(static_cast<double>(busy) * options.interval, seconds);
-    each([&](Seat& seat, int lane) {
-      if (!seat.test) return;
-      seat.seconds += seconds / busy;
-      bool over = seat.test->after_block();
-      if (const LabTest::Reading r = seat.test->latest(); hooks.reading)
-        hooks.reading(seat.job.index, r.strain, r.stress);
-      if (!over && hooks.stopped()) seat.test->interrupt(), over = true;
-      if (!over) return;
-      close_seat(hooks, seat);
-      fill_seat(hooks, *group, seat, lane);
-    });
-  }
-}
-
 int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine) {
   const bool single = precision == Precision::single_precision;
   if (machine.lanes > 0) return machine.lanes;
   const int widest = single ? native_lanes<float>(machine.isa) : native_lanes<double>(machine.isa);
-  const auto per_thread = static_cast<int>((n_specimens + static_cast<std::size_t>(machine.threads) - 1) /
-                                           static_cast<std::size_t>(machine.threads));
-  int lanes = single ? 4 : 1;
-  while (lanes < per_thread && lanes < widest) lanes *= 2;
-  return lanes;
+  const auto threads = static_cast<std::size_t>(machine.threads);
+  return fitting_lanes((n_specimens + threads - 1) / threads, precision, widest);
+}
+
+CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine) {
+  GroupOptions group;
+  group.isa = machine.isa;
+  group.precision = recipe.engine.precision;
+  group.lanes = lanes_for(n_specimens, recipe.engine.precision, machine);
+  group.skew = machine.skew;
+  group.interval = static_cast<int>(recipe.test.history_interval);
+  return {group, machine.lanes > 0};
 }
 
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
@@ -146,24 +90,20 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
     desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
   }
   desk.progress.n_total = specimens.size();
-  GroupOptions options;
-  options.isa = machine.isa;
-  options.precision = recipe.engine.precision;
-  options.lanes = lanes_for(specimens.size(), recipe.engine.precision, machine);
-  options.skew = machine.skew;
-  options.interval = static_cast<int>(recipe.test.history_interval);
-  const std::size_t n_groups = (specimens.size() + static_cast<std::size_t>(options.lanes) - 1) /
-                               static_cast<std::size_t>(options.lanes);
+  const CrewOptions options = crew_options(specimens.size(), recipe, machine);
+  const int n_workers = std::min(machine.threads, static_cast<int>(specimens.size()));
+  CrewExchange exchange(n_workers);
   {
     std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < std::min(n_groups, static_cast<std::size_t>(machine.threads)); ++i)
-      workers.emplace_back([&desk, &options] {
+    for (int i = 0; i < n_workers; ++i)
+      workers.emplace_back([&desk, &options, &exchange] {
         try {
-          run_lanes(options, desk.for_lanes());
+          desk.work(options, exchange);
         } catch (...) {
           const std::lock_guard lock(desk.mutex);
           if (!desk.error) desk.error = std::current_exception();
         }
+        exchange.leave();
       });
   }
   if (desk.error) std::rethrow_exception(desk.error);

@@ -1,5 +1,5 @@
 // Runs many specimens: groups of one packing in SIMD lanes, groups on worker threads, finished lanes filled
-// again.
+// again, tests shared out anew near the end (crew.hpp).
 //
 // Parallel over groups, never inside a specimen: a group has no barrier, and its sums keep their order.
 // Workers take specimens from one queue. A result depends on its specimen and recipe alone, never on the
@@ -8,21 +8,20 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "engine/kernels.hpp"
-#include "engine/lane_group.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
+#include "study/crew.hpp"
 
 namespace phy {
 
 /// How to use the machine. Changes no bit of any result.
 struct MachineOptions {
   int threads = 1;
-  int lanes = 0;  ///< 0: as many as fill a register, fewer when there are more threads than specimens
+  int lanes = 0;  ///< 0: as many as fill a register, fewer for few specimens or near the end; else fixed
   int skew = 4;
   Isa isa = Isa::sse2;
 };
@@ -41,33 +40,13 @@ struct ScheduleHooks {
   const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 
-/// One test for a lane.
-struct Job {
-  std::shared_ptr<const Specimen> specimen;
-  std::shared_ptr<const Recipe> recipe;  ///< of the precision and block length of the group
-  std::size_t index = 0;                 ///< given back with the result
-};
-
-/// Where a group gets its work and leaves its results. Called from the thread that runs the group.
-struct LaneHooks {
-  std::function<std::optional<Job>()> next;  ///< nothing: no more work of this packing
-  std::function<void(std::size_t index, TestResult)> done;
-  std::function<void(double steps, double seconds)> block;  ///< cycles times specimens, thread CPU time
-  std::function<bool()> stopped;
-  std::function<void(std::size_t index, double strain, double stress)> reading = nullptr;
-};
-
-/// Fills the lanes of one group until `next` has no more and all lanes are over. All jobs are of one packing
-/// and one rig (rig_name). What is stopped is handed over as interrupted.
-void run_lanes(const GroupOptions& options, const LaneHooks& hooks);
-
-/// CPU time of the calling thread [s].
-double thread_seconds();
-
 /// Results in the order of `specimens`; unfinished ones carry Status::interrupted.
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks = {});
+
+/// A crew for so many specimens of the recipe.
+CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine);
 
 /// Lanes that run_tests would use.
 int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine);

@@ -54,10 +54,13 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
     r.test.shear_gap = 0.002;
     r.test.max_strain = 0.004;
     const auto specimens = specimens_of(r);
-    MachineOptions narrow, wide;
+    MachineOptions narrow, wide, shared;
     narrow.lanes = 4, narrow.skew = 1;
     wide.isa = native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
-    EXPECT_EQ(hashes(r, specimens, narrow), hashes(r, specimens, wide)) << to_string(kind);
+    shared.threads = 3;  // lanes 0: tests move to other groups
+    const auto reference = hashes(r, specimens, narrow);
+    EXPECT_EQ(reference, hashes(r, specimens, wide)) << to_string(kind);
+    EXPECT_EQ(reference, hashes(r, specimens, shared)) << to_string(kind);
   }
 }
 
@@ -80,6 +83,22 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
       machine.skew = 1 + lanes;
       EXPECT_EQ(hashes(r, specimens, machine), reference) << to_string(isa) << ", " << lanes << " lanes";
     }
+  }
+}
+
+// Without a fixed number of lanes a crew grows narrower as its tests end, and those who have run dry are given
+// tests in the middle of their course.
+TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
+  const Recipe r = small_recipe(GetParam());
+  const auto specimens = specimens_of(r);
+  MachineOptions machine;
+  machine.lanes = 4;
+  const auto reference = hashes(r, specimens, machine);
+  for (const int threads : {1, 2, 3, 5}) {
+    machine = {};
+    machine.isa = native_isa();
+    machine.threads = threads;
+    EXPECT_EQ(hashes(r, specimens, machine), reference) << threads << " threads";
   }
 }
 

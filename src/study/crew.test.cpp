@@ -1,0 +1,146 @@
+#include "study/crew.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <map>
+#include <thread>
+
+#include "study/experiment.hpp"
+
+namespace phy {
+namespace {
+
+Recipe quick() {
+  Recipe r;
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 250;
+  r.packing.radius_min = 0.25e-3, r.packing.radius_max = 0.4e-3;
+  r.test.max_strain = 0.004;
+  r.test.platen_speed = 0.1;
+  return r;
+}
+
+/// Five specimens whose tests end at different moments, a hash per specimen.
+class Bench {
+ public:
+  Bench() {
+    auto weak = std::make_shared<Recipe>(quick());
+    packing_ = packing_of(*weak);
+    for (int i = 0; i < 5; ++i) {
+      auto r = std::make_shared<Recipe>(quick());
+      r->matrix.sigma_c = r->matrix.tau_c = 20e6 * (1 + i);
+      recipes_.push_back(r);
+    }
+  }
+  std::shared_ptr<const Packing> packing() const { return packing_; }
+  std::map<std::size_t, std::string> found;
+  double steps = 0.0;
+
+  LaneHooks hooks() {
+    return {[this]() -> std::optional<Job> {
+              if (next_ == recipes_.size()) return {};
+              const auto& r = recipes_[next_];
+              return Job{specimen_of(packing_, *r), r, next_++};
+            },
+            [this](std::size_t i, const TestResult& result) {
+              const std::lock_guard lock(mutex_);
+              found[i] = result.hash;
+            },
+            [this](double n, std::size_t) {
+              const std::lock_guard lock(mutex_);
+              steps += n;
+            },
+            [] { return false; }};
+  }
+  LaneHooks no_more() {
+    LaneHooks h = hooks();
+    h.next = [] { return std::optional<Job>(); };
+    return h;
+  }
+
+ private:
+  std::shared_ptr<const Packing> packing_;
+  std::vector<std::shared_ptr<const Recipe>> recipes_;
+  std::size_t next_ = 0;
+  std::mutex mutex_;
+};
+
+CrewOptions eight(bool fixed) {
+  CrewOptions o;
+  o.group.isa = native_isa();
+  o.group.lanes = 8;
+  o.fixed = fixed;
+  return o;
+}
+
+std::map<std::size_t, std::string> undisturbed() {
+  Bench bench;
+  auto crew = std::make_unique<Crew>(bench.packing(), eight(true));
+  crew->fill(bench.hooks());
+  CrewExchange alone(1);
+  run_crew(std::move(crew), bench.hooks(), alone);
+  return bench.found;
+}
+
+TEST(Crew, FittingLanesAreTheNextPowerOfTwo) {
+  EXPECT_EQ(fitting_lanes(1, Precision::double_precision, 8), 1);
+  EXPECT_EQ(fitting_lanes(5, Precision::double_precision, 8), 8);
+  EXPECT_EQ(fitting_lanes(50, Precision::double_precision, 8), 8);
+  EXPECT_EQ(fitting_lanes(1, Precision::single_precision, 16), 4);
+  EXPECT_EQ(fitting_lanes(9, Precision::single_precision, 16), 16);
+}
+
+TEST(Crew, PartsGoTheirOwnWayAndEndAsIfTogether) {
+  Bench bench;
+  Crew crew(bench.packing(), eight(false));
+  crew.fill(bench.hooks());
+  for (int i = 0; i < 10; ++i) crew.work(bench.no_more());
+  const std::size_t before = crew.n_tests();
+  ASSERT_GE(before, 3U);
+  auto other = crew.part(2);
+  EXPECT_EQ(other->n_tests(), 2U);
+  EXPECT_FALSE(other->too_wide());
+  EXPECT_EQ(crew.n_tests(), before - 2);
+  EXPECT_TRUE(crew.too_wide());
+  while (crew.n_tests() > 0) crew.work(bench.no_more());
+  while (other->n_tests() > 0) other->work(bench.no_more());
+  EXPECT_EQ(bench.found.size(), 5U);
+  EXPECT_EQ(bench.found, undisturbed());
+}
+
+TEST(Crew, AWorkerWhoHasRunDryIsGivenTests) {
+  Bench bench;
+  CrewExchange exchange(2);
+  std::atomic<int> taken{0};
+  std::jthread helper([&] {
+    while (auto crew = exchange.wait()) {
+      ++taken;
+      run_crew(std::move(crew), bench.no_more(), exchange);
+    }
+    exchange.leave();
+  });
+  while (!exchange.wanted()) std::this_thread::yield();
+  auto crew = std::make_unique<Crew>(bench.packing(), eight(false));
+  crew->fill(bench.hooks());
+  run_crew(std::move(crew), bench.no_more(), exchange);
+  exchange.leave();
+  helper.join();
+  EXPECT_GE(taken.load(), 1);
+  EXPECT_EQ(bench.found, undisturbed());
+}
+
+TEST(CrewExchange, EndsWhenNobodyHasWork) {
+  CrewExchange exchange(3);
+  const auto idle = [&] {
+    EXPECT_EQ(exchange.wait(), nullptr);
+    exchange.leave();
+  };
+  std::jthread one(idle), two(idle);
+  EXPECT_EQ(exchange.wait_for(std::chrono::milliseconds(20)), nullptr);
+  EXPECT_FALSE(exchange.waited() < 0.02);
+  exchange.leave();
+}
+
+}  // namespace
+}  // namespace phy
