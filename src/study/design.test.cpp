@@ -221,12 +221,20 @@ TEST_F(StudyFile, ShardsPartTheWork) {
   EXPECT_LE(most - least, 1u);
 }
 
+// What comes late in the queue leaves cores idle at the end. Measured (docs/paper.md): four of the 176 tests
+// take more than 190,000 cycles, three times the mean: k_n at a quarter or the zone twice as thick, at 0 and
+// 15 degrees.
 TEST(PaperStudy, LongTestsComeFirst) {
   const Plan plan = make_plan(read_study(PHY_SOURCE_DIR "/examples/paper/study.toml"));
   const auto& order = plan.batches[0].tests;
   for (std::size_t i = 1; i < order.size(); ++i)
     EXPECT_GE(plan.tests[order[i - 1]].cost, plan.tests[order[i]].cost);
-  EXPECT_EQ(plan.tests[order.back()].recipe.bedding[0].theta, 75.0);  // weakest strain at the peak
+  int n_long = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const BeddingRecipe& b = plan.tests[order[i]].recipe.bedding.front();
+    n_long += b.theta <= 15.0 && (b.k_n < 1e12 || b.zone_thickness > 1e-3) ? 1 : 0;
+  }
+  EXPECT_EQ(n_long, 4);
 }
 
 }  // namespace
