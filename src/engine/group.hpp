@@ -146,6 +146,7 @@ class Group final : public LaneGroup {
   std::vector<PairKey> pairs_;     // sorted list of near pairs
   std::vector<std::uint8_t> set_;  // per contact and lane: bedding set of a joint
   std::vector<std::uint8_t> tag_;  // per contact and lane: 1 = bonded or joint since the start
+  std::vector<std::size_t> open_;  // pairs that births() looks at
   std::vector<std::int32_t> row_contact_;
   std::vector<GrainConst<T>> grain_const_;
   std::vector<ContactConst<T>> contact_const_;
@@ -220,13 +221,19 @@ class Group final : public LaneGroup {
   void make_constants();
   void assign_joints();
   void fill_joint_row(std::size_t row, const std::string& sets);
+  void list_open();
   void births();
   bool birth_of_joint(std::size_t c, std::size_t lane, double gap);
   void tighten_bound(std::size_t lane);
   static void renew_step(Lane& lane) {
     lane.dt = lane.setup.step_safety * 2.0 / (lane.bound->omega() * std::sqrt(1.0 + lane.setup.damping));
   }
-  double moved(std::size_t lane) const;  // the farthest grain since the lane's last search [m]
+  /// Per lane: what the farthest grain has moved since the lane's last search [m], and the largest speed
+  /// [m/s].
+  struct Farthest {
+    std::vector<double> moved, speed;
+  };
+  Farthest farthest() const;
   void watch_motion();
   // move
   void send_motion(std::size_t lane, Group<T>& to, std::size_t to_lane) const;

@@ -29,11 +29,9 @@ class PairUnion {
 
 }  // namespace
 
-/// Searches lanes that have moved far enough that their list would not last; the others keep theirs.
 template <class T>
 void Group<T>::search(std::size_t l) {
   Lane& lane = lanes_[l];
-  if (lane.searched && 4.0 * moved(l) < skin_) return;
   lane.near.clear();
   std::vector<Vec2> x(n_grains());
   for (std::size_t g = 0; g < n_grains(); ++g) {
@@ -48,12 +46,14 @@ void Group<T>::search(std::size_t l) {
   lane.searched = true;
 }
 
+/// Searches lanes that have moved far enough that their list would not last; the others keep theirs.
 template <class T>
 std::vector<PairKey> Group<T>::collect_pairs() {
   PairUnion all(n_grains());
+  const std::vector<double> moved = farthest().moved;
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
-    search(l);
+    if (!lanes_[l].searched || 4.0 * moved[l] >= skin_) search(l);
     for (const PairKey key : lanes_[l].near) all.add(key);
   }
   for (std::size_t c = 0; c < pairs_.size(); ++c)
@@ -186,6 +186,7 @@ void Group<T>::rebuild() {
   make_constants();
   for (std::size_t l = 0; l < W_; ++l)
     if (lanes_[l].fresh) fill_lane(l);
+  list_open();
   births();
   assign_joints();
   list_touches();
@@ -212,10 +213,22 @@ bool Group<T>::birth_of_joint(std::size_t c, std::size_t l, double gap) {
   return false;
 }
 
+/// Pairs that may yet meet in some lane; all others are bonded or joints since the start.
+template <class T>
+void Group<T>::list_open() {
+  open_.clear();
+  for (std::size_t c = 0; c < pairs_.size(); ++c)
+    for (std::size_t l = 0; l < W_; ++l)
+      if (tag_[c * W_ + l] == 0 && lanes_[l].specimen) {
+        open_.push_back(c);
+        break;
+      }
+}
+
 template <class T>
 void Group<T>::births() {
   bool joints = false;
-  for (std::size_t c = 0; c < pairs_.size(); ++c) {
+  for (const std::size_t c : open_) {
     const auto a = static_cast<std::size_t>(contact_const_[c].a),
                b = static_cast<std::size_t>(contact_const_[c].b);
     for (std::size_t l = 0; l < W_; ++l) {
@@ -262,34 +275,41 @@ void Group<T>::tighten_bound(std::size_t l) {
   lane.bound.emplace(*lane.specimen, contacts, lane.rig());
 }
 
+/// Grain by grain and all lanes at once, as they lie in memory.
 template <class T>
-double Group<T>::moved(std::size_t l) const {
-  double most = 0.0;
+typename Group<T>::Farthest Group<T>::farthest() const {
+  Farthest most{std::vector<double>(W_), std::vector<double>(W_)};
+  double *moved = most.moved.data(), *speed = most.speed.data();
   for (std::size_t g = 0; g < n_grains(); ++g) {
-    const Vec2 d = displacement(g, l) - built_at_[g * W_ + l];
-    most = std::max(most, dot(d, d));
+    const T* const of = grain_.get() + g * n_grain_fields * W_;
+    const Vec2* const from = built_at_.data() + g * W_;
+    for (std::size_t l = 0; l < W_; ++l) {
+      const Vec2 d{static_cast<double>(of[g_ux * W_ + l]) - from[l].x,
+                   static_cast<double>(of[g_uy * W_ + l]) - from[l].y};
+      const Vec2 v{static_cast<double>(of[g_vx * W_ + l]), static_cast<double>(of[g_vy * W_ + l])};
+      moved[l] = std::max(moved[l], dot(d, d));
+      speed[l] = std::max(speed[l], dot(v, v));
+    }
   }
-  return std::sqrt(most);
+  for (std::size_t l = 0; l < W_; ++l) moved[l] = std::sqrt(moved[l]), speed[l] = std::sqrt(speed[l]);
+  return most;
 }
 
 // A list is renewed before anything outside it can touch: when twice the largest motion since it was built,
 // plus what the fastest grain can do in the next block, exceeds the skin; for tools their own motion counts.
 template <class T>
 void Group<T>::watch_motion() {
+  if (dirty_) return;
+  const Farthest most = farthest();
   for (std::size_t l = 0; l < W_ && !dirty_; ++l) {
     const Lane& lane = lanes_[l];
     if (!lane.specimen) continue;
-    double speed = 0.0;
-    for (std::size_t g = 0; g < n_grains(); ++g) {
-      const Vec2 v{grain(g, g_vx, l), grain(g, g_vy, l)};
-      speed = std::max(speed, dot(v, v));
-    }
     const double block = lane.dt * options_.interval;
-    const double grains = moved(l) + std::sqrt(speed) * block;
+    const double grains = most.moved[l] + most.speed[l] * block;
     double tools = 0.0;
     for (const ToolMotion& t : lane.tools)
       tools = std::max(
-          tools, norm(t.state.displacement - t.listed_at) + fastest_tool(t.drive, std::sqrt(speed)) * block);
+          tools, norm(t.state.displacement - t.listed_at) + fastest_tool(t.drive, most.speed[l]) * block);
     dirty_ = 2.0 * grains > skin_ || grains + tools > skin_;
   }
 }
