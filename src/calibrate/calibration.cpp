@@ -17,6 +17,7 @@ namespace {
 
 constexpr int n_fit = 5;     // packings of the fit
 constexpr int n_unseen = 5;  // packings of the verification
+constexpr int n_spare = 15;  // more for the elastic fit, where packings differ much
 constexpr double z_95 = 1.959964;
 constexpr double strength_tolerance = 0.06;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
@@ -149,7 +150,8 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   const std::int64_t first_seed = rock.model.packing.seed;
   const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
   const std::vector<std::int64_t> unseen = seeds_from(first_seed + n_fit, n_unseen);
-  const ElasticFit elastic = fit_elastic(rock, targets, fit_seeds, simulator, options.say);
+  const std::vector<std::int64_t> spare = seeds_from(first_seed + n_fit + n_unseen, n_spare);
+  const ElasticFit elastic = fit_elastic(rock, targets, fit_seeds, spare, simulator, options.say);
   result.recipe = elastic.recipe;
   result.recipe.name = rock.name + ", calibrated";
   result.parameters = elastic.parameters;

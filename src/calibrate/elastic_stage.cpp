@@ -26,6 +26,10 @@ constexpr double usual_overlap = 1.5;      // joint length per plane length, for
 constexpr double nu_after_conflict = 0.1;  // weight
 constexpr double nu_tolerance = 0.03;
 constexpr double at_edge = 0.01;  // of a logarithm
+// what one-sided contacts usually make of E and nu, until it is measured
+constexpr double usual_factor = 0.97, usual_addition = 0.05;
+constexpr std::size_t n_first_correction = 2;  // packings
+constexpr double packing_error = 0.01;  // of mean E: so many packings are taken that it is no larger
 
 std::vector<Target> elastic_targets(const std::vector<Target>& all) {
   std::vector<Target> some;
@@ -38,12 +42,24 @@ std::vector<Target> elastic_targets(const std::vector<Target>& all) {
 struct Answer {
   double mean = 0.0, sd = 0.0;
   VectorXd slope;
+  std::vector<double> values;  ///< of the packings
+};
+
+/// What one-sided contacts make of a bilateral answer: a factor on E, an addition to nu.
+struct Correction {
+  double factor = 1.0, addition = 0.0;
 };
 
 class ElasticProblem {
  public:
   ElasticProblem(const Rock& rock, std::vector<Target> targets, Simulator& simulator)
-      : rock_(rock), targets_(std::move(targets)), simulator_(simulator) {
+      : rock_(rock),
+        targets_(std::move(targets)),
+        simulator_(simulator),
+        packing_error_(targets_.size(), 0.0) {
+    for (const Target& t : targets_)
+      corrections_.push_back(t.property == Property::E ? Correction{usual_factor, 0.0}
+                                                       : Correction{1.0, usual_addition});
     for (const Parameter& p : elastic_parameters())
       if (!p.joint || rock.bedded) parameters_.push_back(&p);
     double stiffest = 0.0;
@@ -68,9 +84,9 @@ class ElasticProblem {
   double box_low(Eigen::Index i) const { return low_[i]; }
   double box_high(Eigen::Index i) const { return high_[i]; }
   std::int64_t n_solutions = 0;
-  std::vector<std::int64_t> seeds;
-  bool bilateral = true;
   double nu_weight = 1.0;
+  void use(std::vector<std::int64_t> seeds) { seeds_ = std::move(seeds), x_.resize(0); }
+  std::size_t n_packings() const { return seeds_.size(); }
 
   Recipe recipe_at(const VectorXd& x) const {
     Recipe r = rock_.model;
@@ -79,29 +95,59 @@ class ElasticProblem {
     return r;
   }
 
-  /// Solved anew only where x, packings or contacts have changed.
+  /// Bilateral contacts with the corrections; solved anew only where x or packings have changed.
   const std::vector<Answer>& answers(const VectorXd& x) {
-    if (x_.size() == x.size() && x_ == x && solved_seeds_ == seeds.size() && solved_bilateral_ == bilateral)
-      return answers_;
-    x_ = x, solved_seeds_ = seeds.size(), solved_bilateral_ = bilateral;
-    const Recipe recipe = recipe_at(x);
-    std::map<double, std::size_t> angle;
-    for (const Target& t : targets_) angle.emplace(t.theta, angle.size());
-    std::vector<double> thetas(angle.size());
-    for (const auto& [theta, k] : angle) thetas[k] = theta;
-    std::vector<Recipe> recipes;
-    for (const std::int64_t seed : seeds)
-      for (const double theta : thetas) recipes.push_back(single_at(recipe, theta, seed));
-    const std::vector<ElasticResult> results = simulator_.elastic(recipes, bilateral);
-    n_solutions += static_cast<std::int64_t>(results.size());
-    answers_.clear();
-    for (const Target& t : targets_) {
-      std::vector<const ElasticResult*> of_angle;
-      for (std::size_t p = 0; p < seeds.size(); ++p)
-        of_angle.push_back(&results[p * thetas.size() + angle[t.theta]]);
-      answers_.push_back(mean_of(of_angle, t.property, recipe));
+    if (x_.size() == x.size() && x_ == x) return answers_;
+    x_ = x;
+    answers_ = solved(x, seeds_, true);
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      Answer& a = answers_[i];
+      const Correction& c = corrections_[i];
+      a.mean = a.mean * c.factor + c.addition, a.sd *= c.factor, a.slope *= c.factor;
     }
     return answers_;
+  }
+
+  /// One-sided contacts at x on the first `n` packings, over the bilateral ones on the same.
+  void correct(const VectorXd& x, std::size_t n) {
+    corrections_.assign(targets_.size(), {});
+    x_.resize(0);
+    const std::vector<Answer> two_sided = answers(x);
+    const std::vector<std::int64_t> some(seeds_.begin(), seeds_.begin() + static_cast<std::ptrdiff_t>(n));
+    const std::vector<Answer> one_sided = solved(x, some, false);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      const std::vector<double>& all = two_sided[i].values;
+      const double before = summarise({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)}).mean;
+      Correction c;
+      if (targets_[i].property == Property::E)
+        c.factor = one_sided[i].mean / before;
+      else
+        c.addition = one_sided[i].mean - before;
+      if (std::isfinite(c.factor) && std::isfinite(c.addition)) corrections_[i] = c;
+    }
+    x_.resize(0);
+  }
+
+  void go_back_to(const ElasticProblem& before) {
+    nu_weight = before.nu_weight, corrections_ = before.corrections_;
+    x_.resize(0);
+  }
+
+  /// Scatter of the mean over packings at x, relative for E, becomes part of every unit of misfit.
+  void weigh_packings(const VectorXd& x) {
+    const std::vector<Answer>& a = answers(x);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double mean = targets_[i].property == Property::E ? a[i].mean : 1.0;
+      packing_error_[i] = std::isfinite(a[i].sd) ? a[i].sd / mean / std::sqrt(n_packings()) : 0.0;
+    }
+  }
+  /// Largest relative scatter of E between packings.
+  double worst_scatter(const VectorXd& x) {
+    double worst = 0.0;
+    const std::vector<Answer>& a = answers(x);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (targets_[i].property == Property::E) worst = std::max(worst, a[i].sd / a[i].mean);
+    return worst;
   }
 
   /// Residuals and their derivatives, targets first, then the prior and the walls of the box.
@@ -113,7 +159,7 @@ class ElasticProblem {
     for (Eigen::Index i = 0; i < n; ++i) {
       const Target& t = targets_[static_cast<std::size_t>(i)];
       const Answer& model = a[static_cast<std::size_t>(i)];
-      const double s = scale(t);
+      const double s = scale(static_cast<std::size_t>(i));
       r[i] = t.property == Property::E ? std::log(model.mean / t.mean) / s : (model.mean - t.mean) / s;
       J.row(i) = (t.property == Property::E ? 1.0 / model.mean : 1.0) * model.slope.transpose() / s;
       if (!std::isfinite(r[i])) r[i] = 1e3, J.row(i).setZero();  // no answer here: step back
@@ -129,9 +175,11 @@ class ElasticProblem {
   }
 
   /// What one unit of misfit is: error of the laboratory's mean and of the mean over packings.
-  double scale(const Target& t) const {
-    if (t.property == Property::E) return std::max(least_error_E, t.standard_error() / t.mean);
-    return std::max(least_error_nu, t.standard_error()) / nu_weight;
+  double scale(std::size_t i) const {
+    const Target& t = targets_[i];
+    if (t.property == Property::E)
+      return std::hypot(std::max(least_error_E, t.standard_error() / t.mean), packing_error_[i]);
+    return std::hypot(std::max(least_error_nu, t.standard_error()), packing_error_[i]) / nu_weight;
   }
 
   /// Largest relative deviation of E.
@@ -150,9 +198,31 @@ class ElasticProblem {
   Simulator& simulator_;
   std::vector<const Parameter*> parameters_;
   VectorXd low_, high_, usual_, x_;
+  std::vector<std::int64_t> seeds_;
   std::vector<Answer> answers_;
-  std::size_t solved_seeds_ = 0;
-  bool solved_bilateral_ = false;
+  std::vector<Correction> corrections_;
+  std::vector<double> packing_error_;  // per target
+
+  std::vector<Answer> solved(const VectorXd& x, const std::vector<std::int64_t>& seeds, bool bilateral) {
+    const Recipe recipe = recipe_at(x);
+    std::map<double, std::size_t> angle;
+    for (const Target& t : targets_) angle.emplace(t.theta, angle.size());
+    std::vector<double> thetas(angle.size());
+    for (const auto& [theta, k] : angle) thetas[k] = theta;
+    std::vector<Recipe> recipes;
+    for (const std::int64_t seed : seeds)
+      for (const double theta : thetas) recipes.push_back(single_at(recipe, theta, seed));
+    const std::vector<ElasticResult> results = simulator_.elastic(recipes, bilateral);
+    n_solutions += static_cast<std::int64_t>(results.size());
+    std::vector<Answer> answers;
+    for (const Target& t : targets_) {
+      std::vector<const ElasticResult*> of_angle;
+      for (std::size_t p = 0; p < seeds.size(); ++p)
+        of_angle.push_back(&results[p * thetas.size() + angle[t.theta]]);
+      answers.push_back(mean_of(of_angle, t.property, recipe));
+    }
+    return answers;
+  }
 
   Answer mean_of(const std::vector<const ElasticResult*>& results, Property property,
                  const Recipe& recipe) const {
@@ -172,7 +242,7 @@ class ElasticProblem {
     }
     a.slope /= static_cast<double>(results.size());
     const Summary s = summarise(values);
-    a.mean = s.mean, a.sd = s.sd;
+    a.mean = s.mean, a.sd = s.sd, a.values = std::move(values);
     return a;
   }
 };
@@ -223,28 +293,39 @@ VectorXd first_guess(const Rock& rock, ElasticProblem& problem, Simulator& simul
   return x;
 }
 
-/// (J^T J)^-1 with the scatter of packings beside that of the laboratory. A model that misses the table is
-/// known no better than it fits: the covariance grows with the misfit per degree of freedom.
-MatrixXd covariance_at(ElasticProblem& problem, const VectorXd& x, std::size_t n_packings) {
+/// As many packings as the scatter of E asks for, the first of them `seeds`.
+void take_packings(ElasticProblem& problem, const VectorXd& x, std::vector<std::int64_t> seeds,
+                   const std::vector<std::int64_t>& spare) {
+  const std::size_t n_first = seeds.size();
+  problem.use(seeds);
+  const double wanted = std::ceil(std::pow(problem.worst_scatter(x) / packing_error, 2.0));
+  for (const std::int64_t seed : spare)
+    if (static_cast<double>(seeds.size()) < wanted) seeds.push_back(seed);
+  if (seeds.size() > n_first) problem.use(seeds);
+  problem.weigh_packings(x);
+}
+
+/// On all packings, the effect of one-sided contacts measured twice: near the answer, then at it.
+void refine(ElasticProblem& problem, VectorXd& x, std::size_t n_corrected) {
+  for (const std::size_t n : {std::min(n_first_correction, n_corrected), n_corrected}) {
+    problem.correct(x, n);
+    minimise(problem, x, 4, 1e-3);
+  }
+}
+
+/// (J^T J)^-1. A model that misses the table by more than the scatter of laboratory and packings is known no
+/// better than it fits: the covariance grows with the misfit per degree of freedom.
+MatrixXd covariance_at(ElasticProblem& problem, const VectorXd& x) {
   VectorXd r;
   MatrixXd J;
   problem.evaluate(x, &r, &J);
   const Eigen::Index n = problem.n_targets(), m = problem.n_parameters();
-  const std::vector<Answer>& answers = problem.answers(x);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Answer& a = answers[static_cast<std::size_t>(i)];
-    const Target& t = problem.targets()[static_cast<std::size_t>(i)];
-    const double packings = std::isfinite(a.sd) ? a.sd / std::sqrt(static_cast<double>(n_packings)) : 0.0;
-    const double relative = packings / (t.property == Property::E ? t.mean : 1.0) / problem.scale(t);
-    const double widened = std::sqrt(1.0 + relative * relative);
-    J.row(i) /= widened, r[i] /= widened;
-  }
   const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
   return (J.transpose() * J).inverse() * std::max(1.0, misfit);
 }
 
-void report(ElasticFit& fit, ElasticProblem& problem, const VectorXd& x, std::size_t n_packings) {
-  const MatrixXd covariance = covariance_at(problem, x, n_packings);
+void report(ElasticFit& fit, ElasticProblem& problem, const VectorXd& x) {
+  const MatrixXd covariance = covariance_at(problem, x);
   fit.recipe = problem.recipe_at(x);
   for (Eigen::Index j = 0; j < problem.n_parameters(); ++j) {
     const Parameter& p = problem.parameter(j);
@@ -266,7 +347,7 @@ void report(ElasticFit& fit, ElasticProblem& problem, const VectorXd& x, std::si
     const Answer& a = problem.answers(x)[static_cast<std::size_t>(i)];
     Comparison c;
     c.target = problem.targets()[static_cast<std::size_t>(i)];
-    c.mean = a.mean, c.sd = a.sd, c.n_packings = static_cast<int>(n_packings);
+    c.mean = a.mean, c.sd = a.sd, c.n_packings = static_cast<int>(problem.n_packings());
     const double half = z_95 * std::sqrt(a.slope.dot(covariance * a.slope));
     c.low = a.mean - half, c.high = a.mean + half;
     fit.comparisons.push_back(c);
@@ -350,34 +431,30 @@ std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector
 }
 
 ElasticFit fit_elastic(const Rock& rock, const std::vector<Target>& all,
-                       const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                       const std::function<void(const std::string&)>& say) {
+                       const std::vector<std::int64_t>& seeds, const std::vector<std::int64_t>& spare,
+                       Simulator& simulator, const std::function<void(const std::string&)>& say) {
   ElasticFit fit;
   fit.recipe = rock.model;
   ElasticProblem problem(rock, elastic_targets(all), simulator);
   if (of_property(problem.targets(), Property::E).empty()) return fit;
-  problem.seeds = {seeds.front()};
+  problem.use({seeds.front()});
   Eq1Fit eq1;
-  const VectorXd guess = first_guess(rock, problem, simulator, seeds.front(), eq1);
-  VectorXd x = guess;
-  const auto solve = [&] {
-    problem.bilateral = true, problem.seeds = {seeds.front()};
-    minimise(problem, x, 20, 1e-4);
-    say(fmt::format("elastic search done after {} solutions", problem.n_solutions));
-    problem.bilateral = false, problem.seeds = seeds;
-    minimise(problem, x, 3, 1e-3);
-  };
-  solve();
+  VectorXd x = first_guess(rock, problem, simulator, seeds.front(), eq1);
+  minimise(problem, x, 20, 1e-3);
+  say(fmt::format("elastic search done after {} solutions", problem.n_solutions));
+  take_packings(problem, x, seeds, spare);
+  refine(problem, x, seeds.size());
   const bool has_nu = problem.targets().size() > of_property(problem.targets(), Property::E).size();
-  if (has_nu && problem.worst_E(x) > elastic_tolerance) {
-    const VectorXd with_nu = x;
-    const double before = problem.worst_E(x);
+  if (const double before = problem.worst_E(x); has_nu && before > elastic_tolerance) {
+    const ElasticProblem with_nu = problem;
+    const VectorXd x_with_nu = x;
     problem.nu_weight = nu_after_conflict;
-    solve();
+    minimise(problem, x, 8, 1e-3);
+    refine(problem, x, seeds.size());
     fit.nu_gave_way = problem.worst_E(x) < 0.9 * before;
-    if (!fit.nu_gave_way) x = with_nu, problem.nu_weight = 1.0;
+    if (!fit.nu_gave_way) x = x_with_nu, problem.go_back_to(with_nu);
   }
-  report(fit, problem, x, seeds.size());
+  report(fit, problem, x);
   fit.n_solutions = problem.n_solutions;
   judge(fit, eq1);
   return fit;

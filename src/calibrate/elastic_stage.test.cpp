@@ -53,7 +53,7 @@ class ElasticStage : public testing::Test {
   std::unique_ptr<Simulator> simulator = make_simulator({2, "", nullptr, nullptr});
   Rock rock = small_rock();
   ElasticFit fit(const std::vector<Target>& targets) {
-    return fit_elastic(rock, targets, seeds, *simulator, [](const std::string&) {});
+    return fit_elastic(rock, targets, seeds, {}, *simulator, [](const std::string&) {});
   }
 };
 

@@ -18,6 +18,8 @@
 namespace phy {
 namespace {
 
+constexpr double statics_tolerance = 1e-4;  // of E, of nu: a hundredth of what packings differ by
+
 std::string packing_name(const Recipe& r) {
   return r.packing.file + packing_key(r.specimen, r.packing, r.matrix);
 }
@@ -92,6 +94,7 @@ class OwnSimulator : public Simulator {
     });
     ElasticOptions how;
     how.bilateral = bilateral;
+    how.tolerance = statics_tolerance;
     return solve_all(specimens, how, options_.threads);
   }
 
