@@ -59,11 +59,21 @@ std::vector<Target> strength_targets(const std::vector<Target>& targets) {
 void tell_ratios(Calibration& result) {
   for (const Comparison& t : result.verification)
     for (const Comparison& u : result.verification)
-      if (t.target.property == Property::direct_tension && u.target.property == Property::ucs &&
-          t.target.theta == u.target.theta)
-        result.verdict.findings.push_back(
-            fmt::format("UCS/DTS({:g}) = {:.1f} in the laboratory, {:.1f} in the nearest model",
-                        t.target.theta, u.target.mean / t.target.mean, u.mean / t.mean));
+      if (is_strength(t.target.property) && t.target.property != Property::ucs &&
+          u.target.property == Property::ucs && t.target.theta == u.target.theta)
+        result.verdict.findings.push_back(fmt::format(
+            "UCS/{}({:g}) = {:.1f} in the laboratory, {:.1f} in the nearest model",
+            to_string(t.target.property), t.target.theta, u.target.mean / t.target.mean, u.mean / t.mean));
+}
+
+/// Brazilian tests of the verification that are none by the rule of the ISRM.
+void tell_validity(Calibration& result) {
+  for (const Comparison& c : result.verification)
+    if (c.n_invalid > 0)
+      result.notes.push_back(
+          fmt::format("BTS({:g}): in {} of {} tests on unseen packings the first crack came outside the "
+                      "central third of the disc; peak loads are compared all the same",
+                      c.target.theta, c.n_invalid, c.n_packings));
 }
 
 /// Strengths on unseen packings that miss the table by more than the laboratory's scatter explains.
@@ -105,17 +115,19 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
                         const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
                         const std::vector<std::int64_t>& unseen, Simulator& simulator, bool& short_search) {
   const std::vector<Target> targets = strength_targets(all);
-  const auto n = static_cast<std::int64_t>(targets.size()), reserved = n * n_unseen;
+  const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
+             reserved = n * n_unseen;
   if (options.max_tests < reserved + least_points * n)
     throw InputError(
         Problem{"command line", "--max-tests", fmt::format("{}", options.max_tests),
                 fmt::format("at least {}", reserved + least_points * n),
-                fmt::format("{} strengths, each on {} unseen packings and at {} points of the search", n,
-                            n_unseen, least_points)});
+                fmt::format("{} angles with UCS, each on {} unseen packings and at {} points of the search",
+                            n, n_unseen, least_points)});
   StrengthFit fit =
       fit_strength(rock, result.recipe, all, seeds, options.max_tests - reserved, simulator, options.say);
   result.recipe = fit.recipe;
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
+  result.n_tension_tests = fit.n_tension;
   result.parameters.insert(result.parameters.end(), fit.parameters.begin(), fit.parameters.end());
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
@@ -123,7 +135,8 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   if (fit.interrupted || fit.fitted.empty()) return !fit.interrupted;
   options.say("verification of the strengths on unseen packings");
   const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
-  result.n_strength_tests += reserved;
+  const auto n_all = static_cast<std::int64_t>(targets.size());
+  result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
   return !simulator.stopped();
 }
@@ -165,9 +178,7 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   const bool done = !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen,
                                                     simulator, short_search);
   make_ready(result.recipe, rock, targets);
-  if (!of_property(targets, Property::brazilian).empty())
-    result.notes.emplace_back(
-        "BTS was not fitted: of the tests in tension the calibration uses the direct one (DTS)");
+  tell_validity(result);
   add_identifiability(result, rock);
   judge(result, elastic, short_search);
   if (!done)

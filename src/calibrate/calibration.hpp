@@ -15,7 +15,7 @@ namespace phy {
 
 struct CalibrationOptions {
   bool elastic_only = false;
-  std::int64_t max_tests = 300;  ///< strength tests, verification included
+  std::int64_t max_tests = 300;  ///< tests of UCS, verification included; tests in tension come on top
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
 };
 

@@ -72,17 +72,20 @@ struct Rule {
 Rule strength_rule(const std::string& key, const std::vector<Target>& targets) {
   bool ends = false, oblique = false, tension_0 = false, tension_90 = false;
   for (const Target& t : targets) {
-    const bool tension = t.property == Property::direct_tension || t.property == Property::brazilian;
+    const bool pulled = t.property == Property::direct_tension, split = t.property == Property::brazilian;
     ends = ends || (t.property == Property::ucs && (t.theta <= 15.0 || t.theta >= 80.0));
     oblique = oblique || (t.property == Property::ucs && t.theta >= 30.0 && t.theta <= 75.0);
-    tension_0 = tension_0 || (tension && t.theta <= 30.0);
-    tension_90 = tension_90 || (tension && t.theta >= 60.0);
+    // a disc splits along its load: planes at 90 degrees open in it, as those at 0 do in direct tension
+    tension_0 = tension_0 || (pulled && t.theta <= 30.0) || (split && t.theta >= 60.0);
+    tension_90 = tension_90 || (pulled && t.theta >= 60.0) || (split && t.theta <= 30.0);
   }
   if (key == "matrix.sigma_c") return {ends, "UCS near 0 or 90 degrees", "UCS at 0 and 90 degrees"};
   if (key == "C_sj/tau_c") return {oblique, "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees"};
-  if (key == "sigma_n,sj/C_sj") return {tension_0, "tension across the bedding", "tension at 0 degrees"};
+  if (key == "sigma_n,sj/C_sj")
+    return {tension_0, "tension across the bedding", "direct tension at 0 degrees, or Brazilian at 90"};
   if (key == "tau_c/sigma_c")
-    return {ends && tension_90, "UCS against tension along the bedding", "tension at 90 degrees"};
+    return {ends && tension_90, "UCS against tension along the bedding",
+            "direct tension at 90 degrees, or Brazilian at 0"};
   if (key == "matrix.mu") return {false, "", "confined compression at 0 or 90 degrees"};
   return {false, "", "confined compression at 45 to 60 degrees"};
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "analysis/analyse.hpp"
+#include "analysis/brazilian.hpp"
 #include "base/rng.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_stage.hpp"
@@ -30,6 +31,10 @@ constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c, for the first 
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 2.0;
 constexpr double jump_share = 0.35;  // of the expected peak strain
+// Approach of the jaws over the diameter, in units of BTS/E: 5.5 for arcs of 10 degrees on an elastic disc
+// (1 - nu + ln(1 + 4/sin^2 5 deg), Wang et al. 2004, IJRMMS 41:245-253, nu = 0.25), less for wider ones.
+constexpr double disc_approach = 5.0;
+constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 constexpr std::uint32_t sampler_seed = 20100101;
 
 /// The posterior and everything it is made of. Coordinates: log sigma_c, then the ratios in [-1, 1].
@@ -44,6 +49,7 @@ class StrengthProblem {
 
   Eigen::Index n_ratios() const { return static_cast<Eigen::Index>(parameters_.size()) - 1; }
   std::size_t n_targets() const { return targets_.size(); }
+  std::size_t n_tension() const { return targets_.size() - of_property(targets_, Property::ucs).size(); }
   const std::vector<Target>& targets() const { return targets_; }
   const Parameter& parameter(std::size_t i) const { return *parameters_[i]; }
   double box_low(std::size_t i) const { return std::log(parameter(i).low * (i == 0 ? largest_ : 1.0)); }
@@ -147,21 +153,30 @@ VectorXd mean_of(const std::vector<VectorXd>& points) {
   return mean;
 }
 
-/// The draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters.
+/// The draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters. Distances
+/// are expected ones: what the surrogate does not know of a draw puts it farther away, so that of two draws
+/// that fit alike the better known is taken.
 std::size_t middle(const StrengthProblem& problem, const std::vector<VectorXd>& draws) {
   std::vector<VectorXd> seen;
+  std::vector<double> unknown;
   for (const VectorXd& x : draws) {
     VectorXd y(static_cast<Eigen::Index>(problem.n_targets()) + x.size());
-    for (std::size_t i = 0; i < problem.n_targets(); ++i)
-      y[static_cast<Eigen::Index>(i)] =
-          problem.predict(x, i).mean / std::sqrt(StrengthProblem::variance(problem.targets()[i]));
+    double variance = 0.0;
+    for (std::size_t i = 0; i < problem.n_targets(); ++i) {
+      const Surrogate::Value v = problem.predict(x, i);
+      const double lab = StrengthProblem::variance(problem.targets()[i]);
+      y[static_cast<Eigen::Index>(i)] = v.mean / std::sqrt(lab);
+      variance += v.variance / lab;
+    }
+    unknown.push_back(variance);
     y.tail(x.size()) = x;
     seen.push_back(y);
   }
   const VectorXd centre = mean_of(seen);
+  const auto distance = [&](std::size_t i) { return (seen[i] - centre).squaredNorm() + unknown[i]; };
   std::size_t best = 0;
   for (std::size_t i = 1; i < seen.size(); ++i)
-    if ((seen[i] - centre).squaredNorm() < (seen[best] - centre).squaredNorm()) best = i;
+    if (distance(i) < distance(best)) best = i;
   return best;
 }
 
@@ -205,23 +220,26 @@ struct Batch {
   std::size_t n_points;
 };
 /// A third of the points anywhere in the box, then three times two ninths among the draws; the last two
-/// batches on the grains of the recipe.
-std::vector<Batch> plan(std::int64_t max_tests, std::size_t n_targets, bool with_coarse) {
+/// batches on the grains of the recipe. Every point costs `n_ucs` of the tests.
+std::vector<Batch> plan(std::int64_t max_tests, std::size_t n_ucs, bool with_coarse) {
   const std::int64_t points =
-      std::clamp(max_tests / static_cast<std::int64_t>(n_targets), least_points, most_points);
+      std::clamp(max_tests / static_cast<std::int64_t>(n_ucs), least_points, most_points);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
   return {{with_coarse, n_first}, {with_coarse, n_last}, {false, n_last}, {false, n_last}};
 }
 
-/// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe.
+/// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
+/// disc, the approach over the diameter.
 std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                                  Simulator& simulator) {
   std::vector<Recipe> recipes;
   for (const Target& t : targets) recipes.push_back(single_at(recipe, t.theta, seed));
   const std::vector<ElasticResult> elastic = simulator.elastic(recipes, true);
   std::vector<double> strains;
-  for (std::size_t i = 0; i < targets.size(); ++i) strains.push_back(targets[i].mean / elastic[i].E_gauge);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    strains.push_back((targets[i].property == Property::brazilian ? disc_approach : 1.0) * targets[i].mean /
+                      elastic[i].E_gauge);
   return strains;
 }
 
@@ -232,7 +250,8 @@ double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
   double speed = infinity;
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].property == property) {
-      const double wave = std::sqrt(targets[i].mean / strains[i] / recipe.matrix.density);
+      const double factor = property == Property::brazilian ? disc_approach : 1.0;
+      const double wave = std::sqrt(factor * targets[i].mean / strains[i] / recipe.matrix.density);
       speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
     }
   return speed;
@@ -245,16 +264,16 @@ struct Procedure {
   const char* number;
 };
 const Procedure* procedure_of(Property property) {
-  static const std::vector<Procedure> list = {
-      {Property::ucs, TestKind::uniaxial, "ucs"},
-      {Property::direct_tension, TestKind::direct_tension, "sigma_t"}};
+  static const std::vector<Procedure> list = {{Property::ucs, TestKind::uniaxial, "ucs"},
+                                              {Property::direct_tension, TestKind::direct_tension, "sigma_t"},
+                                              {Property::brazilian, TestKind::brazilian, "bts"}};
   for (const Procedure& p : list)
     if (p.property == property) return &p;
   return nullptr;
 }
 
 /// The tests of a table: what the laboratory did to its specimens, for one packing each. Compression runs at
-/// the recipe's speed, every test in tension at its own slow_speed.
+/// the recipe's speed, every kind of test in tension at its own slow_speed.
 class Tests {
  public:
   Tests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed, Simulator& simulator)
@@ -267,6 +286,10 @@ class Tests {
     Recipe one = single_at(recipe, targets_[target].theta, seed);
     one.test.kind = procedure_of(targets_[target].property)->kind;
     one.test.platen_speed = speeds_[target];
+    if (one.test.kind == TestKind::brazilian) {
+      if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
+      one.test.history_interval = disc_interval;
+    }
     return one;
   }
   /// For the search: jump start and twice the speed halve the steps of a compression test and move UCS by
@@ -289,6 +312,14 @@ double strength_of(const TestResult& result, Property property) {
   if (result.outcome.status != Status::peaked) return std::nan("");
   const Number* n = find(result.numbers, procedure_of(property)->number);
   return n != nullptr ? n->value : std::nan("");
+}
+
+/// Did a Brazilian disc begin to break outside the central third?
+bool is_invalid(const TestResult& result) {
+  for (const char* place : {"first_crack_x", "first_crack_y"})
+    if (const Number* n = find(result.numbers, place); n != nullptr && std::fabs(n->value) > central_third)
+      return true;
+  return false;
 }
 
 std::vector<Recipe> tests_at(const StrengthProblem& problem, const Tests& tests,
@@ -322,6 +353,7 @@ bool run_batch(StrengthProblem& problem, const Tests& tests, const std::vector<V
       ++failed;
   }
   fit.n_tests += static_cast<std::int64_t>(results.size());
+  fit.n_tension += static_cast<std::int64_t>(points.size() * problem.n_tension());
   if (is_coarse) fit.n_coarse += static_cast<std::int64_t>(results.size());
   if (failed > 0)
     fit.findings.push_back(
@@ -462,11 +494,15 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     std::vector<double> values;
-    for (std::size_t p = 0; p < seeds.size(); ++p)
-      if (const double s = strength_of(results[i * seeds.size() + p], targets[i].property); std::isfinite(s))
-        values.push_back(s);
-    const Summary s = summarise(values);
     Comparison c;
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      const TestResult& result = results[i * seeds.size() + p];
+      const double s = strength_of(result, targets[i].property);
+      if (!std::isfinite(s)) continue;
+      values.push_back(s);
+      c.n_invalid += is_invalid(result) ? 1 : 0;
+    }
+    const Summary s = summarise(values);
     c.target = targets[i], c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
     rows.push_back(c);
   }
@@ -483,8 +519,9 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   StrengthProblem problem(rock, targets);
   const Tests tests(fit.recipe, targets, seeds.front(), simulator);
-  const std::vector<Batch> batches = plan(max_tests, targets.size(), has_coarse(fit.recipe));
-  fit.short_search = max_tests < most_points * static_cast<std::int64_t>(targets.size());
+  const std::size_t n_ucs = targets.size() - problem.n_tension();
+  const std::vector<Batch> batches = plan(max_tests, n_ucs, has_coarse(fit.recipe));
+  fit.short_search = max_tests < most_points * static_cast<std::int64_t>(n_ucs);
   announce(problem, tests, batches, fit.recipe, seeds, simulator);
   std::vector<VectorXd> draws;
   for (std::size_t b = 0; b < batches.size(); ++b) {

@@ -27,7 +27,8 @@
 
 namespace phy {
 
-/// Fewest points of the search; each costs one test per strength of the table.
+/// Fewest points of the search; each costs one test per strength of the table, of which the budget counts
+/// those of UCS: tests in tension end at a fraction of the strain.
 constexpr std::int64_t least_points = 8;
 
 struct StrengthFit {
@@ -35,7 +36,7 @@ struct StrengthFit {
   std::vector<ParameterEstimate> parameters;  ///< the ratios, then the strengths that they stand for
   std::vector<Comparison> fitted;             ///< what the surrogate predicts at the estimate
   std::vector<Comparison> left_out;           ///< each target predicted without it; empty below four targets
-  std::int64_t n_tests = 0, n_coarse = 0;
+  std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0;
   bool interrupted = false;
   bool short_search = false;  ///< the budget did not allow all points
   std::vector<std::string> findings;
@@ -44,7 +45,7 @@ struct StrengthFit {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// `recipe`: from the elastic stage. `max_tests`: budget of this stage. Seeds: packings.
+/// `recipe`: from the elastic stage. `max_tests`: budget of this stage, tests of UCS. Seeds: packings.
 StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say);
@@ -53,7 +54,7 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator);
 
-/// Settings of the compression tests of a rock: single precision, no snapshots, and a platen speed at which a
+/// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
 /// wave crosses the specimen a hundred times until the earliest peak. `targets`: their UCS over the modulus
 /// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, std::int64_t seed,

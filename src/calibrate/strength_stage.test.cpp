@@ -178,12 +178,77 @@ TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNeare
   EXPECT_GT(ucs->mean / tension->mean, 7.0);  // and the nearest is near what the model can do
 }
 
+TEST(StrengthStage, ARatioOfCompressionToBrazilianStrengthOutOfReachIsAnsweredWithTheNearest) {
+  PaperPress press;  // reaches 7.5 at most
+  const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 10e6}}, false);
+  const Calibration c = calibrate(rock, {}, press);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings,
+              testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0 in the laboratory")));
+  double ucs = 0.0, bts = 0.0;
+  for (const Comparison& row : c.verification) (row.target.property == Property::ucs ? ucs : bts) = row.mean;
+  EXPECT_GT(ucs / bts, 5.5);
+  EXPECT_EQ(c.n_tension_tests, 36 + 5);  // beside as many of UCS
+  EXPECT_EQ(c.n_strength_tests, 2 * (36 + 5));
+}
+
+TEST(StrengthStage, TheSameRatioAtEveryAngleIsOutOfReachToo) {
+  PaperPress press;
+  const Recipe rock = truth(4);
+  std::vector<std::tuple<Property, double, double>> values;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    values.emplace_back(Property::ucs, theta, response(rock, theta));
+    values.emplace_back(Property::brazilian, theta, response(rock, theta) / 15.0);
+  }
+  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0")));
+}
+
+/// A rock whose joints are weak in tension alone.
+Recipe opening_rock() {
+  Recipe rock = truth(4);
+  rock.matrix.tau_c = 2.0 * rock.matrix.sigma_c;
+  rock.bedding[0].cohesion = 0.3 * rock.matrix.tau_c;
+  rock.bedding[0].sigma_n = 0.12 * rock.bedding[0].cohesion;
+  return rock;
+}
+
+TEST(StrengthStage, BrazilianStrengthThatIsLowOnlyWhereBeddingOpensIsAccepted) {
+  PaperPress press;
+  press.first_crack = 0.3;
+  Recipe rock = opening_rock();
+  std::vector<std::tuple<Property, double, double>> values;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    rock.bedding[0].theta = theta;
+    values.emplace_back(Property::ucs, theta, PaperPress::ucs(rock));
+    values.emplace_back(Property::brazilian, theta, PaperPress::splitting(rock));
+  }
+  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << testing::PrintToString(c.verdict.findings);
+  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
+  for (const ParameterEstimate& e : c.parameters) {
+    if (e.symbol != "sigma_n,sj") continue;
+    EXPECT_TRUE(e.determined);
+  }
+  EXPECT_THAT(c.notes, testing::Contains(testing::HasSubstr("5 of 5 tests on unseen packings the first")));
+}
+
+TEST(StrengthStage, DiscsHaveTheDiameterOfTheirRow) {
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 22e6}}, false);
+  rock.readings.push_back(rock.readings.back());
+  rock.readings.back().diameter = 0.02, rock.readings.back().value *= std::pow(1.9, 0.2);
+  PaperPress press;
+  const Calibration c = calibrate(rock, {}, press);
+  ASSERT_EQ(c.verification.size(), 3U);
+  EXPECT_EQ(c.verification[1].target.diameter, 0.0);
+  EXPECT_EQ(c.verification[2].target.diameter, 0.02);
+  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.06);
+}
+
 TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   PaperPress press;
-  Recipe truth_rock = truth(4);
-  truth_rock.matrix.tau_c = 2.0 * truth_rock.matrix.sigma_c;
-  truth_rock.bedding[0].cohesion = 0.3 * truth_rock.matrix.tau_c;
-  truth_rock.bedding[0].sigma_n = 0.12 * truth_rock.bedding[0].cohesion;
+  Recipe truth_rock = opening_rock();
   std::vector<std::tuple<Property, double, double>> values;
   for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
     truth_rock.bedding[0].theta = theta;

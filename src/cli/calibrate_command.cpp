@@ -91,7 +91,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
-  verb->add_option("--max-tests", args->max_tests, "budget: tests of strength, verification included")
+  verb->add_option("--max-tests", args->max_tests, "budget: tests of UCS, verification included")
       ->capture_default_str();
   verb->callback([args, &session] {
     stop_on_interrupt();

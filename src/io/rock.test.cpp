@@ -13,6 +13,7 @@
 namespace phy {
 namespace {
 
+using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
 using testing::Each;
@@ -48,6 +49,27 @@ class RockFile : public testing::Test {
 
 const std::string good =
     "theta [deg],E [GPa],UCS [MPa],UCS_sd [MPa],n\n0,23,105,5,3\n45,20,53,,3\n90,59,138,7,3\n";
+
+TEST_F(RockFile, DiscsHaveADiameterPerRowOrOneForAll) {
+  const Rock r = rock("theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,30\n45,60,8,\n90,120,5,20\n",
+                      "[brazilian]\ndiameter = \"25 mm\"\nloading_angle = \"15 deg\"\n");
+  EXPECT_DOUBLE_EQ(r.model.test.disc_diameter, 0.025);
+  EXPECT_DOUBLE_EQ(r.model.test.loading_angle, 15.0);
+  const std::vector<Target> discs = of_property(targets_of(r), Property::brazilian);
+  ASSERT_THAT(discs, SizeIs(3));
+  EXPECT_DOUBLE_EQ(discs[0].diameter, 0.03);
+  EXPECT_EQ(discs[1].diameter, 0.0);  // that of all
+  EXPECT_DOUBLE_EQ(discs[2].diameter, 0.02);
+}
+
+TEST_F(RockFile, ADiscLargerThanTheSpecimenOrAJawTooWideIsRefused) {
+  const std::string csv = "theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,54\n45,60,,\n90,120,,\n";
+  EXPECT_THAT(problems(csv, "[brazilian]\nloading_angle = \"120 deg\"\n"),
+              testing::UnorderedElementsAre(AllOf(HasSubstr("r.csv:2"), HasSubstr("at most 38 mm")),
+                                            HasSubstr("loading_angle")));
+  EXPECT_THAT(problems(csv, "[brazilian]\ndiameter = \"60 mm\"\n"), Contains(HasSubstr("60 mm")));
+  EXPECT_THAT(problems(csv, "[specimen]\nwidth = \"54 mm\"\nheight = \"108 mm\"\n"), IsEmpty());
+}
 
 TEST_F(RockFile, ReadsValuesInSiWithMissingCells) {
   const Rock r = rock(good);

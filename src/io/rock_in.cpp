@@ -26,7 +26,7 @@ constexpr double most_apart = 5.0;  // standard deviations between two rows of o
 constexpr std::size_t least_angles = 3;
 
 /// What a column holds. `scatter`: the standard deviation of the property.
-enum class Column { theta, beta, confining, n, value, scatter, other };
+enum class Column { theta, beta, confining, diameter, n, value, scatter, other };
 struct Head {
   Column kind = Column::other;
   Property property = Property::E;
@@ -45,6 +45,7 @@ const std::map<std::string, Property>& property_names() {
 
 Dimension dimension_of(const Head& h) {
   if (h.kind == Column::theta || h.kind == Column::beta) return Dimension::angle;
+  if (h.kind == Column::diameter) return Dimension::length;
   if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
   return Dimension::pressure;
 }
@@ -58,7 +59,7 @@ Head head_of(const std::string& cell) {
     h.unit = cell.substr(open + 1, cell.find_first_of("])", open) - open - 1);
   } else if (const std::size_t bar = cell.rfind('_'); bar != cell.npos) {
     const std::string tail = cell.substr(bar + 1);
-    for (const Dimension d : {Dimension::pressure, Dimension::angle})
+    for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
       if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);
   }
   std::string word;
@@ -69,6 +70,7 @@ Head head_of(const std::string& cell) {
   if (word == "theta") h.kind = Column::theta;
   if (word == "beta") h.kind = Column::beta;
   if (word == "confining") h.kind = Column::confining;
+  if (word == "diameter") h.kind = Column::diameter;
   if (word == "n") h.kind = Column::n;
   const bool scatter = word.size() > 3 && word.ends_with("_sd");
   const auto it = property_names().find(scatter ? word.substr(0, word.size() - 3) : word);
@@ -87,6 +89,7 @@ Range range_of(const Head& h) {
     case Column::theta:
     case Column::beta: return {0.0, 90.0, "0 deg <= angle <= 90 deg"};
     case Column::n: return {1.0, 1e6, "a number of specimens, at least 1"};
+    case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
     case Column::confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
     case Column::scatter:
       return h.property == Property::nu ? Range{0.0, 1.0, "0 <= SD of nu <= 1"}
@@ -143,7 +146,8 @@ class ReadingReader {
       const Dimension d = dimension_of(h);
       if (h.kind == Column::other) {
         if (!h.unit.empty())
-          tell(cell, "", "a known column: theta or beta, E, nu, UCS, DTS, BTS, confining, n, each with _sd",
+          tell(cell, "",
+               "a known column: theta or beta, E, nu, UCS, DTS, BTS, each with _sd, diameter, confining, n",
                "rename it, or take its unit out of the header to have it passed over");
         else if (!h.name.empty())
           ignored.push_back(cell);
@@ -219,6 +223,7 @@ class ReadingReader {
     if (std::isfinite(confining) && std::fabs(r.confining - confining) > 1e-6 * std::max(1.0, confining))
       return;
     if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
+    if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
       r.property = heads_[i].property, r.value = v[i];
@@ -234,7 +239,9 @@ class ReadingReader {
     for (std::size_t i = 0; i < readings_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const RockReading &a = readings_[j], &b = readings_[i];
-        if (a.property != b.property || a.theta != b.theta || a.confining != b.confining) continue;
+        if (a.property != b.property || a.theta != b.theta || a.confining != b.confining ||
+            a.diameter != b.diameter)
+          continue;
         const double sd = std::fmax(a.sd, b.sd);  // passes over a NaN
         if (!(std::fabs(a.value - b.value) > most_apart * sd) || !told.insert(b.line).second) continue;
         problems_.push_back({at(b.line), to_string(b.property), fmt::format("{:g}", b.value),
@@ -284,6 +291,7 @@ class RockReader {
     rock_.name = this->text("name", std::filesystem::path(path_).stem().string());
     read_recipe_file();
     read_size();
+    read_disc();
     read_reading();
     read_table();
   }
@@ -295,8 +303,9 @@ class RockReader {
   std::map<std::string, Entry> entries_;
 
   static const std::set<std::string>& known() {
-    static const std::set<std::string> keys = {"name",      "data",   "recipe",         "elastic_reading",
-                                               "confining", "bedded", "specimen.width", "specimen.height"};
+    static const std::set<std::string> keys = {
+        "name",   "data",           "recipe",          "elastic_reading",    "confining",
+        "bedded", "specimen.width", "specimen.height", "brazilian.diameter", "brazilian.loading_angle"};
     return keys;
   }
   std::string at(const Entry& e) const { return path_ + ":" + std::to_string(e.line); }
@@ -368,6 +377,29 @@ class RockReader {
                     "bedding every {:g} mm",
                     width * 1e3, height * 1e3, p.n_grains, b.spacing * 1e3));
   }
+  /// Discs of the Brazilian tests: those of the recipe unless said here.
+  void read_disc() {
+    TestRecipe& test = rock_.model.test;
+    test.disc_diameter = quantity("brazilian.diameter", Dimension::length, test.disc_diameter);
+    if (const Entry* e = entry("brazilian.loading_angle")) {
+      const Quantity q = parse_quantity(e->value, Dimension::angle);
+      if (q.ok && q.value >= 0.0 && q.value <= 60.0)
+        test.loading_angle = q.value;
+      else
+        problems_.push_back(
+            {at(*e), e->path, e->value, "0 deg (flat platens) <= arc of a jaw <= 60 deg", "10 deg is usual"});
+    }
+    check_disc(test.disc_diameter, path_, 0);
+  }
+  void check_disc(double diameter, const std::string& where, int line) {
+    const double most = std::min(rock_.model.specimen.width, rock_.model.specimen.height);
+    if (diameter <= most) return;
+    problems_.push_back({line > 0 ? where + ":" + std::to_string(line) : where, "diameter",
+                         fmt::format("{:g} mm", diameter * 1e3),
+                         fmt::format("at most {:g} mm, the smaller side of the specimen", most * 1e3),
+                         "discs are cut from the model's specimen: make [specimen] as large as the disc"});
+  }
+
   void read_reading() {
     const std::string word = text("elastic_reading", "plane stress");
     if (word == "plane strain")
@@ -408,6 +440,7 @@ class RockReader {
     for (const RockReading& r : rock_.readings) {
       angles.insert(r.theta), pressures.insert(r.confining);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
+      if (r.property == Property::brazilian) check_disc(r.diameter, where, r.line);
     }
     if (rock_.readings.empty() && problems_.empty())
       problems_.push_back(
@@ -480,7 +513,12 @@ std::string rock_template(const std::string& name) {
          "\n"
          "[specimen]                      # of the compression tests\n"
          "width = \"38 mm\"\n"
-         "height = \"76 mm\"\n";
+         "height = \"76 mm\"\n"
+         "\n"
+         "# [brazilian]                   # discs of the BTS column, unless a column diameter [mm] says "
+         "otherwise\n"
+         "# diameter = \"38 mm\"           # default: the smaller side of the specimen\n"
+         "# loading_angle = \"10 deg\"     # arc of each jaw; \"0 deg\": flat platens\n";
 }
 
 std::string rock_table_template() {
@@ -489,7 +527,10 @@ std::string rock_table_template() {
          "# theta: inclination of the bedding, load along y: 0 = bedding across the load, 90 = along it.\n"
          "# Or a column beta [deg], the angle between load and bedding (beta = 90 - theta). Three angles at "
          "least.\n"
-         "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian), each with _sd; confining [MPa].\n"
+         "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), each "
+         "with "
+         "_sd;\n"
+         "# confining [MPa]. The load, or the pull of DTS, is along y in every test.\n"
          "# _sd: standard deviation of single specimens; n: specimens. Other columns without a unit are "
          "passed over.\n"
          "theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n\n"

@@ -31,6 +31,7 @@ struct Comparison {
   double low = std::numeric_limits<double>::quiet_NaN();   ///< 95 % interval of the rock's value by the fit
   double high = std::numeric_limits<double>::quiet_NaN();
   int n_packings = 0;
+  int n_invalid = 0;  ///< Brazilian: of these, first crack outside the central third (analysis/brazilian.hpp)
   double error() const { return mean / target.mean - 1.0; }
 };
 
@@ -54,6 +55,7 @@ struct Calibration {
   Verdict verdict;
   std::vector<std::string> notes;
   std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included
+  std::int64_t n_tension_tests = 0;   ///< of these, direct tension and Brazilian
   std::int64_t n_coarse_tests = 0;    ///< of these, with magnified grains
   std::int64_t n_elastic = 0;         ///< direct elastic solutions
   double seconds = 0.0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace phy {
@@ -75,16 +76,18 @@ bool is_strength(Property property) { return property != Property::E && property
 double Target::standard_error() const { return sd / std::sqrt(static_cast<double>(n)); }
 
 std::vector<Target> targets_of(const Rock& rock) {
-  std::map<std::pair<Property, long>, std::vector<const RockReading*>> cells;
+  std::map<std::tuple<Property, long, double>, std::vector<const RockReading*>> cells;
   for (const RockReading& r : rock.readings)
     if (r.confining == 0.0 || !is_strength(r.property))
-      cells[{r.property, std::lround(r.theta / same_angle)}].push_back(&r);
+      cells[{r.property, std::lround(r.theta / same_angle),
+             r.property == Property::brazilian ? r.diameter : 0.0}]
+          .push_back(&r);
   std::vector<Target> targets;
   std::map<Property, Pool> pooled;  // relative, but absolute for nu
   std::vector<Pool> own;
   for (const auto& [key, rows] : cells) {
     Target t;
-    t.property = key.first, t.theta = rows.front()->theta, t.n = 0;
+    t.property = std::get<0>(key), t.theta = rows.front()->theta, t.diameter = std::get<2>(key), t.n = 0;
     for (const RockReading* r : rows) t.mean += r->n * r->value, t.n += r->n;
     t.mean /= t.n;
     own.push_back(pool_of(rows, t.mean));

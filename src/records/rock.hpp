@@ -34,6 +34,7 @@ struct RockReading {
   int n = 1;                                             ///< specimens behind the value
   double confining = 0.0;                                ///< [Pa]
   int line = 0;                                          ///< of the table
+  double diameter = 0.0;  ///< [m] of the disc of a Brazilian test; 0: the model's
 };
 
 /// All cells of one property and angle together.
@@ -44,6 +45,7 @@ struct Target {
   double sd = 0.0;     ///< scatter of single specimens, SI, > 0
   int n = 1;           ///< specimens
   bool sd_assumed = false;
+  double diameter = 0.0;          ///< [m] of the disc of a Brazilian test; 0: the model's
   double standard_error() const;  ///< sd/sqrt(n)
 };
 
@@ -56,11 +58,11 @@ struct Rock {
   std::vector<std::string> notes;     ///< how the files were understood, for the user to see
 };
 
-/// One target per property and angle, ordered by property, then angle. Replicates are averaged, weighted by
-/// n. Their scatter: SDs pooled with the spread between rows, and drawn towards the relative scatter of the
-/// property over all angles as if by ten more specimens, because the scatter of three specimens says little;
-/// where a cell has none of its own, that of the others alone; where there is none at all, 5 % (strengths in
-/// tension 15 %, nu 0.03). Moduli are converted to plane stress if `reading` says so.
+/// One target per property, angle and diameter of disc, ordered in this way. Replicates are averaged,
+/// weighted by n. Their scatter: SDs pooled with the spread between rows, and drawn towards the relative
+/// scatter of the property over all angles as if by ten more specimens, because the scatter of three
+/// specimens says little; where a cell has none of its own, that of the others alone; where there is none at
+/// all, 5 % (strengths in tension 15 %, nu 0.03). Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.

@@ -26,6 +26,8 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"n_packings", c.n_packings},
          {"low", number(c.low)},
          {"high", number(c.high)}});
+    if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
+    if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
   return list;
 }
@@ -106,6 +108,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["notes"] = c.notes;
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},
+               {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
   return j.dump(2) + "\n";
 }

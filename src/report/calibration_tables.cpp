@@ -26,7 +26,8 @@ std::string cell(const Calibration& c, const std::string& key, double value, dou
 
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
   for (const Comparison& c : rows)
-    if (c.target.property == t.property && c.target.theta == t.theta) return &c;
+    if (c.target.property == t.property && c.target.theta == t.theta && c.target.diameter == t.diameter)
+      return &c;
   return nullptr;
 }
 
@@ -165,8 +166,10 @@ std::string verdict_text(const Calibration& c) {
 }
 
 std::string budget_text(const Calibration& c) {
-  return fmt::format("{} tests of strength ({} of them on coarse grains), {} direct elastic solutions\n",
-                     c.n_strength_tests, c.n_coarse_tests, c.n_elastic);
+  return fmt::format("{} tests of UCS{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
+                     c.n_strength_tests - c.n_tension_tests,
+                     c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "",
+                     c.n_coarse_tests, c.n_elastic);
 }
 
 }  // namespace phy

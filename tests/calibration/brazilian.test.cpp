@@ -1,0 +1,45 @@
+// Brazilian strengths as targets, with the press itself on small packings: a ratio to UCS that bonded discs
+// do not reach is answered with the nearest one. A twin that must be accepted: tests/soak/brazilian.test.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "twin_trial.hpp"
+
+namespace phy {
+namespace {
+
+RockReading reading(Property property, double theta, double value) {
+  RockReading r;
+  r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
+  return r;
+}
+
+TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock) {
+  const auto simulator = make_simulator(
+      {static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), "", nullptr, nullptr});
+  Rock rock;
+  rock.bedded = false, rock.model = magnified_model(4.0), rock.model.bedding.clear();
+  rock.readings = {reading(Property::E, 0.0, 40e9), reading(Property::ucs, 0.0, 150e6),
+                   reading(Property::brazilian, 0.0, 10e6)};
+  CalibrationOptions options;
+  options.max_tests = 25;
+  const Calibration c = calibrate(rock, options, *simulator);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings,
+              testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0 in the laboratory")))
+      << testing::PrintToString(c.verdict.findings);
+  double ucs = 0.0, bts = 0.0;
+  for (const Comparison& row : c.verification) {
+    if (row.target.property == Property::ucs) ucs = row.mean;
+    if (row.target.property == Property::brazilian) bts = row.mean;
+  }
+  // docs/theory/ucs-to-tension.md: 2.2 to 5.8 with direct tension
+  EXPECT_GT(ucs / bts, 2.5);
+  EXPECT_LT(ucs / bts, 9.0);
+}
+
+}  // namespace
+}  // namespace phy
