@@ -29,7 +29,7 @@ constexpr double at_edge = 0.01;  // of a logarithm
 // what one-sided contacts usually make of E and nu, until it is measured
 constexpr double usual_factor = 0.97, usual_addition = 0.05;
 constexpr std::size_t n_first_correction = 2;  // packings
-constexpr double packing_error = 0.01;  // of mean E: so many packings are taken that it is no larger
+constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
 
 std::vector<Target> elastic_targets(const std::vector<Target>& all) {
   std::vector<Target> some;
