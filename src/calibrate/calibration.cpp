@@ -15,10 +15,11 @@
 namespace phy {
 namespace {
 
-constexpr int n_fit = 5;     // packings of the fit
-constexpr int n_unseen = 5;  // packings of the verification
-constexpr int n_spare = 15;  // more for the elastic fit, where packings differ much
-constexpr double z_95 = 1.959964;
+constexpr int n_fit = 5;  // packings of the elastic fit
+constexpr int n_unseen = verification_packings;
+constexpr int n_spare = 15;   // more for the elastic fit, where packings differ much
+constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
+constexpr double z_seven = 2.69;  // exceeded by the largest of seven cells in 5 % of tables
 constexpr double strength_tolerance = 0.06;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
@@ -82,10 +83,10 @@ void judge_strength(Calibration& result, bool short_search) {
   int n = 0;
   for (const Comparison& c : result.verification) {
     if (!is_strength(c.target.property)) continue;
-    const double packing = std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_fit) : 0.0;
+    const double packing = std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_search) : 0.0;
     const double noise = std::hypot(c.target.standard_error(), packing) / c.target.mean;
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_95 * noise)) continue;
+    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * noise)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
@@ -101,9 +102,30 @@ void judge_strength(Calibration& result, bool short_search) {
   }
 }
 
+/// E on unseen packings that misses the table by more than it may, where the fit itself does not: then it is
+/// packings of this size that differ.
+void judge_moduli(Calibration& result, const ElasticFit& elastic) {
+  const auto misses = [](const Comparison& c) {
+    const double noise = c.target.sd_assumed ? 0.0 : c.target.standard_error() / c.target.mean;
+    return c.target.property == Property::E &&
+           std::fabs(c.error()) > std::max(elastic_tolerance, z_seven * noise);
+  };
+  for (std::size_t i = 0; i < std::min(result.verification.size(), elastic.comparisons.size()); ++i) {
+    const Comparison& c = result.verification[i];
+    const Target& t = c.target;
+    if (!misses(c) || misses(elastic.comparisons[i])) continue;  // the fit has told its own limits
+    result.verdict.findings.push_back(fmt::format(
+        "E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f}: packings "
+        "of this size differ by {:.1f} %, the mean of {} by {:.1f} %",
+        t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * c.sd / c.mean, c.n_packings,
+        100.0 * c.sd / c.mean / std::sqrt(c.n_packings)));
+  }
+}
+
 void judge(Calibration& result, const ElasticFit& elastic, bool short_search) {
   Verdict& v = result.verdict;
   v.findings.insert(v.findings.begin(), elastic.findings.begin(), elastic.findings.end());
+  judge_moduli(result, elastic);
   judge_strength(result, short_search);
   if (elastic.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
@@ -175,8 +197,10 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
   const bool strength = !options.elastic_only && !of_property(targets, Property::ucs).empty();
   bool short_search = false;
-  const bool done = !strength || calibrate_strength(result, rock, options, targets, fit_seeds, unseen,
-                                                    simulator, short_search);
+  std::vector<std::int64_t> search = fit_seeds;
+  search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
+  const bool done = !strength || calibrate_strength(result, rock, options, targets, search, unseen, simulator,
+                                                    short_search);
   make_ready(result.recipe, rock, targets);
   tell_validity(result);
   add_identifiability(result, rock);

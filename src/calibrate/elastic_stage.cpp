@@ -97,9 +97,8 @@ class ElasticProblem {
 
   /// Bilateral contacts with the corrections; solved anew only where x or packings have changed.
   const std::vector<Answer>& answers(const VectorXd& x) {
-    if (x_.size() == x.size() && x_ == x) return answers_;
-    x_ = x;
-    answers_ = solved(x, seeds_, true);
+    if (x_.size() != x.size() || x_ != x) x_ = x, two_sided_ = solved(x, seeds_, true);
+    answers_ = two_sided_;
     for (std::size_t i = 0; i < answers_.size(); ++i) {
       Answer& a = answers_[i];
       const Correction& c = corrections_[i];
@@ -110,14 +109,12 @@ class ElasticProblem {
 
   /// One-sided contacts at x on the first `n` packings, over the bilateral ones on the same.
   void correct(const VectorXd& x, std::size_t n) {
-    corrections_.assign(targets_.size(), {});
-    x_.resize(0);
-    const std::vector<Answer> two_sided = answers(x);
-    const std::vector<std::int64_t> some(seeds_.begin(), seeds_.begin() + static_cast<std::ptrdiff_t>(n));
-    const std::vector<Answer> one_sided = solved(x, some, false);
+    answers(x);
+    const auto count = static_cast<std::ptrdiff_t>(n);
+    const std::vector<Answer> one_sided = solved(x, {seeds_.begin(), seeds_.begin() + count}, false);
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const std::vector<double>& all = two_sided[i].values;
-      const double before = summarise({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)}).mean;
+      const std::vector<double>& all = two_sided_[i].values;
+      const double before = summarise({all.begin(), all.begin() + count}).mean;
       Correction c;
       if (targets_[i].property == Property::E)
         c.factor = one_sided[i].mean / before;
@@ -125,12 +122,10 @@ class ElasticProblem {
         c.addition = one_sided[i].mean - before;
       if (std::isfinite(c.factor) && std::isfinite(c.addition)) corrections_[i] = c;
     }
-    x_.resize(0);
   }
 
   void go_back_to(const ElasticProblem& before) {
     nu_weight = before.nu_weight, corrections_ = before.corrections_;
-    x_.resize(0);
   }
 
   /// Scatter of the mean over packings at x, relative for E, becomes part of every unit of misfit.
@@ -199,7 +194,7 @@ class ElasticProblem {
   std::vector<const Parameter*> parameters_;
   VectorXd low_, high_, usual_, x_;
   std::vector<std::int64_t> seeds_;
-  std::vector<Answer> answers_;
+  std::vector<Answer> two_sided_, answers_;  // at x_; without and with the corrections
   std::vector<Correction> corrections_;
   std::vector<double> packing_error_;  // per target
 
@@ -305,12 +300,10 @@ void take_packings(ElasticProblem& problem, const VectorXd& x, std::vector<std::
   problem.weigh_packings(x);
 }
 
-/// On all packings, the effect of one-sided contacts measured twice: near the answer, then at it.
+/// On all packings, with the effect of one-sided contacts measured on `n_corrected` of them.
 void refine(ElasticProblem& problem, VectorXd& x, std::size_t n_corrected) {
-  for (const std::size_t n : {std::min(n_first_correction, n_corrected), n_corrected}) {
-    problem.correct(x, n);
-    minimise(problem, x, 4, 1e-3);
-  }
+  problem.correct(x, n_corrected);
+  minimise(problem, x, 4, 1e-3);
 }
 
 /// (J^T J)^-1. A model that misses the table by more than the scatter of laboratory and packings is known no
@@ -372,7 +365,7 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
     if (t.property == Property::E) {
       const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
       const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
-      if (std::fabs(c.error()) <= std::max(elastic_tolerance, z_95 * noise)) continue;
+      if (std::fabs(c.error()) <= std::max(elastic_tolerance, z_seven * noise)) continue;
       const bool by_chance = std::fabs(c.error()) <= z_seven * std::hypot(noise, packings);
       if (!by_chance) worst = std::max(worst, std::fabs(c.error()));
       fit.findings.push_back(fmt::format(
@@ -381,7 +374,7 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
           by_chance ? fmt::format(": packings of this size scatter that much (+-{:.0f} % on the mean of {})",
                                   100.0 * z_seven * packings, c.n_packings)
                     : ""));
-    } else if (std::fabs(c.mean - t.mean) > std::max(nu_tolerance, z_95 * t.standard_error())) {
+    } else if (std::fabs(c.mean - t.mean) > std::max(nu_tolerance, z_seven * t.standard_error())) {
       fit.findings.push_back(fmt::format(
           "nu({:g}) = {:.3f} instead of {:.3f}{}", t.theta, c.mean, t.mean,
           fit.nu_gave_way ? ": joints leave nu/E as it is in every direction, so E and nu of this "
@@ -443,13 +436,14 @@ ElasticFit fit_elastic(const Rock& rock, const std::vector<Target>& all,
   minimise(problem, x, 20, 1e-3);
   say(fmt::format("elastic search done after {} solutions", problem.n_solutions));
   take_packings(problem, x, seeds, spare);
+  refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it
   refine(problem, x, seeds.size());
   const bool has_nu = problem.targets().size() > of_property(problem.targets(), Property::E).size();
   if (const double before = problem.worst_E(x); has_nu && before > elastic_tolerance) {
     const ElasticProblem with_nu = problem;
     const VectorXd x_with_nu = x;
     problem.nu_weight = nu_after_conflict;
-    minimise(problem, x, 8, 1e-3);
+    minimise(problem, x, 6, 1e-3);
     refine(problem, x, seeds.size());
     fit.nu_gave_way = problem.worst_E(x) < 0.9 * before;
     if (!fit.nu_gave_way) x = x_with_nu, problem.go_back_to(with_nu);

@@ -22,7 +22,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t n_packings = 4;
 constexpr std::int64_t most_points = 36;
 constexpr double coarse_factor = 2.5;         // magnification of the grains
 constexpr std::int64_t fewest_grains = 1000;  // of a coarse packing
@@ -322,23 +321,27 @@ bool is_invalid(const TestResult& result) {
   return false;
 }
 
+/// Neighbouring points share a packing: two points of seven angles fill sixteen lanes.
+std::size_t packing_of_point(std::size_t point, std::size_t n_packings) { return point / 2 % n_packings; }
+
 std::vector<Recipe> tests_at(const StrengthProblem& problem, const Tests& tests,
                              const std::vector<VectorXd>& points, bool is_coarse, const Recipe& recipe,
-                             const std::vector<std::int64_t>& seeds) {
+                             const std::vector<std::int64_t>& seeds, std::size_t first) {
   std::vector<Recipe> recipes;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Recipe point = problem.recipe_at(is_coarse ? coarse(recipe) : recipe, points[p]);
     for (std::size_t i = 0; i < problem.n_targets(); ++i)
-      recipes.push_back(tests.quick(point, i, seeds[p % n_packings]));
+      recipes.push_back(tests.quick(point, i, seeds[packing_of_point(first + p, seeds.size())]));
   }
   return recipes;
 }
 
-/// Runs a batch and hands its answers to the surrogates. False: stopped.
+/// Runs a batch, whose points are number `first` and on of the search, and hands its answers to the
+/// surrogates. False: stopped.
 bool run_batch(StrengthProblem& problem, const Tests& tests, const std::vector<VectorXd>& points,
-               bool is_coarse, const std::vector<std::int64_t>& seeds, Simulator& simulator,
-               StrengthFit& fit) {
-  const std::vector<Recipe> recipes = tests_at(problem, tests, points, is_coarse, fit.recipe, seeds);
+               bool is_coarse, const std::vector<std::int64_t>& seeds, std::size_t first,
+               Simulator& simulator, StrengthFit& fit) {
+  const std::vector<Recipe> recipes = tests_at(problem, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
   std::size_t failed = 0;
@@ -347,7 +350,8 @@ bool run_batch(StrengthProblem& problem, const Tests& tests, const std::vector<V
     const double strength = strength_of(results[k], problem.targets()[k % problem.n_targets()].property);
     if (std::isfinite(strength))
       problem.add_run(k % problem.n_targets(),
-                      {x.tail(problem.n_ratios()), static_cast<int>((k / problem.n_targets()) % n_packings),
+                      {x.tail(problem.n_ratios()),
+                       static_cast<int>(packing_of_point(first + k / problem.n_targets(), seeds.size())),
                        is_coarse, std::log(strength) - x[0]});
     else
       ++failed;
@@ -431,13 +435,14 @@ Comparison predicted(const StrengthProblem& problem, const std::vector<VectorXd>
   return c;
 }
 
-void report(const StrengthProblem& problem, const std::vector<VectorXd>& draws, StrengthFit& fit) {
+void report(const StrengthProblem& problem, const std::vector<VectorXd>& draws, std::size_t n_packings,
+            StrengthFit& fit) {
   const VectorXd best = draws[middle(problem, draws)];
   fit.recipe = problem.recipe_at(fit.recipe, best);
   report_parameters(problem, draws, best, fit);
   for (std::size_t i = 0; i < problem.n_targets(); ++i) {
     Comparison c = predicted(problem, draws, problem.predict(best, i).mean, i, false);
-    c.n_packings = n_packings;
+    c.n_packings = static_cast<int>(n_packings);
     fit.fitted.push_back(c);
   }
   if (problem.n_targets() < 4) return;
@@ -458,11 +463,12 @@ void announce(const StrengthProblem& problem, const Tests& tests, const std::vec
   middle[0] = problem.first_sigma();
   for (const Batch& b : batches) {
     const std::vector<VectorXd> points(b.n_points, middle);
-    const std::vector<Recipe> some = tests_at(problem, tests, points, b.coarse, recipe, seeds);
+    const std::vector<Recipe> some = tests_at(problem, tests, points, b.coarse, recipe, seeds, 0);
     all.insert(all.end(), some.begin(), some.end());
   }
   for (std::size_t i = 0; i < problem.n_targets(); ++i)
-    for (const std::int64_t seed : seeds) all.push_back(tests.of(problem.recipe_at(recipe, middle), i, seed));
+    for (int k = 0; k < verification_packings; ++k)
+      all.push_back(tests.of(problem.recipe_at(recipe, middle), i, seeds.front()));
   simulator.announce(all);
 }
 
@@ -524,22 +530,25 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
   fit.short_search = max_tests < most_points * static_cast<std::int64_t>(n_ucs);
   announce(problem, tests, batches, fit.recipe, seeds, simulator);
   std::vector<VectorXd> draws;
+  std::size_t n_points = 0;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
     const std::vector<VectorXd> points = b == 0 ? problem.spread_points(static_cast<int>(batch.n_points), 0)
                                                 : spread_draws(problem, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(problem, tests, points, batch.coarse, seeds, simulator, fit) || !problem.can_learn()) {
+    if (!run_batch(problem, tests, points, batch.coarse, seeds, n_points, simulator, fit) ||
+        !problem.can_learn()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
         fit.findings.emplace_back("no test of some angle gave a peak: strengths were not fitted");
       return fit;
     }
+    n_points += points.size();
     problem.learn();
     draws = problem.draws(none, sampler_seed + static_cast<std::uint32_t>(b));
   }
-  report(problem, draws, fit);
+  report(problem, draws, seeds.size(), fit);
   return fit;
 }
 

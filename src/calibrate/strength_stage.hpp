@@ -10,8 +10,8 @@
 // uniform over the box of parameters.hpp: laboratory scatter and ignorance of the surrogate count alike, and
 // a ratio that the data do not determine keeps the width of its box. Draws from it (ensemble.hpp) are also
 // the next points to run: wide while little is known, close to the answer in the end - a trust region that
-// nobody has to size. Points are chosen far apart among the draws, spread over four packings, all angles of a
-// point on one packing.
+// nobody has to size. Points are chosen far apart among the draws, dealt out over twelve packings, all angles
+// of a point on one packing: what packings have in common with each other is what the surrogate learns.
 //
 // The first batches run on coarse grains, the same specimen magnified, at a fifteenth of the cost; the
 // surrogate knows that they answer a little differently. The estimate is the draw whose predictions are
@@ -30,6 +30,7 @@ namespace phy {
 /// Fewest points of the search; each costs one test per strength of the table, of which the budget counts
 /// those of UCS: tests in tension end at a fraction of the strain.
 constexpr std::int64_t least_points = 8;
+constexpr int verification_packings = 5;
 
 struct StrengthFit {
   Recipe recipe;                              ///< with the estimated strengths and the settings of the tests
@@ -45,7 +46,8 @@ struct StrengthFit {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// `recipe`: from the elastic stage. `max_tests`: budget of this stage, tests of UCS. Seeds: packings.
+/// `recipe`: from the elastic stage. `max_tests`: budget of this stage, tests of UCS. Seeds: packings, of
+/// which the points of the search take turns.
 StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say);

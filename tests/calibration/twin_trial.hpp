@@ -11,6 +11,7 @@
 
 #include "base/rng.hpp"
 #include "calibrate/calibration.hpp"
+#include "calibrate/elastic_stage.hpp"
 #include "calibrate/twin.hpp"
 
 namespace phy {
@@ -57,12 +58,21 @@ struct Trial {
   Calibration found;
 };
 
+inline std::vector<std::int64_t> packings_from(std::int64_t first, int n) {
+  std::vector<std::int64_t> seeds;
+  for (int i = 0; i < n; ++i) seeds.push_back(first + i);
+  return seeds;
+}
+
+/// `n_table`: packings behind the table, of each rock its own: twenty rocks on the same five would share one
+/// luck.
 inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
-                       std::int64_t max_tests, Simulator& simulator) {
+                       std::int64_t max_tests, Simulator& simulator, int n_table = 5) {
   Trial t;
   t.truth = trial_rock(k, model);
   TwinOptions options;
-  options.angles = angles, options.noise_seed = k;
+  options.angles = angles, options.noise_seed = k,
+  options.seeds = packings_from(1001 + 100 * static_cast<std::int64_t>(k), n_table);
   t.response = twin_response(t.truth, angles, options.seeds, simulator);
   t.unseen = twin_response(t.truth, angles, {6, 7, 8, 9, 10}, simulator);
   Rock rock;
@@ -70,6 +80,28 @@ inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<d
   rock.readings = twin_readings(t.response, options);
   CalibrationOptions how;
   how.max_tests = max_tests;
+  t.found = calibrate(rock, how, simulator);
+  return t;
+}
+
+/// The elastic part of a trial alone.
+inline Trial run_elastic_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
+                               Simulator& simulator, int n_table = 5) {
+  Trial t;
+  t.truth = trial_rock(k, model);
+  std::vector<Target> moduli;
+  for (const Property p : {Property::E, Property::nu})
+    for (const double theta : angles) moduli.push_back({p, theta, 1.0, 1.0, 1, true});
+  t.response = elastic_response(t.truth, moduli,
+                                packings_from(1001 + 100 * static_cast<std::int64_t>(k), n_table), simulator);
+  t.unseen = elastic_response(t.truth, moduli, {6, 7, 8, 9, 10}, simulator);
+  TwinOptions options;
+  options.angles = angles, options.noise_seed = k;
+  Rock rock;
+  rock.name = fmt::format("twin {}", k), rock.model = model;
+  rock.readings = twin_readings(t.response, options);
+  CalibrationOptions how;
+  how.elastic_only = true;
   t.found = calibrate(rock, how, simulator);
   return t;
 }

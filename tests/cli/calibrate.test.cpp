@@ -47,7 +47,7 @@ class CalibrateCli : public ProgramTest {
 TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_THAT(run(calibrate(out())), testing::AnyOf(0, 1)) << output;  // 1: verdict "out of reach"
   for (const char* text : {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
-                           "verdict:", "RMSE UCS", "at angles left out", "52 tests of strength"})
+                           "verdict:", "RMSE UCS", "at angles left out", "52 tests of UCS"})
     EXPECT_THAT(output, HasSubstr(text));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));

@@ -1,5 +1,6 @@
 // Twenty twin trials. PHY_TWIN_MAGNIFICATION sets the size of the grains (1: the paper's 7,481 discs, hours;
-// default 2.5: 1,197 discs), PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose rocks.
+// default 2.5: 1,197 discs), PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose rocks, PHY_TWIN_TABLE sets the packings
+// behind a table. The elastic part alone runs at full size (PHY_TWIN_ELASTIC_MAGNIFICATION).
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -31,7 +32,8 @@ TEST(TwinTrials, TwentyRocks) {
   Coverage E, ucs, parameters;
   for (std::uint32_t k = first; k < n; ++k) {
     const auto simulator = make_simulator({threads, "", nullptr, nullptr});
-    const Trial t = run_trial(k, model, angles, 300, *simulator);
+    const Trial t =
+        run_trial(k, model, angles, 300, *simulator, static_cast<int>(setting("PHY_TWIN_TABLE", 5)));
     rmse_E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
     rmse_ucs.push_back(rmse_against(t.found.verification, t.unseen, Property::ucs));
     add_response(t, Property::E, E), add_response(t, Property::ucs, ucs), add_parameters(t, parameters);
@@ -59,6 +61,36 @@ TEST(TwinTrials, TwentyRocks) {
   EXPECT_LE(median(rmse_E), 0.03);
   EXPECT_LE(median(rmse_ucs), 0.06);
   for (const Coverage* c : {&E, &ucs, &parameters}) EXPECT_GE(c->share(), 0.88);
+}
+
+TEST(TwinTrials, ElasticPartOfTwentyRocksAtFullSize) {
+  const auto first = static_cast<std::uint32_t>(setting("PHY_TWIN_FIRST", 0));
+  const auto n = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", 20));
+  const Recipe model = magnified_model(setting("PHY_TWIN_ELASTIC_MAGNIFICATION", 1.0));
+  const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
+  std::vector<double> rmse;
+  Coverage E, parameters;
+  const auto simulator = make_simulator({threads, "", nullptr, nullptr});
+  for (std::uint32_t k = first; k < n; ++k) {
+    const Trial t = run_elastic_trial(k, model, {0, 15, 30, 45, 60, 75, 90}, *simulator,
+                                      static_cast<int>(setting("PHY_TWIN_TABLE", 5)));
+    rmse.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
+    Coverage here_E, here;
+    add_response(t, Property::E, here_E), add_parameters(t, here);
+    add_response(t, Property::E, E), add_parameters(t, parameters);
+    std::printf(
+        "rock %2u: RMSE E %5.2f %%; inside %d/%d E, %d/%d parameters; packings differ by %.1f %% at 0\n", k,
+        100.0 * rmse.back(), here_E.inside, here_E.n, here.inside, here.n,
+        100.0 * t.found.fitted.front().sd / t.found.fitted.front().mean);
+    std::fflush(stdout);
+  }
+  std::printf(
+      "median RMSE of E %.2f %%; E inside %d of %d (%.0f %%), median width %.1f %%; determined parameters "
+      "inside %d of %d (%.0f %%), median width %.1f %%\n",
+      100.0 * median(rmse), E.inside, E.n, 100.0 * E.share(), 100.0 * E.median_width(), parameters.inside,
+      parameters.n, 100.0 * parameters.share(), 100.0 * parameters.median_width());
+  EXPECT_LE(median(rmse), 0.03);
+  for (const Coverage* c : {&E, &parameters}) EXPECT_GE(c->share(), 0.88);
 }
 
 }  // namespace
