@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "genesis/cut.hpp"
 #include "io/toml_in.hpp"
 #include "study/experiment.hpp"
 
@@ -77,10 +78,15 @@ class Worker {
     last_.reset();
     MachineOptions alone = machine_;
     alone.threads = 1;
-    auto crew = std::make_unique<Crew>(packing_, crew_options(a.n_tests, any, alone));
+    auto crew = std::make_unique<Crew>(held_by(any), crew_options(a.n_tests, any, alone));
     const LaneHooks lanes = hooks([&] { return next(a.batch); });
     crew->fill(lanes);
     run_crew(std::move(crew), lanes, exchange_);
+  }
+  /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
+  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const {
+    if (recipe.test.kind != TestKind::brazilian) return packing_;
+    return std::make_shared<const Packing>(cut_disc(*packing_, disc_diameter(recipe)));
   }
   LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
     if (!next_job) next_job = [] { return std::optional<Job>(); };
