@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "genesis/cache.hpp"
 #include "statics/uniaxial.hpp"
+#include "study/expected.hpp"
 #include "study/experiment.hpp"
 #include "study/runner.hpp"
 

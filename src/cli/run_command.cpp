@@ -124,11 +124,11 @@ MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, co
   MachineOptions machine = machine_of(session);
   machine.lanes = args.lanes;
   machine.skew = args.skew;
-  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} lane(s) of {}, {} thread(s)\n",
+  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} of {}, {} thread(s)\n",
              n_specimens, recipe.test.platen_speed,
              recipe.engine.precision == Precision::double_precision ? "double" : "single",
-             lanes_for(n_specimens, recipe.engine.precision, machine), to_string(machine.isa),
-             machine.threads);
+             args.lanes > 0 ? fmt::format("{} lane(s)", args.lanes) : "lanes as they fit",
+             to_string(machine.isa), machine.threads);
   return machine;
 }
 

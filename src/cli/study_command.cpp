@@ -13,6 +13,7 @@
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
 #include "study/effects.hpp"
+#include "study/expected.hpp"
 #include "study/mpi.hpp"
 #include "study/runner.hpp"
 #include "study/study_in.hpp"

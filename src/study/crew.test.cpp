@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "study/experiment.hpp"
+#include "study/scheduler.hpp"
 
 namespace phy {
 namespace {
@@ -128,6 +129,20 @@ TEST(Crew, AWorkerWhoHasRunDryIsGivenTests) {
   helper.join();
   EXPECT_GE(taken.load(), 1);
   EXPECT_EQ(bench.found, undisturbed());
+}
+
+TEST(FirstLots, LongTestsStandAlone) {
+  const auto doubles = Precision::double_precision;
+  // The seven angles and the intact rock, in thousands of cycles: the longest alone, the shortest together.
+  const std::vector<double> paper = {123, 112, 73, 61, 57, 52, 45, 40};
+  const auto lots = first_lots(paper, 4, doubles, 8);
+  ASSERT_EQ(lots.size(), 4U);
+  EXPECT_EQ(lots[0], 1U);
+  EXPECT_EQ(lots[1], 1U);
+  EXPECT_EQ(lots[2] + lots[3], 6U);
+  EXPECT_EQ(first_lots(paper, 1, doubles, 8), std::vector<std::size_t>{8});
+  EXPECT_EQ(first_lots({5, 5, 5}, 4, doubles, 8), (std::vector<std::size_t>{1, 1, 1}));
+  EXPECT_EQ(first_lots(std::vector<double>(40, 1.0), 2, doubles, 8), (std::vector<std::size_t>{8, 8}));
 }
 
 TEST(CrewExchange, EndsWhenNobodyHasWork) {

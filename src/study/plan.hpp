@@ -56,14 +56,4 @@ Plan make_plan(const Study& study, const Shard& shard = {});
 /// A plan of given specimens without a study around them: run i is specimen i; equal ones are one test.
 Plan plan_of(const std::vector<Recipe>& singles);
 
-/// Expected cost of a test [cycles times grains], a guess.
-double expected_cost(const Recipe& single);
-
-/// Axial strain at which a specimen is expected to peak, from Goodman's modulus and Jaeger's strength with
-/// rules of thumb for the macro values. Within a factor of two for the usual rocks; decides no result.
-double expected_peak_strain(const Recipe& single);
-
-/// Seconds of CPU per unit of cost when nothing has been measured.
-double usual_seconds_per_cost(Precision precision);
-
 }  // namespace phy

@@ -1,12 +1,15 @@
 #include "study/scheduler.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <thread>
 
 #include "base/check.hpp"
+#include "study/expected.hpp"
 
 namespace phy {
 namespace {
@@ -17,16 +20,19 @@ struct Desk {
   std::shared_ptr<const Recipe> recipe;
   const ScheduleHooks& hooks;
   std::vector<TestResult> results;
+  std::deque<std::size_t> waiting;  // in no worker's first lot
   std::mutex mutex;
-  std::size_t n_taken = 0;
   Progress progress;
   std::exception_ptr error;
 
   bool stopped() const { return hooks.stop != nullptr && hooks.stop->load(); }
-  std::optional<Job> next() {
+  /// The next test of the worker's lot, then of all that wait.
+  std::optional<Job> next(std::deque<std::size_t>& lot) {
     const std::lock_guard lock(mutex);
-    if (stopped() || error || n_taken == specimens.size()) return std::nullopt;
-    const std::size_t i = n_taken++;
+    std::deque<std::size_t>& from = lot.empty() ? waiting : lot;
+    if (stopped() || error || from.empty()) return std::nullopt;
+    const std::size_t i = from.front();
+    from.pop_front();
     return Job{specimens[i], recipe, i};
   }
   void done(std::size_t index, TestResult result) {
@@ -44,38 +50,82 @@ struct Desk {
     const std::lock_guard lock(mutex);
     hooks.on_reading(index, strain, stress);
   }
-  void work(const CrewOptions& options, CrewExchange& exchange) {
-    const LaneHooks lanes = for_lanes();
+  void work(std::deque<std::size_t>& lot, const CrewOptions& options, CrewExchange& exchange) {
+    const LaneHooks hooks_of_lanes = for_lanes(lot);
     auto crew = std::make_unique<Crew>(specimens.front()->packing, options);
-    for (crew->fill(lanes); crew; crew = exchange.wait()) run_crew(std::move(crew), lanes, exchange);
+    for (crew->fill(hooks_of_lanes); crew; crew = exchange.wait())
+      run_crew(std::move(crew), hooks_of_lanes, exchange);
   }
-  LaneHooks for_lanes() {
-    return {
-        [this] { return next(); }, [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
-        [this](double steps, std::size_t) { block(steps); }, [this] { return stopped(); },
-        hooks.on_reading ? [this](std::size_t i, double strain, double stress) { reading(i, strain, stress); }
-                         : std::function<void(std::size_t, double, double)>()};
+  LaneHooks for_lanes(std::deque<std::size_t>& lot) {
+    return {[this, &lot] { return next(lot); },
+            [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
+            [this](double steps, std::size_t) { block(steps); }, [this] { return stopped(); },
+            hooks.on_reading
+                ? [this](std::size_t i, double strain, double stress) { reading(i, strain, stress); }
+                : std::function<void(std::size_t, double, double)>()};
   }
 };
 
-}  // namespace
-
-int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine) {
-  const bool single = precision == Precision::single_precision;
-  if (machine.lanes > 0) return machine.lanes;
-  const int widest = single ? native_lanes<float>(machine.isa) : native_lanes<double>(machine.isa);
-  const auto threads = static_cast<std::size_t>(machine.threads);
-  return fitting_lanes((n_specimens + threads - 1) / threads, precision, widest);
+/// Time per cycle of a group over that of one lane: bench_engine, seven angles. A lane alone computes one law
+/// per contact, mates at other angles make it two.
+double slowness(int lanes) {
+  return lanes == 1 ? 1.0 : lanes == 2 ? 1.6 : lanes == 4 ? 1.75 : lanes == 8 ? 2.1 : 2.5;
 }
 
+double cost_of(const Specimen& specimen, const Recipe& recipe) {
+  Recipe single = recipe;
+  single.matrix = specimen.matrix;
+  single.bedding = specimen.bedding;
+  return expected_cost(single);
+}
+
+/// Places in `cost`.
+std::vector<std::size_t> longest_first(const std::vector<double>& cost) {
+  std::vector<std::size_t> order(cost.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
+  return order;
+}
+
+}  // namespace
+
 CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine) {
+  const Precision precision = recipe.engine.precision;
   GroupOptions group;
   group.isa = machine.isa;
-  group.precision = recipe.engine.precision;
-  group.lanes = lanes_for(n_specimens, recipe.engine.precision, machine);
+  group.precision = precision;
+  const int widest = precision == Precision::single_precision ? native_lanes<float>(machine.isa)
+                                                              : native_lanes<double>(machine.isa);
+  group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, precision, widest);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
   return {group, machine.lanes > 0};
+}
+
+std::vector<std::size_t> first_lots(const std::vector<double>& cost, std::size_t n_workers,
+                                    Precision precision, int widest) {
+  const auto most = static_cast<std::size_t>(widest);
+  const auto lots_within = [&](double time) {
+    std::vector<std::size_t> lots;
+    for (std::size_t i = 0; i < cost.size() && lots.size() < n_workers; i += lots.back()) {
+      std::size_t n = 1;
+      while (n < most && i + n < cost.size() &&
+             cost[i] * slowness(fitting_lanes(n + 1, precision, widest)) <= time)
+        ++n;
+      lots.push_back(n);
+    }
+    return lots;
+  };
+  std::vector<double> times;  // one of them is the answer
+  for (const double c : cost)
+    for (int lanes = 1; lanes <= widest; lanes *= 2) times.push_back(c * slowness(lanes));
+  std::sort(times.begin(), times.end());
+  const auto fitting = std::partition_point(times.begin(), times.end(), [&](double time) {
+    const auto lots = lots_within(time);
+    return std::accumulate(lots.begin(), lots.end(), std::size_t{0}) < cost.size();
+  });
+  return lots_within(fitting == times.end() ? times.back() : *fitting);
 }
 
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
@@ -83,22 +133,32 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
   const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
-  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, 0, {}, nullptr};
+  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, nullptr};
   if (specimens.empty()) return {};
+  std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     desk.results[i].name = specimens[i]->name;
     desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
+    cost.push_back(cost_of(*specimens[i], recipe));
   }
   desk.progress.n_total = specimens.size();
-  const CrewOptions options = crew_options(specimens.size(), recipe, machine);
-  const int n_workers = std::min(machine.threads, static_cast<int>(specimens.size()));
-  CrewExchange exchange(n_workers);
+  for (const std::size_t i : longest_first(cost)) desk.waiting.push_back(i);
+  std::sort(cost.begin(), cost.end(), std::greater<>());
+  const int widest = crew_options(specimens.size(), recipe, machine).group.lanes;
+  std::vector<std::deque<std::size_t>> lots;
+  for (const std::size_t n :
+       first_lots(cost, static_cast<std::size_t>(machine.threads), recipe.engine.precision, widest)) {
+    const auto end = desk.waiting.begin() + static_cast<std::ptrdiff_t>(n);
+    lots.emplace_back(desk.waiting.begin(), end);
+    desk.waiting.erase(desk.waiting.begin(), end);
+  }
+  CrewExchange exchange(static_cast<int>(lots.size()));
   {
     std::vector<std::jthread> workers;
-    for (int i = 0; i < n_workers; ++i)
-      workers.emplace_back([&desk, &options, &exchange] {
+    for (std::deque<std::size_t>& lot : lots)
+      workers.emplace_back([&] {
         try {
-          desk.work(options, exchange);
+          desk.work(lot, crew_options(lot.size(), recipe, machine), exchange);
         } catch (...) {
           const std::lock_guard lock(desk.mutex);
           if (!desk.error) desk.error = std::current_exception();

@@ -48,7 +48,10 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
 /// A crew for so many specimens of the recipe.
 CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine);
 
-/// Lanes that run_tests would use.
-int lanes_for(std::size_t n_specimens, Precision precision, const MachineOptions& machine);
+/// Sizes of the first lots of few tests for several workers, longest test first: such that the slowest worker
+/// is done as soon as possible, which leaves long tests alone in the fastest groups. Tests that find no place
+/// come later, as lanes fall free. `cost`: cycles of each test, falling.
+std::vector<std::size_t> first_lots(const std::vector<double>& cost, std::size_t n_workers,
+                                    Precision precision, int widest);
 
 }  // namespace phy

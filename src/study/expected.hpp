@@ -1,0 +1,18 @@
+// How long a test will take, guessed before it runs: for the order of the queue, for the first lots of the
+// workers and for the expected time. Decides no result.
+#pragma once
+#include "records/recipe.hpp"
+
+namespace phy {
+
+/// Expected cost of a test [cycles times grains], a guess.
+double expected_cost(const Recipe& single);
+
+/// Axial strain at which a specimen is expected to peak, from Goodman's modulus and Jaeger's strength with
+/// rules of thumb for the macro values. Within a factor of two for the usual rocks; decides no result.
+double expected_peak_strain(const Recipe& single);
+
+/// Seconds of CPU per unit of cost when nothing has been measured.
+double usual_seconds_per_cost(Precision precision);
+
+}  // namespace phy
