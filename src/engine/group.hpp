@@ -117,7 +117,7 @@ class Group final : public LaneGroup {
   void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) override;
   void jump(int lane, double axial_strain) override;
   bool at_strength(int lane) const override;
-  void set_motion(int lane, std::uint32_t id, const GrainState& at, Vec2 velocity, double spin) override;
+  void set_motion(int lane, std::uint32_t id, const GrainState& state, Vec2 velocity, double spin) override;
   void advance() override;
 
   const HistoryRow& row(int lane) const override { return at(lane).row; }
