@@ -11,7 +11,6 @@ namespace phy {
 namespace {
 
 constexpr double close_enough = 5e-3;  // of the target
-constexpr int steady_blocks = 10;
 constexpr double servo_speed = 20.0;  // of the platens while they bring the stress on, over their speed later
 constexpr double most_confining_strain =
     0.05;  // give up beyond: the specimen has failed under the confinement
@@ -48,7 +47,6 @@ void BiaxialTest::confine(double stress, bool platens_too) {
 void BiaxialTest::on_placed() {
   if (recipe_.test.confining_stress == 0.0) return start_loading();
   group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
-  steady_ = 0;
   prepare(0);
 }
 
@@ -69,13 +67,9 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
         "the rock does not bear this confining stress; lower it");
   const double axial =
       0.5 * (group_->tool(lane_, 0).mean_force.y - group_->tool(lane_, 1).mean_force.y) / packing().width;
-  const bool there = now == target && std::fabs(axial / target - 1.0) < close_enough &&
-                     std::fabs(row.lateral_stress / target - 1.0) < close_enough;
-  steady_ = there ? steady_ + 1 : 0;
-  if (steady_ < steady_blocks) return false;
-  group_->zero_strains(lane_);
-  start_loading();
-  return false;
+  const double lateral = row.lateral_stress / target, along = axial / target;
+  const double worse = std::fabs(lateral - 1.0) > std::fabs(along - 1.0) ? lateral : along;
+  return load_once_steady(now == target, worse, close_enough);
 }
 
 void BiaxialTest::drive() { close_platens(packing().height); }

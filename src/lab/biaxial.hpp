@@ -33,8 +33,6 @@ class BiaxialTest final : public LabTest {
   /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are
   /// driven.
   void confine(double stress, bool platens_too);
-
-  int steady_ = 0;  // blocks in a row at the target
 };
 
 }  // namespace phy

@@ -9,8 +9,7 @@ namespace phy {
 namespace {
 
 constexpr double close_enough = 2e-3;  // of the normal stress
-constexpr int steady_blocks = 10;
-constexpr double servo_speed = 20.0;  // of the boxes: grains that ride up push them apart fast
+constexpr double servo_speed = 20.0;   // of the boxes: grains that ride up push them apart fast
 
 }  // namespace
 
@@ -34,7 +33,6 @@ Servo DirectShearTest::normal_load(double stress, double spring, double offset) 
 }
 
 void DirectShearTest::on_placed() {
-  steady_ = 0;
   if (recipe_.test.normal_stress == 0.0) return start_loading();
   group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
   prepare(0);
@@ -48,13 +46,7 @@ bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double now = target * std::min(1.0, time / ramp);
   group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
   if (n_blocks == 0) return false;
-  const bool there =
-      now == target && std::fabs(group_->row(lane_).lateral_stress / target - 1.0) < close_enough;
-  steady_ = there ? steady_ + 1 : 0;
-  if (steady_ < steady_blocks) return false;
-  group_->zero_strains(lane_);
-  start_loading();
-  return false;
+  return load_once_steady(now == target, group_->row(lane_).lateral_stress / target, close_enough);
 }
 
 void DirectShearTest::drive() {

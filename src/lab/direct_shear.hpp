@@ -34,8 +34,6 @@ class DirectShearTest final : public LabTest {
   AnalysisOptions analysis() const override;
 
   Servo normal_load(double stress, double spring, double offset) const;
-
-  int steady_ = 0;  // blocks in a row at the target
 };
 
 }  // namespace phy

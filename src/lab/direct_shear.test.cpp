@@ -2,6 +2,7 @@
 // halves are V20 of `phyllite verify`.
 #include "lab/direct_shear.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lab/rigs.hpp"
@@ -41,6 +42,17 @@ TEST(DirectShear, ConstantNormalStiffness) {
   ASSERT_LT(last.lateral_strain, -1e-6);
   EXPECT_NEAR(last.lateral_stress / (4e6 - 1000e9 * last.lateral_strain), 1.0, 0.02);
   EXPECT_GT(last.lateral_stress, 6e6);
+}
+
+// Without damping the normal stress swings for ever: told, not waited for.
+TEST(DirectShear, ANormalStressThatNeverSettlesEndsTheTest) {
+  Recipe r = box();
+  r.engine.damping = 0.0;
+  r.test.shear_gap = 0.004;
+  const TestResult result = run_alone(r);
+  EXPECT_EQ(result.outcome.status, Status::not_settled);
+  EXPECT_THAT(result.outcome.reason, testing::HasSubstr("after 40000 cycles"));
+  EXPECT_THAT(result.outcome.advice, testing::HasSubstr("engine.damping"));
 }
 
 TEST(DirectShear, BoxesHoldAllButTheGap) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
 #include "lab/biaxial.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double settled = 1e-3;               // mean unbalanced force / mean contact force
 constexpr std::int64_t settle_cycles = 40000;  // give up after
+constexpr std::int64_t steady_blocks = 10;     // in a row, before a prepared stress counts as reached
 constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
 
 }  // namespace
@@ -44,7 +46,7 @@ void LabTest::begin() {
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
-  blocks_ = 0;
+  blocks_ = n_at_target_ = n_steady_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
     place_rig();
@@ -80,6 +82,23 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
   result_.outcome = {status, std::move(reason), std::move(advice)};
   phase_ = Phase::over;
   return true;
+}
+
+bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
+  if (!at_target) return false;
+  n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
+  if (n_steady_ == steady_blocks) {
+    group_->zero_strains(lane_);
+    start_loading();
+    return false;
+  }
+  const std::int64_t cycles = ++n_at_target_ * recipe_.test.history_interval;
+  if (cycles < settle_cycles) return false;
+  return end(
+      Status::not_settled,
+      fmt::format("the confining or normal stress does not settle: {:.1f} % off its target after {} cycles",
+                  100.0 * (stress_over_target - 1.0), cycles),
+      "raise engine.damping, or lower the stress");
 }
 
 bool LabTest::after_block() {
@@ -128,6 +147,11 @@ bool LabTest::check_stop() {
                fmt::format("peak {:.2f} MPa at {:.4f} %, {:.2f} MPa at the end", peak_.stress * 1e-6,
                            peak_.strain * 100.0, now.stress * 1e-6),
                "");
+  if (now.strain >= max_strain() && !ends_after_peak())
+    return end(Status::not_peaked,
+               fmt::format("the stress still rises at the end, strain {:.3f} %: {:.2f} MPa",
+                           now.strain * 100.0, now.stress * 1e-6),
+               "raise test.max_strain");
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
                fmt::format("no drop to {:.0f} % of the largest stress ({:.2f} MPa) up to strain {:.3f} %",

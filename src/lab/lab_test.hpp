@@ -71,6 +71,10 @@ class LabTest {
   /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
   void close_platens(double length);
   bool end(Status status, std::string reason, std::string advice);
+  /// While a stress is prepared: after each block, whether it has reached its full target and lies within
+  /// `tolerance` of it. Loads once it has done so for some blocks; gives up (true: the test is over) when it
+  /// never does.
+  bool load_once_steady(bool at_target, double stress_over_target, double tolerance);
   const Packing& packing() const { return *specimen_->packing; }
 
   std::shared_ptr<const Specimen> specimen_;
@@ -89,6 +93,8 @@ class LabTest {
   std::shared_ptr<const Rig> rig_;
   Phase phase_ = Phase::settle;
   std::int64_t blocks_ = 0;  // in this phase
+  std::int64_t n_at_target_ = 0,
+               n_steady_ = 0;  // blocks of preparation: at the full target; in a row close to it
   Moments<Snapshot> snapshots_;
   Moments<Frame> frames_;
   Reading peak_;
