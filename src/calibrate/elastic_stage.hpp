@@ -10,7 +10,7 @@
 //   x_usual,j)/s_j)^2
 //
 // s_i^2: squared standard errors of the laboratory's mean (at least 0.5 %; 0.005 for nu) and of the mean over
-// packings. Where joints are soft, packings differ most by how many grains meet across a plane: as many
+// packings. Where joints are soft, packings differ most: as many
 // packings are taken as bring that error below 1 % of E, up to all that there are. The last sum is weak (half
 // of the box of parameters.hpp is one standard deviation); it keeps what the data do not determine at usual
 // values.
