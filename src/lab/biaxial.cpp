@@ -17,8 +17,8 @@ constexpr double most_confining_strain =
 
 }  // namespace
 
-BiaxialTest::BiaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
-                         int lane)
+BiaxialTest::BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                         LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane, confined_platens(*specimen->packing, recipe.test)) {
   begin();
 }

@@ -20,7 +20,8 @@ namespace phy {
 
 class BiaxialTest final : public LabTest {
  public:
-  BiaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+  BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
+              int lane);
 
  private:
   void on_placed() override;

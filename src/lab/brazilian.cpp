@@ -5,8 +5,8 @@
 
 namespace phy {
 
-BrazilianTest::BrazilianTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
-                             int lane)
+BrazilianTest::BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                             LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane,
               jaws(*specimen->packing, disc_diameter(recipe), recipe.test.loading_angle)) {
   begin();

@@ -17,7 +17,8 @@ namespace phy {
 
 class BrazilianTest final : public LabTest {
  public:
-  BrazilianTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+  BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
+                int lane);
 
  private:
   void drive() override;

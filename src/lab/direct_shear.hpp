@@ -20,7 +20,8 @@ namespace phy {
 
 class DirectShearTest final : public LabTest {
  public:
-  DirectShearTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+  DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
+                  int lane);
 
  private:
   void on_placed() override;

@@ -6,7 +6,7 @@
 
 namespace phy {
 
-DirectTensionTest::DirectTensionTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
+DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                      LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane,
               grips(*specimen->packing, grip_thickness(recipe, *specimen->packing))) {

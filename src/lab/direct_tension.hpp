@@ -16,7 +16,7 @@ namespace phy {
 
 class DirectTensionTest final : public LabTest {
  public:
-  DirectTensionTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
+  DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
                     int lane);
 
  private:

@@ -208,7 +208,7 @@ TestResult LabTest::take_result() {
   return std::move(result_);
 }
 
-std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
+std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                    LaneGroup& group, int lane) {
   switch (recipe.test.kind) {
     case TestKind::uniaxial: return std::make_unique<UniaxialTest>(specimen, recipe, group, lane);

@@ -101,7 +101,7 @@ class LabTest {
 };
 
 /// The test that the recipe names, in a lane of the group.
-std::unique_ptr<LabTest> make_test(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
+std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                    LaneGroup& group, int lane);
 
 /// Runs the recipe's test on one specimen to its end, alone and in double precision.

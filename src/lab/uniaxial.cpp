@@ -9,8 +9,8 @@ constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine st
 
 }  // namespace
 
-UniaxialTest::UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group,
-                           int lane)
+UniaxialTest::UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                           LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane, platens(*specimen->packing)),
       may_jump_(recipe.test.jump_strain > 0.0) {
   begin();

@@ -13,7 +13,8 @@ namespace phy {
 
 class UniaxialTest final : public LabTest {
  public:
-  UniaxialTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+  UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
+               int lane);
 
  private:
   void on_placed() override;
