@@ -49,14 +49,14 @@ struct ElasticFit {
   std::int64_t n_solutions = 0;
 };
 
-/// `targets`: E and nu (others are passed over). Without E the recipe stays as it is. `seeds`: packings;
+/// `all`: E and nu count, others are passed over. Without E the recipe stays as it is. `seeds`: packings;
 /// `spare`: more of them, taken in turn where E differs much between packings.
-ElasticFit fit_elastic(const Rock& rock, const std::vector<Target>& targets,
+ElasticFit fit_elastic(const Rock& rock, const std::vector<Target>& all,
                        const std::vector<std::int64_t>& seeds, const std::vector<std::int64_t>& spare,
                        Simulator& simulator, const std::function<void(const std::string&)>& say);
 
 /// Mean E and nu of a recipe at the angles of the targets over packings, one-sided contacts.
-std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& targets,
+std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& all,
                                          const std::vector<std::int64_t>& seeds, Simulator& simulator);
 
 /// The recipe's one specimen at an angle of the table, on the packing of a seed.

@@ -186,7 +186,7 @@ std::vector<VectorXd> spread_draws(const StrengthProblem& problem, const std::ve
   const auto d = problem.n_ratios();
   while (chosen.size() < n) {
     double furthest = -1.0;
-    const VectorXd* next = nullptr;
+    const VectorXd* next = &draws.front();
     for (const VectorXd& x : draws) {
       double nearest = infinity;
       for (const VectorXd& c : chosen) nearest = std::min(nearest, (x.tail(d) - c.tail(d)).squaredNorm());
@@ -397,7 +397,8 @@ void report_parameters(const StrengthProblem& problem, const std::vector<VectorX
                                       problem.box_low(i), problem.box_high(i)));
   }
   // tau_c = sigma_c r, C = tau_c c, sigma_n = C s: sums of logarithms along the chain of ratios
-  const auto add = [&](const char* key, const char* symbol, std::vector<std::size_t> chain, double value) {
+  const auto add = [&](const char* key, const char* symbol, const std::vector<std::size_t>& chain,
+                       double value) {
     std::vector<double> sum(draws.size(), 0.0);
     double low = 0.0, high = 0.0;
     for (const std::size_t i : chain) {
@@ -437,7 +438,7 @@ Comparison predicted(const StrengthProblem& problem, const std::vector<VectorXd>
 
 void report(const StrengthProblem& problem, const std::vector<VectorXd>& draws, std::size_t n_packings,
             StrengthFit& fit) {
-  const VectorXd best = draws[middle(problem, draws)];
+  const VectorXd& best = draws[middle(problem, draws)];
   fit.recipe = problem.recipe_at(fit.recipe, best);
   report_parameters(problem, draws, best, fit);
   for (std::size_t i = 0; i < problem.n_targets(); ++i) {

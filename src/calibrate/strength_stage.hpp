@@ -48,7 +48,7 @@ bool can_test(Property property);
 
 /// `recipe`: from the elastic stage. `max_tests`: budget of this stage, tests of UCS. Seeds: packings, of
 /// which the points of the search take turns.
-StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets,
+StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& all,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say);
 
@@ -59,7 +59,6 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
 /// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
 /// wave crosses the specimen a hundred times until the earliest peak. `targets`: their UCS over the modulus
 /// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
-Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, std::int64_t seed,
-                     Simulator& simulator);
+Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
 
 }  // namespace phy

@@ -52,9 +52,9 @@ std::string readings_csv(const std::vector<RockReading>& readings) {
   for (const RockReading& r : readings) rows[{r.theta, r.line}][r.property] = r.value;
   std::string text = "theta [deg],E [GPa],nu,UCS [MPa]\n";
   for (const auto& [at, cells] : rows) {
-    const auto cell = [&](Property p, double unit) {
-      const auto it = cells.find(p);
-      return it == cells.end() ? std::string() : fmt::format("{:.4g}", it->second / unit);
+    const auto cell = [&of = cells](Property p, double unit) {
+      const auto it = of.find(p);
+      return it == of.end() ? std::string() : fmt::format("{:.4g}", it->second / unit);
     };
     text += fmt::format("{:g},{},{},{}\n", at.first, cell(Property::E, 1e9), cell(Property::nu, 1.0),
                         cell(Property::ucs, 1e6));

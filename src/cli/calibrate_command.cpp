@@ -25,7 +25,7 @@ struct Arguments {
 
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
 std::string store_in(const Arguments& args) {
-  const std::string store = (std::filesystem::path(args.out) / "runs.sqlite").string();
+  std::string store = (std::filesystem::path(args.out) / "runs.sqlite").string();
   check_writable(args.out);
   if (!args.resume && std::filesystem::exists(store))
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",

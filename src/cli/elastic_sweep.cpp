@@ -44,7 +44,7 @@ const char* to_string(Eq1Reference r) {
 std::vector<Recipe> recipes_of(const Recipe& first, const std::string& path) {
   std::vector<Recipe> recipes{first};
   if (first.sweep.also.empty()) return recipes;
-  const std::string second = (std::filesystem::path(path).parent_path() / first.sweep.also).string();
+  std::string second = (std::filesystem::path(path).parent_path() / first.sweep.also).string();
   recipes.push_back(read_recipe(second));
   recipes.back().sweep = first.sweep;
   auto problems = cross_checks(recipes.back(), [&](const std::string&) { return second; });

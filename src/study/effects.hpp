@@ -88,8 +88,8 @@ struct VarianceIndex {
   double first = 0.0, total = 0.0;
   std::size_t n = 0;  ///< blocks
 };
-/// By parameter, of the design `saltelli`; blocks with a NaN are left out.
-std::vector<VarianceIndex> variance_indices(std::size_t n_factors, const std::vector<double>& y);
+/// By parameter (k of them), of the design `saltelli`; blocks with a NaN are left out.
+std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<double>& y);
 
 /// Tables for the terminal: macro joint stiffness where the design has the angles for it, and the main effect
 /// of every parameter on ucs and E at every specimen.

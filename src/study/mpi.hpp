@@ -18,7 +18,7 @@ namespace phy {
 class Ranks {
  public:
   Ranks();
-  ~Ranks();
+  ~Ranks();  // NOLINT(performance-trivially-destructible): not with MPI
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   int rank() const { return rank_; }

@@ -49,8 +49,8 @@ std::vector<std::shared_ptr<const Packing>> sweep_packings(const Recipe& recipe,
   return packings;
 }
 
-SweptPacking sweep_stiffness(std::shared_ptr<const Packing> packing, std::int64_t seed, const Recipe& recipe,
-                             BeddingRule rule, int threads) {
+SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std::int64_t seed,
+                             const Recipe& recipe, BeddingRule rule, int threads) {
   SweptPacking swept;
   swept.packing = packing, swept.seed = seed, swept.rule = rule;
   swept.spacing = recipe.bedding[0].spacing, swept.angles = recipe.test.angles;

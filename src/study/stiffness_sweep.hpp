@@ -49,8 +49,8 @@ std::vector<std::shared_ptr<const Packing>> sweep_packings(const Recipe& recipe,
 
 /// One packing through recipe.sweep.factors, with the given rule in all bedding sets. Needs a recipe that has
 /// passed its checks with factors in it.
-SweptPacking sweep_stiffness(std::shared_ptr<const Packing> packing, std::int64_t seed, const Recipe& recipe,
-                             BeddingRule rule, int threads);
+SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std::int64_t seed,
+                             const Recipe& recipe, BeddingRule rule, int threads);
 
 /// How E(theta) is read and fitted.
 struct MacroReading {

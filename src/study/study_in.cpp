@@ -149,7 +149,7 @@ class Reader {
       if (v->kind == Kind::text && v->text == to_string(static_cast<Design>(d)))
         return void(study_.design = static_cast<Design>(d));
     std::vector<std::string> names;
-    for (int d = 0; d < n_designs; ++d) names.push_back(to_string(static_cast<Design>(d)));
+    for (int d = 0; d < n_designs; ++d) names.emplace_back(to_string(static_cast<Design>(d)));
     const std::string near = nearest(v->text, names);
     tell(*v, "design", expected_of("", "design"), near.empty() ? "" : "did you mean \"" + near + "\"?");
   }

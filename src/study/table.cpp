@@ -42,7 +42,7 @@ std::string csv_cell(const RecipeKey& key, double value) {
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
   const auto numbers = numbers_in(rows);
   std::string text = "point,packing,bond_seed,theta [deg],intact";
-  for (const Factor& f : plan.study.vary) text += "," + csv_head(f.key);
+  for (const Factor& f : plan.study.vary) text.append(",").append(csv_head(f.key));
   for (const auto& [name, unit] : numbers) text += "," + name + " [" + unit + "]";
   text += ",n_cracks,n_steps,cpu [s],status,reason,result_hash,key\n";
   for (const Run& run : plan.runs) {
