@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/check.hpp"
 #include "base/rng.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/layout.hpp"
@@ -142,6 +143,23 @@ TEST(Joint, GrainsPassThroughEachOther) {
       for (const GrainState& g : group->grains(0)) EXPECT_TRUE(std::isfinite(g.ux + g.uy + g.rotation));
     }
   }
+}
+
+// Constants of a contact are the same in all lanes: a mate of the other convention would be computed wrongly.
+TEST(Group, MatesShareTheStiffnessConvention) {
+  MatrixRecipe m;
+  const auto one = std::make_shared<const Specimen>(assembly({{1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}}, m));
+  m.stiffness_convention = StiffnessConvention::pfc5;
+  const auto two = std::make_shared<const Specimen>(assembly({{1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}}, m));
+  GroupOptions options;
+  options.lanes = 2;
+  const auto group = make_group(one->packing, options), other = make_group(one->packing, options);
+  group->load(0, one, {});
+  EXPECT_THROW(group->load(1, two, {}), InternalError);
+  other->load(0, two, {});
+  EXPECT_THROW(other->move_lane(0, *group, 1), InternalError);
+  other->load(0, one, {});
+  other->move_lane(0, *group, 1);
 }
 
 /// A tool that touches grains 0 ... n - 1 and pushes along +x (direction 1) or -x (-1).

@@ -64,10 +64,19 @@ void Group<T>::reset_lane(int lane) {
   dirty_ = true;
 }
 
+/// The constants of a contact are those of all lanes (make_constants).
+template <class T>
+void Group<T>::check_mate(const Specimen& specimen) const {
+  PHY_CHECK(specimen.packing->hash == packing_->hash, "lanes of a group share one packing");
+  for (const Lane& l : lanes_)
+    PHY_CHECK(!l.specimen || l.specimen->matrix.stiffness_convention == specimen.matrix.stiffness_convention,
+              "lanes of a group share one stiffness convention");
+}
+
 template <class T>
 void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) {
-  PHY_CHECK(specimen->packing->hash == packing_->hash, "lanes of a group share one packing");
   reset_lane(lane);
+  check_mate(*specimen);
   Lane& l = at(lane);
   l.setup = setup;
   l.fresh = true;

@@ -210,6 +210,7 @@ class Group final : public LaneGroup {
 
   void allocate();
   void reset_lane(int lane);
+  void check_mate(const Specimen& specimen) const;
   void fill_lane_table();
   GroupView<T> view();
   // list

@@ -35,10 +35,10 @@ void Group<T>::send_contacts(std::size_t l, Group<T>& to, std::size_t k) const {
 template <class T>
 void Group<T>::move_lane(int lane, LaneGroup& target, int to_lane) {
   auto* const to = dynamic_cast<Group<T>*>(&target);
-  PHY_CHECK(to != nullptr && to != this && to->packing_->hash == packing_->hash &&
-                to->options_.interval == options_.interval,
-            "a lane moves between groups of one packing, precision and block");
+  PHY_CHECK(to != nullptr && to != this && to->options_.interval == options_.interval,
+            "a lane moves between groups of one precision and block");
   PHY_CHECK(at(lane).specimen && !to->at(to_lane).specimen, "a specimen moves into an empty lane");
+  to->check_mate(*at(lane).specimen);
   const auto from = static_cast<std::size_t>(lane), into = static_cast<std::size_t>(to_lane);
   to->adopt_rig(at(lane).rig());
   to->at(to_lane) = at(lane);

@@ -48,7 +48,7 @@ class LaneGroup {
 
   virtual int lanes() const = 0;
   /// Puts a specimen into a lane, at rest, its rig not yet in place. Throws InternalError when it is of
-  /// another packing.
+  /// another packing or stiffness convention than its mates.
   virtual void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) = 0;
   /// Empties a lane.
   virtual void clear(int lane) = 0;

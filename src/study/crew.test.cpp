@@ -36,7 +36,6 @@ class Bench {
   }
   std::shared_ptr<const Packing> packing() const { return packing_; }
   std::map<std::size_t, std::string> found;
-  double steps = 0.0;
 
   LaneHooks hooks() {
     return {[this]() -> std::optional<Job> {
@@ -48,11 +47,7 @@ class Bench {
               const std::lock_guard lock(mutex_);
               found[i] = result.hash;
             },
-            [this](double n, std::size_t) {
-              const std::lock_guard lock(mutex_);
-              steps += n;
-            },
-            [] { return false; }};
+            [](double, std::size_t) {}, [] { return false; }};
   }
   LaneHooks no_more() {
     LaneHooks h = hooks();

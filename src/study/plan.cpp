@@ -18,10 +18,12 @@ std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Rec
   return kinds.try_emplace(angles, kinds.size()).first->second;
 }
 
-using BatchName = std::tuple<std::string, std::string, Precision, std::int64_t>;
+using BatchName =
+    std::tuple<std::string, std::string, std::string, StiffnessConvention, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
-  return {r.packing.file.empty() ? packing_key(r.specimen, r.packing, r.matrix) : r.packing.file, rig_name(r),
+  return {r.packing.file,     packing_key(r.specimen, r.packing, r.matrix),
+          rig_name(r),        r.matrix.stiffness_convention,
           r.engine.precision, r.test.history_interval};
 }
 

@@ -91,6 +91,31 @@ TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
   }
 }
 
+// All lanes of a group have one stiffness convention; so tests of two conventions may not share a batch.
+TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
+  const Plan p = plan("[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n");
+  EXPECT_EQ(p.batches.size(), 2u);
+  Store store(at("s.sqlite"));
+  work(p, store, 1);
+  for (const PlannedTest& t : p.tests) {
+    const auto alone =
+        run_tests({specimen_of(packing_of(t.recipe), t.recipe)}, t.recipe, {1, 0, 4, native_isa()});
+    const auto row = store.find(t.key);
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->result.hash, alone[0].hash) << alone[0].name;
+  }
+}
+
+// The file alone does not make the packing: its size and whether its overlaps carry stress are the recipe's.
+TEST_F(Runner, AnImportedPackingIsMadeForEverySize) {
+  write_file(at("discs.txt"),
+             "x [m],y [m],r [m]\n0.002,0.002,0.001\n0.004,0.002,0.001\n0.003,0.0037,0.001\n");
+  write_file(at("base.toml"),
+             "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nfile = \"discs.txt\"\n");
+  const Plan p = plan("[[vary]]\nkey = \"specimen.height\"\nvalues = [\"8 mm\", \"9 mm\"]\n");
+  EXPECT_EQ(p.batches.size(), 2u);
+}
+
 TEST_F(Runner, ShardsMergeToTheWhole) {
   Store whole(at("whole.sqlite")), joined(at("joined.sqlite"));
   work(plan(two_packings), whole, 2);
