@@ -3,11 +3,13 @@
 // clang as well.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <map>
 
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
+#include "lab/lab_test.hpp"
 #include "study/scheduler.hpp"
 
 namespace phy {
@@ -99,6 +101,68 @@ TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
     machine.isa = native_isa();
     machine.threads = threads;
     EXPECT_EQ(hashes(r, specimens, machine), reference) << threads << " threads";
+  }
+}
+
+/// Hash of a test that goes to another group after every block, back and forth; `stay`: of one that does not.
+std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& specimen,
+                     const std::shared_ptr<const Specimen>& mate, bool stay) {
+  GroupOptions options;
+  options.precision = r.engine.precision;
+  options.isa = native_isa();
+  options.interval = static_cast<int>(r.test.history_interval);
+  const std::array<int, 2> widths = {r.engine.precision == Precision::single_precision ? 4 : 2, 8};
+  std::array<std::unique_ptr<LaneGroup>, 2> groups;
+  for (const std::size_t i : {0U, 1U}) {
+    options.lanes = widths[i];
+    groups[i] = make_group(specimen->packing, options);
+  }
+  // In the other group a lane mate that is ahead, with contacts and touches of its own.
+  const auto other = make_test(mate, r, *groups[1], 5);
+  for (int block = 0; block < 20; ++block) {
+    groups[1]->advance();
+    if (other->after_block()) break;
+  }
+  const auto test = make_test(specimen, r, *groups[0], 1);
+  for (std::size_t at = 0;;) {
+    groups[at]->advance();
+    if (test->after_block()) return test->take_result().hash;
+    if (stay) continue;
+    at = 1 - at;
+    test->move_to(*groups[at], 1);
+  }
+}
+
+// In whatever phase a test is: settling, preparing, loading, loaded anew after a jump that went too far.
+TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
+  const auto check = [](const Recipe& r, const char* what) {
+    const auto specimens = specimens_of(r);
+    EXPECT_EQ(wanderer(r, specimens[2], specimens[0], false), wanderer(r, specimens[2], specimens[0], true))
+        << to_string(r.test.kind) << what;
+  };
+  Recipe base = small_recipe(GetParam());
+  base.test.confining_stress = base.test.normal_stress = 5e6;
+  base.test.normal_stiffness = 1e12;
+  base.test.shear_gap = 0.002;
+  base.test.max_strain = 0.002;
+  base.test.platen_speed = 0.4;
+  for (const TestKind kind : all_kinds) {
+    base.test.kind = kind;
+    check(base, "");
+  }
+  Recipe r = base;
+  r.test.kind = TestKind::biaxial;
+  r.test.confinement = Confinement::jacket;
+  check(r, ", jacket");
+  r.packing.initial_stress = InitialStress::isotropic;
+  r.packing.isotropic_stress = 1e6;
+  check(r, ", jacket, isotropic stress");
+  r = base;
+  r.test.kind = TestKind::uniaxial;
+  for (const double jump : {5e-4, 2e-2}) {
+    r.test.jump_strain = jump;
+    r.test.max_strain = jump + 5e-4;
+    check(r, ", jump start");
   }
 }
 
