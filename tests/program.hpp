@@ -64,14 +64,14 @@ class ProgramTest : public testing::Test {
     if (std::getenv("PHY_ALL_TOOLS") != nullptr) ADD_FAILURE() << tool << " is missing";
     return false;
   }
-  /// Starts the program in the background, silent.
-  static pid_t start(const std::vector<std::string>& arguments) {
+  /// Starts the program in the background; what it prints goes to `log`.
+  static pid_t start(const std::vector<std::string>& arguments, const std::string& log = "/dev/null") {
     const pid_t child = ::fork();
     if (child != 0) return child;
     std::vector<char*> words = {const_cast<char*>(PHY_PROGRAM)};
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
     words.push_back(nullptr);
-    if (std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(126);
+    if (std::freopen(log.c_str(), "w", stdout) == nullptr) ::_exit(126);
     if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(126);
     ::execv(PHY_PROGRAM, words.data());
     ::_exit(127);

@@ -1,6 +1,5 @@
 // `phyllite calibrate ROCK`: laboratory data in, a verified set of micro-parameters out.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -56,7 +55,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   for (const std::string& note : rock.notes) fmt::print("          {}\n", note);
   fmt::print("\n{}\n", target_table(targets_of(rock)));
   std::fflush(stdout);
-  ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  ProgressLine line;
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();

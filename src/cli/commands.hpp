@@ -8,8 +8,8 @@ namespace phy {
 /// State shared by the verbs of one call.
 struct Session {
   int exit_code = 0;
-  int threads = 0;           ///< 0: all cores
-  int terminal_width = 160;  ///< columns of the terminal, or 160 when the output is no terminal
+  int threads = 0;         ///< 0: all cores
+  int terminal_width = 0;  ///< columns of the terminal; 0, no limit, when the output is no terminal
 };
 
 void add_run_command(CLI::App& app, Session& session);

@@ -1,12 +1,14 @@
 // `phyllite elastic RECIPE`: E(theta), nu(theta), joint stiffnesses and sensitivities without time stepping.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "cli/elastic_sweep.hpp"
 #include "cli/machine.hpp"
+#include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/toml_in.hpp"
@@ -54,64 +56,74 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
   return study;
 }
 
-void print_moduli(const ElasticStudy& study) {
-  fmt::print("\n{:<16} {:>9} {:>7} {:>9} {:>7} {:>9} {:>7} {:>6} {:>6} {:>6} {:>7}\n", "specimen", "E", "nu",
-             "E platen", "open", "E pulling", "nu", "undec.", "loose", "solut.", "seconds");
-  fmt::print("{:<16} {:>9} {:>7} {:>9} {:>7} {:>9} {:>7}\n", "", "GPa", "", "GPa", "%", "GPa", "");
-  for (std::size_t i = 0; i < study.specimens.size(); ++i) {
-    const ElasticResult &r = study.one_sided[i], &b = study.bilateral[i];
-    const double open =
-        100.0 * static_cast<double>(r.n_open) / static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
-    fmt::print("{:<16} {:>9.3f} {:>7.4f} {:>9.3f} {:>7.1f} {:>9.3f} {:>7.4f} {:>6} {:>6} {:>6} {:>7.2f}\n",
-               r.name, r.E_gauge * 1e-9, r.nu_gauge, r.E_platen * 1e-9, open, b.E_gauge * 1e-9, b.nu_gauge,
-               r.n_alternating, r.n_loose, r.n_iterations, r.seconds + b.seconds);
-  }
-  fmt::print(
-      "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull;\n"
-      "open: contacts that carry nothing beside their bond; undec.: contacts without\n"
-      "a consistent state; loose: grains without load; solut.: factorisations\n");
+/// A column with one cell per specimen, or per angle if `n` says so.
+template <class Cell>
+Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
+  Column c{std::move(head), std::move(unit), {}};
+  for (std::size_t i = 0; i < n; ++i) c.cells.push_back(cell(i));
+  return c;
+}
+
+Column names_of(const ElasticStudy& study) {
+  Column c =
+      column("specimen", "", study.specimens.size(), [&](std::size_t i) { return study.one_sided[i].name; });
+  c.left = true;
+  return c;
+}
+
+std::string fixed(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+
+void print_moduli(const ElasticStudy& study, int width) {
+  const auto of = [&](const char* head, const char* unit, const auto& cell) {
+    return column(head, unit, study.specimens.size(),
+                  [&](std::size_t i) { return cell(study.one_sided[i], study.bilateral[i]); });
+  };
+  using R = const ElasticResult&;
+  const auto open = [](R r) {
+    return 100.0 * static_cast<double>(r.n_open) /
+           static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
+  };
+  const Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
+                           of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
+                           of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
+  const Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
+  const Columns solution = {of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
+                            of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
+                            of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
+                            of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
+  fmt::print("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
+  print_wrapped(width, 0,
+                "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
+                "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
+                "consistent state; loose: grains without load; solut.: factorisations\n");
 }
 
 /// Reasons and advice of all results without an answer. Returns whether all were solved.
-bool print_outcomes(const ElasticStudy& study) {
+bool print_outcomes(const ElasticStudy& study, int width) {
   bool all_solved = true;
   for (const auto* results : {&study.one_sided, &study.bilateral}) {
     for (const ElasticResult& r : *results) {
       all_solved = all_solved && r.outcome.ok();
       if (r.outcome.ok()) continue;
-      fmt::print("{}{}: {}{}{}\n", r.name, r.bilateral ? " (pulling)" : "", r.outcome.reason,
-                 r.outcome.advice.empty() ? "" : "; ", r.outcome.advice);
+      print_wrapped(width, 2, "{}{}: {}{}{}\n", r.name, r.bilateral ? " (pulling)" : "", r.outcome.reason,
+                    r.outcome.advice.empty() ? "" : "; ", r.outcome.advice);
     }
   }
   const ElasticOutcome& intact = study.intact().outcome;
-  if (intact.ok() && !intact.reason.empty()) fmt::print("intact: {}\n", intact.reason);
+  if (intact.ok() && !intact.reason.empty()) print_wrapped(width, 2, "intact: {}\n", intact.reason);
   return all_solved;
 }
 
-void print_fit(const char* contacts, const char* reference, const Eq1Fit& fit, double spacing) {
-  fmt::print("{:<8} {:<18} ", contacts, reference);
-  if (!fit.ok()) {
-    fmt::print("no fit: {}\n", fit.reason);
-    return;
-  }
-  const double scale = 1e-9 / spacing;
-  const auto error = [&](double se) {
-    return std::isfinite(se) ? fmt::format("{:.1f}", se * scale) : std::string("-");
-  };
-  fmt::print(
-      "{:>8.2f} {:>9.1f} {:>7} {:>9.1f} {:>7} {:>9.5f}  {}\n", fit.rock.E * 1e-9, fit.rock.K_n_delta * scale,
-      error(fit.se_K_n_delta), fit.rock.K_s_delta * scale, error(fit.se_K_s_delta), fit.R2,
-      fit.shape.type == CurveType::shoulder ? fmt::format("shoulder at {:.1f} deg", fit.shape.theta_star)
-                                            : "incremental");
-}
+/// Eq. 1 fitted with one kind of contacts and one reference.
+struct NamedFit {
+  std::string name;
+  Eq1Fit fit;
+};
 
-void print_fits(const ElasticStudy& study, bool modulus_loss) {
-  if (study.n_angles() == 0) return;
-  fmt::print("\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
-             modulus_loss ? "modulus" : "compliance", study.recipe.bedding[0].spacing * 1e3);
-  fmt::print("{:<8} {:<18} {:>8} {:>9} {:>7} {:>9} {:>7} {:>9}\n", "contacts", "reference E", "E", "K_n",
-             "+-", "K_s", "+-", "R2");
-  fmt::print("{:<27} {:>8} {:>9} {:>7} {:>9} {:>7}\n", "", "GPa", "GPa/m", "GPa/m", "GPa/m", "GPa/m");
+std::vector<NamedFit> fit_all(const ElasticStudy& study, bool modulus_loss) {
+  std::vector<NamedFit> fits;
   for (const bool bilateral : {false, true}) {
     const std::vector<ElasticResult>& results = bilateral ? study.bilateral : study.one_sided;
     std::vector<ModulusReading> readings;
@@ -122,99 +134,159 @@ void print_fits(const ElasticStudy& study, bool modulus_loss) {
       options.loss = modulus_loss ? Eq1Loss::modulus : Eq1Loss::compliance;
       options.reference = reference;
       options.E = results.back().E_gauge;
-      print_fit(bilateral ? "pulling" : "pushing", name, fit_eq1(readings, options),
-                study.recipe.bedding[0].spacing);
+      fits.push_back(
+          {fmt::format("{}, {}", bilateral ? "pulling" : "pushing", name), fit_eq1(readings, options)});
     };
-    fit("intact specimen", Eq1Reference::given);
-    fit("specimen at 90 deg", Eq1Reference::measured_90);
+    fit("intact", Eq1Reference::given);
+    fit("90 deg", Eq1Reference::measured_90);
     fit("free", Eq1Reference::free);
   }
+  return fits;
 }
 
-void print_sensitivities(const ElasticStudy& study) {
+void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
+  if (study.n_angles() == 0) return;
+  const double spacing = study.recipe.bedding[0].spacing, scale = 1e-9 / spacing;
+  const std::vector<NamedFit> fits = fit_all(study, modulus_loss);
+  const auto of = [&](const char* head, const char* unit, const auto& cell) {
+    return column(head, unit, fits.size(),
+                  [&](std::size_t i) { return fits[i].fit.ok() ? cell(fits[i].fit) : std::string("-"); });
+  };
+  using F = const Eq1Fit&;
+  const auto error = [&](double se) { return std::isfinite(se) ? fixed(se * scale, 1) : std::string("-"); };
+  Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
+  label.left = true;
+  const Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
+                          of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
+                          of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
+  const Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
+                         of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
+  const Columns shape = {of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
+                           return f.shape.type == CurveType::shoulder ? fixed(f.shape.theta_star, 1) : "none";
+                         })};
+  print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
+                modulus_loss ? "modulus" : "compliance", spacing * 1e3);
+  fmt::print("{}", text_table(label, {normal, shear, shape}, width));
+  for (const NamedFit& f : fits)
+    if (!f.fit.ok()) print_wrapped(width, 2, "{}: no fit: {}\n", f.name, f.fit.reason);
+}
+
+/// Parameters down, specimens across; the intact specimen has no joints, and so a shorter list.
+void print_sensitivities(const ElasticStudy& study, int width) {
+  const std::vector<ElasticResult>& results = study.one_sided;
+  const auto longest = std::max_element(results.begin(), results.end(), [](const auto& a, const auto& b) {
+    return a.sensitivities.size() < b.sensitivities.size();
+  });
+  const std::size_t n = longest->sensitivities.size();
+  Column label = column("", "", n, [&](std::size_t row) {
+    const std::string& name = longest->sensitivities[row].parameter;
+    return name == "ks_over_kn" ? "both ks_over_kn" : name;
+  });
+  label.left = true;
   for (const bool modulus : {true, false}) {
+    Columns columns;
+    for (std::size_t i = 0; i < results.size(); ++i)
+      columns.push_back(column(i < study.n_angles() ? fmt::format("{:g} deg", study.theta(i)) : "intact", "",
+                               n, [&, &r = results[i]](std::size_t row) {
+                                 if (row >= r.sensitivities.size()) return std::string("-");
+                                 const Sensitivity& s = r.sensitivities[row];
+                                 return fixed(modulus ? s.dE * s.value / r.E_gauge : s.dnu * s.value, 4);
+                               }));
     fmt::print(
-        "\n{}\n{:<24}",
+        "\n{}\n{}",
         modulus ? "change of E in % per % of the parameter" : "change of nu in 0.01 per % of the parameter",
-        "");
-    for (std::size_t i = 0; i < study.n_angles(); ++i)
-      fmt::print(" {:>8}", fmt::format("{:g} deg", study.theta(i)));
-    fmt::print(" {:>8}\n", "intact");
-    std::size_t longest = 0;  // the intact specimen has no joints
-    for (const ElasticResult& r : study.one_sided) longest = std::max(longest, r.sensitivities.size());
-    for (std::size_t row = 0; row < longest; ++row) {
-      std::string name, line;
-      for (const ElasticResult& r : study.one_sided) {
-        if (row >= r.sensitivities.size()) {
-          line += fmt::format(" {:>8}", "-");
-          continue;
-        }
-        const Sensitivity& s = r.sensitivities[row];
-        name = s.parameter;
-        line += fmt::format(" {:>8.4f}", modulus ? s.dE * s.value / r.E_gauge : s.dnu * s.value);
-      }
-      fmt::print("{:<24}{}\n", name == "ks_over_kn" ? "both ks_over_kn" : name, line);
-    }
+        text_table(label, {columns}, width));
   }
 }
 
-void print_packing(const ElasticStudy& study) {
+void print_packing(const ElasticStudy& study, int width) {
   const Packing& p = *study.specimens.back().packing;
-  fmt::print("packing {} discs, porosity {:.4f}, coordination {:.3f}\n", p.discs.size(), p.report.porosity,
-             p.report.coordination);
+  print_wrapped(width, 8, "packing {} discs, porosity {:.4f}, coordination {:.3f}\n", p.discs.size(),
+                p.report.porosity, p.report.coordination);
   if (!p.stress_free)
-    fmt::print("        locked-in stress {:.3f} MPa: the answers hold for axial stresses well above it\n",
-               p.report.stress_left * 1e-6);
-  for (std::size_t i = 0; i < study.n_angles(); ++i) {
-    const BeddingReport& b = study.specimens[i].bedding_report[0];
-    fmt::print(
-        "{:>5g} deg  sum(A)/L {:.3f}  bridges {:>4.1f} %  joints off the plane {:>4.1f} %  E/E_intact "
-        "{:.4f}\n",
-        study.theta(i), b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction,
-        study.one_sided[i].E_gauge / study.intact().E_gauge);
-  }
+    print_wrapped(width, 8,
+                  "        locked-in stress {:.3f} MPa: the answers hold for axial "
+                  "stresses well above it\n",
+                  p.report.stress_left * 1e-6);
+  if (study.n_angles() == 0) return;
+  const auto of = [&](const char* head, const char* unit, const auto& cell) {
+    return column(head, unit, study.n_angles(), [&](std::size_t i) {
+      return cell(study.specimens[i].bedding_report[0], study.one_sided[i].E_gauge);
+    });
+  };
+  using B = const BeddingReport&;
+  const Column theta = column("theta", "deg", study.n_angles(),
+                              [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
+  const Columns bedding = {
+      of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
+      of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
+      of("off the plane", "% of joints",
+         [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); }),
+      of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); })};
+  fmt::print("\n{}", text_table(theta, {bedding}, width));
+}
+
+Columns direct_columns(const ElasticStudy& study) {
+  const std::size_t n = study.specimens.size();
+  return {column("E direct", "GPa", n,
+                 [&](std::size_t i) { return fixed(study.one_sided[i].E_gauge * 1e-9, 3); }),
+          column("nu", "", n, [&](std::size_t i) { return fixed(study.one_sided[i].nu_gauge, 4); })};
+}
+
+/// Moduli of the press and by how much they differ from the direct solution.
+Columns press_columns(const ElasticStudy& study, const char* head, const std::vector<PressModuli>& press) {
+  const auto of = [&](const char* name, const char* unit, const auto& cell) {
+    return column(name, unit, press.size(),
+                  [&](std::size_t i) { return cell(press[i], study.one_sided[i]); });
+  };
+  using M = const PressModuli&;
+  using D = const ElasticResult&;
+  return {of(head, "GPa", [](M m, D) { return fixed(m.E * 1e-9, 3); }),
+          of("+-", "%", [](M m, D d) { return fmt::format("{:+.2f}", 100.0 * (m.E / d.E_gauge - 1.0)); }),
+          of("nu", "", [](M m, D) { return fixed(m.nu, 4); }),
+          of("+-", "", [](M m, D d) { return fmt::format("{:+.4f}", m.nu - d.nu_gauge); })};
 }
 
 /// Runs the specimens under the press too, without and with slip and cracking. Returns whether all runs
 /// ended.
-bool print_press(const ElasticStudy& study, const MachineOptions& machine) {
+bool print_press(const ElasticStudy& study, const MachineOptions& machine, int width) {
   const auto held = press_moduli(study.specimens, study.recipe, machine, true);
   const auto free = press_moduli(study.specimens, study.recipe, machine, false);
-  fmt::print("\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
-             press_check_strain);
-  fmt::print("{:<16} | {:>9} {:>7} | {:>9} {:>6} {:>7} {:>7} | {:>9} {:>6} {:>7} {:>7} {:>7} {:>7}\n",
-             "specimen", "E direct", "nu", "E held", "%", "nu", "+-", "E press", "%", "nu", "+-", "cracks",
-             "slip %");
+  const Columns slip = {
+      column("cracks", "", free.size(), [&](std::size_t i) { return std::to_string(free[i].n_cracks); }),
+      column("slip", "%", free.size(), [&](std::size_t i) { return fixed(100.0 * free[i].slip_share, 3); })};
+  print_wrapped(width, 0, "\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
+                press_check_strain);
+  fmt::print("{}", text_table(names_of(study),
+                              {direct_columns(study), press_columns(study, "E held", held),
+                               press_columns(study, "E press", free), slip},
+                              width));
   bool all_ended = true;
-  for (std::size_t i = 0; i < study.specimens.size(); ++i) {
-    const ElasticResult& d = study.one_sided[i];
-    fmt::print("{:<16} | {:>9.3f} {:>7.4f}", d.name, d.E_gauge * 1e-9, d.nu_gauge);
-    for (const PressModuli* m : {&held[i], &free[i]})
-      fmt::print(" | {:>9.3f} {:>+6.2f} {:>7.4f} {:>+7.4f}", m->E * 1e-9, 100.0 * (m->E / d.E_gauge - 1.0),
-                 m->nu, m->nu - d.nu_gauge);
-    fmt::print(" {:>7} {:>7.3f}\n", free[i].n_cracks, 100.0 * free[i].slip_share);
-    for (const PressModuli* m : {&held[i], &free[i]}) {
-      all_ended = all_ended && m->outcome.empty();
-      if (!m->outcome.empty()) fmt::print("{}: {}\n", d.name, m->outcome);
-    }
-  }
-  fmt::print("held: nothing breaks and nothing slips; slip %: of the boundary work\n");
+  for (const auto* moduli : {&held, &free})
+    for (std::size_t i = 0; i < moduli->size(); ++i)
+      if (const std::string& outcome = (*moduli)[i].outcome; !outcome.empty()) {
+        all_ended = false;
+        print_wrapped(width, 2, "{}: {}\n", study.one_sided[i].name, outcome);
+      }
+  print_wrapped(width, 0,
+                "held: nothing breaks and nothing slips; +-: from the direct solution; slip: of the "
+                "boundary work\n");
   return all_ended;
 }
 
 int elastic(const ElasticArguments& args, const Session& session) {
-  const int threads = n_threads(session);
+  const int threads = n_threads(session), width = session.terminal_width;
   const Recipe recipe = read_recipe(args.recipe);
-  if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads);
+  if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads, width);
   const ElasticStudy study = solve_recipe(recipe, args, threads);
-  fmt::print("recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
-             args.glued ? "glued" : "frictionless");
-  print_packing(study);
-  print_moduli(study);
-  bool all_solved = print_outcomes(study);
-  print_fits(study, args.modulus_loss);
-  print_sensitivities(study);
-  if (args.press) all_solved = print_press(study, machine_of(session)) && all_solved;
+  print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
+                args.glued ? "glued" : "frictionless");
+  print_packing(study, width);
+  print_moduli(study, width);
+  bool all_solved = print_outcomes(study, width);
+  print_fits(study, args.modulus_loss, width);
+  print_sensitivities(study, width);
+  if (args.press) all_solved = print_press(study, machine_of(session), width) && all_solved;
   fmt::print("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
   return all_solved ? 0 : 1;
 }

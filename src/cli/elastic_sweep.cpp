@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
@@ -97,7 +98,7 @@ std::string plus_minus(const Summary& s, double scale, int digits) {
                  : fmt::format("{:.{}f} +- {:.{}f}", s.mean * scale, digits, s.half_width * scale, digits);
 }
 
-void print_variant(const Variant& v) {
+void print_variant(const Variant& v, int width) {
   const auto of = [&](double BeddingReport::*number) {
     return over_packings(v, [&](const SweptPacking& p) { return p.bedding.*number; });
   };
@@ -106,7 +107,8 @@ void print_variant(const Variant& v) {
       over_packings(v, [](const SweptPacking& p) { return p.packing->report.coordination; });
   const Summary intact = over_packings(v, [](const SweptPacking& p) { return p.intact[0].E_gauge; });
   const Summary ratio = over_packings(v, [](const SweptPacking& p) { return E90_ratio(p, {}); });
-  fmt::print(
+  print_wrapped(
+      width, 0,
       "\n{}, {} rule, {} packings: porosity {:.3f}, coordination {:.2f}, sum(A)/L {}, bridges {:.1f} %,\n"
       "joints off the plane {:.1f} %, E intact {} GPa, E(90)/E intact {}\n",
       v.name, to_string(v.rule), v.packings.size(), porosity.mean, coordination.mean,
@@ -115,28 +117,52 @@ void print_variant(const Variant& v) {
       plus_minus(ratio, 1.0, 3));
 }
 
-std::string line_text(const MacroLine& line) {
-  if (line.slope.n == 0) return fmt::format(" no line: {}", line.refused);
-  return fmt::format(" {:>18} {:>17} {:>8.5f} {:>7.1f}{}", plus_minus(line.slope, 1.0, 4),
-                     plus_minus(line.intercept, giga, 1), line.R2.mean, 100.0 * line.cross.mean,
-                     line.refused.empty() ? " " : "*");
+/// The readings that are printed: of the gauge, Eq. 1 in compliance.
+std::vector<MacroReading> printed_readings() {
+  std::vector<MacroReading> readings;
+  for (const Contacts contacts : {Contacts::pushing, Contacts::pulling})
+    for (const Eq1Reference reference : {Eq1Reference::given, Eq1Reference::measured_90, Eq1Reference::free})
+      readings.push_back({contacts, StrainReading::gauge, Eq1Loss::compliance, reference});
+  return readings;
 }
 
-void print_lines(const Variant& v) {
-  fmt::print("{:<8} {:<7} | {:>18} {:>17} {:>8} {:>7}  | {:>18} {:>17} {:>8} {:>7}\n", "contacts", "E ref.",
-             "K_n/k_n", "intercept GPa/m", "R2", "K_s %", "K_s/k_s", "intercept GPa/m", "R2", "K_n %");
-  fmt::print("{:<16} |", "paper, Eq. 2");
-  for (const PaperLine& p : eq2)
-    fmt::print(" {:>18} {:>17} {:>8.5f} {:>7}  |", p.slope, p.intercept, p.R2, "");
-  fmt::print("\n");
-  for (const Contacts contacts : {Contacts::pushing, Contacts::pulling})
-    for (const Eq1Reference reference :
-         {Eq1Reference::given, Eq1Reference::measured_90, Eq1Reference::free}) {
-      const MacroReading reading{contacts, StrainReading::gauge, Eq1Loss::compliance, reference};
-      fmt::print("{:<8} {:<7} |{} |{}\n", to_string(contacts), to_string(reference),
-                 line_text(fit_macro_line(v.packings, SweptStiffness::normal, reading)),
-                 line_text(fit_macro_line(v.packings, SweptStiffness::shear, reading)));
+std::string name_of(const MacroReading& r) {
+  return fmt::format("{}, {}", to_string(r.contacts), to_string(r.reference));
+}
+
+/// The line of one stiffness, "n" or "s", by every reading, below that of the paper. Why there is none goes
+/// to `refused`.
+Columns line_columns(const Variant& v, SweptStiffness what, std::string& refused) {
+  const bool normal = what == SweptStiffness::normal;
+  const PaperLine& paper = eq2[normal ? 0 : 1];
+  Columns columns = {{normal ? "K_n/k_n" : "K_s/k_s", "", {fmt::format("{}", paper.slope)}},
+                     {"intercept", "GPa/m", {fmt::format("{}", paper.intercept)}},
+                     {"R2", "", {fmt::format("{:.5f}", paper.R2)}},
+                     {normal ? "K_s" : "K_n", "%", {"-"}}};
+  for (const MacroReading& reading : printed_readings()) {
+    const MacroLine line = fit_macro_line(v.packings, what, reading);
+    if (line.slope.n == 0) {
+      for (Column& c : columns) c.cells.emplace_back("-");
+      refused += fmt::format("{}: no line {}: {}\n", name_of(reading), normal ? "K_n(k_n)" : "K_s(k_s)",
+                             line.refused);
+      continue;
     }
+    columns[0].cells.push_back(plus_minus(line.slope, 1.0, 4) + (line.refused.empty() ? "" : "*"));
+    columns[1].cells.push_back(plus_minus(line.intercept, giga, 1));
+    columns[2].cells.push_back(fmt::format("{:.5f}", line.R2.mean));
+    columns[3].cells.push_back(fmt::format("{:.1f}", 100.0 * line.cross.mean));
+  }
+  return columns;
+}
+
+void print_lines(const Variant& v, int width) {
+  Column label{"contacts, E ref.", "", {"paper, Eq. 2"}, true};
+  for (const MacroReading& reading : printed_readings()) label.cells.push_back(name_of(reading));
+  std::string refused;
+  const Columns normal = line_columns(v, SweptStiffness::normal, refused),
+                shear = line_columns(v, SweptStiffness::shear, refused);
+  fmt::print("{}", text_table(label, {normal, shear}, width));
+  print_wrapped(width, 2, "{}", refused);
 }
 
 /// Calls `use` with every way to read and fit E(theta).
@@ -238,13 +264,13 @@ std::string moduli_csv(const std::vector<Variant>& variants) {
 }
 
 /// Specimens without an answer; true if there are none.
-bool all_solved(const std::vector<Variant>& variants) {
+bool all_solved(const std::vector<Variant>& variants, int width) {
   bool solved = true;
   const auto check = [&](const Variant& v, const SweptPacking& p, const ElasticResult& r) {
     if (r.outcome.ok()) return;
     solved = false;
-    fmt::print("{}, {} rule, seed {}, {}: {}; {}\n", v.name, to_string(v.rule), p.seed, r.name,
-               r.outcome.reason, r.outcome.advice);
+    print_wrapped(width, 2, "{}, {} rule, seed {}, {}: {}; {}\n", v.name, to_string(v.rule), p.seed, r.name,
+                  r.outcome.reason, r.outcome.advice);
   };
   for (const Variant& v : variants)
     for (const SweptPacking& p : v.packings) {
@@ -258,20 +284,23 @@ bool all_solved(const std::vector<Variant>& variants) {
 
 }  // namespace
 
-int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads) {
+int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads,
+                      int width) {
   const std::vector<Recipe> recipes = recipes_of(recipe, path);
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
   for (const Variant& v : variants) {
-    print_variant(v);
-    print_lines(v);
+    print_variant(v, width);
+    print_lines(v, width);
   }
-  fmt::print(
-      "\nE by the gauge, Eq. 1 in compliance; +-: 95 % of the mean over the packings; K_s %, K_n %: change "
-      "of the\n"
-      "other stiffness from the smallest to the largest factor; *: packings without a line, see lines.csv\n");
-  const bool solved = all_solved(variants);
+  print_wrapped(
+      width, 0,
+      "\nE by the gauge, Eq. 1 in compliance; +-: 95 % of the mean over the packings; K_s, K_n in %: change "
+      "of "
+      "the\nother stiffness from the smallest to the largest factor; *: packings without a line, see "
+      "lines.csv\n");
+  const bool solved = all_solved(variants, width);
   std::vector<double> factors = recipe.sweep.factors;
   std::sort(factors.begin(), factors.end());
   const std::filesystem::path folder(out);

@@ -7,7 +7,9 @@
 namespace phy {
 
 /// Runs recipe.sweep (of the recipe read from `path`, and of the one that it names in `also`), prints the
-/// lines, writes lines.csv, fig4.csv and moduli.csv into the folder `out`. Returns the exit code.
-int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads);
+/// lines for a terminal of so many columns, writes lines.csv, fig4.csv and moduli.csv into the folder `out`.
+/// Returns the exit code.
+int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads,
+                      int terminal_width);
 
 }  // namespace phy

@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
-#include <sstream>
+#include <functional>
+#include <limits>
 
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "cli/machine.hpp"
+#include "cli/progress.hpp"
+#include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
 #include "study/table.hpp"
 
@@ -28,31 +33,72 @@ struct EnvelopeArguments {
   std::vector<std::string> confining = {"0 MPa", "5 MPa", "10 MPa", "20 MPa"};
 };
 
+/// Tests of one stress stand in a folder as `phyllite run` leaves it.
+std::string folder_of(double sigma_3) {
+  return folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
+}
+
+const Field& confining_field() {
+  return *std::find_if(recipe_fields().begin(), recipe_fields().end(),
+                       [](const Field& f) { return f.path() == "test.confining_stress"; });
+}
+
 std::vector<double> read_stresses(const std::vector<std::string>& words) {
+  const Field& range = confining_field();
   std::vector<double> stresses;
   std::vector<Problem> problems;
   for (const std::string& word : words) {
     const Quantity q = parse_quantity(word, Dimension::pressure);
     if (!q.ok)
       problems.push_back({"command line", "--confining", word, "a stress with its unit", q.problem});
-    else if (!(q.value >= 0.0))
-      problems.push_back(
-          {"command line", "--confining", word, "0 or more", "a confining stress cannot pull"});
+    else if (!(q.value >= range.min && q.value <= range.max))
+      problems.push_back({"command line", "--confining", word, range_text(range), ""});
     stresses.push_back(q.value);
   }
   std::sort(stresses.begin(), stresses.end());
-  const bool twice = std::adjacent_find(stresses.begin(), stresses.end()) != stresses.end();
+  const bool twice = std::adjacent_find(stresses.begin(), stresses.end(), [](double a, double b) {
+                       return folder_of(a) == folder_of(b);
+                     }) != stresses.end();
   if (problems.empty() && (twice || stresses.size() < 3))
-    problems.push_back({"command line", "--confining", std::to_string(words.size()) + " stresses",
-                        "at least three, each once", "two unknowns and their errors need three stresses"});
+    problems.push_back({"command line", "--confining", fmt::format("{}", fmt::join(words, ", ")),
+                        "at least three stresses, each once",
+                        "two unknowns and their errors need three stresses"});
   if (!problems.empty()) throw InputError(problems);
   return stresses;
 }
 
-std::string folder_of(double sigma_3, const std::string& name) {
-  std::string specimen;
-  for (const char c : name) specimen += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return fmt::format("sigma_3_{:g}_MPa/{}", sigma_3 * 1e-6, specimen);
+/// What is found of whom, told once.
+class Findings {
+ public:
+  void add(const std::string& who, const std::string& what) {
+    const auto it = std::find_if(told_.begin(), told_.end(), [&](const auto& t) { return t.what == what; });
+    if (it == told_.end())
+      told_.push_back({who, what});
+    else
+      it->who += ", " + who;
+  }
+  void print(int width) const {
+    for (const Finding& f : told_) print_wrapped(width, 2, "{}: {}\n", f.who, f.what);
+  }
+
+ private:
+  struct Finding {
+    std::string who, what;
+  };
+  std::vector<Finding> told_;
+};
+
+Column column(std::string head, std::string unit, const Envelope& envelope,
+              const std::function<std::string(const SpecimenEnvelope&)>& cell) {
+  Column c{std::move(head), std::move(unit), {}};
+  for (const SpecimenEnvelope& s : envelope.specimens) c.cells.push_back(cell(s));
+  return c;
+}
+
+/// NaN where there is no fit.
+template <class Fit>
+double R2_of(const Fit& fit) {
+  return fit.ok ? fit.R2 : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string with_error(const Estimate& e, double scale, int digits) {
@@ -61,68 +107,86 @@ std::string with_error(const Estimate& e, double scale, int digits) {
   return fmt::format("{:.{}f} +- {:.{}f}", e.value * scale, digits, e.se * scale, digits);
 }
 
-void print_strengths(const EnvelopeTests& tests) {
-  fmt::print("\nsigma_1 [MPa] at the peak\n{:<16}", "sigma_3 [MPa]");
-  for (const double s : tests.confining) fmt::print(" {:>9g}", s * 1e-6);
-  fmt::print("\n");
-  for (std::size_t k = 0; k < tests.results.front().size(); ++k) {
-    fmt::print("{:<16}", tests.results.front()[k].name);
-    for (const auto& row : tests.results) {
-      const Number* n = row[k].outcome.status == Status::peaked ? find(row[k].numbers, "sigma_1") : nullptr;
-      fmt::print(" {:>9}",
-                 n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6) : "-");
-    }
-    fmt::print("\n");
-  }
+Column names_of(const char* head, const Envelope& envelope) {
+  Column c = column(head, "", envelope, [](const SpecimenEnvelope& s) { return s.name; });
+  c.left = true;
+  return c;
 }
 
-void print_fits(const Envelope& envelope, std::size_t n_stresses) {
-  fmt::print("\n{:<16} {:>16} {:>16} {:>7} {:>18} {:>16} {:>7} {:>16}\n", "least squares", "c [MPa]",
-             "phi [deg]", "R2", "ucs_hb [MPa]", "m_i", "R2", "k");
-  std::string reasons;
-  for (const SpecimenEnvelope& s : envelope.specimens) {
-    const auto R2 = [](bool ok, double value) {
-      return ok ? fmt::format("{:.4f}", value) : std::string("-");
-    };
-    fmt::print("{:<16} {:>16} {:>16} {:>7} {:>18} {:>16} {:>7} {:>16}\n", s.name,
-               with_error(s.mohr_coulomb.cohesion, 1e-6, 2), with_error(s.mohr_coulomb.friction, 1.0, 2),
-               R2(s.mohr_coulomb.ok, s.mohr_coulomb.R2), with_error(s.hoek_brown.ucs, 1e-6, 2),
-               with_error(s.hoek_brown.m_i, 1.0, 2), R2(s.hoek_brown.ok, s.hoek_brown.R2),
-               with_error(s.k, 1.0, 3));
-    if (s.readings.size() < n_stresses)
-      reasons += fmt::format(
-          "{}: {} of {} tests peaked, the others give no reading (test.stop_at, test.max_strain)\n", s.name,
-          s.readings.size(), n_stresses);
-    if (!s.mohr_coulomb.ok)
-      reasons += fmt::format("{}: no Mohr-Coulomb envelope: {}\n", s.name, s.mohr_coulomb.reason);
-    if (!s.hoek_brown.ok)
-      reasons += fmt::format("{}: no Hoek-Brown envelope: {}\n", s.name, s.hoek_brown.reason);
+void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int width) {
+  Columns strengths;
+  for (std::size_t i = 0; i < tests.confining.size(); ++i) {
+    Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
+    for (const TestResult& r : tests.results[i]) {
+      const Number* n = r.outcome.status == Status::peaked ? find(r.numbers, "sigma_1") : nullptr;
+      c.cells.push_back(n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6)
+                                                                : "-");
+    }
+    strengths.push_back(std::move(c));
   }
-  fmt::print(
-      "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
-      "Tsiambaos)\n{}",
-      reasons);
+  fmt::print("\nsigma_1 [MPa] at the peak\n{}",
+             text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+}
+
+void print_fits(const Envelope& envelope, int width) {
+  using S = const SpecimenEnvelope&;
+  const auto of = [&](const char* head, const char* unit, const auto& cell) {
+    return column(head, unit, envelope, cell);
+  };
+  const Columns mohr_coulomb = {
+      of("c", "MPa", [](S s) { return with_error(s.mohr_coulomb.cohesion, 1e-6, 2); }),
+      of("phi", "deg", [](S s) { return with_error(s.mohr_coulomb.friction, 1.0, 2); }),
+      of("R2", "", [](S s) { return with_error({R2_of(s.mohr_coulomb)}, 1.0, 4); })};
+  const Columns hoek_brown = {of("ucs_hb", "MPa", [](S s) { return with_error(s.hoek_brown.ucs, 1e-6, 2); }),
+                              of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
+                              of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
+  const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
+  fmt::print("\n{}",
+             text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
+  print_wrapped(width, 0,
+                "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
+                "Tsiambaos)\n");
+  Findings findings;
+  for (S s : envelope.specimens)
+    if (!s.mohr_coulomb.ok) findings.add(s.name, "no Mohr-Coulomb envelope: " + s.mohr_coulomb.reason);
+  for (S s : envelope.specimens)
+    if (!s.hoek_brown.ok) findings.add(s.name, "no Hoek-Brown envelope: " + s.hoek_brown.reason);
+  findings.print(width);
   if (envelope.plane.ok)
-    fmt::print(
+    print_wrapped(
+        width, 2,
         "one plane of weakness (Jaeger) over all angles and stresses, matrix \"{}\": c = {:.2f} MPa, "
         "phi = {:.2f} deg, R2 = {:.4f}\n",
         envelope.matrix, envelope.plane.plane.cohesion * 1e-6, envelope.plane.plane.friction,
         envelope.plane.R2);
   else
-    fmt::print("one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
+    print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
+}
+
+/// Tests without a peak, which give no reading: why, and what to do.
+void print_outcomes(const EnvelopeTests& tests, int width) {
+  Findings findings;
+  for (std::size_t i = 0; i < tests.confining.size(); ++i)
+    for (const TestResult& r : tests.results[i])
+      if (const Outcome& o = r.outcome; o.status != Status::peaked)
+        findings.add(
+            fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
+            fmt::format("{}: {}{}{}", to_string(o.status), o.reason, o.advice.empty() ? "" : "; ", o.advice));
+  findings.print(width);
 }
 
 std::string strengths_csv(const EnvelopeTests& tests) {
   std::string text = "specimen,theta [deg],sigma_3 [Pa],sigma_1 [Pa],confinement_error,status,result_hash\n";
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i]) {
+      const bool stored = r.outcome.status != Status::interrupted;
       const auto value = [&](const char* name) {
-        const Number* n = find(r.numbers, name);
+        const Number* n = stored ? find(r.numbers, name) : nullptr;
         return n == nullptr ? std::string() : csv_cell(n->value);
       };
       text += fmt::format("{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
-                          to_string(r.outcome.status), r.hash);
+                          to_string(r.outcome.status), stored ? r.hash : "");
     }
   return text;
 }
@@ -135,43 +199,75 @@ std::string fits_csv(const Envelope& envelope) {
     text += s.name + "," + (s.intact ? "" : print_number(s.theta));
     for (const double v :
          {s.mohr_coulomb.cohesion.value, s.mohr_coulomb.cohesion.se, s.mohr_coulomb.friction.value,
-          s.mohr_coulomb.friction.se, s.mohr_coulomb.R2, s.hoek_brown.ucs.value, s.hoek_brown.ucs.se,
-          s.hoek_brown.m_i.value, s.hoek_brown.m_i.se, s.hoek_brown.R2, s.k.value, s.k.se})
+          s.mohr_coulomb.friction.se, R2_of(s.mohr_coulomb), s.hoek_brown.ucs.value, s.hoek_brown.ucs.se,
+          s.hoek_brown.m_i.value, s.hoek_brown.m_i.se, R2_of(s.hoek_brown), s.k.value, s.k.se})
       text += "," + csv_cell(v);
     text += "\n";
   }
   return text;
 }
 
+/// The tests, stress by stress. Each is on disk as soon as it has ended; Ctrl-C ends the others.
+EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specimens, const Recipe& recipe,
+                      const std::vector<double>& confining, const fs::path& out,
+                      const MachineOptions& machine) {
+  EnvelopeTests tests{confining, {}};
+  ProgressLine line;
+  Progress before{0, confining.size() * specimens.size(), 0.0};
+  for (const double sigma_3 : confining) {
+    Progress now;
+    const Recipe confined = confined_recipe(recipe, sigma_3);
+    ScheduleHooks hooks;
+    hooks.stop = stop_on_interrupt();
+    hooks.on_progress = [&](const Progress& p) {
+      now = p;
+      line.update({before.n_done + p.n_done, before.n_total, before.steps_done + p.steps_done});
+    };
+    hooks.on_result = [&](std::size_t k, const TestResult& r) {
+      if (r.outcome.status == Status::interrupted) return;
+      write_result((out / folder_of(sigma_3) / folder_name(r.name)).string(), confined, PHY_VERSION,
+                   *specimens[k], r);
+      line.note(fmt::format("{:g} MPa, {}: {}", sigma_3 * 1e-6, r.name, r.outcome.reason));
+    };
+    tests.results.push_back(run_tests(specimens, confined, machine, hooks));
+    before.n_done += specimens.size(), before.steps_done += now.steps_done;
+    for (std::size_t k = 0; k < specimens.size(); ++k) {  // a test that was not started knows its name only
+      TestResult& r = tests.results.back()[k];
+      r.intact = specimens[k]->bedding.empty(), r.theta = r.intact ? 0.0 : specimens[k]->bedding[0].theta;
+    }
+  }
+  line.finish();
+  return tests;
+}
+
 int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::vector<double> confining = read_stresses(args.confining);
   const Recipe recipe = read_recipe(args.recipe);
   const fs::path out(args.out);
+  const int width = session.terminal_width;
   check_writable(args.out);
   const auto packing = packing_of(recipe, default_cache_folder());
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : make_specimens(packing, confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  fmt::print("envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n", specimens.size(),
-             packing->discs.size(), confining.size(),
-             recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
-  bool all_well = true;
-  const auto on_result = [&](std::size_t i, std::size_t k, const TestResult& r) {
-    all_well = all_well && r.outcome.status == Status::peaked;
-    write_result((out / folder_of(confining[i], r.name)).string(), confined_recipe(recipe, confining[i]),
-                 PHY_VERSION, *specimens[k], r);
-    fmt::print("{:g} MPa, {}: {}: {}\n", confining[i] * 1e-6, r.name, to_string(r.outcome.status),
-               r.outcome.reason);
-    std::fflush(stdout);
-  };
-  const EnvelopeTests tests = run_envelope(specimens, recipe, confining, machine_of(session), on_result);
+  print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
+                specimens.size(), packing->discs.size(), confining.size(),
+                recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
+  std::fflush(stdout);
+  const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const Envelope envelope = fit_envelope(tests);
-  print_strengths(tests);
-  print_fits(envelope, tests.confining.size());
+  print_strengths(tests, envelope, width);
+  print_outcomes(tests, width);
+  print_fits(envelope, width);
   write_file((out / "envelope.csv").string(), strengths_csv(tests));
   write_file((out / "fits.csv").string(), fits_csv(envelope));
-  fmt::print("results in {}: envelope.csv, fits.csv, one folder per test\n", args.out);
-  return all_well ? 0 : 1;
+  print_wrapped(width, 2,
+                "results in {}: envelope.csv, fits.csv, a folder per stress with one per specimen\n",
+                args.out);
+  for (const auto& of_stress : tests.results)
+    for (const TestResult& r : of_stress)
+      if (r.outcome.status != Status::peaked) return 1;
+  return 0;
 }
 
 }  // namespace
@@ -183,9 +279,13 @@ void add_envelope_command(CLI::App& app, Session& session) {
   verb->add_option("recipe", args->recipe, "recipe file (TOML); its test.kind does not matter")->required();
   verb->add_option("--confining", args->confining, "confining stresses with units, separated by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
-  verb->callback([args, &session] { session.exit_code = envelope_of(*args, session); });
+  verb->callback([args, &session] {
+    stop_on_interrupt();
+    session.exit_code = envelope_of(*args, session);
+  });
 }
 
 }  // namespace phy

@@ -1,11 +1,12 @@
 #include "cli/live_plot.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+
+#include "cli/terminal.hpp"
 
 namespace phy {
 namespace {
@@ -31,12 +32,11 @@ bool speaks_utf8() {
 
 /// Columns for the picture; 0: none.
 int room() {
-  winsize size{};
-  if (isatty(STDERR_FILENO) == 0 || ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0) return 0;
+  const TerminalSize size = terminal_size(STDERR_FILENO);
   const std::string terminal = environment("TERM");
-  if (size.ws_col < least_columns || size.ws_row < least_rows || terminal.empty() || terminal == "dumb")
+  if (size.columns < least_columns || size.lines < least_rows || terminal.empty() || terminal == "dumb")
     return 0;
-  return speaks_utf8() ? std::min<int>(size.ws_col - 1, most_columns) : 0;
+  return speaks_utf8() ? std::min(size.columns - 1, most_columns) : 0;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 
 namespace phy {
@@ -36,6 +37,16 @@ const std::atomic<bool>* stop_on_interrupt() {
   static const auto before = std::signal(SIGINT, on_interrupt);  // once
   static_cast<void>(before);
   return &stop_requested;
+}
+
+std::string folder_name(const std::string& name) {
+  std::string folder;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
+      folder += c;
+    else if (!folder.ends_with('_'))
+      folder += '_';
+  return folder;
 }
 
 }  // namespace phy

@@ -1,7 +1,6 @@
 // `phyllite`: parses the command line, runs one verb, and is the only place that turns exceptions into exit
 // codes.
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,15 +10,10 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace {
-
-void measure_terminal(phy::Session& session) {
-  winsize size{};
-  if (isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-    session.terminal_width = size.ws_col;
-}
 
 /// A word where a verb is missing, of phyllite itself or of a verb with verbs of its own.
 phy::InputError unknown_verb(const CLI::App& app, const std::string& word) {
@@ -40,7 +34,7 @@ phy::InputError unknown_verb(const CLI::App& app, const std::string& word) {
 
 int run(int argc, char** argv) {
   phy::Session session;
-  measure_terminal(session);
+  session.terminal_width = phy::terminal_size(STDOUT_FILENO).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions."};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));

@@ -1,10 +1,25 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "cli/terminal.hpp"
+
 namespace phy {
+namespace {
+
+/// A line that fills the terminal would push the cursor onto the next one.
+std::size_t room() {
+  const int columns = terminal_size(STDERR_FILENO).columns;
+  return static_cast<std::size_t>(columns > 1 ? columns - 1 : 79);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
 
 // A test's length is not known before its peak, so the remaining time is estimated from finished specimens
 // only.
@@ -25,7 +40,7 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
   shown_ = now;
   std::string text = say(std::chrono::duration<double>(now - start_).count());
   if (terminal_) {
-    if (static_cast<int>(text.size()) >= width_) text.resize(static_cast<std::size_t>(width_ - 1));
+    text.resize(std::min(text.size(), room()));
     clear();
     draw_lines();
     fmt::print(stderr, "{}", text);
@@ -52,7 +67,7 @@ void ProgressLine::draw_lines() {
 
 void ProgressLine::note(const std::string& text) {
   clear();
-  fmt::print(stderr, "{}\n", text);
+  fmt::print(stderr, "{}\n", terminal_ ? wrapped(text, static_cast<int>(room()), 2) : text);
 }
 
 void ProgressLine::finish() {

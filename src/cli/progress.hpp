@@ -11,8 +11,7 @@ namespace phy {
 
 class ProgressLine {
  public:
-  ProgressLine(bool terminal, int width)
-      : terminal_(terminal), width_(width), start_(Clock::now()), shown_(start_) {}
+  ProgressLine();
   void update(const Progress& progress);
   /// Shows `text(seconds since the start)` unless the last update was a moment ago.
   void show(const std::function<std::string(double)>& text);
@@ -27,8 +26,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   void clear();
   void draw_lines();
-  bool terminal_;
-  int width_;
+  bool terminal_;            // asked once; its width with every line
   std::size_t n_drawn_ = 0;  // lines above
   std::function<std::vector<std::string>()> lines_;
   Clock::time_point start_, shown_;

@@ -1,6 +1,5 @@
 // `phyllite run RECIPE...`: packing, specimens, tests, results on disk, one table.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -10,6 +9,7 @@
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
@@ -30,33 +30,24 @@ struct RunArguments {
   bool no_cache = false;
 };
 
-/// theta_45_deg of "theta = 45 deg": letters, digits, point and minus stay, runs of anything else become one
-/// _.
-std::string file_name(const std::string& specimen) {
-  std::string name;
-  for (const char c : specimen)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
-      name += c;
-    else if (!name.ends_with('_'))
-      name += '_';
-  return name;
-}
-
-void print_packing(const Packing& p, double seconds, bool cached) {
+void print_packing(const Packing& p, double seconds, bool cached, int width) {
   const PackingReport& r = p.report;
-  fmt::print(
+  print_wrapped(
+      width, 10,
       "packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, floaters {}\n",
       p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_floaters);
-  fmt::print("          {}, mean overlap {:.2e} of the radius, unbalanced {:.1e}; {} in {:.2f} s\n",
-             p.stress_free ? "overlaps stress-free"
-                           : fmt::format("locked-in stress {:.3f} MPa", r.stress_left * 1e-6),
-             r.mean_overlap, r.unbalanced, cached ? "from the cache" : "made", seconds);
+  print_wrapped(width, 10,
+                "          {}, mean overlap {:.2e} of the radius, unbalanced {:.1e}; {} in {:.2f} s\n",
+                p.stress_free ? "overlaps stress-free"
+                              : fmt::format("locked-in stress {:.3f} MPa", r.stress_left * 1e-6),
+                r.mean_overlap, r.unbalanced, cached ? "from the cache" : "made", seconds);
 }
 
-void print_bedding(const Specimen& s) {
+void print_bedding(const Specimen& s, int width) {
   for (std::size_t i = 0; i < s.bedding.size(); ++i) {
     const BeddingReport& b = s.bedding_report[i];
-    fmt::print(
+    print_wrapped(
+        width, 10,
         "bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane "
         "{:.1f} %\n",
         i + 1, s.bedding[i].theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing",
@@ -80,16 +71,16 @@ std::shared_ptr<const Packing> find_packing(const Recipe& r, bool no_cache, bool
   return cached_packing(r.specimen, r.packing, r.matrix, folder);
 }
 
-Made make_all(const Recipe& recipe, bool no_cache) {
+Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const auto start = std::chrono::steady_clock::now();
   bool cached = false;
   Made made;
   made.packing = find_packing(recipe, no_cache, cached);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  print_packing(*made.packing, seconds, cached);
+  print_packing(*made.packing, seconds, cached, width);
   for (Specimen& s : make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  if (!made.specimens.empty()) print_bedding(*made.specimens.front());
+  if (!made.specimens.empty()) print_bedding(*made.specimens.front(), width);
   return made;
 }
 
@@ -97,7 +88,7 @@ Made make_all(const Recipe& recipe, bool no_cache) {
 void write_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
   for (const TestResult& r : results) {
-    const auto place = std::filesystem::path(folder) / file_name(r.name);
+    const auto place = std::filesystem::path(folder) / folder_name(r.name);
     if (r.outcome.status == Status::interrupted)
       run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
     else
@@ -124,11 +115,12 @@ MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, co
   MachineOptions machine = machine_of(session);
   machine.lanes = args.lanes;
   machine.skew = args.skew;
-  fmt::print("press     {} specimens, {:.3f} m/s per platen, {} precision, {} of {}, {} thread(s)\n",
-             n_specimens, recipe.test.platen_speed,
-             recipe.engine.precision == Precision::double_precision ? "double" : "single",
-             args.lanes > 0 ? fmt::format("{} lane(s)", args.lanes) : "lanes as they fit",
-             to_string(machine.isa), machine.threads);
+  print_wrapped(session.terminal_width, 10,
+                "press     {} specimens, {:.3f} m/s per platen, {} precision, {} of {}, {} thread(s)\n",
+                n_specimens, recipe.test.platen_speed,
+                recipe.engine.precision == Precision::double_precision ? "double" : "single",
+                args.lanes > 0 ? fmt::format("{} lane(s)", args.lanes) : "lanes as they fit",
+                to_string(machine.isa), machine.threads);
   return machine;
 }
 
@@ -138,11 +130,12 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
       several ? (std::filesystem::path(args.out) / std::filesystem::path(path).stem()).string() : args.out;
   check_writable(folder);
   const auto start = std::chrono::steady_clock::now();
-  fmt::print("recipe    {} ({})\n", recipe.name, path);
-  const Made made = make_all(recipe, args.no_cache);
+  const int width = session.terminal_width;
+  print_wrapped(width, 10, "recipe    {} ({})\n", recipe.name, path);
+  const Made made = make_all(recipe, args.no_cache, width);
   const MachineOptions machine = chosen_machine(recipe, args, session, made.specimens.size());
   std::fflush(stdout);
-  ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  ProgressLine line;
   LivePlot plot(curves_of(made.specimens));
   line.draw_above([&] { return plot.lines(); });
   ScheduleHooks hooks;
@@ -151,18 +144,19 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   hooks.on_progress = [&](const Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
     if (result.outcome.status == Status::interrupted) return;
-    write_result((std::filesystem::path(folder) / file_name(result.name)).string(), recipe, PHY_VERSION,
+    write_result((std::filesystem::path(folder) / folder_name(result.name)).string(), recipe, PHY_VERSION,
                  *made.specimens[i], result);
     line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
   };
   const std::vector<TestResult> results = run_tests(made.specimens, recipe, machine, hooks);
   line.finish();
-  fmt::print("\n{}\n", press_table(results, session.terminal_width));
+  fmt::print("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
-  if (!trouble.empty()) fmt::print("{}\n", trouble);
+  if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_report(folder, results);
-  fmt::print("{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder, folder);
+  print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder,
+                folder);
   for (const TestResult& r : results)
     if (r.outcome.status != Status::peaked) return 1;
   return 0;
@@ -199,13 +193,14 @@ void add_specimen_command(CLI::App& app, Session& session) {
     session.exit_code = 0;
     const Recipe recipe = read_recipe(*path);
     if (!out->empty()) check_writable(*out);
-    const Made made = make_all(recipe, false);
-    for (std::size_t i = 1; i < made.specimens.size(); ++i) print_bedding(*made.specimens[i]);
+    const Made made = make_all(recipe, false, session.terminal_width);
+    for (std::size_t i = 1; i < made.specimens.size(); ++i)
+      print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {
       const std::filesystem::path folder(*out);
       write_file((folder / "discs.csv").string(), discs_csv(*made.packing));
       for (const auto& s : made.specimens)
-        write_file((folder / ("contacts_" + file_name(s->name) + ".csv")).string(), contacts_csv(*s));
+        write_file((folder / ("contacts_" + folder_name(s->name) + ".csv")).string(), contacts_csv(*s));
       fmt::print("discs and contacts in {}\n", *out);
     }
   });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "report/tables.hpp"
 
@@ -17,11 +18,13 @@ int show(const std::string& path, const Session& session) {
     results.push_back(t.result);
     all_peaked = all_peaked && t.result.outcome.status == Status::peaked;
   }
-  fmt::print("recipe    {} ({})\n", first.recipe.name, first.program);
-  fmt::print("packing   {} discs, porosity {:.4f}, coordination {:.3f}\n\n", first.n_grains,
-             first.packing.porosity, first.packing.coordination);
-  fmt::print("{}\n{}", press_table(results, session.terminal_width), outcome_lines(results));
-  for (const MissingTest& m : run.missing) fmt::print("{}: missing: {}\n", m.name, m.reason);
+  const int width = session.terminal_width;
+  print_wrapped(width, 10, "recipe    {} ({})\n", first.recipe.name, first.program);
+  print_wrapped(width, 10, "packing   {} discs, porosity {:.4f}, coordination {:.3f}\n\n", first.n_grains,
+                first.packing.porosity, first.packing.coordination);
+  fmt::print("{}\n", press_table(results, width));
+  print_wrapped(width, 2, "{}", outcome_lines(results));
+  for (const MissingTest& m : run.missing) print_wrapped(width, 2, "{}: missing: {}\n", m.name, m.reason);
   return all_peaked ? 0 : 1;
 }
 

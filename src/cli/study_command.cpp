@@ -1,7 +1,6 @@
 // `phyllite study STUDY` and `study status | resume | export | effects | merge`: a folder with study.toml,
 // recipe.toml and the store study.sqlite (of a shard: shard-I-of-N.sqlite).
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -135,7 +134,7 @@ struct StudyRun {
 };
 
 StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const Ranks* ranks) {
-  ProgressLine line(isatty(STDERR_FILENO) != 0, session.terminal_width);
+  ProgressLine line;
   StudyHooks hooks;
   hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const StudyProgress& p) {

@@ -3,16 +3,30 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "verification/cases.hpp"
 
 namespace phy {
 namespace {
 
-void print_plain(const VerificationCase& c, const std::vector<Check>& checks) {
-  fmt::print("{:4} {}\n     source: {}\n     tolerance: {}\n", c.id, c.claim, c.source, c.why);
-  for (const Check& k : checks)
-    fmt::print("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n",
-               k.passed() ? "ok  " : "FAIL", k.expected, k.measured, k.tolerance, k.what);
+/// One check on one line if it fits, else its quantity, and the numbers below each other.
+void print_check(const Check& k, int width) {
+  const char* verdict = k.passed() ? "ok  " : "FAIL";
+  const std::string line =
+      fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", verdict,
+                  k.expected, k.measured, k.tolerance, k.what);
+  if (width <= 0 || line.size() <= static_cast<std::size_t>(width) + 1) {
+    fmt::print("{}", line);
+    return;
+  }
+  print_wrapped(width, 10, "     {} {}\n", verdict, k.what);
+  fmt::print("{0:10}expected  {1:< .9e}\n{0:10}measured  {2:< .9e}\n{0:10}tolerance  {3:.0e}\n", "",
+             k.expected, k.measured, k.tolerance);
+}
+
+void print_plain(const VerificationCase& c, const std::vector<Check>& checks, int width) {
+  print_wrapped(width, 5, "{:4} {}\n     source: {}\n     tolerance: {}\n", c.id, c.claim, c.source, c.why);
+  for (const Check& k : checks) print_check(k, width);
 }
 
 void print_markdown(const VerificationCase& c, const std::vector<Check>& checks) {
@@ -45,7 +59,7 @@ void add_verify_command(CLI::App& app, Session& session) {
       if (*markdown)
         print_markdown(c, checks);
       else
-        print_plain(c, checks);
+        print_plain(c, checks, session.terminal_width);
     }
     if (n_checks == 0)
       throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6",

@@ -8,23 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "report/text_table.hpp"
+
 namespace phy {
 namespace {
 
 using Results = std::vector<TestResult>;
-
-/// One column; all cells are text, numbers flush right.
-struct Column {
-  std::string head, unit;
-  std::vector<std::string> cells;
-
-  std::size_t width() const {
-    std::size_t w = std::max(head.size(), unit.size());
-    for (const std::string& c : cells) w = std::max(w, c.size());
-    return w;
-  }
-};
-using Columns = std::vector<Column>;
 
 Column column(std::string head, std::string unit, const Results& results,
               const std::function<std::string(const TestResult&)>& cell) {
@@ -60,7 +49,9 @@ Column label(const Results& results) {
     return r.intact ? "intact" : fmt::format("{:g}", r.theta);
   });
   if (std::set<std::string>(angles.cells.begin(), angles.cells.end()).size() == results.size()) return angles;
-  return column("specimen", "", results, [](const TestResult& r) { return r.name; });
+  Column names = column("specimen", "", results, [](const TestResult& r) { return r.name; });
+  names.left = true;
+  return names;
 }
 
 Columns tension_columns(const Results& results) {
@@ -126,55 +117,10 @@ Columns run_columns(const Results& results) {
           column("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); })};
 }
 
-std::size_t width_of(const Columns& columns) {
-  std::size_t width = 0;
-  for (const Column& c : columns) width += c.width() + 2;
-  return width - 2;
-}
-
-std::string render(const Columns& columns, std::size_t n_rows) {
-  const auto line = [&](auto&& text) {
-    std::string out;
-    for (const Column& c : columns)
-      out += fmt::format("{}{:>{}}", &c == &columns.front() ? "" : "  ", text(c), c.width());
-    return out.substr(0, out.find_last_not_of(' ') + 1) + "\n";
-  };
-  std::string text = line([](const Column& c) { return c.head; }) +
-                     line([](const Column& c) { return c.unit; }) +
-                     line([](const Column& c) { return std::string(c.width(), '-'); });
-  for (std::size_t k = 0; k < n_rows; ++k) text += line([k](const Column& c) { return c.cells[k]; });
-  return text;
-}
-
-std::string as_list(const Columns& columns, const Results& results) {
-  std::string text;
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    text += results[k].name + "\n";
-    for (std::size_t i = 1; i < columns.size(); ++i) {
-      const Column& c = columns[i];
-      text += fmt::format("  {}{}{}: {}\n", c.head, c.unit.empty() ? "" : " ", c.unit, c.cells[k]);
-    }
-  }
-  return text;
-}
-
-Columns joined(Columns a, const Columns& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 }  // namespace
 
 std::string press_table(const Results& results, int terminal_width) {
-  const Columns head = {label(results)}, curve = curve_columns(results), run = run_columns(results);
-  const Columns all = joined(joined(head, curve), run), upper = joined(head, curve),
-                lower = joined(head, run);
-  const auto fits = [&](const Columns& c) {
-    return terminal_width <= 0 || width_of(c) <= static_cast<std::size_t>(terminal_width);
-  };
-  if (fits(all)) return render(all, results.size());
-  if (fits(upper) && fits(lower)) return render(upper, results.size()) + "\n" + render(lower, results.size());
-  return as_list(all, results);
+  return text_table(label(results), {curve_columns(results), run_columns(results)}, terminal_width);
 }
 
 std::string missing_numbers(const Results& results) {

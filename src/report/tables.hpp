@@ -7,9 +7,8 @@
 
 namespace phy {
 
-/// One row per specimen, units in the head, cracks of the whole test. Fits `terminal_width` columns: one
-/// table, else two stacked tables (readings of the curve; cracks and run), else a list of key and value per
-/// specimen. A width of 0 or less is no limit.
+/// One row per specimen, units in the head, cracks of the whole test; readings of the curve and of cracks and
+/// run are the groups of text_table.
 /// "-": could not be determined; "<": an upper bound (the number's note begins with "below").
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 

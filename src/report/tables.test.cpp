@@ -88,14 +88,6 @@ TEST(PressTable, NeverExceedsTheTerminal) {
       EXPECT_LE(widest(press_table(results, static_cast<int>(width))), width) << width;
 }
 
-TEST(PressTable, BecomesAListOnANarrowTerminal) {
-  const std::string list = press_table(two(), 50);
-  EXPECT_THAT(list, HasSubstr("theta = 30 deg\n  E tan50 GPa: 23.10\n"));
-  EXPECT_THAT(list, HasSubstr("  UCS MPa: 111.91\n"));
-  EXPECT_THAT(list, HasSubstr("  cracks matrix tension/shear: 850/64\n"));
-  EXPECT_THAT(list, HasSubstr("intact\n  E tan50 GPa: -\n"));
-}
-
 TEST(PressTable, NamesWhenTheAnglesDoNotTellSpecimensApart) {
   auto all = two();
   all[0].intact = true, all[0].name = "intact, seed 2";
@@ -103,10 +95,7 @@ TEST(PressTable, NamesWhenTheAnglesDoNotTellSpecimensApart) {
   EXPECT_THAT(press_table(all, 0), Not(HasSubstr("theta")));
 }
 
-TEST(PressTable, NoResultsGiveTheHeadOnly) {
-  EXPECT_THAT(press_table({}, 0), HasSubstr("UCS"));
-  EXPECT_EQ(press_table({}, 20), "");
-}
+TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), HasSubstr("UCS")); }
 
 TEST(OutcomeLines, SayWhyADashStandsInTheTable) {
   std::vector<TestResult> all(3);

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "../program.hpp"
@@ -15,7 +16,60 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Cli : public ProgramTest {};
+class Cli : public ProgramTest {
+ protected:
+  std::string many_angles() const {
+    std::string angles = "angles = [\"0 deg\"";
+    for (int i = 1; i < 30; ++i) angles += ", \"" + std::to_string(6 * i) + " deg\"";
+    return write("many.toml",
+                 "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
+                 "spacing = \"2 mm\"\n[test]\n" +
+                     angles + "]\nplaten_speed = \"0.2 m/s\"\n");
+  }
+  static int n_results(const std::string& in) {
+    int n = 0;
+    if (fs::exists(in))
+      for (const auto& entry : fs::directory_iterator(in))
+        if (fs::exists(entry.path() / "result.json")) ++n;
+    return n;
+  }
+  /// Sends Ctrl-C to the program, with one thread, as soon as there is a result in `watched`. The exit code,
+  /// or -1 if it ended by the signal.
+  int interrupted(std::vector<std::string> arguments, const std::string& watched) {
+    arguments.insert(arguments.begin(), {"--threads", "1"});
+    const std::string log = at("log");
+    const pid_t child = start(arguments, log);
+    int status = 0;
+    while (n_results(watched) == 0 && ::waitpid(child, &status, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ::kill(child, SIGINT);
+    ::waitpid(child, &status, 0);
+    output = read(log);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  /// Results in a folder; whatever else is a folder there is half a result.
+  static int n_whole_results(const std::string& in) {
+    int n = 0;
+    for (const auto& entry : fs::directory_iterator(in)) {
+      if (!entry.is_directory()) continue;
+      std::ifstream file(entry.path() / "result.json");
+      EXPECT_NE(nlohmann::json::parse(file)["outcome"]["status"], "interrupted") << entry.path();
+      EXPECT_TRUE(fs::exists(entry.path() / "history.csv"));
+      ++n;
+    }
+    return n;
+  }
+  /// The longest line of the output, without the ends of lines of a terminal.
+  std::size_t widest() const {
+    std::size_t width = 0;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+      while (line.ends_with('\r')) line.pop_back();
+      width = std::max(width, line.size());
+    }
+    return width;
+  }
+};
 
 TEST_F(Cli, VersionAndHelp) {
   EXPECT_EQ(run("--version"), 0);
@@ -110,6 +164,22 @@ TEST_F(Cli, CurvesAreDrawnOnlyWhereATerminalCanShowThem) {
   EXPECT_FALSE(has_dots());
 }
 
+TEST_F(Cli, TablesFitTheTerminalAndAreWholeInAFile) {
+  const std::string recipe = small_recipe();
+  for (const std::string& verb : std::vector<std::string>{
+           "run " + recipe + " --out " + out(), "show " + out(), "elastic --press " + recipe, "verify V9",
+           "envelope --confining '0 MPa,2 MPa,4 MPa' " + recipe + " --out " + at("envelope")}) {
+    const std::string line = PHY_PROGRAM " " + verb + " 2>/dev/null";
+    for (const std::size_t columns : {60U, 80U}) {
+      run_line("script -qec \"stty cols " + std::to_string(columns) + "; " + line + "\" /dev/null");
+      EXPECT_LE(widest(), columns) << output;
+      EXPECT_GT(widest(), columns / 2) << output;
+    }
+    run_line(line);
+    EXPECT_GT(widest(), 80U) << output;
+  }
+}
+
 TEST_F(Cli, FilmsAreEncoded) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   EXPECT_EQ(run("film " + out() + " --out " + (folder / "film.avi").string()), 2);
@@ -151,47 +221,26 @@ TEST_F(Cli, ATestThatNeverPeaksIsStoredAndExitsWith1) {
 
 // Thirty tests one after the other; Ctrl-C as soon as the first result is there.
 TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
-  std::string angles = "angles = [\"0 deg\"";
-  for (int i = 1; i < 30; ++i) angles += ", \"" + std::to_string(6 * i) + " deg\"";
-  const std::string recipe =
-      write("many.toml",
-            "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
-            "spacing = \"2 mm\"\n[test]\n" +
-                angles + "]\nplaten_speed = \"0.2 m/s\"\n");
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const std::string log = (folder / "log").string();
-    if (std::freopen(log.c_str(), "w", stdout) == nullptr) ::_exit(126);
-    ::execl(PHY_PROGRAM, PHY_PROGRAM, "--threads", "1", "run", recipe.c_str(), "--lanes", "1", "--out",
-            out().c_str(), nullptr);
-    ::_exit(127);
-  }
-  const auto n_results = [&] {
-    int n = 0;
-    if (fs::exists(out()))
-      for (const auto& entry : fs::directory_iterator(out()))
-        if (fs::exists(entry.path() / "result.json")) ++n;
-    return n;
-  };
-  int status = 0;
-  while (n_results() == 0 && ::waitpid(child, &status, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  ::kill(child, SIGINT);
-  ::waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status)) << "the signal must not kill it";
-  EXPECT_EQ(WEXITSTATUS(status), 1);
-  std::ifstream in(folder / "log");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_THAT(text, HasSubstr("interrupted: not started; run the same recipe again"));
-  EXPECT_GE(n_results(), 1);
-  EXPECT_LT(n_results(), 30);
-  for (const auto& entry : fs::directory_iterator(out())) {
-    if (entry.path().filename() == "report.html") continue;
-    EXPECT_TRUE(entry.is_directory()) << entry.path() << " is half a result";
-    std::ifstream file(entry.path() / "result.json");
-    EXPECT_NE(nlohmann::json::parse(file)["outcome"]["status"], "interrupted");
-    EXPECT_TRUE(fs::exists(entry.path() / "history.csv"));
-  }
+  EXPECT_EQ(interrupted({"run", many_angles(), "--lanes", "1", "--out", out()}, out()), 1) << output;
+  EXPECT_THAT(output, HasSubstr("interrupted: not started; run the same recipe again"));
+  EXPECT_GE(n_whole_results(out()), 1);
+  EXPECT_LT(n_whole_results(out()), 30);
+}
+
+TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
+  const std::string first = out() + "/sigma_3_0_MPa";
+  EXPECT_EQ(interrupted({"envelope", many_angles(), "--out", out()}, first), 1) << output;
+  EXPECT_THAT(output, HasSubstr("theta = 0 deg at 20 MPa"));
+  EXPECT_THAT(output, HasSubstr("interrupted: not started; run the same recipe again"));
+  const int n_finished = n_whole_results(first);
+  EXPECT_GE(n_finished, 1);
+  const std::string tests = read(out() + "/envelope.csv");
+  EXPECT_EQ(std::count(tests.begin(), tests.end(), '\n'), 1 + 4 * 30);
+  int n_told = 0;
+  for (std::size_t at = 0; (at = tests.find("eaked,", at)) != tests.npos; ++at) ++n_told;  // and not peaked
+  EXPECT_EQ(n_told, n_finished);
+  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,\n"));
+  EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
 }
 
 TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
