@@ -133,15 +133,14 @@ std::unique_ptr<Crew> CrewExchange::wait_for(std::chrono::milliseconds patience)
   return take_offered();
 }
 
-bool CrewExchange::wanted() {
+// Made under the lock, or he who waits might have gone meanwhile. That takes some milliseconds; the others
+// look in once per block.
+bool CrewExchange::share(const std::function<std::unique_ptr<Crew>()>& make) {
   const std::lock_guard lock(mutex_);
-  return n_waiting_ > offered_.size();
-}
-
-void CrewExchange::offer(std::unique_ptr<Crew> crew) {
-  const std::lock_guard lock(mutex_);
-  offered_.push_back(std::move(crew));
+  if (n_waiting_ == offered_.size()) return false;
+  offered_.push_back(make());
   change_.notify_one();
+  return true;
 }
 
 void CrewExchange::leave() {
@@ -158,7 +157,7 @@ void run_crew(std::unique_ptr<Crew> crew, const LaneHooks& hooks, CrewExchange& 
   while (crew->n_tests() > 0) {
     crew->work(hooks);
     if (crew->fixed()) continue;
-    if (crew->n_tests() > 1 && exchange.wanted()) exchange.offer(crew->part(crew->n_tests() / 2));
+    if (crew->n_tests() > 1) exchange.share([&] { return crew->part(crew->n_tests() / 2); });
     if (crew->n_tests() > 0 && crew->too_wide()) crew = crew->part(crew->n_tests());
   }
 }

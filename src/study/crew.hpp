@@ -1,10 +1,10 @@
 // A crew: tests side by side in the lanes of one group. And the exchange where workers share crews.
 //
 // Near the end of a run there are fewer tests than lanes. A crew whose lanes stand empty becomes narrower,
-// since a narrow group takes less time per cycle (0.5 to 0.7 of one twice as wide); a worker that has run dry
-// gets half of the tests of a crew that still has several. Tests move between blocks, in the middle of their
-// course; no bit of their results changes (engine/group_move.cpp). Crews with a fixed number of lanes stay as
-// they are.
+// since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
+// scheduler.cpp); a worker that has run dry gets half of the tests of a crew that still has several. Tests
+// move between blocks, in the middle of their course; no bit of their results changes
+// (engine/group_move.cpp). Crews with a fixed number of lanes stay as they are.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -75,7 +75,8 @@ class Crew {
   std::vector<Seat> seats_;
 };
 
-/// Between the workers of one run. A worker comes with the constructor and goes with leave().
+/// Between the workers of one run. A worker comes with the constructor and goes with leave(). A crew goes
+/// from hand to hand: it is made for one who waits, and he does not go without it, whatever his patience.
 class CrewExchange {
  public:
   explicit CrewExchange(int n_workers) : n_working_(n_workers) {}
@@ -84,9 +85,8 @@ class CrewExchange {
   /// The same for a worker that may find work elsewhere. Nothing: none came in time.
   std::unique_ptr<Crew> wait_for(std::chrono::milliseconds patience);
   void leave();
-  /// Somebody waits and no crew is on its way to him.
-  bool wanted();
-  void offer(std::unique_ptr<Crew> crew);
+  /// If somebody waits and no crew is on its way to him, makes one for him. False: nobody, nothing is made.
+  bool share(const std::function<std::unique_ptr<Crew>()>& make);
   /// Time that workers have spent waiting [s].
   double waited();
 
@@ -95,7 +95,7 @@ class CrewExchange {
 
   std::mutex mutex_;
   std::condition_variable change_;
-  std::vector<std::unique_ptr<Crew>> offered_;
+  std::vector<std::unique_ptr<Crew>> offered_;  // never more than there are who wait
   int n_working_;
   std::size_t n_waiting_ = 0;
   double waited_ = 0.0;

@@ -6,17 +6,17 @@
 #include <map>
 #include <thread>
 
+#include "lab/test_bench.test.hpp"
 #include "study/experiment.hpp"
 #include "study/scheduler.hpp"
 
 namespace phy {
 namespace {
 
+using std::chrono::milliseconds;
+
 Recipe quick() {
-  Recipe r;
-  r.specimen = {0.008, 0.016};
-  r.packing.n_grains = 250;
-  r.packing.radius_min = 0.25e-3, r.packing.radius_max = 0.4e-3;
+  Recipe r = small_rock(TestKind::uniaxial);
   r.test.max_strain = 0.004;
   r.test.platen_speed = 0.1;
   return r;
@@ -26,8 +26,7 @@ Recipe quick() {
 class Bench {
  public:
   Bench() {
-    auto weak = std::make_shared<Recipe>(quick());
-    packing_ = packing_of(*weak);
+    packing_ = packing_of(quick());
     for (int i = 0; i < 5; ++i) {
       auto r = std::make_shared<Recipe>(quick());
       r->matrix.sigma_c = r->matrix.tau_c = 20e6 * (1 + i);
@@ -66,6 +65,7 @@ CrewOptions eight(bool fixed) {
   CrewOptions o;
   o.group.isa = native_isa();
   o.group.lanes = 8;
+  o.group.interval = static_cast<int>(quick().test.history_interval);
   o.fixed = fixed;
   return o;
 }
@@ -116,10 +116,13 @@ TEST(Crew, AWorkerWhoHasRunDryIsGivenTests) {
     }
     exchange.leave();
   });
-  while (!exchange.wanted()) std::this_thread::yield();
   auto crew = std::make_unique<Crew>(bench.packing(), eight(false));
   crew->fill(bench.hooks());
-  run_crew(std::move(crew), bench.no_more(), exchange);
+  LaneHooks hooks = bench.no_more();
+  hooks.block = [&](double, std::size_t) {  // he waits before the tests are over
+    if (taken == 0) std::this_thread::sleep_for(milliseconds(1));
+  };
+  run_crew(std::move(crew), hooks, exchange);
   exchange.leave();
   helper.join();
   EXPECT_GE(taken.load(), 1);
@@ -147,9 +150,35 @@ TEST(CrewExchange, EndsWhenNobodyHasWork) {
     exchange.leave();
   };
   std::jthread one(idle), two(idle);
-  EXPECT_EQ(exchange.wait_for(std::chrono::milliseconds(20)), nullptr);
+  EXPECT_EQ(exchange.wait_for(milliseconds(20)), nullptr);
   EXPECT_FALSE(exchange.waited() < 0.02);
   exchange.leave();
+}
+
+TEST(CrewExchange, MakesNoCrewThatNobodyWaitsFor) {
+  CrewExchange exchange(1);
+  EXPECT_FALSE(exchange.share([]() -> std::unique_ptr<Crew> {
+    ADD_FAILURE() << "nobody is there to take it";
+    return nullptr;
+  }));
+}
+
+// His patience ends while the crew is made; he takes it nevertheless, or its tests would be lost.
+TEST(CrewExchange, ACrewThatIsBeingMadeIsWaitedFor) {
+  CrewExchange exchange(2);
+  std::atomic<bool> begun{false};
+  std::unique_ptr<Crew> taken;
+  std::jthread idle([&] {
+    while (!begun) taken = exchange.wait_for(milliseconds(10));
+  });
+  const auto slowly = [&] {
+    begun = true;
+    std::this_thread::sleep_for(milliseconds(50));
+    return std::make_unique<Crew>(Bench().packing(), eight(false));
+  };
+  while (!exchange.share(slowly)) std::this_thread::yield();
+  idle.join();
+  EXPECT_NE(taken, nullptr);
 }
 
 }  // namespace
