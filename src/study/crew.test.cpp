@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <map>
+#include <stdexcept>
 #include <thread>
 
 #include "lab/test_bench.test.hpp"
@@ -179,6 +180,21 @@ TEST(CrewExchange, ACrewThatIsBeingMadeIsWaitedFor) {
   while (!exchange.share(slowly)) std::this_thread::yield();
   idle.join();
   EXPECT_NE(taken, nullptr);
+}
+
+// Two workers with a test each; the first reading of one is the end of both.
+TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
+  const Recipe r = quick();
+  const auto specimen = specimen_of(packing_of(r), r);
+  std::size_t n_later = 0;
+  bool thrown = false;
+  ScheduleHooks hooks;
+  hooks.on_reading = [&](std::size_t index, double, double) {
+    if (thrown) ++n_later, std::this_thread::sleep_for(milliseconds(1));
+    if (index == 1) thrown = true, throw std::runtime_error("no room for a reading");
+  };
+  EXPECT_THROW(run_tests({specimen, specimen}, r, {2, 1, 4, native_isa()}, hooks), std::runtime_error);
+  EXPECT_LT(n_later, 100U) << "a whole test has many more";
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "study/runner.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
 #include "genesis/cut.hpp"
 #include "io/toml_in.hpp"
 #include "study/experiment.hpp"
@@ -275,28 +275,17 @@ WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) 
   PHY_CHECK(machine.threads > 0, "at least one worker");
   const auto start = Clock::now();
   std::mutex mutex;
-  std::exception_ptr error;
   std::atomic<bool> broken{false};
   CrewExchange exchange(machine.threads);
   WorkReport report;
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < machine.threads; ++i)
-      workers.emplace_back([&] {
-        std::exception_ptr mine;
-        try {
-          Worker(desk, plan, machine, exchange, broken).run();
-        } catch (...) {
-          mine = std::current_exception();
-          broken = true;
-        }
-        exchange.leave();
+  on_threads(
+      static_cast<std::size_t>(machine.threads), broken,
+      [&](std::size_t) {
+        Worker(desk, plan, machine, exchange, broken).run();
         const std::lock_guard lock(mutex);
-        if (mine && !error) error = mine;
         report.cpu_seconds += thread_seconds();
-      });
-  }
-  if (error) std::rethrow_exception(error);
+      },
+      [&] { exchange.leave(); });
   report.wall_seconds = seconds_since(start);
   report.idle = exchange.waited() / (report.wall_seconds * machine.threads);
   return report;

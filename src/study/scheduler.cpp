@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <exception>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <thread>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
 #include "study/expected.hpp"
 
 namespace phy {
@@ -23,14 +22,14 @@ struct Desk {
   std::deque<std::size_t> waiting;  // in no worker's first lot
   std::mutex mutex;
   Progress progress;
-  std::exception_ptr error;
+  std::atomic<bool> broken{false};  // a worker has failed
 
-  bool stopped() const { return hooks.stop != nullptr && hooks.stop->load(); }
+  bool stopped() const { return broken || (hooks.stop != nullptr && hooks.stop->load()); }
   /// The next test of the worker's lot, then of all that wait.
   std::optional<Job> next(std::deque<std::size_t>& lot) {
     const std::lock_guard lock(mutex);
     std::deque<std::size_t>& from = lot.empty() ? waiting : lot;
-    if (stopped() || error || from.empty()) return std::nullopt;
+    if (stopped() || from.empty()) return std::nullopt;
     const std::size_t i = from.front();
     from.pop_front();
     return Job{specimens[i], recipe, i};
@@ -133,7 +132,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
   const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
-  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, nullptr};
+  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
@@ -153,20 +152,10 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
     desk.waiting.erase(desk.waiting.begin(), end);
   }
   CrewExchange exchange(static_cast<int>(lots.size()));
-  {
-    std::vector<std::jthread> workers;
-    for (std::deque<std::size_t>& lot : lots)
-      workers.emplace_back([&] {
-        try {
-          desk.work(lot, crew_options(lot.size(), recipe, machine), exchange);
-        } catch (...) {
-          const std::lock_guard lock(desk.mutex);
-          if (!desk.error) desk.error = std::current_exception();
-        }
-        exchange.leave();
-      });
-  }
-  if (desk.error) std::rethrow_exception(desk.error);
+  on_threads(
+      lots.size(), desk.broken,
+      [&](std::size_t i) { desk.work(lots[i], crew_options(lots[i].size(), recipe, machine), exchange); },
+      [&] { exchange.leave(); });
   return std::move(desk.results);
 }
 

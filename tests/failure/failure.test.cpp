@@ -163,6 +163,15 @@ TEST_F(Failure, FullStandardOutput) {
   }
 }
 
+// One thread beside the first, where three specimens ask for three.
+TEST_F(Failure, NoMoreThreads) {
+  const std::string limited = as_nobody() + "prlimit --nproc=2 ";
+  if (run_line(limited + "sh -c 'true & true & true & true & true & wait'") == 0)
+    GTEST_SKIP() << "no limit of threads here";
+  EXPECT_EQ(run_line(limited + PHY_PROGRAM + " elastic " + small_recipe() + " --threads 8"), 3) << output;
+  EXPECT_THAT(output, HasSubstr("of 3 cannot be started; use fewer (--threads)"));
+}
+
 class Imported : public Failure {
  protected:
   std::string recipe(const std::string& size, const std::string& more = "") const {
