@@ -1,12 +1,11 @@
 #include "io/scene.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "io/deflate.hpp"
 
 namespace phy {
 namespace {
@@ -61,26 +60,6 @@ struct Reader {
     return numbers;
   }
 };
-
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  const int code = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                             reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
-  PHY_CHECK(code == Z_OK, "a buffer of compressBound is enough");
-  out.resize(size);
-  return out;
-}
-
-std::string inflated(std::string_view bytes, std::size_t size) {
-  std::string out(size, '\0');
-  uLongf got = size;
-  if (uncompress(reinterpret_cast<Bytef*>(out.data()), &got, reinterpret_cast<const Bytef*>(bytes.data()),
-                 bytes.size()) != Z_OK ||
-      got != size)
-    throw std::out_of_range("the compressed part is damaged");
-  return out;
-}
 
 std::int32_t steps(double value, double quantum) {
   return static_cast<std::int32_t>(std::lround(value / quantum));
@@ -188,8 +167,10 @@ Scene read_scene(std::string_view bytes) {
   if (end == bytes.npos) throw std::out_of_range("no header");
   const Json head = Json::parse(bytes.substr(0, end));
   if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
-  const std::string plain = inflated(bytes.substr(end + 1), head.at("size").get<std::size_t>());
-  Reader r{plain, head.at("sections")};
+  const auto size = head.at("size").get<std::size_t>();
+  const std::optional<std::string> plain = inflated(bytes.substr(end + 1), size);
+  if (!plain || plain->size() != size) throw std::out_of_range("the compressed part is damaged");
+  Reader r{*plain, head.at("sections")};
   Scene scene;
   head.at("width [m]").get_to(scene.width);
   head.at("height [m]").get_to(scene.height);

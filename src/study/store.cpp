@@ -2,7 +2,6 @@
 
 #include <sys/vfs.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <atomic>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "base/check.hpp"
 #include "base/hash.hpp"
 #include "io/csv.hpp"
+#include "io/deflate.hpp"
 
 namespace phy {
 namespace {
@@ -95,32 +95,11 @@ bool is_dead(const std::string& owner) {
   return place == world() && start_of(pid) != start;
 }
 
-std::string deflated(const std::string& text) {
-  uLongf size = compressBound(text.size());
-  std::string out(size, '\0');
-  const int code = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                             reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_DEFAULT_COMPRESSION);
-  PHY_CHECK(code == Z_OK, "the buffer holds the compressed text");
-  out.resize(size);
-  return out;
-}
-
-std::string inflated(const std::string& bytes, const std::string& path) {
-  z_stream z{};
-  inflateInit(&z);
-  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  z.avail_in = static_cast<uInt>(bytes.size());
-  std::string out, block(1U << 16U, '\0');
-  int code = Z_OK;
-  while (code == Z_OK) {
-    z.next_out = reinterpret_cast<Bytef*>(block.data());
-    z.avail_out = static_cast<uInt>(block.size());
-    code = inflate(&z, Z_NO_FLUSH);
-    out.append(block, 0, block.size() - z.avail_out);
-  }
-  inflateEnd(&z);
-  if (code != Z_STREAM_END) throw IoError(path + ": a history is damaged; delete its row and run it again");
-  return out;
+/// A history or a list of cracks.
+std::string unpacked(const std::string& blob, const std::string& path) {
+  std::optional<std::string> text = inflated(blob);
+  if (!text) throw IoError(path + ": a history is damaged; delete its row and run it again");
+  return std::move(*text);
 }
 
 void refuse_network(const std::string& path) {
@@ -274,8 +253,8 @@ std::optional<StoredResult> Store::find(const std::string& key) const {
   if (!s.bind(key).step()) return {};
   StoredResult r = read_specimen(s, database_.path());
   read_numbers(database_, r);
-  r.result.history = parse_history(inflated(s.blob(17), database_.path()), database_.path());
-  r.result.cracks = parse_cracks(inflated(s.blob(18), database_.path()), database_.path());
+  r.result.history = parse_history(unpacked(s.blob(17), database_.path()), database_.path());
+  r.result.cracks = parse_cracks(unpacked(s.blob(18), database_.path()), database_.path());
   return r;
 }
 

@@ -1,0 +1,40 @@
+#include "io/deflate.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+
+#include "base/check.hpp"
+
+namespace phy {
+
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  const int code =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                bytes.size(), Z_DEFAULT_COMPRESSION);
+  PHY_CHECK(code == Z_OK, "a buffer of compressBound is enough");
+  out.resize(size);
+  return out;
+}
+
+std::optional<std::string> inflated(std::string_view bytes, std::size_t most) {
+  z_stream z{};
+  inflateInit(&z);
+  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  z.avail_in = static_cast<uInt>(bytes.size());
+  std::string out, block(std::size_t{1} << 16U, '\0');
+  int code = Z_OK;
+  while (code == Z_OK && out.size() <= most) {
+    z.next_out = reinterpret_cast<Bytef*>(block.data());
+    z.avail_out = static_cast<uInt>(block.size());
+    code = inflate(&z, Z_NO_FLUSH);
+    out.append(block, 0, block.size() - z.avail_out);
+  }
+  inflateEnd(&z);
+  if (code != Z_STREAM_END || out.size() > most) return std::nullopt;
+  return out;
+}
+
+}  // namespace phy
