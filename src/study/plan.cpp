@@ -46,19 +46,34 @@ void make_batches(Plan& plan, const Shard& shard) {
   }
 }
 
+/// Tests of different specimens; a run of each specimen.
+class PlanMaker {
+ public:
+  explicit PlanMaker(Plan& plan) : plan_(plan) {}
+  void add(Recipe single, Run run) {
+    const std::string key = specimen_key(single);
+    const auto [it, is_new] = known_.emplace(key, plan_.tests.size());
+    run.test = it->second;
+    plan_.runs.push_back(run);
+    if (!is_new) return;
+    const double cost = expected_cost(single);
+    const std::size_t kind = kind_of(kinds_, single);
+    plan_.tests.push_back({key, std::move(single), cost, 0, kind});
+  }
+
+ private:
+  Plan& plan_;
+  std::map<std::string, std::size_t> known_;
+  std::map<std::vector<double>, std::size_t> kinds_;
+};
+
 }  // namespace
 
 Plan plan_of(const std::vector<Recipe>& singles) {
   Plan plan;
-  std::map<std::string, std::size_t> known;
-  std::map<std::vector<double>, std::size_t> kinds;
-  for (std::size_t i = 0; i < singles.size(); ++i) {
-    const std::string key = specimen_key(singles[i]);
-    const auto [it, is_new] = known.emplace(key, plan.tests.size());
-    if (is_new)
-      plan.tests.push_back({key, singles[i], expected_cost(singles[i]), 0, kind_of(kinds, singles[i])});
-    plan.runs.push_back({0, singles[i].packing.seed, singles[i].matrix.bond_seed, i, it->second});
-  }
+  PlanMaker maker(plan);
+  for (std::size_t i = 0; i < singles.size(); ++i)
+    maker.add(singles[i], {0, singles[i].packing.seed, singles[i].matrix.bond_seed, i});
   make_batches(plan, {});
   return plan;
 }
@@ -67,22 +82,15 @@ Plan make_plan(const Study& study, const Shard& shard) {
   Plan plan;
   plan.study = study;
   plan.points = points_of(study);
-  std::map<std::string, std::size_t> known;
-  std::map<std::vector<double>, std::size_t> kinds;
+  PlanMaker maker(plan);
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     for (const std::int64_t packing : study.packings)
       for (const std::int64_t bond_seed : study.bond_seeds) {
         Recipe recipe = recipe_at(study, plan.points[p], packing, bond_seed);
         recipe.test.n_snapshots = recipe.test.n_frames = 0;  // the store keeps no pictures
-        const std::vector<Recipe> singles = single_recipes(recipe);
-        for (std::size_t place = 0; place < singles.size(); ++place) {
-          const std::string key = specimen_key(singles[place]);
-          const auto [it, is_new] = known.emplace(key, plan.tests.size());
-          if (is_new)
-            plan.tests.push_back(
-                {key, singles[place], expected_cost(singles[place]), 0, kind_of(kinds, singles[place])});
-          plan.runs.push_back({p, packing, bond_seed, place, it->second});
-        }
+        std::size_t place = 0;
+        for (Recipe& single : single_recipes(recipe))
+          maker.add(std::move(single), {p, packing, bond_seed, place++});
       }
   make_batches(plan, shard);
   return plan;
