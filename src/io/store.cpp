@@ -15,11 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no NaN.
-Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-
+/// A value that is NaN is written as null.
 Json number_json(const Number& n) {
-  Json j = {{"value", number_or_null(n.value)}, {"unit", n.unit}, {"definition", n.definition}};
+  Json j = {{"value", n.value}, {"unit", n.unit}, {"definition", n.definition}};
   if (!n.note.empty())
     j["note"] = n.note;
   else if (!std::isfinite(n.value))

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace phy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
 
 Json rows_json(const std::vector<Comparison>& rows) {
   Json list = Json::array();
@@ -21,11 +18,11 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"unit", t.property == Property::nu ? "1" : "Pa"},
          {"theta [deg]", t.theta},
          {"laboratory", {{"mean", t.mean}, {"sd", t.sd}, {"n", t.n}, {"sd_assumed", t.sd_assumed}}},
-         {"model", number(c.mean)},
-         {"sd_of_packings", number(c.sd)},
+         {"model", c.mean},
+         {"sd_of_packings", c.sd},
          {"n_packings", c.n_packings},
-         {"low", number(c.low)},
-         {"high", number(c.high)}});
+         {"low", c.low},
+         {"high", c.high}});
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
@@ -38,7 +35,7 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
     Json j = {{"key", e.key},
               {"symbol", e.symbol},
               {"unit", e.unit},
-              {"value", number(e.value)},
+              {"value", e.value},
               {"low", e.low},
               {"high", e.high},
               {"box", {e.box_low, e.box_high}},

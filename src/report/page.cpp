@@ -1,6 +1,5 @@
 #include "report/page.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -27,8 +26,6 @@ namespace phy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
 
 template <class T, class Items, class Value>
 std::string packed(const Items& items, Value value) {
@@ -89,7 +86,7 @@ Json target_json(const Target& t) {
 }
 
 Json spread_json(double at, const Summary& s) {
-  return {{"at", at}, {"mean", s.mean}, {"half", number_or_null(s.half_width)}};
+  return {{"at", at}, {"mean", s.mean}, {"half", s.half_width}};
 }
 
 Json angles_json(const std::vector<AngleValue>& values) {
