@@ -11,7 +11,6 @@
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
-#include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/load.hpp"
 #include "io/store.hpp"
@@ -60,22 +59,12 @@ struct Made {
   std::vector<std::shared_ptr<const Specimen>> specimens;
 };
 
-std::shared_ptr<const Packing> find_packing(const Recipe& r, bool no_cache, bool& cached) {
-  cached = false;
-  if (!r.packing.file.empty())
-    return std::make_shared<const Packing>(
-        adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
-  if (no_cache) return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  const auto folder = default_cache_folder();
-  cached = std::filesystem::exists(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)));
-  return cached_packing(r.specimen, r.packing, r.matrix, folder);
-}
-
 Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const auto start = std::chrono::steady_clock::now();
-  bool cached = false;
+  const std::filesystem::path folder = no_cache ? "" : default_cache_folder();
+  const bool cached = is_cached(recipe, folder);
   Made made;
-  made.packing = find_packing(recipe, no_cache, cached);
+  made.packing = packing_of(recipe, folder);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   print_packing(*made.packing, seconds, cached, width);
   for (Specimen& s : make_specimens(made.packing, recipe))

@@ -67,9 +67,7 @@ std::size_t n_packings_to_make(const Plan& plan) {
   for (const Batch& b : plan.batches) {
     if (b.tests.empty()) continue;
     const Recipe& r = plan.tests[b.tests.front()].recipe;
-    if (r.packing.file.empty() &&
-        !fs::exists(cache_file(default_cache_folder(), packing_key(r.specimen, r.packing, r.matrix))))
-      ++n;
+    if (r.packing.file.empty() && !is_cached(r, default_cache_folder())) ++n;
   }
   return n;
 }

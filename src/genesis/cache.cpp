@@ -1,8 +1,5 @@
 #include "genesis/cache.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <charconv>
 #include <cstdlib>
@@ -12,9 +9,11 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/check.hpp"
 #include "base/hash.hpp"
 #include "genesis/packing.hpp"
 #include "io/csv.hpp"
+#include "io/file.hpp"
 
 namespace phy {
 namespace {
@@ -82,29 +81,6 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
   return p;
 }
 
-/// True if everything reached the disk under a name of its own, `temporary`.
-bool write_synced(const std::filesystem::path& temporary, const std::string& text) {
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (file < 0) return false;
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t n = ::write(file, text.data() + done, text.size() - done);
-    if (n <= 0) break;
-    done += static_cast<std::size_t>(n);
-  }
-  const bool synced = done == text.size() && ::fsync(file) == 0;
-  return ::close(file) == 0 && synced;
-}
-
-void store(const std::filesystem::path& file, const std::string& text) {
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  std::filesystem::path temporary = file;
-  temporary += std::string(".").append(std::to_string(::getpid())).append(".part");
-  if (write_synced(temporary, text)) std::filesystem::rename(temporary, file, ignored);
-  std::filesystem::remove(temporary, ignored);
-}
-
 }  // namespace
 
 std::filesystem::path default_cache_folder() {
@@ -146,6 +122,13 @@ std::filesystem::path cache_file(const std::filesystem::path& folder, const std:
   return folder / ("packing-" + fingerprint(key) + ".txt");
 }
 
+bool is_cached(const Recipe& r, const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  return r.packing.file.empty() && !folder.empty() &&
+         std::filesystem::exists(cache_file(folder, packing_key(r.specimen, r.packing, r.matrix)),
+                                 unreadable);
+}
+
 std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
                                               const MatrixRecipe& matrix,
                                               const std::filesystem::path& folder) {
@@ -157,7 +140,10 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
     if (std::optional<Packing> p = from_text(text, key)) return std::make_shared<Packing>(std::move(*p));
   }
   auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix));
-  store(file, to_text(key, *packing));
+  try {
+    write_file(file.string(), to_text(key, *packing));
+  } catch (const IoError&) {  // made anew next time
+  }
   return packing;
 }
 

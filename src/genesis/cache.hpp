@@ -25,6 +25,9 @@ std::string packing_key(const SpecimenSize& size, const PackingRecipe& recipe, c
 /// File name of a key inside the folder.
 std::filesystem::path cache_file(const std::filesystem::path& folder, const std::string& key);
 
+/// Whether the folder has a file for the packing; one that is damaged counts.
+bool is_cached(const Recipe& recipe, const std::filesystem::path& folder);
+
 /// The packing from the folder, or made (make_packing) and put there. An empty folder means no cache.
 std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
                                               const MatrixRecipe& matrix,

@@ -45,7 +45,9 @@ class Cache : public testing::Test {
 };
 
 TEST_F(Cache, GivesBackTheSameBits) {
+  EXPECT_FALSE(is_cached(recipe, folder));
   const auto made = get(), kept = get();
+  EXPECT_TRUE(is_cached(recipe, folder));
   EXPECT_NE(made, kept);
   EXPECT_EQ(kept->hash, made->hash);
   EXPECT_EQ(packing_hash(kept->discs), made->hash);
@@ -100,7 +102,9 @@ TEST_F(Cache, UnwritableFolderIsNoError) {
   const auto p = get();
   EXPECT_EQ(p->discs.size(), 80U);
   EXPECT_TRUE(fs::is_regular_file(folder));
+  EXPECT_FALSE(is_cached(recipe, folder));
   EXPECT_EQ(cached_packing(recipe.specimen, recipe.packing, recipe.matrix, {})->hash, p->hash);
+  EXPECT_FALSE(is_cached(recipe, {}));
 }
 
 TEST_F(Cache, KeyHoldsWhatTheDiscsDependOn) {

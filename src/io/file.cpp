@@ -65,8 +65,10 @@ void sync_folder(const std::string& path) {
 }
 
 std::string parent_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+/// A temporary name that no other thread of any process has: the number of the thread, in the first one that
+/// of the process.
 std::string beside(const std::string& path, const char* what) {
-  return path + "." + what + "-" + std::to_string(::getpid());
+  return path + "." + what + "-" + std::to_string(::gettid());
 }
 
 /// An older folder that publishing may replace: one with the mark, or an empty one.

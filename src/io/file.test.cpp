@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
 
 namespace phy {
 namespace {
@@ -62,6 +63,17 @@ TEST_F(Files, AFullDiskLeavesNothingBehind) {
   EXPECT_THAT(message, HasSubstr("free some space"));
   EXPECT_THAT(message, HasSubstr(at("full.csv") + ": cannot be written"));
   EXPECT_EQ(n_entries(), 0);
+}
+
+TEST_F(Files, ThreadsMayWriteTheSameFile) {
+  const std::string text(100000, 'x');
+  for_all(200, 4, [&] {
+    return [&](std::size_t) {
+      write_file(at("same"), text);
+      ASSERT_EQ(read_file(at("same")), text);
+    };
+  });
+  EXPECT_EQ(n_entries(), 1);
 }
 
 TEST_F(Files, AReadOnlyFolderIsToldWithARemedy) {
