@@ -1,12 +1,13 @@
-// The three ways in which this library says that something is wrong (docs/architecture.md, "Errors").
-//   InputError   what the user gave cannot be used; carries every problem found, not only the first     ->
-//   exit 2 IoError      a file could not be read or written -> exit 3 PHY_CHECK    we made a mistake: a
-//   condition that the program itself should have guaranteed          -> exit 4
+// The three ways in which this library says that something is wrong (docs/architecture.md, "Errors"):
+//
+//   InputError    what the user gave cannot be used; carries every problem found, not only the first: exit 2
+//   IoError       a file could not be read or written: exit 3
+//   PHY_CHECK     we made a mistake, a condition that the program itself should have guaranteed: exit 4
+//
 // Physics that does not succeed (never peaked, unstable) is no error: it is an Outcome in the result.
 #pragma once
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace phy {
@@ -21,29 +22,17 @@ struct Problem {
 };
 
 /// Renders one problem as one line, leaving empty parts out.
-inline std::string to_line(const Problem& p) {
-  std::string line = p.where;
-  if (!p.key.empty()) line += (line.empty() ? "" : ": ") + p.key;
-  if (!p.value.empty()) line += " = " + p.value;
-  if (!p.expected.empty()) line += (line.empty() ? "" : ": ") + std::string("expected ") + p.expected;
-  if (!p.remedy.empty()) line += (line.empty() ? "" : "; ") + p.remedy;
-  return line;
-}
+std::string to_line(const Problem& p);
 
-/// All problems of one input, collected before anything was run or written.
+/// All problems of one input, collected before anything was run or written. They stand in the order of their
+/// lines, file by file; what concerns a whole file comes before its lines.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::vector<Problem> problems)
-      : std::runtime_error(render(problems)), problems_(std::move(problems)) {}
-  explicit InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
+  explicit InputError(std::vector<Problem> problems);
+  explicit InputError(Problem problem);
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
-  static std::string render(const std::vector<Problem>& problems) {
-    std::string text;
-    for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + to_line(p);
-    return text;
-  }
   std::vector<Problem> problems_;
 };
 

@@ -110,6 +110,12 @@ TEST_F(RockFile, EverythingWrongIsToldAtOnceWithItsLine) {
   EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:6"), HasSubstr("2 cells"))));
   EXPECT_THAT(p, Contains(HasSubstr("r.toml:2: colour")));
   EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.toml:3"), HasSubstr("plane strain"))));
+  std::string places;
+  for (const std::string& line : p) {
+    const std::size_t file = line.find("/r.") + 1;
+    places += line.substr(file, line.find(' ', file) + 1 - file);
+  }
+  EXPECT_EQ(places, "r.toml:2: r.toml:3: r.csv: r.csv:3: r.csv:4: r.csv:4: r.csv:5: r.csv:6 ");
 }
 
 TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {

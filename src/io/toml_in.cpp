@@ -13,7 +13,6 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -145,8 +144,6 @@ class Reader {
              recipe_, [&](const std::string& path) { return place(path); },
              [&](const std::string& path) { return is_known(path); }))
       problems.push_back(std::move(p));
-    std::stable_sort(problems.begin(), problems.end(),
-                     [&](const Problem& a, const Problem& b) { return line_of(a) < line_of(b); });
     return recipe_;
   }
   std::vector<Problem> problems;
@@ -161,13 +158,6 @@ class Reader {
   bool all_told_apart_ = true;  // every line of the file is TOML, and belongs to a key that we know
 
   std::string at(const toml::node& node) const { return at_line(where_, node.source().begin.line); }
-  /// The line that a problem names; 0 for one about the whole file.
-  std::size_t line_of(const Problem& p) const {
-    std::size_t line = 0;
-    if (p.where.size() > where_.size() + 1)
-      std::from_chars(p.where.data() + where_.size() + 1, p.where.data() + p.where.size(), line);
-    return line;
-  }
   std::string place(const std::string& path) const {
     const auto it = places_.find(path);
     return it == places_.end() ? where_ : it->second;

@@ -67,8 +67,6 @@ class Reader {
       read_list();
       if (problems.empty()) check_points();
     }
-    std::stable_sort(problems.begin(), problems.end(),
-                     [&](const Problem& a, const Problem& b) { return line_of(a) < line_of(b); });
     return study_;
   }
   std::vector<Problem> problems;
@@ -80,11 +78,6 @@ class Reader {
   bool base_ok_ = false;
 
   std::string at(std::size_t line) const { return path_ + ":" + std::to_string(line); }
-  std::size_t line_of(const Problem& p) const {
-    return p.where.starts_with(path_ + ":")
-               ? static_cast<std::size_t>(std::atoi(p.where.c_str() + path_.size() + 1))
-               : 0;
-  }
   void tell(const TomlValue& v, const std::string& key, const std::string& expected,
             const std::string& remedy) {
     problems.push_back({at(v.line), key, as_written(v), expected, remedy});

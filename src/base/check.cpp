@@ -1,0 +1,61 @@
+#include "base/check.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace phy {
+namespace {
+
+/// "recipe.toml:12" is line 12 of recipe.toml; line 0: the whole file, or no file at all.
+std::pair<std::string_view, int> place_of(const Problem& p) {
+  const std::string_view where = p.where;
+  const std::size_t colon = std::min(where.rfind(':'), where.size());
+  const char* end = where.data() + where.size();
+  int line = 0;
+  const bool has_line =
+      colon + 1 < where.size() && std::from_chars(where.data() + colon + 1, end, line).ptr == end;
+  return has_line ? std::pair(where.substr(0, colon), line) : std::pair(where, 0);
+}
+
+/// Files in the order in which they come up.
+std::vector<Problem> by_line(const std::vector<Problem>& problems) {
+  std::vector<std::string_view> files;
+  std::vector<std::tuple<std::ptrdiff_t, int, std::size_t>> places;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto [file, line] = place_of(problems[i]);
+    const auto known = std::find(files.begin(), files.end(), file);
+    places.emplace_back(known - files.begin(), line, i);
+    if (known == files.end()) files.push_back(file);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Problem> sorted;
+  for (const auto& place : places) sorted.push_back(problems[std::get<2>(place)]);
+  return sorted;
+}
+
+std::string render(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + to_line(p);
+  return text;
+}
+
+}  // namespace
+
+std::string to_line(const Problem& p) {
+  std::string line = p.where;
+  if (!p.key.empty()) line += (line.empty() ? "" : ": ") + p.key;
+  if (!p.value.empty()) line += " = " + p.value;
+  if (!p.expected.empty()) line += (line.empty() ? "" : ": ") + std::string("expected ") + p.expected;
+  if (!p.remedy.empty()) line += (line.empty() ? "" : "; ") + p.remedy;
+  return line;
+}
+
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error(render(problems = by_line(problems))), problems_(std::move(problems)) {}
+
+InputError::InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
+
+}  // namespace phy
