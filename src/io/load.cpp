@@ -21,10 +21,14 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double number(const Json& j) { return j.is_number() ? j.get<double>() : not_known; }
 
-Status status_of(const std::string& text) {
-  for (const Status s : {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable})
-    if (text == to_string(s)) return s;
-  return Status::interrupted;
+Outcome read_outcome(const Json& j, const std::string& where) {
+  const std::string name = j.at("status");
+  const std::optional<Status> status = status_of(name);
+  if (status) return {*status, j.at("reason"), j.at("advice")};
+  std::string known;
+  for (const Status s : all_statuses) known += std::string(known.empty() ? "" : ", ") + to_string(s);
+  throw InputError(Problem{where, "outcome.status", name, "one of " + known,
+                           "another version may have written it: run the recipe again"});
 }
 
 void read_numbers(const Json& j, TestRecord& record) {
@@ -63,8 +67,7 @@ TestRecord parse_result(const std::string& text, const std::string& where) {
   r.kind = record.recipe.test.kind;
   r.intact = !j.contains("theta [deg]");
   if (!r.intact) r.theta = number(j.at("theta [deg]"));
-  const Json& outcome = j.at("outcome");
-  r.outcome = {status_of(outcome.at("status")), outcome.at("reason"), outcome.at("advice")};
+  r.outcome = read_outcome(j.at("outcome"), where);
   read_numbers(j, record);
   read_packing(j, record);
   const Json& run = j.at("run");

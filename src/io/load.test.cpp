@@ -168,6 +168,22 @@ TEST_F(Load, ARunTellsWhatIsMissingAndWhatIsDamaged) {
   EXPECT_EQ(run.missing[1].name, "theta = 60 deg");
 }
 
+TEST_F(Load, AnUnknownOutcomeIsNotTakenForAnother) {
+  write("a");
+  std::string json = text(folder / "a" / "result.json");
+  const std::string known = "\"status\": \"not peaked\"";
+  ASSERT_NE(json.find(known), json.npos);
+  json.replace(json.find(known), known.size(), "\"status\": \"cracked\"");
+  std::ofstream(folder / "a" / "result.json") << json;
+  try {
+    read_result((folder / "a").string());
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(),
+                HasSubstr("result.json: outcome.status = cracked: expected one of peaked, not peaked"));
+  }
+}
+
 TEST_F(Load, ATableWithABadCellNamesFileAndLine) {
   write("a");
   std::ofstream(folder / "a" / "cracks.csv", std::ios::app) << "1,x\n";

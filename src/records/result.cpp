@@ -140,6 +140,12 @@ const char* to_string(Status status) {
   return "unknown";
 }
 
+std::optional<Status> status_of(std::string_view name) {
+  for (const Status s : all_statuses)
+    if (name == to_string(s)) return s;
+  return std::nullopt;
+}
+
 std::string hash_of(const TestResult& result) {
   Hash h;
   for (const HistoryRow& row : result.history.rows)

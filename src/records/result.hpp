@@ -3,7 +3,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/recipe.hpp"
@@ -73,7 +75,11 @@ constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension, 
                                   TestKind::biaxial, TestKind::direct_shear};
 
 enum class Status { peaked, not_peaked, not_settled, unstable, interrupted };
+constexpr Status all_statuses[] = {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable,
+                                   Status::interrupted};
 const char* to_string(Status status);
+/// The status of that name; nothing: there is none.
+std::optional<Status> status_of(std::string_view name);
 
 /// How a test ended. Not an error: it is stored like any other result.
 struct Outcome {

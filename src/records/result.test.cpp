@@ -1,4 +1,4 @@
-// What a result's fingerprint covers.
+// What a result's fingerprint covers, and how outcomes are named.
 #include "records/result.hpp"
 
 #include <gtest/gtest.h>
@@ -20,6 +20,12 @@ TEST(ResultHash, CoversFinalPositionsUnlessTheTestBlewUp) {
   EXPECT_NE(hash_of(at_position(1e-6, Status::peaked)), hash_of(at_position(2e-6, Status::peaked)));
   EXPECT_EQ(hash_of(at_position(std::nan(""), Status::unstable)),
             hash_of(at_position(-std::nan(""), Status::unstable)));
+}
+
+TEST(Status, IsReadByTheNameThatIsWritten) {
+  for (const Status s : all_statuses) EXPECT_EQ(status_of(to_string(s)), s);
+  EXPECT_EQ(std::size(all_statuses), static_cast<std::size_t>(Status::interrupted) + 1);
+  EXPECT_FALSE(status_of("cracked"));
 }
 
 }  // namespace

@@ -114,9 +114,7 @@ void refuse_network(const std::string& path) {
 }
 
 Status status_from(const std::string& text, const std::string& path) {
-  for (const Status s :
-       {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable, Status::interrupted})
-    if (text == to_string(s)) return s;
+  if (const std::optional<Status> status = status_of(text)) return *status;
   throw IoError(path + ": unknown outcome \"" + text + "\"; it was written by another version");
 }
 
