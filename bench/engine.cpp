@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "genesis/packing.hpp"
+#include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/uniaxial.hpp"
 #include "study/scheduler.hpp"
@@ -23,7 +23,7 @@ const std::vector<std::shared_ptr<const Specimen>>& paper_specimens() {
     Recipe r;
     r.bedding = {BeddingRecipe{}};
     r.test.angles = {0, 15, 30, 45, 60, 75, 90};
-    const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+    const auto packing = packing_of(r, default_cache_folder());
     std::vector<std::shared_ptr<const Specimen>> list;
     for (Specimen& s : make_specimens(packing, r))
       list.push_back(std::make_shared<const Specimen>(std::move(s)));
