@@ -149,9 +149,23 @@ TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
   EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 4.0));
   write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
   const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
-  for (const char* part :
-       {"points.csv:2: row", "points.csv:3: bedding.k_n = -1", "bedding.rule = ring", "points.csv:4"})
+  for (const char* part : {"points.csv:2 = 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
+                           "bedding.rule = ring", "points.csv:4"})
     EXPECT_THAT(told, HasSubstr(part));
+  write_file(at("points.csv"), "");
+  EXPECT_THAT(problems_of("design = \"list\"\nfile = \"points.csv\"\n"),
+              HasSubstr("points.csv: expected a header"));
+}
+
+// Lists come from spreadsheets too: comments, a byte-order mark, semicolons with decimal commas.
+TEST_F(StudyFile, ListsMayBeWrittenByASpreadsheet) {
+  write_file(at("points.csv"),
+             "\xEF\xBB\xBF# two points\n\nbedding.k_n "
+             "[GPa/m];\"bedding.rule\"\r\n100,5;zone\r\n200,25;crossing\r\n");
+  const Study s = read("design = \"list\"\nfile = \"points.csv\"\n");
+  ASSERT_EQ(s.rows.size(), 2u);
+  EXPECT_THAT(s.rows[0], ElementsAre(100.5e9, 1.0));
+  EXPECT_THAT(s.rows[1], ElementsAre(200.25e9, 0.0));
 }
 
 TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "io/file.hpp"
+#include "io/table.hpp"
 #include "io/toml_in.hpp"
 #include "io/toml_tree.hpp"
 #include "study/experiment.hpp"
@@ -307,31 +307,16 @@ class Reader {
     if (!study_.vary.empty())
       problems.push_back(
           {path_, "vary", "", "no [[vary]] with design = \"list\"", "the columns name the keys"});
-    std::istringstream lines(read_file(beside(name)));
-    std::string line;
-    std::getline(lines, line);
-    const std::vector<std::string> units = read_header(line, beside(name));
-    for (std::size_t number = 2; std::getline(lines, line) && problems.size() < max_told; ++number)
-      if (!line.empty() && line != "\r") read_row(line, units, beside(name) + ":" + std::to_string(number));
+    const std::string where = beside(name);
+    const Table table = parse_table(read_file(where), where);
+    problems.insert(problems.end(), table.problems.begin(), table.problems.end());
+    const std::vector<std::string> units = read_header(table, where);
+    for (const TableRow& row : table.rows)
+      if (problems.size() < max_told) read_row(row, units, where);
   }
-  static std::vector<std::string> cells_of(std::string line) {
-    line.erase(std::remove(line.begin(), line.end(), '\r'), line.end());
-    std::vector<std::string> cells(1);
-    for (const char c : line) {
-      if (c == ',')
-        cells.emplace_back();
-      else
-        cells.back() += c;
-    }
-    for (std::string& c : cells) {
-      c.erase(0, c.find_first_not_of(" \t"));
-      c.erase(c.find_last_not_of(" \t") + 1);
-    }
-    return cells;
-  }
-  std::vector<std::string> read_header(const std::string& line, const std::string& file) {
+  std::vector<std::string> read_header(const Table& table, const std::string& file) {
     std::vector<std::string> units;
-    for (const std::string& cell : cells_of(line)) {
+    for (const std::string& cell : table.header) {
       const std::size_t open = cell.rfind(" [");
       Factor f;
       const std::string key = cell.substr(0, open);
@@ -339,29 +324,27 @@ class Reader {
       const bool ok = f.key.field != nullptr && is_scalar(*f.key.field) &&
                       (f.key.field->table != "bedding" ||
                        static_cast<int>(study_.base.bedding.size()) > std::max(f.key.set, 0));
-      if (!ok) problems.push_back({file + ":1", "column", cell, "a key of the base recipe", key_hint(key)});
+      if (!ok)
+        problems.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
+                            "a key of the base recipe", key_hint(key)});
       units.push_back(open == cell.npos ? "" : cell.substr(open + 2, cell.size() - open - 3));
       study_.vary.push_back(f);
     }
     return units;
   }
-  void read_row(const std::string& line, const std::vector<std::string>& units, const std::string& where) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.size() != units.size()) {
-      problems.push_back({where, "row", line, std::to_string(units.size()) + " cells", ""});
-      return;
-    }
-    std::vector<double> row;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const Field* field = study_.vary[k].key.field;
-      if (field == nullptr) return;
+  void read_row(const TableRow& row, const std::vector<std::string>& units, const std::string& file) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+      const RecipeKey& key = study_.vary[k].key;
+      if (key.field == nullptr) return;
       double value = 0.0;
       std::string remedy;
-      if (!take_any(*field, cell_value(*field, cells[k], units[k]), value, remedy))
-        problems.push_back({where, study_.vary[k].key.path(), cells[k], range_text(*field), remedy});
-      row.push_back(value);
+      if (!take_any(*key.field, cell_value(*key.field, row.cells[k], units[k]), value, remedy))
+        problems.push_back({file + ":" + std::to_string(row.line), key.path(), row.cells[k],
+                            range_text(*key.field), remedy});
+      values.push_back(value);
     }
-    study_.rows.push_back(row);
+    study_.rows.push_back(values);
   }
   static TomlValue cell_value(const Field& f, const std::string& cell, const std::string& unit) {
     TomlValue v;
