@@ -3,7 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "base/exact_math.hpp"
+
 namespace phy {
+
+double brazilian_arc_factor(double alpha) {
+  if (alpha == 0.0) return 1.0;
+  return (sin_cos_degrees(2.0 * alpha).sin - alpha * (pi / 180.0)) / sin_cos_degrees(alpha).sin;
+}
 
 std::vector<Number> place_of_splitting(const History& history, const LoadingBranch& branch,
                                        const std::vector<CrackEvent>& cracks, double diameter) {

@@ -1,7 +1,7 @@
 // Brazilian test: indirect tensile strength, and whether it is one.
 //
 //   bts              largest tension at the centre that elasticity gives for the platen force,
-//                    2P/(pi D t) times Hondros' factor of the arc
+//                    2P/(pi D t) times Hondros' factor of the arc (docs/theory/brazilian.md)
 //   first_crack_y    place of the first crack along the loading diameter, from the centre, over D; +-0.5: rim
 //   first_crack_x    the same across it
 //   central_cracks   share of the cracks up to the peak that lie in the central third both ways
@@ -16,6 +16,10 @@
 namespace phy {
 
 constexpr double central_third = 1.0 / 6.0;  ///< of the diameter, to either side of the centre
+
+/// Tension at the centre under arcs of half-angle `alpha` [deg] over that under point loads [-]:
+/// (sin 2a - a)/sin a, 1 for a = 0.
+double brazilian_arc_factor(double alpha);
 
 /// first_crack_y, first_crack_x, central_cracks [1] of a disc with its centre at (width, height) / 2; NaN
 /// with a note without cracks before the peak. `cracks` ordered in time.

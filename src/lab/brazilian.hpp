@@ -8,8 +8,8 @@
 // on the rough rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab_test.hpp.
 //
 // History: stress is the tension at the centre of an elastic isotropic disc under the platen force,
-// 2P/(pi D t) times Hondros' factor for the arc (theory/hondros.hpp); strain is the approach of the platens
-// over the diameter. Numbers: analysis/brazilian.hpp.
+// 2P/(pi D t) times Hondros' factor for the arc; strain is the approach of the platens over the diameter.
+// Numbers: analysis/brazilian.hpp.
 #pragma once
 #include "lab/lab_test.hpp"
 

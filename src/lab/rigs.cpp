@@ -5,12 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/brazilian.hpp"
 #include "base/exact_math.hpp"
 #include "base/units.hpp"
 #include "engine/stable_step.hpp"
 #include "genesis/cut.hpp"
 #include "records/result.hpp"
-#include "theory/hondros.hpp"
 
 namespace phy {
 

@@ -57,9 +57,4 @@ double brazilian_strength(double P, double diameter, double thickness) {
   return 2.0 * P / (pi * diameter * thickness);
 }
 
-double brazilian_arc_factor(double alpha) {
-  if (alpha == 0.0) return 1.0;
-  return (sin_cos_degrees(2.0 * alpha).sin - alpha * (pi / 180.0)) / sin_cos_degrees(alpha).sin;
-}
-
 }  // namespace phy

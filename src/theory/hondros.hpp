@@ -52,8 +52,4 @@ DiameterStress point_load_cross_diameter(const BrazilianDisc& disc, double rho);
 /// Indirect tensile strength 2P/(pi D t) [Pa], positive.
 double brazilian_strength(double P, double diameter, double thickness);
 
-/// Centre tension under arcs of half-angle alpha over that under point loads [-]: (sin 2a - a)/sin a, 1 at a
-/// = 0.
-double brazilian_arc_factor(double alpha);
-
 }  // namespace phy

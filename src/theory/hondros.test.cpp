@@ -102,10 +102,7 @@ TEST(Hondros, NarrowArcsApproachPointLoads) {
 TEST(Hondros, CentreOfTheDisc) {
   const double s = brazilian_strength(disc.P, disc.diameter, disc.thickness);
   EXPECT_NEAR(s, 2.0 * 9e3 / (pi * 0.05 * 0.025), 1e-6);
-  EXPECT_NEAR(-hondros_loaded_diameter(disc, 0.0).sigma_x / s, brazilian_arc_factor(8.0), 1e-13);
   EXPECT_NEAR(point_load_loaded_diameter(disc, 0.0).sigma_y / s, 3.0, 1e-14);
-  EXPECT_NEAR(brazilian_arc_factor(1e-4), 1.0, 1e-9);
-  EXPECT_EQ(brazilian_arc_factor(0.0), 1.0);
   EXPECT_NEAR(hondros_cross_diameter(disc, 0.0).sigma_x, hondros_loaded_diameter(disc, 0.0).sigma_x, 1e-6);
   EXPECT_NEAR(hondros_cross_diameter(disc, 0.0).sigma_y, hondros_loaded_diameter(disc, 0.0).sigma_y, 1e-6);
 }

@@ -1,5 +1,5 @@
 // Verification: closed forms on one side, the program on the other. `phyllite verify` and tests/verification
-// run the same list. This is the only room that sees both theory and engine.
+// run the same list. This is the only room that holds theory against the engine.
 #pragma once
 #include <functional>
 #include <string>

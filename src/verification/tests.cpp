@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 
+#include "analysis/brazilian.hpp"
 #include "analysis/circle_stress.hpp"
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"

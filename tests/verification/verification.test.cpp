@@ -1,6 +1,8 @@
-// Every case of `phyllite verify` is a test.
+// Every case of `phyllite verify` is a test; and what tests are read by is what theory says.
 #include <gtest/gtest.h>
 
+#include "analysis/brazilian.hpp"
+#include "theory/hondros.hpp"
 #include "verification/cases.hpp"
 
 namespace phy {
@@ -22,6 +24,14 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(All, Verification, testing::Range<std::size_t>(0, verification_cases().size()),
                          name_of);
+
+TEST(BrazilianReading, IsHondrosTensionAtTheCentre) {
+  for (const double alpha : {1.0, 5.0, 8.0, 30.0}) {
+    const BrazilianDisc disc{0.05, 0.025, alpha, 9e3};
+    const double narrow = brazilian_strength(disc.P, disc.diameter, disc.thickness);
+    EXPECT_NEAR(-hondros_loaded_diameter(disc, 0.0).sigma_x / narrow, brazilian_arc_factor(alpha), 1e-13);
+  }
+}
 
 }  // namespace
 }  // namespace phy
