@@ -13,6 +13,7 @@
 #include "base/stats.hpp"
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/ensemble.hpp"
+#include "calibrate/experience.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/surrogate.hpp"
 
@@ -39,11 +40,17 @@ constexpr std::uint32_t sampler_seed = 20100101;
 /// The posterior and everything it is made of. Coordinates: log sigma_c, then the ratios in [-1, 1].
 class StrengthProblem {
  public:
-  StrengthProblem(const Rock& rock, const std::vector<Target>& targets)
+  /// `recipe`: moduli of the rock.
+  StrengthProblem(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets)
       : runs_(targets.size()), targets_(targets) {
     for (const Parameter& p : strength_parameters())
       if (!p.joint || rock.bedded) parameters_.push_back(&p);
-    for (const Target& t : targets) largest_ = std::max(largest_, t.mean);
+    for (const Target& t : targets) {
+      largest_ = std::max(largest_, t.mean);
+      foretold_.emplace_back();
+      if (t.property == Property::ucs)
+        foretold_.back() = [e = Experience(recipe, t.theta)](const VectorXd& z) { return e.at(z); };
+    }
   }
 
   Eigen::Index n_ratios() const { return static_cast<Eigen::Index>(parameters_.size()) - 1; }
@@ -67,11 +74,13 @@ class StrengthProblem {
 
   void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
   bool can_learn() const {
-    return std::all_of(runs_.begin(), runs_.end(), [](const auto& r) { return !r.empty(); });
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+      if (runs_[i].empty() && !foretold_[i]) return false;
+    return true;
   }
   void learn() {
     models_.clear();
-    for (const auto& runs : runs_) models_.emplace_back(runs);
+    for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], foretold_[i]);
   }
   Surrogate::Value predict(const VectorXd& x, std::size_t target) const {
     Surrogate::Value v = models_[target].at(x.tail(n_ratios()));
@@ -137,7 +146,8 @@ class StrengthProblem {
   }
 
  private:
-  std::vector<std::vector<SurrogateRun>> runs_;  // per target
+  std::vector<std::vector<SurrogateRun>> runs_;   // per target
+  std::vector<Surrogate::Expectation> foretold_;  // per target; none for tension
   std::vector<Surrogate> models_;
   std::vector<Target> targets_;
   std::vector<const Parameter*> parameters_;
@@ -152,27 +162,28 @@ VectorXd mean_of(const std::vector<VectorXd>& points) {
   return mean;
 }
 
-/// The draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters. Distances
-/// are expected ones: what the surrogate does not know of a draw puts it farther away, so that of two draws
-/// that fit alike the better known is taken.
+/// The draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters, and to the
+/// laboratory. Distances are expected ones: what the surrogate does not know of a draw puts it farther away,
+/// so that of two draws that fit alike the better known is taken.
 std::size_t middle(const StrengthProblem& problem, const std::vector<VectorXd>& draws) {
   std::vector<VectorXd> seen;
-  std::vector<double> unknown;
+  std::vector<double> misfit;
   for (const VectorXd& x : draws) {
     VectorXd y(static_cast<Eigen::Index>(problem.n_targets()) + x.size());
-    double variance = 0.0;
+    double sum = 0.0;
     for (std::size_t i = 0; i < problem.n_targets(); ++i) {
+      const Target& t = problem.targets()[i];
       const Surrogate::Value v = problem.predict(x, i);
-      const double lab = StrengthProblem::variance(problem.targets()[i]);
+      const double lab = StrengthProblem::variance(t), error = std::log(t.mean) - v.mean;
       y[static_cast<Eigen::Index>(i)] = v.mean / std::sqrt(lab);
-      variance += v.variance / lab;
+      sum += (v.variance + error * error) / lab;
     }
-    unknown.push_back(variance);
+    misfit.push_back(sum);
     y.tail(x.size()) = x;
     seen.push_back(y);
   }
   const VectorXd centre = mean_of(seen);
-  const auto distance = [&](std::size_t i) { return (seen[i] - centre).squaredNorm() + unknown[i]; };
+  const auto distance = [&](std::size_t i) { return (seen[i] - centre).squaredNorm() + misfit[i]; };
   std::size_t best = 0;
   for (std::size_t i = 1; i < seen.size(); ++i)
     if (distance(i) < distance(best)) best = i;
@@ -379,8 +390,8 @@ ParameterEstimate estimate(std::string key, std::string symbol, std::string unit
   const auto [from, to] = interval_of(logs);
   ParameterEstimate e;
   e.key = std::move(key), e.symbol = std::move(symbol), e.unit = std::move(unit);
-  e.value = value, e.low = std::exp(from), e.high = std::exp(to), e.box_low = std::exp(low),
-  e.box_high = std::exp(high);
+  e.value = value, e.box_low = std::exp(low), e.box_high = std::exp(high);
+  e.low = std::min(value, std::exp(from)), e.high = std::max(value, std::exp(to));
   e.determined = to - from < 0.5 * (high - low);
   return e;
 }
@@ -484,7 +495,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
   const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;
   if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = std::max(0.01, 6.0 * largest);
-  test.stop_at = 0.8, test.post_peak = 0.15;
+  test.stop_at = 0.8, test.post_peak = 1.0;
   test.n_snapshots = 0, test.n_frames = 0;
   test.angles.clear(), test.intact = false;
   recipe.engine.precision = Precision::single_precision;
@@ -524,18 +535,24 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
   for (const Target& t : all)
     if (can_test(t.property)) targets.push_back(t);
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
-  StrengthProblem problem(rock, targets);
+  StrengthProblem problem(rock, recipe, targets);
   const Tests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::size_t n_ucs = targets.size() - problem.n_tension();
   const std::vector<Batch> batches = plan(max_tests, n_ucs, has_coarse(fit.recipe));
   fit.short_search = max_tests < most_points * static_cast<std::int64_t>(n_ucs);
   announce(problem, tests, batches, fit.recipe, seeds, simulator);
   std::vector<VectorXd> draws;
+  const auto draw = [&](std::size_t n_batches) {
+    problem.learn();
+    draws = problem.draws(none, sampler_seed + static_cast<std::uint32_t>(n_batches));
+  };
+  if (problem.can_learn()) draw(0);  // from experience alone
   std::size_t n_points = 0;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
-    const std::vector<VectorXd> points = b == 0 ? problem.spread_points(static_cast<int>(batch.n_points), 0)
-                                                : spread_draws(problem, draws, batch.n_points);
+    const std::vector<VectorXd> points = draws.empty()
+                                             ? problem.spread_points(static_cast<int>(batch.n_points), 0)
+                                             : spread_draws(problem, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
     if (!run_batch(problem, tests, points, batch.coarse, seeds, n_points, simulator, fit) ||
@@ -546,8 +563,7 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
       return fit;
     }
     n_points += points.size();
-    problem.learn();
-    draws = problem.draws(none, sampler_seed + static_cast<std::uint32_t>(b));
+    draw(b + 1);
   }
   report(problem, draws, seeds.size(), fit);
   return fit;

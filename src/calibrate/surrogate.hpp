@@ -8,13 +8,15 @@
 //     differently
 //     + [same packing] + [same run]                                   scatter of packings, of runs
 //
-// z in [-1, 1] spans the box in logarithms. The amplitudes are those of typical rocks in this box
-// (docs/calibration.md, "Surrogate"); two factors, one on response and one on scatter, follow from the runs
-// by their posterior mode. The value asked for is that of fine grains, mean over packings: only the first
-// line of k takes part, and its variance says how well the runs have settled it. Rejected: one length per
-// parameter by maximum likelihood, thirty runs do not fix it.
+// z in [-1, 1] spans the box in logarithms. Where the response is foretold (experience.hpp), the process is
+// that of the difference to what is foretold, with smaller amplitudes. The amplitudes are those of typical
+// rocks in this box; two factors, one on response and one on scatter, follow from the runs by their
+// posterior mode. The value asked for is that of fine grains, mean over packings: only the first line of k
+// takes part, and its variance says how well the runs have settled it. Rejected: one length per parameter by
+// maximum likelihood, thirty runs do not fix it.
 #pragma once
 #include <Eigen/Dense>
+#include <functional>
 #include <vector>
 
 namespace phy {
@@ -31,8 +33,9 @@ class Surrogate {
   struct Value {
     double mean = 0.0, variance = 0.0;
   };
-  /// Learns from at least one run.
-  explicit Surrogate(std::vector<SurrogateRun> runs);
+  using Expectation = std::function<double(const Eigen::VectorXd&)>;
+  /// Learns from runs: from at least one, unless the response is foretold.
+  explicit Surrogate(std::vector<SurrogateRun> runs, Expectation foretold = nullptr);
   Value at(const Eigen::VectorXd& z) const;
   std::size_t n_runs() const { return runs_.size(); }
   /// Standard deviation of one run of a fine packing about the mean over packings.
@@ -40,12 +43,15 @@ class Surrogate {
 
  private:
   std::vector<SurrogateRun> runs_;
-  double offset_ = 0.0;                    // mean of y, taken off before and put back after
+  Expectation foretold_;
+  double offset_ = 0.0;                    // mean of y where nothing is foretold
   double response_ = 1.0, scatter_ = 1.0;  // factors on the amplitudes
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd weights_;
 
   double learn(double response, double scatter);  // returns the log likelihood
+  double expected(const Eigen::VectorXd& z) const { return foretold_ ? foretold_(z) : offset_; }
+  double response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 };
 
 }  // namespace phy

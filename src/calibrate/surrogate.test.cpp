@@ -58,6 +58,18 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
   EXPECT_GT(rms(Surrogate(runs(48, 0.02, 0.15, 48))), 0.05);  // none: the offset cannot be known
 }
 
+TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
+  const auto foretold = [](const VectorXd& z) { return curve(z) + 0.2 + 0.05 * z[1]; };
+  const Surrogate none({}, foretold), few(runs(6, 0.02, 0.0, 0), foretold);
+  const VectorXd z = point(7, 3);
+  EXPECT_DOUBLE_EQ(none.at(z).mean, foretold(z));
+  EXPECT_GT(std::sqrt(none.at(z).variance), 0.1);
+  EXPECT_LT(rms(few), 0.85 * rms(Surrogate(runs(6, 0.02, 0.0, 0))));
+  double chi = 0.0;
+  EXPECT_LT(rms(Surrogate(runs(30, 0.02, 0.0, 0), foretold), &chi), 0.03);
+  EXPECT_LT(chi, 2.0);
+}
+
 TEST(Surrogate, IsSureNearItsRunsAndUnsureFarFromThem) {
   std::vector<SurrogateRun> near = runs(30, 0.02, 0.0, 0);
   for (SurrogateRun& r : near) r.z *= 0.2, r.y = curve(r.z);

@@ -64,23 +64,33 @@ inline std::vector<std::int64_t> packings_from(std::int64_t first, int n) {
   return seeds;
 }
 
-/// `n_table`: packings behind the table, of each rock its own: twenty rocks on the same five would share one
+/// What the calibration is given of a trial: the table alone, with noise.
+inline Rock rock_of(const Trial& trial, std::uint32_t k, const Recipe& model,
+                    const std::vector<double>& angles) {
+  TwinOptions options;
+  options.angles = angles, options.noise_seed = k;
+  Rock rock;
+  rock.name = fmt::format("twin {}", k), rock.model = model;
+  rock.readings = twin_readings(trial.response, options);
+  return rock;
+}
+
+/// Packings behind the table of rock k, of each rock its own: twenty rocks on the same five would share one
 /// luck.
+inline std::vector<std::int64_t> table_packings(std::uint32_t k, int n) {
+  return packings_from(1001 + 100 * static_cast<std::int64_t>(k), n);
+}
+inline std::vector<std::int64_t> unseen_packings() { return packings_from(6, 5); }
+
 inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
                        std::int64_t max_tests, Simulator& simulator, int n_table = 5) {
   Trial t;
   t.truth = trial_rock(k, model);
-  TwinOptions options;
-  options.angles = angles, options.noise_seed = k,
-  options.seeds = packings_from(1001 + 100 * static_cast<std::int64_t>(k), n_table);
-  t.response = twin_response(t.truth, angles, options.seeds, simulator);
-  t.unseen = twin_response(t.truth, angles, {6, 7, 8, 9, 10}, simulator);
-  Rock rock;
-  rock.name = fmt::format("twin {}", k), rock.model = model;
-  rock.readings = twin_readings(t.response, options);
+  t.response = twin_response(t.truth, angles, table_packings(k, n_table), simulator);
+  t.unseen = twin_response(t.truth, angles, unseen_packings(), simulator);
   CalibrationOptions how;
   how.max_tests = max_tests;
-  t.found = calibrate(rock, how, simulator);
+  t.found = calibrate(rock_of(t, k, model, angles), how, simulator);
   return t;
 }
 
@@ -92,17 +102,11 @@ inline Trial run_elastic_trial(std::uint32_t k, const Recipe& model, const std::
   std::vector<Target> moduli;
   for (const Property p : {Property::E, Property::nu})
     for (const double theta : angles) moduli.push_back({p, theta, 1.0, 1.0, 1, true});
-  t.response = elastic_response(t.truth, moduli,
-                                packings_from(1001 + 100 * static_cast<std::int64_t>(k), n_table), simulator);
-  t.unseen = elastic_response(t.truth, moduli, {6, 7, 8, 9, 10}, simulator);
-  TwinOptions options;
-  options.angles = angles, options.noise_seed = k;
-  Rock rock;
-  rock.name = fmt::format("twin {}", k), rock.model = model;
-  rock.readings = twin_readings(t.response, options);
+  t.response = elastic_response(t.truth, moduli, table_packings(k, n_table), simulator);
+  t.unseen = elastic_response(t.truth, moduli, unseen_packings(), simulator);
   CalibrationOptions how;
   how.elastic_only = true;
-  t.found = calibrate(rock, how, simulator);
+  t.found = calibrate(rock_of(t, k, model, angles), how, simulator);
   return t;
 }
 

@@ -1,6 +1,7 @@
 // Twenty twin trials. PHY_TWIN_MAGNIFICATION sets the size of the grains (1: the paper's 7,481 discs, hours;
 // default 2.5: 1,197 discs), PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose rocks, PHY_TWIN_TABLE sets the packings
-// behind a table. The elastic part alone runs at full size (PHY_TWIN_ELASTIC_MAGNIFICATION).
+// behind a table. The elastic part alone runs at full size (PHY_TWIN_ELASTIC_MAGNIFICATION). PHY_TWIN_STORE
+// names a folder that keeps every finished test: a suite that was cut short goes on there.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -17,6 +18,12 @@ double setting(const char* name, double otherwise) {
   return text != nullptr ? std::strtod(text, nullptr) : otherwise;
 }
 
+/// File of finished tests of rock k, or none.
+std::string store_of(std::uint32_t k) {
+  const char* folder = std::getenv("PHY_TWIN_STORE");
+  return folder != nullptr ? fmt::format("{}/rock-{}.sqlite", folder, k) : std::string();
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
@@ -31,7 +38,7 @@ TEST(TwinTrials, TwentyRocks) {
   std::vector<double> rmse_E, rmse_ucs;
   Coverage E, ucs, parameters;
   for (std::uint32_t k = first; k < n; ++k) {
-    const auto simulator = make_simulator({threads, "", nullptr, nullptr});
+    const auto simulator = make_simulator({threads, store_of(k), nullptr, nullptr});
     const Trial t =
         run_trial(k, model, angles, 300, *simulator, static_cast<int>(setting("PHY_TWIN_TABLE", 5)));
     rmse_E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
@@ -46,6 +53,10 @@ TEST(TwinTrials, TwentyRocks) {
         k, 100.0 * rmse_E.back(), 100.0 * rmse_ucs.back(), here_E.inside, here_E.n, here_ucs.inside,
         here_ucs.n, here.inside, here.n, static_cast<long long>(t.found.n_strength_tests), t.found.seconds,
         to_string(t.found.verdict.status));
+    std::printf("         packings of the table against the unseen ones: E %.2f %%, UCS %.2f %%\n",
+                100.0 * rmse_against(t.response, t.unseen, Property::E),
+                100.0 * rmse_against(t.response, t.unseen, Property::ucs));
+    for (const std::string& finding : t.found.verdict.findings) std::printf("         %s\n", finding.c_str());
     std::fflush(stdout);
     EXPECT_LE(t.found.n_strength_tests, 300);
   }

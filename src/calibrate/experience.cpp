@@ -1,0 +1,129 @@
+#include "calibrate/experience.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/check.hpp"
+
+namespace phy {
+namespace {
+
+constexpr int n_angles = 7;
+constexpr double angle_step = 15.0;
+constexpr int n_bedded = 45, n_intact = 10;
+constexpr double held = 1.2;  // farthest a modulus ratio is believed, in half ranges
+
+// Made by tests/soak/experience.test.cpp; a column per angle 0, 15 ... 90, rows in the order of
+// experience_features.
+constexpr double bedded_table[n_bedded][n_angles] = {
+    {0.693, 0.544, -0.020, -0.133, -0.208, 0.172, 0.894},
+    {0.134, 0.190, 0.424, 0.514, 0.425, 0.408, 0.187},
+    {0.078, 0.075, 0.058, 0.033, 0.031, 0.028, 0.091},
+    {0.052, 0.211, 0.595, 0.699, 0.575, 0.544, 0.066},
+    {0.041, 0.054, 0.147, 0.217, 0.340, 0.340, 0.059},
+    {0.009, 0.170, 0.155, 0.000, 0.001, 0.006, 0.000},
+    {-0.147, -0.143, -0.082, -0.111, -0.086, -0.087, -0.189},
+    {-0.027, -0.012, -0.001, 0.044, 0.011, -0.005, -0.042},
+    {-0.014, -0.021, -0.001, -0.051, 0.004, 0.025, 0.009},
+    {0.004, -0.095, -0.260, -0.275, -0.233, -0.245, 0.011},
+    {0.011, -0.009, 0.033, 0.071, 0.062, 0.024, 0.001},
+    {-0.003, -0.078, -0.175, -0.195, -0.142, -0.235, -0.028},
+    {0.016, 0.034, 0.071, 0.083, 0.079, 0.009, 0.017},
+    {0.003, -0.017, -0.013, 0.008, 0.029, 0.034, 0.022},
+    {0.017, 0.034, 0.076, 0.144, 0.065, -0.066, 0.001},
+    {0.000, -0.019, 0.009, -0.041, -0.058, -0.137, -0.010},
+    {0.011, -0.180, -0.173, -0.012, -0.037, 0.000, -0.019},
+    {0.007, -0.022, 0.010, 0.028, 0.011, 0.021, 0.004},
+    {-0.015, -0.310, -0.263, -0.017, -0.016, -0.021, -0.018},
+    {0.007, 0.007, -0.008, -0.017, -0.025, -0.035, -0.002},
+    {-0.009, -0.152, 0.169, -0.003, -0.012, 0.008, 0.014},
+    {0.044, 0.027, -0.036, 0.014, 0.008, 0.006, 0.080},
+    {0.317, 0.327, 0.227, 0.101, 0.045, -0.034, -0.016},
+    {0.050, 0.028, 0.107, 0.095, 0.197, 0.125, 0.030},
+    {0.056, 0.087, 0.032, 0.010, 0.022, 0.036, 0.100},
+    {0.029, 0.039, -0.062, 0.016, -0.013, -0.014, 0.006},
+    {0.005, 0.068, 0.000, 0.020, 0.056, 0.040, 0.031},
+    {0.014, -0.004, 0.043, 0.023, 0.065, 0.099, 0.006},
+    {-0.031, -0.021, -0.055, 0.028, 0.014, 0.015, -0.012},
+    {0.015, -0.005, -0.071, 0.008, 0.054, 0.086, -0.001},
+    {0.006, 0.031, -0.031, -0.035, -0.003, -0.033, 0.017},
+    {-0.023, -0.012, -0.059, 0.059, 0.116, 0.099, -0.004},
+    {-0.021, -0.045, -0.009, 0.052, 0.140, 0.186, -0.004},
+    {0.034, 0.068, 0.118, 0.008, -0.011, 0.019, 0.022},
+    {0.005, 0.017, 0.043, 0.071, 0.021, 0.016, 0.007},
+    {-0.035, -0.035, 0.028, -0.002, -0.007, -0.004, -0.008},
+    {0.012, 0.049, 0.070, 0.122, 0.056, 0.047, 0.017},
+    {-0.020, -0.021, -0.046, -0.119, -0.219, -0.230, -0.013},
+    {0.028, 0.066, 0.121, 0.015, -0.013, -0.015, 0.007},
+    {-0.010, -0.001, 0.042, 0.015, -0.021, 0.014, -0.023},
+    {0.044, 0.014, 0.026, 0.009, -0.060, -0.041, -0.002},
+    {-0.052, -0.085, -0.102, -0.070, -0.059, -0.007, -0.011},
+    {-0.016, 0.026, -0.010, -0.015, 0.026, 0.040, 0.012},
+    {0.019, 0.100, 0.184, 0.131, 0.162, 0.131, -0.021},
+    {-0.015, 0.001, -0.032, -0.132, -0.172, -0.107, -0.040},
+};
+// The same without bedding: tau_c/sigma_c, mu, k_s/k_n.
+constexpr std::array<double, n_intact> intact_table = {1.135, 0.149, 0.096, -0.202, -0.043,
+                                                       0.004, 0.107, 0.114, 0.021,  -0.044};
+
+/// Position of a positive number between two others, in logarithms: -1 at the lower, 1 at the higher.
+double position(double value, double low, double high) {
+  return std::clamp(2.0 * std::log(value / low) / std::log(high / low) - 1.0, -held, held);
+}
+
+Eigen::VectorXd column(int angle) {
+  Eigen::VectorXd c(n_bedded);
+  for (int i = 0; i < n_bedded; ++i) c[i] = bedded_table[i][angle];
+  return c;
+}
+
+/// 0 to 90: bedding at theta and at 180 - theta are mirror images.
+Eigen::VectorXd coefficients_at(double theta) {
+  const double place = std::clamp(theta > 90.0 ? 180.0 - theta : theta, 0.0, 90.0) / angle_step;
+  const int low = std::min(static_cast<int>(place), n_angles - 2);
+  const double share = place - low;
+  return (1.0 - share) * column(low) + share * column(low + 1);
+}
+
+}  // namespace
+
+Eigen::VectorXd experience_features(const Eigen::VectorXd& z, const Eigen::VectorXd& moduli) {
+  const Eigen::Index n = z.size(), m = moduli.size();
+  Eigen::VectorXd f(1 + n + n * (n + 1) / 2 + m + m * n + m * (m + 1) / 2);
+  Eigen::Index k = 0;
+  const auto squares = [&](const Eigen::VectorXd& v) {
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+      for (Eigen::Index j = 0; j <= i; ++j) f[k++] = v[i] * v[j];
+  };
+  f[k++] = 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) f[k++] = z[i];
+  squares(z);
+  for (Eigen::Index i = 0; i < m; ++i) f[k++] = moduli[i];
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) f[k++] = moduli[i] * z[j];
+  squares(moduli);
+  PHY_CHECK(k == f.size(), "features");
+  return f;
+}
+
+Eigen::VectorXd experience_moduli(const Recipe& recipe) {
+  const MatrixRecipe& m = recipe.matrix;
+  const double ratio = position(m.ks_over_kn, 0.2, 0.6);
+  if (recipe.bedding.empty()) return Eigen::VectorXd::Constant(1, ratio);
+  const BeddingRecipe& b = recipe.bedding.front();
+  return Eigen::Vector3d(ratio, position(b.k_n * b.spacing / m.E_c, 0.11, 1.76),
+                         position(b.k_s * b.spacing / m.E_c, 0.0315, 0.504));
+}
+
+Experience::Experience(const Recipe& recipe, double theta)
+    : moduli_(experience_moduli(recipe)),
+      coefficients_(recipe.bedding.empty()
+                        ? Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(intact_table.data(), n_intact))
+                        : coefficients_at(theta)) {}
+
+double Experience::at(const Eigen::VectorXd& z) const {
+  return coefficients_.dot(experience_features(z, moduli_));
+}
+
+}  // namespace phy

@@ -1,0 +1,36 @@
+// What other rocks have taught about UCS before a rock's own first test.
+//
+// log(UCS/sigma_c) is a function of dimensionless numbers alone: five ratios of strengths and frictions
+// (coordinates z of the strength stage) and three of moduli, k_s/k_n, k_n spacing/E_c, k_s spacing/E_c. A
+// quadratic in all eight per angle, fitted by ridge regression to tests of 48 synthetic rocks of the
+// paper's geometry (1,197 discs, nine points of the box each on twelve packings, seven angles and intact),
+// foretells UCS of rocks that took no part to 11-19 %, of which some 10 % is the scatter of single runs
+// (docs/calibration.md, "Experience"). It is a beginning, not an answer: the surrogate learns how far this
+// rock, with its own bedding and grains, lies from it.
+#pragma once
+#include <Eigen/Dense>
+
+#include "records/recipe.hpp"
+
+namespace phy {
+
+/// The eight numbers of a point, two and one without bedding, as the regression takes them.
+Eigen::VectorXd experience_features(const Eigen::VectorXd& z, const Eigen::VectorXd& moduli);
+
+/// k_s/k_n, k_n spacing/E_c, k_s spacing/E_c of a recipe, the first alone without bedding: logarithms,
+/// scaled to [-1, 1] over the range that was learnt, and held at 1.2 beyond it.
+Eigen::VectorXd experience_moduli(const Recipe& recipe);
+
+/// Expected log(UCS/sigma_c) of a rock with the moduli of a recipe at one angle.
+class Experience {
+ public:
+  /// `theta` in degrees, bedding against the horizontal; between the angles that were learnt linear.
+  /// Without bedding the same at every angle.
+  Experience(const Recipe& recipe, double theta);
+  double at(const Eigen::VectorXd& z) const;
+
+ private:
+  Eigen::VectorXd moduli_, coefficients_;
+};
+
+}  // namespace phy

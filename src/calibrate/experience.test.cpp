@@ -1,0 +1,78 @@
+// Experience against what it must know whatever was learnt, and against the paper's specimen at full size,
+// which it has never seen.
+#include "calibrate/experience.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "calibrate/parameters.hpp"
+
+namespace phy {
+namespace {
+
+using Eigen::VectorXd;
+
+Recipe paper_rock() {
+  Recipe r;
+  r.bedding.resize(1);
+  return r;
+}
+
+/// Place of a recipe in the box of strength ratios.
+VectorXd place_of(const Recipe& r) {
+  const std::vector<Parameter>& list = strength_parameters();
+  const std::size_t n = r.bedding.empty() ? 2 : 5;
+  VectorXd z(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Parameter& p = list[i + 1];
+    z[static_cast<Eigen::Index>(i)] = 2.0 * std::log(p.get(r) / p.low) / std::log(p.high / p.low) - 1.0;
+  }
+  return z;
+}
+
+double foretold(const Recipe& r, double theta) {
+  return r.matrix.sigma_c * std::exp(Experience(r, theta).at(place_of(r)));
+}
+
+TEST(Experience, ForetellsThePapersSpecimenThatItHasNotSeen) {
+  // three packings of 7,481 discs (README), which scatter by up to 9 %
+  const std::map<double, double> measured = {{0, 105.2e6}, {15, 100.4e6}, {30, 67.1e6}, {45, 52.8e6},
+                                             {60, 49.8e6}, {75, 71.9e6},  {90, 138.3e6}};
+  double squares = 0.0;
+  for (const auto& [theta, ucs] : measured) {
+    const double error = std::log(foretold(paper_rock(), theta) / ucs);
+    EXPECT_LT(std::fabs(error), 0.35) << theta;
+    squares += error * error / 7.0;
+  }
+  EXPECT_LT(std::sqrt(squares), 0.2);  // of rocks of its own kind it misses 11 to 19 %
+  Recipe intact = paper_rock();
+  intact.bedding.clear();
+  EXPECT_NEAR(foretold(intact, 0.0) / 179.5e6, 1.0, 0.2);
+}
+
+TEST(Experience, IsTheSameAtMirroredAnglesAndLinearBetweenThoseItKnows) {
+  const VectorXd z = place_of(paper_rock());
+  const auto at = [&](double theta) { return Experience(paper_rock(), theta).at(z); };
+  EXPECT_DOUBLE_EQ(at(30.0), at(150.0));
+  EXPECT_NEAR(at(37.5), 0.5 * (at(30.0) + at(45.0)), 1e-12);
+}
+
+TEST(Experience, DependsOnNoUnitAndNoSizeOfGrains) {
+  Recipe other = paper_rock();
+  MatrixRecipe& m = other.matrix;
+  BeddingRecipe& b = other.bedding[0];
+  for (double* stress : {&m.E_c, &m.E_b, &m.sigma_c, &m.tau_c, &b.cohesion, &b.sigma_n}) *stress *= 3.0;
+  b.spacing *= 2.0, b.k_n *= 1.5, b.k_s *= 1.5;
+  EXPECT_NEAR(foretold(other, 45.0) / foretold(paper_rock(), 45.0), 3.0, 1e-9);
+}
+
+TEST(Experience, HoldsModuliItHasNotSeenAtTheEdgeOfWhatItHas) {
+  Recipe soft = paper_rock(), softer = paper_rock();
+  soft.bedding[0].k_s *= 1e-3, softer.bedding[0].k_s *= 1e-5;
+  EXPECT_DOUBLE_EQ(foretold(soft, 45.0), foretold(softer, 45.0));
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,155 @@
+// The tests behind src/calibrate/experience.cpp: synthetic rocks from outside the twenty of the twin trials,
+// each at nine points of the strength box. All 48 are 3,456 tests, some 50 minutes of CPU;
+// PHY_EXPERIENCE_ROCKS sets how many, PHY_EXPERIENCE_STORE a file that keeps finished tests.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <thread>
+
+#include "../calibration/twin_trial.hpp"
+#include "analysis/analyse.hpp"
+#include "calibrate/experience.hpp"
+#include "calibrate/parameters.hpp"
+#include "calibrate/strength_stage.hpp"
+
+namespace phy {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::uint32_t first_rock = 1000, point_seed = 777;
+constexpr int n_rocks = 48, n_points = 9, n_packings = 12, first_packing = 201;
+constexpr double intact = -1.0;
+const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
+
+struct Lesson {
+  double theta;
+  VectorXd z, moduli;
+  double y;  ///< log(UCS/sigma_c)
+};
+
+/// Rock and ratios of one point.
+Recipe recipe_of(std::uint32_t rock, std::uint32_t point, const Recipe& model, VectorXd& z) {
+  Recipe r = trial_rock(first_rock + rock, model);
+  const std::vector<Parameter>& list = strength_parameters();
+  z.resize(5);
+  for (std::uint32_t i = 1; i < list.size(); ++i) {
+    const double u = uniform(point_seed, Stream::test, rock, point, i);
+    z[i - 1] = 2.0 * u - 1.0;
+    list[i].set(r, list[i].low * std::pow(list[i].high / list[i].low, u));
+  }
+  return r;
+}
+
+/// What UCS may be, for the speed of the platens: matrix, or joints where they lie across the load.
+std::vector<Target> guesses(const Recipe& r) {
+  std::vector<Target> targets;
+  for (const double theta : angles) {
+    const double matrix = 2.2 * r.matrix.sigma_c, joint = 4.0 * r.bedding[0].cohesion;
+    const bool oblique = theta > 15.0 && theta < 80.0;
+    targets.push_back({Property::ucs, theta, oblique ? std::min(matrix, joint) : matrix, 1.0, 1, true});
+  }
+  return targets;
+}
+
+std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, Simulator& simulator) {
+  std::vector<Recipe> recipes;
+  std::vector<Lesson> lessons;
+  for (std::uint32_t p = 0; p < n_points; ++p) {
+    VectorXd z;
+    const Recipe point = recipe_of(rock, p, model, z);
+    const std::int64_t seed = first_packing + (rock * n_points + p) / 2 % n_packings;
+    const Recipe ready = test_settings(point, guesses(point), seed, simulator);
+    for (const double theta : angles) {
+      recipes.push_back(single_at(ready, theta, seed));
+      lessons.push_back({theta, z, experience_moduli(ready), 0.0});
+    }
+    recipes.push_back(single_at(ready, 0.0, seed));
+    recipes.back().bedding.clear();
+    lessons.push_back({intact, z.head(2), experience_moduli(recipes.back()), 0.0});
+  }
+  const std::vector<TestResult> results = simulator.test(recipes);
+  std::vector<Lesson> peaked;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (const Number* ucs = find(results[i].numbers, "ucs");
+        ucs != nullptr && results[i].outcome.status == Status::peaked) {
+      lessons[i].y = std::log(ucs->value / recipes[i].matrix.sigma_c);
+      peaked.push_back(lessons[i]);
+    }
+  return peaked;
+}
+
+/// Ridge regression; the usual sizes of coefficients say how much each is believed.
+VectorXd regress(const std::vector<Lesson>& all, double theta) {
+  constexpr double noise = 0.11, slope = 0.4, modulus = 0.2, second = 0.1;
+  MatrixXd A;
+  VectorXd b;
+  for (const Lesson& l : all) {
+    if (l.theta != theta) continue;
+    const VectorXd f = experience_features(l.z, l.moduli);
+    if (A.size() == 0) {
+      const Eigen::Index n = l.z.size(), m = l.moduli.size();
+      VectorXd size = VectorXd::Constant(f.size(), second);
+      size[0] = 1.0, size.segment(1, n).setConstant(slope);
+      size.segment(1 + n + n * (n + 1) / 2, m).setConstant(modulus);
+      A = (noise * size.cwiseInverse()).cwiseAbs2().asDiagonal();
+      b = VectorXd::Zero(f.size());
+    }
+    A += f * f.transpose(), b += f * l.y;
+  }
+  return A.ldlt().solve(b);
+}
+
+TEST(Experience, IsWhatItsTestsTeach) {
+  const char* rocks = std::getenv("PHY_EXPERIENCE_ROCKS");
+  const char* store = std::getenv("PHY_EXPERIENCE_STORE");
+  const auto n = static_cast<std::uint32_t>(rocks != nullptr ? std::atoi(rocks) : n_rocks);
+  const auto simulator = make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
+                                         store != nullptr ? store : "", nullptr, nullptr});
+  const Recipe model = magnified_model(2.5);
+  std::vector<Lesson> all;
+  std::map<double, std::vector<double>> errors;
+  for (std::uint32_t k = 0; k < n; ++k)
+    for (const Lesson& l : lessons_of(k, model, *simulator)) {
+      Recipe rock = trial_rock(first_rock + k, model);
+      if (l.theta == intact) rock.bedding.clear();
+      errors[l.theta].push_back(l.y - Experience(rock, l.theta).at(l.z));
+      all.push_back(l);
+    }
+  for (const auto& [theta, some] : errors) {
+    double squares = 0.0;
+    for (const double e : some) squares += e * e;
+    const double rms = std::sqrt(squares / static_cast<double>(some.size()));
+    std::printf("%5.0f degrees: %zu tests, experience misses by %.3f (rms of the logarithm)\n", theta,
+                some.size(), rms);
+    EXPECT_LT(rms, 0.2);
+  }
+  std::vector<VectorXd> columns;
+  for (const double theta : angles) columns.push_back(regress(all, theta));
+  for (Eigen::Index i = 0; i < columns[0].size(); ++i) {
+    std::printf("    {");
+    for (std::size_t a = 0; a < columns.size(); ++a) std::printf("%s%.3f", a > 0 ? ", " : "", columns[a][i]);
+    std::printf("},\n");
+  }
+  const VectorXd without = regress(all, intact);
+  for (const double c : without) std::printf("%.3f, ", c);
+  std::printf("\n");
+  if (n < n_rocks) return;
+  for (std::uint32_t k = 0; k < 4; ++k) {  // the table in the program is this one, rounded
+    Recipe rock = trial_rock(k, model);
+    const VectorXd z = VectorXd::Constant(5, 0.25 * k);
+    for (std::size_t a = 0; a < angles.size(); ++a)
+      EXPECT_NEAR(Experience(rock, angles[a]).at(z),
+                  columns[a].dot(experience_features(z, experience_moduli(rock))), 5e-3);
+    rock.bedding.clear();
+    EXPECT_NEAR(Experience(rock, 0.0).at(z.head(2)),
+                without.dot(experience_features(z.head(2), experience_moduli(rock))), 5e-3);
+  }
+}
+
+}  // namespace
+}  // namespace phy
