@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.hpp"
+#include "base/parallel.hpp"
 #include "io/csv.hpp"
 #endif
 
@@ -133,13 +134,15 @@ class RemoteDesk : public Desk {
   }
 };
 
-/// Answers the other ranks until all have ended. Adds their work to `report`, idle as worker-seconds.
+/// Answers the other ranks until all have ended, also after an error here: told to stop, they end soon.
 class Server {
  public:
   Server(StoreDesk& desk, int n_guests) : desk_(desk), n_left_(n_guests) {}
   std::vector<WorkReport> reports;
 
+  /// Throws the first error again, at the end.
   void run() {
+    std::exception_ptr error;
     while (n_left_ > 0) {
       MPI_Status status;
       if (!look(MPI_ANY_SOURCE, request_tag, status)) {
@@ -147,8 +150,17 @@ class Server {
         continue;
       }
       const json request = receive(status);
-      send(answer(request), status.MPI_SOURCE, answer_tag);
+      json reply = true;  // stop
+      try {
+        reply = answer(request);
+      } catch (...) {  // of the store
+        if (!error) error = std::current_exception();
+        desk_.close();
+        if (request["ask"] != "deliver") reply = answer(request);  // a closed desk touches no store
+      }
+      send(reply, status.MPI_SOURCE, answer_tag);
     }
+    if (error) std::rethrow_exception(error);
   }
 
  private:
@@ -217,10 +229,12 @@ WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan,
                         const MachineOptions& machine) {
   Server server(desk, ranks.size() - 1);
   WorkReport report;
-  {
-    const std::jthread serving([&] { server.run(); });
-    report = work_at(desk, plan, machine);
-  }
+  std::atomic<bool> broken{false};
+  on_threads(
+      2, broken, [&](std::size_t i) { i == 0 ? server.run() : void(report = work_at(desk, plan, machine)); },
+      [&] {
+        if (broken) desk.close();
+      });
   // Ranks have equally many workers unless told otherwise; each counts with its own wall time.
   double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;
   for (const WorkReport& r : server.reports) {

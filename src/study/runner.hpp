@@ -78,7 +78,9 @@ class StoreDesk : public Desk {
   /// A result of another host; "": of this one.
   void deliver_from(const std::string& host, std::size_t test, const TestResult& result);
   void count(double work) override;
-  bool stopped() override { return hooks_.stop != nullptr && hooks_.stop->load(); }
+  bool stopped() override { return closed_ || (hooks_.stop != nullptr && hooks_.stop->load()); }
+  /// As if the user had stopped: something is broken.
+  void close() { closed_ = true; }
   StudyProgress progress();
 
  private:
@@ -91,6 +93,7 @@ class StoreDesk : public Desk {
   Store& store_;
   const StudyHooks& hooks_;
   const int n_workers_;
+  std::atomic<bool> closed_{false};
   std::mutex mutex_;
   StudyProgress progress_;
   std::vector<std::deque<std::size_t>> waiting_;             // per batch, longest first

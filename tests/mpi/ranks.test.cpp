@@ -45,4 +45,20 @@ TEST_F(RanksTest, AnErrorOfRank0EndsAll) {
   EXPECT_THAT(output, HasSubstr("missing.toml"));
 }
 
+// A file system for half of the store: whoever meets its end, rank 0 tells it, and all ranks end.
+TEST_F(RanksTest, AFullDiskEndsAll) {
+  const std::string small = at("small");
+  std::filesystem::create_directories(small);
+  const std::string mount = "mount -t tmpfs -o size=400k none " + small;
+  if (run_line("unshare -rm sh -c '" + mount + "'") != 0) GTEST_SKIP() << "no name spaces here: " << output;
+  for (const char* threads : {"1", "2"}) {
+    run_line("unshare -rm sh -c '" + mount + " && { mpirun --allow-run-as-root --oversubscribe -n 3 " +
+             PHY_PROGRAM + " study " + study + " --threads " + threads + " --mpi --out " + small +
+             "; echo code $?; }'");
+    EXPECT_THAT(output, HasSubstr("full"));
+    EXPECT_THAT(output, HasSubstr("code 3"));
+    EXPECT_THAT(output, testing::Not(HasSubstr("terminate called")));
+  }
+}
+
 }  // namespace
