@@ -15,7 +15,8 @@ constexpr double servo_speed = 20.0;   // of the boxes: grains that ride up push
 
 DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                  LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane, shear_boxes(*specimen->packing, recipe.test.shear_gap)) {
+    : LabTest(specimen, recipe, group, lane, shear_boxes(*specimen->packing, recipe.test.shear_gap)),
+      stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
   begin();
 }
 
@@ -25,7 +26,7 @@ Servo DirectShearTest::normal_load(double stress, double spring, double offset) 
   const double length = packing().width;
   Servo s;
   s.on = true;
-  s.stiffness = plane_stiffness(*specimen_, recipe_.test.shear_gap) + spring * length;
+  s.stiffness = stiffness_ + spring * length;
   s.spring = spring * length;
   s.force = -stress * length + s.spring * offset;
   s.max_speed = servo_speed * recipe_.test.platen_speed;
@@ -40,8 +41,7 @@ void DirectShearTest::on_placed() {
 
 bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double target = recipe_.test.normal_stress;
-  const double stiffness = plane_stiffness(*specimen_, recipe_.test.shear_gap) / packing().width;
-  const double ramp = target / stiffness / recipe_.test.platen_speed;
+  const double ramp = target / (stiffness_ / packing().width) / recipe_.test.platen_speed;
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   const double now = target * std::min(1.0, time / ramp);
   group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});

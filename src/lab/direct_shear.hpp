@@ -35,6 +35,8 @@ class DirectShearTest final : public LabTest {
   AnalysisOptions analysis() const override;
 
   Servo normal_load(double stress, double spring, double offset) const;
+
+  double stiffness_;  // of what lies between the boxes, for the servo [N/m per m]
 };
 
 }  // namespace phy
