@@ -18,8 +18,7 @@
 //
 // Balance. A tool without mass that touches grains and is pressed on them with a given force: in every step
 // its place is the one where what it touches adds up to that force,
-//   sum_i k n_c max(0, n_i . (U - u_i) - gap_i) = F_target          solved for the component U_c, n_c = n_i .
-//   e_c
+//   sum_i k n_ic max(0, n_i . (U - u_i) - gap_i) = F_target         solved for the component U_c
 // so the force on the specimen has no error to correct (docs/decisions/0007). Taking a degree of freedom
 // without mass out of the equations lowers no stable step: the stiffness that grains feel is at most that of
 // a wall at rest.

@@ -94,8 +94,8 @@ class ToolLoop {
   }
 
  private:
-  static constexpr T force_met = T(1e-4);  // of the force asked for; single precision resolves less after
-                                           // the specimen has bulged
+  // Of the force asked for; single precision resolves no less once the specimen has bulged.
+  static constexpr T force_met = T(1e-4);
   static constexpr int most_balance_steps = 8;  // Newton's; two are usual
 
   GroupView<T>& v;

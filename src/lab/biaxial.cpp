@@ -12,8 +12,7 @@ namespace {
 
 constexpr double close_enough = 5e-3;  // of the target
 constexpr double servo_speed = 20.0;  // of the platens while they bring the stress on, over their speed later
-constexpr double most_confining_strain =
-    0.05;  // give up beyond: the specimen has failed under the confinement
+constexpr double most_confining_strain = 0.05;  // beyond, the specimen has failed under the confinement
 
 }  // namespace
 

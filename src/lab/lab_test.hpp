@@ -92,9 +92,9 @@ class LabTest {
 
   std::shared_ptr<const Rig> rig_;
   Phase phase_ = Phase::settle;
-  std::int64_t blocks_ = 0;  // in this phase
-  std::int64_t n_at_target_ = 0,
-               n_steady_ = 0;  // blocks of preparation: at the full target; in a row close to it
+  std::int64_t blocks_ = 0;       // in this phase
+  std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target
+  std::int64_t n_steady_ = 0;     // of these, in a row close to it
   Moments<Snapshot> snapshots_;
   Moments<Frame> frames_;
   Reading peak_;

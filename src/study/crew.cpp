@@ -133,8 +133,8 @@ std::unique_ptr<Crew> CrewExchange::wait_for(std::chrono::milliseconds patience)
   return take_offered();
 }
 
-// Made under the lock, or he who waits might have gone meanwhile. That takes some milliseconds; the others
-// look in once per block.
+// Made under the lock, or he who waits might have gone meanwhile. That takes less than a block of cycles,
+// and the others look in once per block.
 bool CrewExchange::share(const std::function<std::unique_ptr<Crew>()>& make) {
   const std::lock_guard lock(mutex_);
   if (n_waiting_ == offered_.size()) return false;

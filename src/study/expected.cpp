@@ -19,14 +19,15 @@ constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joi
 constexpr double stiffness_factor = 1.8;  // K over k, for n and s, of a plane one layer of contacts thick
 constexpr double layer_thickness = 0.9;   // of a zone that holds one layer, over the mean diameter
 constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
-constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain
+constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain, step_safety as usual
 
 }  // namespace
 
 double expected_cost(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
-  const double dt = step_factor * r.engine.step_safety / 0.92 * std::sqrt(mass / (m.E_c + m.E_b));
+  const double dt =
+      step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / (m.E_c + m.E_b));
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
