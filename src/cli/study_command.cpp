@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
@@ -63,13 +64,14 @@ double seconds_per_cost(const Plan& plan, const std::vector<std::optional<Stored
 }
 
 std::size_t n_packings_to_make(const Plan& plan) {
-  std::size_t n = 0;
+  std::set<std::string> keys;  // batches may share a packing
   for (const Batch& b : plan.batches) {
     if (b.tests.empty()) continue;
     const Recipe& r = plan.tests[b.tests.front()].recipe;
-    if (r.packing.file.empty() && !is_cached(r, default_cache_folder())) ++n;
+    if (r.packing.file.empty() && !is_cached(r, default_cache_folder()))
+      keys.insert(packing_key(r.specimen, r.packing, r.matrix));
   }
-  return n;
+  return keys.size();
 }
 
 void print_plan(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows, int threads) {

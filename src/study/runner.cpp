@@ -137,7 +137,7 @@ StoreDesk::StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, in
       if (rows[i])
         finish(test, rows[i]->result.outcome.status != Status::peaked);
       else
-        waiting_[b].push_back(test);
+        enqueue(test);
     }
   }
   keeper_ = std::jthread([this](const std::stop_token& stop) { keep_claims(stop); });
@@ -163,6 +163,19 @@ void StoreDesk::finish(std::size_t test, bool failed) {
   progress_.cost_left -= plan_.tests[test].cost;
 }
 
+void StoreDesk::enqueue(std::size_t test) {
+  const PlannedTest& t = plan_.tests[test];
+  Kind& kind = waiting_[t.batch][t.kind];
+  kind.tests.push_back(test);
+  kind.work += t.cost;
+}
+
+std::size_t StoreDesk::n_waiting(std::size_t batch) const {
+  std::size_t n = 0;
+  for (const auto& [number, kind] : waiting_[batch]) n += kind.tests.size();
+  return n;
+}
+
 /// What others had may be finished, or free again.
 void StoreDesk::look_again() {
   std::vector<std::size_t> still;
@@ -170,7 +183,7 @@ void StoreDesk::look_again() {
     const PlannedTest& t = plan_.tests[test];
     const Claim claim = store_.claim(t.key);
     if (claim == Claim::elsewhere) still.push_back(test);
-    if (claim == Claim::mine) store_.release(t.key), waiting_[t.batch].push_back(test);
+    if (claim == Claim::mine) store_.release(t.key), enqueue(test);
     if (claim == Claim::done)
       finish(test, store_.rows({t.key}).front()->result.outcome.status != Status::peaked);
   }
@@ -184,7 +197,7 @@ Assignment StoreDesk::enter() {
     std::size_t best = waiting_.size();
     double most = 0.0;
     for (std::size_t b = 0; b < waiting_.size(); ++b) {
-      const double share = static_cast<double>(waiting_[b].size()) / static_cast<double>(n_inside_[b] + 1);
+      const double share = static_cast<double>(n_waiting(b)) / static_cast<double>(n_inside_[b] + 1);
       if (share > most) most = share, best = b;
     }
     return best;
@@ -193,12 +206,11 @@ Assignment StoreDesk::enter() {
   if (batch == waiting_.size()) look_again(), batch = pick();
   if (batch == waiting_.size())
     return {elsewhere_.empty() ? Assignment::Kind::finished : Assignment::Kind::wait, 0, 0};
-  std::size_t n_waiting = 0;
-  for (const auto& queue : waiting_) n_waiting += queue.size();
+  std::size_t n = 0;
+  for (std::size_t b = 0; b < waiting_.size(); ++b) n += n_waiting(b);
   const auto workers = static_cast<std::size_t>(n_workers_);
   ++n_inside_[batch];
-  return {Assignment::Kind::work, batch,
-          std::min(waiting_[batch].size(), (n_waiting + workers - 1) / workers)};
+  return {Assignment::Kind::work, batch, std::min(n_waiting(batch), (n + workers - 1) / workers)};
 }
 
 void StoreDesk::leave(std::size_t batch) {
@@ -206,39 +218,33 @@ void StoreDesk::leave(std::size_t batch) {
   --n_inside_[batch];
 }
 
-/// Place in the queue: the longest test of the last one's kind. When there is none left, a new kind begins:
-/// the one with the most work per worker times its longest test. Work alone would begin long tests late and
-/// leave workers idle at the end; length alone would bring all kinds together in one group.
-std::size_t StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
-  struct Kind {
-    std::size_t first = 0;  // place of its longest test
-    double work = 0.0, longest = 0.0;
+/// The kind of the last test. When none of it is left, a new kind begins: the one with the most work per
+/// worker times its longest test. Work alone would begin long tests late and leave workers idle at the end;
+/// length alone would bring all kinds together in one group.
+StoreDesk::Kind& StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
+  auto& kinds = waiting_[batch];
+  Kind* const before = last ? &kinds[plan_.tests[*last].kind] : nullptr;
+  if (before != nullptr && !before->tests.empty()) return *before;
+  const auto urgency = [&](const Kind& k) {
+    return k.work / (1.0 + k.n_at) * plan_.tests[k.tests.front()].cost;
   };
-  const auto& queue = waiting_[batch];
-  std::map<std::size_t, Kind> kinds;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const PlannedTest& t = plan_.tests[queue[i]];
-    Kind& kind = kinds.try_emplace(t.kind, Kind{i, 0.0, t.cost}).first->second;
-    kind.work += t.cost / (1.0 + n_at_[{batch, t.kind}]);
-  }
-  if (last)
-    if (const auto same = kinds.find(plan_.tests[*last].kind); same != kinds.end()) return same->second.first;
-  const auto best = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
-    return a.second.work * a.second.longest < b.second.work * b.second.longest;
-  });
-  if (last) --n_at_[{batch, plan_.tests[*last].kind}];
-  ++n_at_[{batch, best->first}];
-  return best->second.first;
+  Kind* best = nullptr;
+  for (auto& [number, kind] : kinds)
+    if (!kind.tests.empty() && (best == nullptr || urgency(kind) > urgency(*best))) best = &kind;
+  PHY_CHECK(best != nullptr, "a test waits in the batch");
+  if (before != nullptr) --before->n_at;
+  ++best->n_at;
+  return *best;
 }
 
 std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
-  auto& queue = waiting_[batch];
-  while (!queue.empty() && !stopped()) {
-    const std::size_t place = choose(batch, last);
-    const std::size_t test = queue[place];
+  while (n_waiting(batch) > 0 && !stopped()) {
+    Kind& kind = choose(batch, last);
+    const std::size_t test = kind.tests.front();
     last = test;
-    queue.erase(queue.begin() + static_cast<std::ptrdiff_t>(place));
+    kind.tests.pop_front();
+    kind.work -= plan_.tests[test].cost;
     const Claim claim = store_.claim(plan_.tests[test].key);
     if (claim == Claim::mine) return test;
     elsewhere_.push_back(test);  // or done meanwhile: look_again finds out

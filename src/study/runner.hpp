@@ -14,7 +14,6 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "study/plan.hpp"
@@ -84,8 +83,16 @@ class StoreDesk : public Desk {
   StudyProgress progress();
 
  private:
+  /// Tests of one kind that wait in a batch.
+  struct Kind {
+    std::deque<std::size_t> tests;  // longest first
+    double work = 0.0;              // expected cost of all
+    int n_at = 0;                   // workers
+  };
   void finish(std::size_t test, bool failed);
-  std::size_t choose(std::size_t batch, std::optional<std::size_t> last);
+  void enqueue(std::size_t test);
+  std::size_t n_waiting(std::size_t batch) const;
+  Kind& choose(std::size_t batch, std::optional<std::size_t> last);
   void look_again();
   void keep_claims(const std::stop_token& stop);
 
@@ -96,10 +103,9 @@ class StoreDesk : public Desk {
   std::atomic<bool> closed_{false};
   std::mutex mutex_;
   StudyProgress progress_;
-  std::vector<std::deque<std::size_t>> waiting_;             // per batch, longest first
-  std::vector<std::size_t> n_inside_;                        // workers per batch
-  std::map<std::pair<std::size_t, std::size_t>, int> n_at_;  // workers per batch and kind
-  std::vector<std::size_t> elsewhere_;                       // claimed by other processes
+  std::vector<std::map<std::size_t, Kind>> waiting_;  // per batch
+  std::vector<std::size_t> n_inside_;                 // workers per batch
+  std::vector<std::size_t> elsewhere_;                // claimed by other processes
   std::condition_variable_any wake_;
   std::jthread keeper_;
 };

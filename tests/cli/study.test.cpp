@@ -27,6 +27,15 @@ class StudyCli : public ProgramTest {
   }
 };
 
+TEST_F(StudyCli, APackingOfTwoBatchesIsMadeOnce) {
+  small_recipe();
+  const std::string file = write(
+      "precision.toml",
+      "recipe = \"small.toml\"\n[[vary]]\nkey = \"engine.precision\"\nvalues = [\"double\", \"float\"]\n");
+  ASSERT_EQ(run("study " + file + " --dry-run --out " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("1 packing(s) to make"));
+}
+
 TEST_F(StudyCli, TellsThePlanRunsItAndLeavesATable) {
   const std::string file = study();
   ASSERT_EQ(run("study " + file + " --dry-run --out " + out()), 0) << output;
