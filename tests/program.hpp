@@ -1,5 +1,6 @@
 // The program as a child process, in a folder of its own.
 #pragma once
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -71,8 +72,8 @@ class ProgramTest : public testing::Test {
     std::vector<char*> words = {const_cast<char*>(PHY_PROGRAM)};
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
     words.push_back(nullptr);
-    if (std::freopen(log.c_str(), "w", stdout) == nullptr) ::_exit(126);
-    if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(126);
+    const int fd = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (fd < 0 || ::dup2(fd, STDOUT_FILENO) < 0 || ::dup2(fd, STDERR_FILENO) < 0) ::_exit(126);
     ::execv(PHY_PROGRAM, words.data());
     ::_exit(127);
   }

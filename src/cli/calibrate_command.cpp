@@ -7,11 +7,13 @@
 #include "calibrate/calibration.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
 #include "report/calibration_files.hpp"
 #include "report/calibration_tables.hpp"
+#include "study/store.hpp"
 
 namespace phy {
 namespace {
@@ -24,9 +26,13 @@ struct Arguments {
 
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
 std::string store_in(const Arguments& args) {
-  std::string store = (std::filesystem::path(args.out) / "runs.sqlite").string();
+  namespace fs = std::filesystem;
+  const fs::path folder(args.out);
+  std::string store = (folder / "runs.sqlite").string();
   check_writable(args.out);
-  if (!args.resume && std::filesystem::exists(store))
+  const bool begun =
+      fs::exists(folder / "calibration.json") || (fs::exists(store) && Store(store).size() > 0);
+  if (begun && !args.resume)
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
   return store;
@@ -40,6 +46,11 @@ std::string progress_text(const TestProgress& p) {
                      left);
 }
 
+std::string tables_of(const Calibration& c, int width) {
+  return fmt::format("{}\n{}\n{}\n{}", parameter_tables(c, width), macro_table(c, width),
+                     verdict_text(c, width), budget_text(c, width));
+}
+
 void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
   const std::filesystem::path out(folder);
   write_file((out / "calibrated.toml").string(), write_recipe(c.recipe));
@@ -51,15 +62,16 @@ void write_files(const std::string& folder, const Calibration& c, const std::str
 
 int run_calibration(const Arguments& args, const Session& session) {
   const Rock rock = read_rock(args.rock);
-  fmt::print("rock      {} ({})\n", rock.name, args.rock);
-  for (const std::string& note : rock.notes) fmt::print("          {}\n", note);
-  fmt::print("\n{}\n", target_table(targets_of(rock)));
-  std::fflush(stdout);
-  ProgressLine line;
+  const int width = session.terminal_width;
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
   machine.store = store_in(args);
+  print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
+  for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
+  fmt::print("\n{}\n", target_table(targets_of(rock), width));
+  std::fflush(stdout);
+  ProgressLine line;
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
   CalibrationOptions options;
   options.elastic_only = args.elastic, options.max_tests = args.max_tests;
@@ -67,18 +79,17 @@ int run_calibration(const Arguments& args, const Session& session) {
   const auto simulator = make_simulator(machine);
   const Calibration result = calibrate(rock, options, *simulator);
   line.finish();
-  const std::string tables = fmt::format("{}\n{}\n{}\n{}", parameter_tables(result), macro_table(result),
-                                         verdict_text(result), budget_text(result));
-  fmt::print("{}{:.1f} s in all\n", tables, result.seconds);
-  if (result.verdict.status == VerdictStatus::interrupted) {
-    fmt::print("go on with --resume\n");
+  const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
+  if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
+  fmt::print("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
+  if (interrupted) {
+    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --resume\n", args.rock, args.out);
     return 1;
   }
-  write_files(args.out, result, tables);
   write_report(args.out);
-  fmt::print("calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n", args.out);
-  const VerdictStatus status = result.verdict.status;
-  return status == VerdictStatus::out_of_reach ? 1 : 0;
+  print_wrapped(width, 2, "calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n",
+                args.out);
+  return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 
 }  // namespace
@@ -91,6 +102,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
   verb->add_option("--max-tests", args->max_tests, "budget: tests of UCS, verification included")
+      ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   verb->callback([args, &session] {
     stop_on_interrupt();

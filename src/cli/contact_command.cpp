@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "lab/contact_bench.hpp"
 #include "verification/contact_witness.hpp"
@@ -73,7 +74,7 @@ void set_parameter(const LawInfo& law, const std::string& text, std::vector<doub
     ok = ok && read_number(number, v[i]) && v[i] >= p.min && v[i] <= p.max;
     if (!ok)
       problems.push_back({"command line", "--set " + name, std::string(rest),
-                          fmt::format("{:g} to {:g} {}", p.min, p.max, bare ? "" : p.unit),
+                          fmt::format("{:g} to {:g}{}{}", p.min, p.max, bare ? "" : " ", bare ? "" : p.unit),
                           fmt::format("for example --set \"{}={:g}{}{}\"", name, p.typical, bare ? "" : " ",
                                       bare ? "" : p.unit)});
     return;
@@ -150,13 +151,12 @@ std::vector<ContactPoint> default_path() {
           {1e-6, -4e-6, 0}, {1e-6, 8e-6, 0}, {1e-6, 8e-6, 0.002}};
 }
 
-void explain_laws(const std::string& only) {
+void explain_laws(int width) {
   for (const LawInfo& law : law_infos()) {
-    if (!only.empty() && only != law.name) continue;
-    fmt::print("{}: {}\n", law.name, law.sentence);
+    print_wrapped(width, 2, "{}: {}\n", law.name, law.sentence);
     for (const ParameterInfo& p : law.parameters)
-      fmt::print("  {:<9} {:<6} {:>10.4g}  ({:g} to {:g})  {}; PFC {}\n", p.name, p.unit, p.typical, p.min,
-                 p.max, p.meaning, p.pfc_name);
+      print_wrapped(width, 31, "  {:<9} {:<6} {:>10.4g}  ({:g} to {:g})  {}; PFC {}\n", p.name, p.unit,
+                    p.typical, p.min, p.max, p.meaning, p.pfc_name);
   }
 }
 
@@ -191,8 +191,8 @@ std::string summary(const std::vector<BenchRow>& rows, const std::vector<Contact
       off.F_n, most.F_n, off.F_s, most.F_s, off.M, most.M);
 }
 
-void contact(const ContactArguments& args) {
-  if (args.law.empty()) return explain_laws("");
+void contact(const ContactArguments& args, int width) {
+  if (args.law.empty()) return explain_laws(width);
   const LawInfo& law = find_law(args.law);
   std::vector<Problem> problems;
   const std::vector<double> v = parameters_of(law, args, problems);
@@ -231,7 +231,7 @@ void add_contact_command(CLI::App& app, Session& session) {
       ->capture_default_str();
   verb->add_option("--out", args->out, "file for the CSV; standard output without");
   verb->callback([args, &session] {
-    contact(*args);
+    contact(*args, session.terminal_width);
     session.exit_code = 0;
   });
 }

@@ -282,6 +282,14 @@ bool all_solved(const std::vector<Variant>& variants, int width) {
   return solved;
 }
 
+void write_tables(const std::vector<Variant>& variants, std::vector<double> factors, const std::string& out) {
+  std::sort(factors.begin(), factors.end());
+  const std::filesystem::path folder(out);
+  write_file((folder / "lines.csv").string(), lines_csv(variants));
+  write_file((folder / "fig4.csv").string(), fig4_csv(variants, factors));
+  write_file((folder / "moduli.csv").string(), moduli_csv(variants));
+}
+
 }  // namespace
 
 int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads,
@@ -290,6 +298,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
+  write_tables(variants, recipe.sweep.factors, out);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);
     print_lines(v, width);
@@ -301,12 +310,6 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
       "the\nother stiffness from the smallest to the largest factor; *: packings without a line, see "
       "lines.csv\n");
   const bool solved = all_solved(variants, width);
-  std::vector<double> factors = recipe.sweep.factors;
-  std::sort(factors.begin(), factors.end());
-  const std::filesystem::path folder(out);
-  write_file((folder / "lines.csv").string(), lines_csv(variants));
-  write_file((folder / "fig4.csv").string(), fig4_csv(variants, factors));
-  write_file((folder / "moduli.csv").string(), moduli_csv(variants));
   write_report(out);
   fmt::print("{:.1f} s in all; all readings in {}\n",
              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), out);

@@ -256,11 +256,11 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::fflush(stdout);
   const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const Envelope envelope = fit_envelope(tests);
+  write_file((out / "envelope.csv").string(), strengths_csv(tests));
+  write_file((out / "fits.csv").string(), fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
   print_fits(envelope, width);
-  write_file((out / "envelope.csv").string(), strengths_csv(tests));
-  write_file((out / "fits.csv").string(), fits_csv(envelope));
   print_wrapped(width, 2,
                 "results in {}: envelope.csv, fits.csv, a folder per stress with one per specimen\n",
                 args.out);

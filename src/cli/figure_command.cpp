@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/program.hpp"
@@ -44,7 +44,7 @@ void draw(FigureArguments args) {
   const FigureKind& kind = figure_kind(args.kind);
   const FigureData data = data_for(kind, args);
   if (args.out.empty()) args.out = std::string(kind.name) + "." + args.format;
-  make_file(args.out, [&](const std::string& temporary) {
+  make_file_or_stop(args.out, [&](const std::string& temporary) {
     const std::string script = figure_script(kind, data, formats.at(args.format), args.width, temporary);
     run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });

@@ -3,7 +3,8 @@
 
 #include <filesystem>
 
-#include "cli/commands.hpp"
+#include "base/check.hpp"
+#include "cli/machine.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "report/film.hpp"
@@ -19,9 +20,13 @@ struct FilmArguments {
 void make_film(const FilmArguments& args) {
   const RunRecord run = read_run(args.result);
   const Film film(run, args.film);
-  make_file(args.out, [&](const std::string& temporary) {
+  const std::atomic<bool>* stop = stop_on_interrupt();
+  make_file_or_stop(args.out, [&](const std::string& temporary) {
     run_program("ffmpeg", film.encoder_arguments(temporary), "ffmpeg", [&](const auto& write) {
-      for (int i = 0; i < film.n_frames(); ++i) write(film.frame(i).rgb());
+      for (int i = 0; i < film.n_frames(); ++i) {
+        if (*stop) throw IoError("stopped");
+        write(film.frame(i).rgb());
+      }
     });
   });
   fmt::print("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),

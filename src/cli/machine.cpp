@@ -3,8 +3,10 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
+
+#include "base/check.hpp"
+#include "io/program.hpp"
 
 namespace phy {
 namespace {
@@ -39,14 +41,15 @@ const std::atomic<bool>* stop_on_interrupt() {
   return &stop_requested;
 }
 
-std::string folder_name(const std::string& name) {
-  std::string folder;
-  for (const char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
-      folder += c;
-    else if (!folder.ends_with('_'))
-      folder += '_';
-  return folder;
+void make_file_or_stop(const std::string& path,
+                       const std::function<void(const std::string& temporary)>& make) {
+  stop_on_interrupt();
+  try {
+    make_file(path, make);
+  } catch (const IoError&) {
+    if (!stop_requested) throw;  // else the other program has ended with this one's Ctrl-C
+    throw IoError(path + ": interrupted, nothing was written");
+  }
 }
 
 }  // namespace phy

@@ -1,6 +1,7 @@
-// What the verbs that run tests share: threads, instruction set, Ctrl-C, names of folders.
+// What the verbs that run tests share: threads, instruction set, Ctrl-C.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -18,8 +19,8 @@ MachineOptions machine_of(const Session& session);
 /// what is finished is on disk already. Verbs call it before anything else.
 const std::atomic<bool>* stop_on_interrupt();
 
-/// The folder of a specimen or test, theta_45_deg of "theta = 45 deg": letters, digits, point and minus stay,
-/// runs of anything else become one _.
-std::string folder_name(const std::string& name);
+/// make_file of io/program.hpp; a Ctrl-C leaves nothing behind, and is told as an IoError.
+void make_file_or_stop(const std::string& path,
+                       const std::function<void(const std::string& temporary)>& make);
 
 }  // namespace phy

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <iostream>
 #include <new>
 #include <system_error>
 
@@ -15,27 +16,61 @@
 
 namespace {
 
-/// A word where a verb is missing, of phyllite itself or of a verb with verbs of its own.
-phy::InputError unknown_verb(const CLI::App& app, const std::string& word) {
-  if (word.starts_with("-"))
-    return phy::InputError(phy::Problem{"command line", "option", word, "an option that --help lists", ""});
-  const CLI::App* of = &app;
-  while (!of->get_subcommands().empty()) of = of->get_subcommands().front();
-  std::vector<std::string> verbs;
-  std::string list;
-  for (const CLI::App* verb : of->get_subcommands([](const CLI::App*) { return true; })) {
+using Names = std::vector<std::string>;
+
+std::string hint(const std::string& word, const Names& names, const std::string& otherwise) {
+  const std::string near = phy::nearest(word, names);
+  return near.empty() ? otherwise : "did you mean " + near + "?";
+}
+
+Names verbs_of(const CLI::App& app) {
+  Names verbs;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     verbs.push_back(verb->get_name());
-    list += (list.empty() ? "" : ", ") + verbs.back();
+  return verbs;
+}
+
+Names options_of(const CLI::App& app) {
+  Names options;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  if (app.get_parent() != nullptr)
+    for (std::string& name : options_of(*app.get_parent())) options.push_back(std::move(name));
+  return options;
+}
+
+/// What is wrong with the command line: words that have no place, or what the parser says.
+phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e) {
+  const CLI::App* of = &app;
+  std::string name = app.get_name();
+  while (!of->get_subcommands().empty()) {
+    of = of->get_subcommands().front();
+    name += " " + of->get_name();
   }
-  const std::string near = phy::nearest(word, verbs);
-  return phy::InputError(phy::Problem{"command line", "verb", word, "one of " + list,
-                                      near.empty() ? "" : "did you mean " + near + "?"});
+  const std::string help = fmt::format("see `{} --help`", name);
+  const Names verbs = verbs_of(*of), lost = app.remaining(true);
+  const std::string one_of = fmt::format("one of {}", fmt::join(verbs, ", "));
+  std::vector<phy::Problem> problems;
+  for (const std::string& word : lost)
+    if (word.starts_with("-"))
+      problems.push_back(
+          {"command line", "option", word, "an option of " + name, hint(word, options_of(*of), help)});
+  if (!problems.empty()) return phy::InputError(problems);
+  if (!verbs.empty() && (!lost.empty() || of->get_require_subcommand_min() > 0)) {
+    const std::string word = lost.empty() ? "" : lost.front();
+    return phy::InputError(phy::Problem{"command line", "verb", word, one_of, hint(word, verbs, help)});
+  }
+  if (!lost.empty())
+    return phy::InputError(phy::Problem{"command line", "", fmt::format("{}", fmt::join(lost, " ")),
+                                        "nothing more after " + name, "put a name with spaces in quotes"});
+  return phy::InputError(phy::Problem{fmt::format("command line: {}", e.what()), "", "", "", help});
 }
 
 int run(int argc, char** argv) {
   phy::Session session;
   session.terminal_width = phy::terminal_size(STDOUT_FILENO).columns;
-  CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions."};
+  CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
+               "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));
   app.require_subcommand(1);
@@ -56,11 +91,10 @@ int run(int argc, char** argv) {
   phy::add_envelope_command(app, session);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::RequiredError& e) {
-    if (const auto lost = app.remaining(true); !lost.empty()) throw unknown_verb(app, lost.front());
-    return app.exit(e) == 0 ? 0 : 2;
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    if (e.get_exit_code() != 0) throw wrong_command_line(app, e);
+    app.exit(e);  // --help, --version
+    std::cout.flush();
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::system_error(errno, std::generic_category());

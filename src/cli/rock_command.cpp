@@ -6,6 +6,7 @@
 #include "calibrate/foresee.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/machine.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
@@ -21,18 +22,23 @@ int rock_new(const std::string& name) {
       throw InputError(
           Problem{"command line", "rock new", path.string(), "a name that is free", "nothing was written"});
   write_file(csv.string(), rock_table_template());
-  write_file(toml.string(), rock_template(toml.stem().string()));
+  try {
+    write_file(toml.string(), rock_template(toml.stem().string()));
+  } catch (const IoError&) {
+    std::filesystem::remove(csv);  // both or none: the next try wants free names
+    throw;
+  }
   fmt::print("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
              toml.string());
   return 0;
 }
 
-int rock_check(const std::string& path) {
+int rock_check(const std::string& path, int width) {
   const Rock rock = read_rock(path);
-  fmt::print("rock      {} ({})\n", rock.name, path);
-  for (const std::string& note : rock.notes) fmt::print("          {}\n", note);
-  fmt::print("\n{}\n{}", target_table(targets_of(rock)), foresight_table(foresee(rock)));
-  for (const std::string& line : advice(rock)) fmt::print("- {}\n", line);
+  print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
+  for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
+  fmt::print("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
+  for (const std::string& line : advice(rock)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
 
@@ -71,7 +77,7 @@ void add_rock_command(CLI::App& app, Session& session) {
   auto path = std::make_shared<std::string>();
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
   check->add_option("rock", *path, "rock file (TOML)")->required();
-  check->callback([path, &session] { session.exit_code = rock_check(*path); });
+  check->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
   auto recipe = std::make_shared<std::string>();
   CLI::App* twin =
       rock->add_subcommand("twin", "write NAME.csv: a table made by the model itself, with 5 % noise");

@@ -1,6 +1,7 @@
 // `phyllite run RECIPE...`: packing, specimens, tests, results on disk, one table.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -139,13 +140,18 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   };
   const std::vector<TestResult> results = run_tests(made.specimens, recipe, machine, hooks);
   line.finish();
+  const bool any = std::any_of(results.begin(), results.end(),
+                               [](const TestResult& r) { return r.outcome.status != Status::interrupted; });
+  if (any) write_report(folder, results);  // before anything is printed: the output may be closed or full
   fmt::print("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_report(folder, results);
-  print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder,
-                folder);
+  if (any)
+    print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder,
+                  folder);
+  else
+    print_wrapped(width, 2, "{:.1f} s in all; no test was finished, nothing was written\n", seconds);
   for (const TestResult& r : results)
     if (r.outcome.status != Status::peaked) return 1;
   return 0;

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
 #include "study/effects.hpp"
@@ -74,7 +75,9 @@ std::size_t n_packings_to_make(const Plan& plan) {
   return keys.size();
 }
 
-void print_plan(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows, int threads) {
+using Rows = std::vector<std::optional<StoredResult>>;
+
+void print_plan(const Plan& plan, const Rows& rows, const Session& session) {
   std::size_t mine = 0, left = 0;
   double cost = 0.0;
   for (const Batch& b : plan.batches)
@@ -83,21 +86,27 @@ void print_plan(const Plan& plan, const std::vector<std::optional<StoredResult>>
       if (!rows[t]) ++left, cost += plan.tests[t].cost;
     }
   const Study& s = plan.study;
-  fmt::print("study     {} ({}), {} parameter(s)\n", s.name, to_string(s.design), s.vary.size());
-  fmt::print("          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
-             plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(), plan.tests.size());
-  if (mine < plan.tests.size()) fmt::print("shard     {} of them are this part's\n", mine);
+  const int threads = n_threads(session), width = session.terminal_width;
+  print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, to_string(s.design),
+                s.vary.size());
+  print_wrapped(width, 10,
+                "          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
+                plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(),
+                plan.tests.size());
+  if (mine < plan.tests.size()) print_wrapped(width, 10, "shard     {} of them are this part's\n", mine);
+  print_wrapped(
+      width, 10, "press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
+      s.base.engine.precision == Precision::double_precision ? "double" : "single",
+      s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
+  if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
-  fmt::print("press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
-             s.base.engine.precision == Precision::double_precision ? "double" : "single",
-             s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
-  fmt::print("expected  {} to run, about {} on {} thread(s){}\n", left,
-             duration(cost * seconds_per_cost(plan, rows) / threads), threads,
-             to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
+  print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,
+                duration(cost * seconds_per_cost(plan, rows) / threads), threads,
+                to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
 }
 
 /// Outcomes other than a peak, with advice. Returns their number.
-std::size_t print_failures(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+std::size_t print_failures(const Plan& plan, const Rows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
@@ -105,14 +114,14 @@ std::size_t print_failures(const Plan& plan, const std::vector<std::optional<Sto
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
-    fmt::print("  {}, packing {}, {}: {}: {}{}{}\n", rows[t]->result.name, run->packing,
-               describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
-               o.advice.empty() ? "" : "; ", o.advice);
+    print_wrapped(width, 4, "  {}, packing {}, {}: {}: {}{}{}\n", rows[t]->result.name, run->packing,
+                  describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
+                  o.advice.empty() ? "" : "; ", o.advice);
   }
   return n;
 }
 
-std::size_t n_unfinished(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+std::size_t n_unfinished(const Plan& plan, const Rows& rows) {
   std::size_t n = 0;
   for (const Batch& b : plan.batches)
     for (const std::size_t t : b.tests) n += rows[t] ? 0 : 1;
@@ -151,11 +160,15 @@ StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const 
   return {report, desk.progress().n_new, desk.progress().n_guest};
 }
 
-/// Prints the effects and writes them into a folder.
+/// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
 void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder) {
-  fmt::print("{}", effects_text(plan, rows));
   write_file((fs::path(folder) / "responses.csv").string(), responses_csv(plan, rows));
   write_file((fs::path(folder) / "effects.csv").string(), effects_csv(plan, rows));
+  fmt::print("{}", effects_text(plan, rows));
+}
+
+bool any_finished(const Rows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
 }
 
 /// The tables of a whole store.
@@ -167,14 +180,16 @@ void write_tables(const Plan& plan, const StudyRows& rows, const std::string& fo
 }
 
 int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,
-                 const StudyRun& run) {
+                 const StudyRun& run, const Session& session) {
   const auto rows = rows_of(plan, store);
-  if (shard.n == 1) write_tables(plan, rows, folder);
-  const std::size_t n_bad = print_failures(plan, rows), n_left = n_unfinished(plan, rows);
+  if (shard.n == 1 && any_finished(rows)) write_tables(plan, rows, folder);
+  const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
+                    n_left = n_unfinished(plan, rows);
   const WorkReport& report = run.report;
-  fmt::print("\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
-             report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
-             report.cpu_seconds, 100.0 * report.idle);
+  print_wrapped(session.terminal_width, 2,
+                "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
+                report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
+                report.cpu_seconds, 100.0 * report.idle);
   if (run.n_guest > 0) fmt::print("{} of them on other ranks\n", run.n_guest);
   fmt::print("store of {} with hash {}\n", store.size(), store.hash());
   if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
@@ -199,19 +214,19 @@ int run_study(const Study& study, const StudyArguments& args, const std::string&
   if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
   const std::string file = store_file(folder, shard);
   if (args.dry_run) {
-    std::vector<std::optional<StoredResult>> rows(plan.tests.size());
+    Rows rows(plan.tests.size());
     if (fs::exists(file)) rows = rows_of(plan, Store(file));
-    print_plan(plan, rows, n_threads(session));
+    print_plan(plan, rows, session);
     return 0;
   }
   check_writable(folder);
   for (const auto& [name, content] : study_files(study))
     write_file((fs::path(folder) / name).string(), content);
   Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
-  print_plan(plan, rows_of(plan, store), n_threads(session));
+  print_plan(plan, rows_of(plan, store), session);
   std::fflush(stdout);
   const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
-  return finish_study(plan, store, folder, shard, run);
+  return finish_study(plan, store, folder, shard, run, session);
 }
 
 /// A folder of an earlier run, with its study.
@@ -222,12 +237,30 @@ Study study_in(const std::string& folder) {
   return read_study(file);
 }
 
+std::vector<std::string> shards_in(const std::string& folder) {
+  std::vector<std::string> shards;
+  for (const fs::path entry : list_folder(folder))
+    if (entry.filename().string().starts_with("shard-") && entry.extension() == ".sqlite")
+      shards.push_back(entry.string());
+  return shards;
+}
+
+/// The whole store of a study that has run.
+Store store_in(const std::string& folder) {
+  const std::string file = store_file(folder, {});
+  if (!fs::exists(file))
+    throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
+                              shards_in(folder).empty() ? "resume" : "merge", folder));
+  return Store(file);
+}
+
 int status_of(const StudyArguments& args, const Session& session) {
   const Plan plan = make_plan(study_in(args.folder));
-  const Store store(store_file(args.folder, {}));
+  const Store store = store_in(args.folder);
   const auto rows = rows_of(plan, store);
-  print_plan(plan, rows, n_threads(session));
-  const std::size_t n_left = n_unfinished(plan, rows), n_bad = print_failures(plan, rows);
+  print_plan(plan, rows, session);
+  const std::size_t n_left = n_unfinished(plan, rows),
+                    n_bad = print_failures(plan, rows, session.terminal_width);
   fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n",
              plan.tests.size() - n_left, plan.tests.size(), store.n_claimed(), n_bad, store.hash());
   return n_left + n_bad > 0 ? 1 : 0;
@@ -235,7 +268,7 @@ int status_of(const StudyArguments& args, const Session& session) {
 
 int export_study(const StudyArguments& args) {
   const Plan plan = make_plan(study_in(args.folder));
-  const std::string text = study_csv(plan, rows_of(plan, Store(store_file(args.folder, {}))));
+  const std::string text = study_csv(plan, rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
     fmt::print("{}", text);
   else
@@ -245,8 +278,11 @@ int export_study(const StudyArguments& args) {
 
 int effects_of_study(const StudyArguments& args) {
   const Plan plan = make_plan(study_in(args.folder));
-  tell_effects(plan, rows_of(plan, Store(store_file(args.folder, {}))),
-               args.out.empty() ? args.folder : args.out);
+  const Rows rows = rows_of(plan, store_in(args.folder));
+  if (!any_finished(rows))
+    throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
+                             "`phyllite study resume " + args.folder + "`"});
+  tell_effects(plan, rows, args.out.empty() ? args.folder : args.out);
   return 0;
 }
 
@@ -254,13 +290,12 @@ int merge_stores(const StudyArguments& args) {
   std::vector<std::string> stores = args.stores;
   if (!fs::is_directory(args.folder))
     throw IoError(args.folder + ": is no folder; name the --out of `phyllite study`");
-  if (stores.empty())
-    for (const auto& entry : fs::directory_iterator(args.folder))
-      if (entry.path().filename().string().starts_with("shard-") && entry.path().extension() == ".sqlite")
-        stores.push_back(entry.path().string());
+  if (stores.empty()) stores = shards_in(args.folder);
   std::sort(stores.begin(), stores.end());
   if (stores.empty())
     throw IoError(args.folder + ": holds no shard-*.sqlite; name the stores behind the folder");
+  for (const std::string& name : stores)  // before the store is made
+    if (!fs::exists(name)) throw IoError(name + ": cannot be read: no such file; check the name");
   Store store(store_file(args.folder, {}));
   std::size_t n_different = 0;
   for (const std::string& name : stores) {
@@ -272,7 +307,11 @@ int merge_stores(const StudyArguments& args) {
   }
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
     const Plan plan = make_plan(study_in(args.folder));
-    write_tables(plan, rows_of(plan, store), args.folder);
+    const Rows rows = rows_of(plan, store);
+    write_tables(plan, rows, args.folder);
+    if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
+      fmt::print("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
+                 args.folder);
   }
   fmt::print("store of {} with hash {}\n", store.size(), store.hash());
   return n_different > 0 ? 1 : 0;

@@ -1,6 +1,8 @@
 // `phyllite verify`: closed forms beside the program's numbers, so that nobody has to believe us.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
@@ -37,6 +39,16 @@ void print_markdown(const VerificationCase& c, const std::vector<Check>& checks)
                k.passed() ? "ok" : "FAIL");
 }
 
+std::string names_of_cases() {
+  std::vector<std::string> names;
+  for (const VerificationCase& c : verification_cases())
+    if (std::find(names.begin(), names.end(), c.id) == names.end()) names.push_back(c.id);
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  });
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& app, Session& session) {
@@ -62,8 +74,7 @@ void add_verify_command(CLI::App& app, Session& session) {
         print_plain(c, checks, session.terminal_width);
     }
     if (n_checks == 0)
-      throw InputError(Problem{"command line", "verify", *only, "the number of a case, for example V6",
-                               "run `phyllite verify` to see all"});
+      throw InputError(Problem{"command line", "case", *only, "one of " + names_of_cases(), ""});
     if (only->empty())
       fmt::print("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
     fmt::print("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -19,14 +20,17 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_bytes = 256U << 20U;
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
+  const bool reading = doing == "be read";
   std::string remedy;
   if (error == ENOENT) remedy = "; check the name";
   if (error == EISDIR) remedy = "; name a file, not a folder";
   if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
   if (error == EACCES || error == EROFS || error == EPERM)
-    remedy = "; check the permissions, or choose a folder of your own with --out";
+    remedy = std::string("; check the permissions") +
+             (reading ? "" : ", or choose a folder of your own with --out");
   if (error == EEXIST || error == ENOTDIR)
-    remedy = "; a file of that name is in the way: move it, or use another --out";
+    remedy = reading ? "; name a folder, not a file"
+                     : "; a file of that name is in the way: move it, or use another --out";
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 
@@ -54,6 +58,12 @@ void write_synced(const std::string& real, const std::string& path, const std::s
   if (error == 0) return;
   ::unlink(real.c_str());
   fail(path, "be written", error);
+}
+
+void write_stream(const std::string& path, const std::string& content) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int error = fd < 0 ? errno : write_all(fd, content);
+  if (error != 0) fail(path, "be written", error);
 }
 
 /// Makes names in a folder durable. A file system that cannot sync folders loses nothing that it promised.
@@ -104,6 +114,16 @@ std::string read_file(const std::string& path) {
   return content;
 }
 
+std::vector<std::string> list_folder(const std::string& path) {
+  std::vector<std::string> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
+    entries.push_back(entry->path().string());
+  if (error) fail(path, "be read", error.value());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
 void make_folder(const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
@@ -112,7 +132,14 @@ void make_folder(const std::string& path) {
   if (!fs::is_directory(path, error)) fail(path, "be used as a folder", ENOTDIR);
 }
 
+bool is_stream(const std::string& path) {
+  struct stat s {};
+  return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+         (::stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode));
+}
+
 void write_file(const std::string& path, const std::string& content) {
+  if (is_stream(path)) return write_stream(path, content);
   make_folder(parent_of(path));
   const std::string part = beside(path, "part");
   write_synced(part, path, content);

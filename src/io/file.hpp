@@ -4,13 +4,20 @@
 #pragma once
 #include <set>
 #include <string>
+#include <vector>
 
 namespace phy {
 
 /// The content of a file of at most 256 MB.
 std::string read_file(const std::string& path);
 
-/// Writes one file whole or not at all; makes the folder if it is missing.
+/// What a folder holds: paths, sorted.
+std::vector<std::string> list_folder(const std::string& path);
+
+/// A device or a pipe, such as /dev/stdout: it takes text as it comes, and nothing may be put in its place.
+bool is_stream(const std::string& path);
+
+/// Writes one file whole or not at all; makes the folder if it is missing. A stream is written to as it is.
 void write_file(const std::string& path, const std::string& content);
 
 /// Makes the folder and those above it, as far as they are missing.

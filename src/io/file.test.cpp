@@ -3,11 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
@@ -46,6 +48,28 @@ TEST_F(Files, AreReadBackByteByByte) {
   write_file(at("a/b/c.bin"), "");
   EXPECT_EQ(read_file(at("a/b/c.bin")), "");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "a" / "b"), {}), 1);
+}
+
+// As root a rename would put a file in the place of the device itself.
+TEST_F(Files, APipeIsWrittenToAndStays) {
+  ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(is_stream(at("pipe")));
+  std::jthread writer([&] { write_file(at("pipe"), "through the pipe"); });
+  EXPECT_EQ(read_file(at("pipe")), "through the pipe");
+  writer.join();
+  EXPECT_TRUE(fs::is_fifo(at("pipe")));
+  EXPECT_EQ(n_entries(), 1);
+  for (const char* name : {"/dev/stdout", "/dev/null"}) EXPECT_TRUE(is_stream(name)) << name;
+  write_file(at("file"), "x");
+  for (const std::string& name : {at("file"), at("none"), folder.string()})
+    EXPECT_FALSE(is_stream(name)) << name;
+}
+
+TEST_F(Files, AFolderIsListedInOrder) {
+  for (const char* name : {"b", "a", "c"}) write_file(at(name), "");
+  EXPECT_EQ(list_folder(folder.string()), (std::vector<std::string>{at("a"), at("b"), at("c")}));
+  EXPECT_THAT(message_of([&] { list_folder(at("none")); }), HasSubstr("check the name"));
+  EXPECT_THAT(message_of([&] { list_folder(at("a")); }), HasSubstr("name a folder"));
 }
 
 TEST_F(Files, AFileInTheWayIsToldWithARemedy) {

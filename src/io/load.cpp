@@ -87,23 +87,24 @@ bool is_result(const fs::path& folder) {
 std::vector<std::string> result_folders(const std::string& path) {
   if (is_result(path)) return {path};
   std::vector<std::string> folders;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(path, error))
-    if (is_result(entry.path())) folders.push_back(entry.path().string());
-  if (error) throw IoError(path + ": cannot be read: " + error.message() + "; check the name");
+  for (const std::string& entry : list_folder(path))
+    if (is_result(entry)) folders.push_back(entry);
   if (folders.empty())
-    throw InputError(Problem{path, "", "", "a folder with result.json, or a folder of such folders",
-                             "name what `phyllite run` wrote (its --out)"});
-  std::sort(folders.begin(), folders.end());
+    throw InputError(
+        Problem{path, "", "", "a folder with result.json, or a folder of such folders",
+                "name what `phyllite run` wrote (its --out), or a folder of `phyllite envelope` in it"});
   return folders;
 }
 
-/// Specimens that the recipe of the run names and that are not among the results.
+/// Specimens that the recipe of the run names and that have no folder among the results.
 void tell_missing(RunRecord& run, const std::string& path) {
   if (run.tests.empty() || is_result(path)) return;
   for (const std::string& name : specimen_names(run.tests.front().recipe)) {
     const bool found = std::any_of(run.tests.begin(), run.tests.end(),
-                                   [&](const TestRecord& t) { return t.result.name == name; });
+                                   [&](const TestRecord& t) { return t.result.name == name; }) ||
+                       std::any_of(run.missing.begin(), run.missing.end(), [&](const MissingTest& m) {
+                         return fs::path(m.name).filename() == folder_name(name);
+                       });
     if (!found) run.missing.push_back({name, "no result in the folder: run the recipe again"});
   }
 }

@@ -105,7 +105,8 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
 
 void make_file(const std::string& path, const std::function<void(const std::string& temporary)>& make) {
   const fs::path place(path);
-  make_folder(place.parent_path().string());
+  if (is_stream(path)) throw IoError(path + ": is no place for a picture; name a file with --out");
+  check_writable(place.has_parent_path() ? place.parent_path().string() : ".");
   const std::string part = (place.parent_path() / ("." + place.stem().string() + ".part-" +
                                                    std::to_string(::getpid()) + place.extension().string()))
                                .string();

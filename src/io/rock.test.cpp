@@ -104,9 +104,9 @@ TEST_F(RockFile, EverythingWrongIsToldAtOnceWithItsLine) {
       problems("theta [deg],E [GPa],UCS [MPa]\n0,23,105\n120,20,53\n45,20 MPa,-4\n90,59,abc\n60,9\n",
                "colour = \"grey\"\nelastic_reading = \"plain\"\n");
   EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:3: theta = 120 deg"), HasSubstr("mirror image of 60"))));
-  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: e = 20 MPa"), HasSubstr("mixed units"))));
-  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: ucs = -4 MPa"), HasSubstr("1 kPa <= strength"))));
-  EXPECT_THAT(p, Contains(HasSubstr("r.csv:5: ucs = abc")));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: E = 20 MPa"), HasSubstr("mixed units"))));
+  EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:4: UCS = -4 MPa"), HasSubstr("1 kPa <= strength"))));
+  EXPECT_THAT(p, Contains(HasSubstr("r.csv:5: UCS = abc")));
   EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.csv:6"), HasSubstr("2 cells"))));
   EXPECT_THAT(p, Contains(HasSubstr("r.toml:2: colour")));
   EXPECT_THAT(p, Contains(AllOf(HasSubstr("r.toml:3"), HasSubstr("plane strain"))));
@@ -116,6 +116,20 @@ TEST_F(RockFile, EverythingWrongIsToldAtOnceWithItsLine) {
     places += line.substr(file, line.find(' ', file) + 1 - file);
   }
   EXPECT_EQ(places, "r.toml:2: r.toml:3: r.csv: r.csv:3: r.csv:4: r.csv:4: r.csv:5: r.csv:6 ");
+}
+
+TEST_F(RockFile, FilesThatCannotBeReadAreToldWithTheRest) {
+  EXPECT_THAT(problems("theta [deg],E [GPa]\n0,x\n", "recipe = \"none.toml\"\n"),
+              testing::UnorderedElementsAre(
+                  AllOf(HasSubstr("r.toml:2: recipe = \"none.toml\""), HasSubstr("check the name")),
+                  HasSubstr("r.csv:2: E = x")));
+  try {
+    read_rock(write("lost.toml", "colour = 1\ndata = \"none.csv\"\n"));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(),
+                AllOf(HasSubstr("lost.toml:1: colour"), HasSubstr("lost.toml:2: data = \"none.csv\"")));
+  }
 }
 
 TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {

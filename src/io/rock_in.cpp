@@ -30,7 +30,8 @@ enum class Column { theta, beta, confining, diameter, n, value, scatter, other }
 struct Head {
   Column kind = Column::other;
   Property property = Property::E;
-  std::string name, unit;
+  std::string name, unit;  ///< name in lower case
+  std::string title;       ///< name as it is written, for messages
 };
 
 /// The names that columns of values may have, in lower case.
@@ -62,6 +63,7 @@ Head head_of(const std::string& cell) {
     for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
       if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);
   }
+  h.title = h.name.substr(0, h.name.find_last_not_of(' ') + 1);
   std::string word;
   for (const char c : h.name)
     word += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -159,7 +161,7 @@ class ReadingReader {
       if (d == Dimension::none) continue;
       if (!parse_quantity("1 " + h.unit, d).ok)
         tell(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
-             "write for example " + h.name + (d == Dimension::angle ? " [deg]" : " [MPa]"));
+             "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
     }
     if (find(Column::theta) && find(Column::beta))
       tell("beta", "", "one convention of angles", "keep theta or beta, not both");
@@ -185,7 +187,7 @@ class ReadingReader {
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
       const bool unit = error == std::errc() && std::isalpha(static_cast<unsigned char>(cell.back())) != 0;
-      problems_.push_back({at(row.line), h.name, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
+      problems_.push_back({at(row.line), h.title, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
                            unit ? "units stand in the header only: mixed units are not read"
                                 : "leave the cell empty where nothing was measured"});
       return false;
@@ -196,7 +198,7 @@ class ReadingReader {
       value = q.value;
     }
     if (value >= range.low && value <= range.high) return true;
-    problems_.push_back({at(row.line), h.name, cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
+    problems_.push_back({at(row.line), h.title, cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
                          h.kind == Column::theta || h.kind == Column::beta
                              ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
                              : ""});
@@ -340,6 +342,11 @@ class RockReader {
     for (const Problem& p : error.problems()) problems_.push_back(p);
   }
 
+  void unreadable(const char* key, const IoError& error) {
+    problems_.push_back(
+        {at(*entry(key)), key, '"' + entry(key)->value + '"', "a file that can be read", error.what()});
+  }
+
   void read_recipe_file() {
     if (entry("recipe") == nullptr) {
       rock_.notes.emplace_back("the model is the paper's specimen (no recipe named)");
@@ -349,6 +356,8 @@ class RockReader {
       rock_.model = read_recipe(beside(text("recipe", "")));
     } catch (const InputError& error) {
       collect(error);
+    } catch (const IoError& error) {
+      unreadable("recipe", error);
     }
     if (rock_.model.bedding.size() > 1)
       problems_.push_back({at(*entry("recipe")), "recipe", entry("recipe")->value,
@@ -417,7 +426,11 @@ class RockReader {
     bool has_angles = false;
     const double confining =
         entry("confining") != nullptr ? quantity("confining", Dimension::pressure, nan) : nan;
-    rock_.readings = parse_readings(read_file(where), where, confining, has_angles, problems_, rock_.notes);
+    try {
+      rock_.readings = parse_readings(read_file(where), where, confining, has_angles, problems_, rock_.notes);
+    } catch (const IoError& error) {
+      return unreadable("data", error);
+    }
     rock_.bedded = has_angles;
     if (const Entry* e = entry("bedded")) {
       rock_.bedded = e->value == "true";
@@ -443,9 +456,9 @@ class RockReader {
       if (r.property == Property::brazilian) check_disc(r.diameter, where, r.line);
     }
     if (rock_.readings.empty() && problems_.empty())
-      problems_.push_back(
-          {where, "", "", "at least one value",
-           entry("confining") != nullptr ? "no row has this confining pressure" : "all cells are empty"});
+      problems_.push_back({where, "", "", "at least one value",
+                           entry("confining") != nullptr ? "no row has this confining pressure"
+                                                         : "all cells are empty: fill in the table"});
     if (rock_.bedded && !rock_.readings.empty() && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",

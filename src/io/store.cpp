@@ -1,5 +1,6 @@
 #include "io/store.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -90,6 +91,16 @@ void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& 
 }
 
 }  // namespace
+
+std::string folder_name(const std::string& name) {
+  std::string folder;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
+      folder += c;
+    else if (!folder.ends_with('_'))
+      folder += '_';
+  return folder;
+}
 
 std::string result_json(const TestRecord& record) {
   const TestResult& result = record.result;

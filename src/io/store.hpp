@@ -15,6 +15,10 @@ namespace phy {
 /// Version of the result folder's layout, stored in every result.json.
 constexpr int result_format = 1;
 
+/// The folder of a specimen or test, theta_45_deg of "theta = 45 deg": letters, digits, point and minus stay,
+/// runs of anything else become one _.
+std::string folder_name(const std::string& name);
+
 /// The text of a result.json.
 std::string result_json(const TestRecord& record);
 

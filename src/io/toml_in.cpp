@@ -308,17 +308,20 @@ std::size_t begin_of_line(std::string_view text, std::size_t line) {
   return at;
 }
 
+bool stands_twice(std::string_view problem) { return problem.find("redefin") != problem.npos; }
+
 /// True for a "key = value" line that is wrong in itself, so that the text without it is what was meant. Not
 /// for a line that only follows a mistake (an open list), nor for a header: the keys below it would land in
 /// another table.
 bool can_be_left_out(std::string_view line, std::string_view problem) {
   const std::size_t equals = line.find('=');
   if (equals == line.npos || line.find_first_of("[#") < equals) return false;
-  return problem.find("redefin") != problem.npos || !toml::parse(line);
+  return stands_twice(problem) || !toml::parse(line);
 }
 
 /// The likeliest slip in a line "key = value" that is no TOML.
-std::string syntax_remedy(std::string_view line) {
+std::string syntax_remedy(std::string_view line, std::string_view problem) {
+  if (stands_twice(problem)) return "a key stands once in its table: remove one of the two";
   const std::size_t equals = line.find('=');
   if (equals == line.npos) return "";
   const std::size_t at = line.find_first_not_of(" \t", equals + 1);
@@ -344,7 +347,7 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
     const bool in_list = description.find("array") != std::string::npos;
     const bool left_out = can_be_left_out(content, description);
     problems.push_back({at_line(where, line), "", "", "TOML (" + description + ")",
-                        left_out  ? syntax_remedy(content)
+                        left_out  ? syntax_remedy(content, description)
                         : in_list ? "close the list begun above with ]"
                                   : ""});
     if (problems.size() >= max_told || !left_out) return result;

@@ -4,6 +4,10 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
+
+#include "report/text_table.hpp"
 
 namespace phy {
 namespace {
@@ -45,105 +49,10 @@ std::string rms(const std::vector<Comparison>& rows, Property property) {
   return property == Property::nu ? fmt::format("{:.3f}", root) : fmt::format("{:.1f} %", 100.0 * root);
 }
 
-const char* unit_shown(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "1" : "MPa"; }
+const char* unit_head(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "" : "MPa"; }
 
-}  // namespace
-
-std::string target_table(const std::vector<Target>& targets) {
-  std::map<double, std::map<Property, const Target*>> rows;
-  std::map<Property, bool> columns;
-  for (const Target& t : targets) rows[t.theta][t.property] = &t, columns[t.property] = true;
-  std::string text = fmt::format("{:>6}", "theta"), units = fmt::format("{:>6}", "deg");
-  for (const auto& [p, used] : columns) {
-    text += fmt::format("  {:>9} {:>8} {:>3}", to_string(p), "+- SD", "n");
-    units += fmt::format("  {:>9} {:>8} {:>3}", unit_shown(p), unit_shown(p), "");
-  }
-  text += "\n" + units + "\n";
-  for (const auto& [theta, cells] : rows) {
-    text += fmt::format("{:>6g}", theta);
-    for (const auto& [p, used] : columns) {
-      const auto it = cells.find(p);
-      if (it == cells.end()) {
-        text += fmt::format("  {:>9} {:>8} {:>3}", "-", "-", "-");
-        continue;
-      }
-      const Target& t = *it->second;
-      text += fmt::format("  {:>9.4g} {:>8} {:>3}", t.mean * shown(p),
-                          fmt::format("{:.2g}{}", t.sd * shown(p), t.sd_assumed ? "*" : ""), t.n);
-    }
-    text += "\n";
-  }
-  for (const Target& t : targets)
-    if (t.sd_assumed) return text + "* no scatter in the table: assumed\n";
-  return text;
-}
-
-std::string foresight_table(const std::vector<ParameterEstimate>& estimates) {
-  std::string text = fmt::format("{:<16} {:<12} {:<18} {}\n", "parameter", "determined", "expected interval",
-                                 "rests on / what would pin it");
-  for (const ParameterEstimate& e : estimates) {
-    const std::string interval =
-        std::isfinite(e.low) ? fmt::format("x {:.2f} ... {:.2f}", e.low, e.high) : "known after the fit";
-    text += fmt::format("{:<16} {:<12} {:<18} {}\n", e.symbol, e.determined ? "yes" : "no",
-                        e.determined || !std::isfinite(e.low) ? interval : "wide",
-                        e.determined ? e.rests_on : "would need: " + e.next_test);
-  }
-  return text;
-}
-
-std::string parameter_tables(const Calibration& c) {
-  const MatrixRecipe& m = c.recipe.matrix;
-  std::string text = "Table 1. Intact rock: value [95 % interval]\n";
-  const auto line = [&](const std::string& left, const std::string& a, const std::string& right,
-                        const std::string& b) {
-    text += fmt::format("{:<24} {:<24} {:<30} {}\n", left, a, right, b);
-  };
-  const double GPa = 1e9, MPa = 1e6;
-  const std::string E_c = cell(c, "matrix.E_c", m.E_c, GPa),
-                    q = cell(c, "matrix.ks_over_kn", m.ks_over_kn, 1.0);
-  line("Ball parameters", "", "Parallel bond parameters", "");
-  line("Ball density [kg/m^3]", fmt::format("{:g} (given)", m.density), "Modulus E_c [GPa]", E_c);
-  line("Modulus E_c [GPa]", E_c, "Stiffness ratio k_s/k_n", q);
-  line("Stiffness ratio k_s/k_n", q, "Mean normal strength [MPa]", cell(c, "matrix.sigma_c", m.sigma_c, MPa));
-  line("Friction coefficient mu", cell(c, "matrix.mu", m.mu, 1.0), "Mean shear strength [MPa]",
-       cell(c, "matrix.tau_c", m.tau_c, MPa));
-  line("", "", "SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c));
-  if (c.recipe.bedding.empty()) return text;
-  const BeddingRecipe& b = c.recipe.bedding.front();
-  text += "\nTable 2. Smooth joints: value [95 % interval]\n";
-  const auto row = [&](const char* name, const std::string& value) {
-    text += fmt::format("{:<38} {}\n", name, value);
-  };
-  row("Normal stiffness k_n,sj [GPa/m]", cell(c, "bedding[0].k_n", b.k_n, GPa));
-  row("Shear stiffness k_s,sj [GPa/m]", cell(c, "bedding[0].k_s", b.k_s, GPa));
-  row("Friction coefficient mu_sj", cell(c, "bedding[0].mu", b.mu, 1.0));
-  row("Normal strength sigma_n,sj [MPa]", cell(c, "bedding[0].sigma_n", b.sigma_n, MPa));
-  row("Cohesion C_sj [MPa]", cell(c, "bedding[0].cohesion", b.cohesion, MPa));
-  row("Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3));
-  row("Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3));
-  return text;
-}
-
-std::string macro_table(const Calibration& c) {
-  std::string text =
-      fmt::format("{:<5} {:>6} {:>5} {:>10} {:>8} {:>10} {:>19} {:>8} {:>10} {:>8}\n", "", "theta", "unit",
-                  "lab", "+- se", "fit", "95 % interval", "error", "unseen", "error");
-  const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{:.4g}", v) : std::string("-"); };
-  const auto error = [](const Comparison* r) {
-    if (r == nullptr || !std::isfinite(r->mean)) return std::string("-");
-    return r->target.property == Property::nu ? fmt::format("{:+.3f}", r->mean - r->target.mean)
-                                              : fmt::format("{:+.1f} %", 100.0 * r->error());
-  };
-  for (const Comparison& f : c.fitted) {
-    const Target& t = f.target;
-    const double s = shown(t.property);
-    const Comparison* v = row_of(c.verification, t);
-    text += fmt::format("{:<5} {:>6g} {:>5} {:>10} {:>8.2g} {:>10} {:>19} {:>8} {:>10} {:>8}\n",
-                        to_string(t.property), t.theta, unit_shown(t.property), number(t.mean * s),
-                        t.standard_error() * s, number(f.mean * s),
-                        fmt::format("{} ... {}", number(f.low * s), number(f.high * s)), error(&f),
-                        v != nullptr ? number(v->mean * s) : "-", error(v));
-  }
+std::string rms_text(const Calibration& c) {
+  std::string text;
   for (int i = 0; i < n_properties; ++i) {
     const auto p = static_cast<Property>(i);
     if (rms(c.fitted, p) == "-") continue;
@@ -155,21 +64,140 @@ std::string macro_table(const Calibration& c) {
   return text;
 }
 
-std::string verdict_text(const Calibration& c) {
+}  // namespace
+
+std::string target_table(const std::vector<Target>& targets, int terminal_width) {
+  std::map<double, std::map<Property, const Target*>> rows;
+  std::set<Property> properties;
+  bool assumed = false;
+  for (const Target& t : targets)
+    rows[t.theta][t.property] = &t, properties.insert(t.property), assumed = assumed || t.sd_assumed;
+  Column theta{"theta", "deg", {}};
+  for (const auto& [angle, cells] : rows) theta.cells.push_back(fmt::format("{:g}", angle));
+  std::vector<Columns> groups;
+  for (const Property p : properties) {
+    Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}};
+    for (const auto& [angle, cells] : rows) {
+      const auto it = cells.find(p);
+      const Target* t = it == cells.end() ? nullptr : it->second;
+      value.cells.push_back(t == nullptr ? "-" : fmt::format("{:.4g}", t->mean * shown(p)));
+      scatter.cells.push_back(
+          t == nullptr ? "-" : fmt::format("{:.2g}{}", t->sd * shown(p), t->sd_assumed ? "*" : ""));
+      n.cells.push_back(t == nullptr ? "-" : fmt::format("{}", t->n));
+    }
+    groups.push_back({value, scatter, n});
+  }
+  return text_table(theta, groups, terminal_width) + (assumed ? "* no scatter in the table: assumed\n" : "");
+}
+
+std::string foresight_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
+  Column symbol{"parameter", "", {}, true}, determined{"determined", "", {}, true},
+      interval{"expected interval", "", {}, true}, why{"rests on / what would pin it", "", {}, true};
+  for (const ParameterEstimate& e : estimates) {
+    const std::string range =
+        std::isfinite(e.low) ? fmt::format("x {:.2f} ... {:.2f}", e.low, e.high) : "known after the fit";
+    symbol.cells.push_back(e.symbol);
+    determined.cells.emplace_back(e.determined ? "yes" : "no");
+    interval.cells.push_back(e.determined || !std::isfinite(e.low) ? range : "wide");
+    why.cells.push_back(e.determined ? e.rests_on : "would need: " + e.next_test);
+  }
+  return wrapped(text_table(symbol, {{determined, interval}, {why}}, terminal_width), terminal_width,
+                 symbol.width() + 2);
+}
+
+std::string parameter_tables(const Calibration& c, int terminal_width) {
+  const MatrixRecipe& m = c.recipe.matrix;
+  const double GPa = 1e9, MPa = 1e6;
+  using Rows = std::vector<std::pair<const char*, std::string>>;
+  const auto table = [&](const char* head, const Rows& rows) {
+    Column name{head, "", {}, true}, value{"value [95 % interval]", "", {}, true};
+    for (const auto& [n, v] : rows) name.cells.emplace_back(n), value.cells.push_back(v);
+    return text_table(name, {{value}}, terminal_width);
+  };
+  const std::string E_c = cell(c, "matrix.E_c", m.E_c, GPa),
+                    q = cell(c, "matrix.ks_over_kn", m.ks_over_kn, 1.0);
+  std::string text = "Table 1. Intact rock\n" +
+                     table("balls", {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)},
+                                     {"Modulus E_c [GPa]", E_c},
+                                     {"Stiffness ratio k_s/k_n", q},
+                                     {"Friction coefficient mu", cell(c, "matrix.mu", m.mu, 1.0)}}) +
+                     "\n" +
+                     table("parallel bonds",
+                           {{"Modulus E_c [GPa]", E_c},
+                            {"Stiffness ratio k_s/k_n", q},
+                            {"Mean normal strength [MPa]", cell(c, "matrix.sigma_c", m.sigma_c, MPa)},
+                            {"Mean shear strength [MPa]", cell(c, "matrix.tau_c", m.tau_c, MPa)},
+                            {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}});
+  if (c.recipe.bedding.empty()) return text;
+  const BeddingRecipe& b = c.recipe.bedding.front();
+  return text + "\nTable 2. Bedding\n" +
+         table("smooth joints",
+               {{"Normal stiffness k_n,sj [GPa/m]", cell(c, "bedding[0].k_n", b.k_n, GPa)},
+                {"Shear stiffness k_s,sj [GPa/m]", cell(c, "bedding[0].k_s", b.k_s, GPa)},
+                {"Friction coefficient mu_sj", cell(c, "bedding[0].mu", b.mu, 1.0)},
+                {"Normal strength sigma_n,sj [MPa]", cell(c, "bedding[0].sigma_n", b.sigma_n, MPa)},
+                {"Cohesion C_sj [MPa]", cell(c, "bedding[0].cohesion", b.cohesion, MPa)},
+                {"Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3)},
+                {"Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3)}});
+}
+
+std::string macro_table(const Calibration& c, int terminal_width) {
+  const auto column = [&](const char* head, const auto& cell) {
+    Column col{head, "", {}};
+    for (const Comparison& f : c.fitted) col.cells.push_back(cell(f));
+    return col;
+  };
+  using R = const Comparison&;
+  const auto number = [](R r, double v) {
+    return std::isfinite(v) ? fmt::format("{:.4g}", v * shown(r.target.property)) : std::string("-");
+  };
+  const auto error = [](const Comparison* r) {
+    if (r == nullptr || !std::isfinite(r->mean)) return std::string("-");
+    return r->target.property == Property::nu ? fmt::format("{:+.3f}", r->mean - r->target.mean)
+                                              : fmt::format("{:+.1f} %", 100.0 * r->error());
+  };
+  Column label = column("at theta [deg]", [](R r) {
+    const std::string unit = unit_head(r.target.property);
+    return fmt::format("{:<3} {:>4g}{}", to_string(r.target.property), r.target.theta,
+                       unit.empty() ? "" : " [" + unit + "]");
+  });
+  label.left = true;
+  const Columns laboratory = {
+      column("lab", [&](R r) { return number(r, r.target.mean); }), column("+- se", [](R r) {
+        return fmt::format("{:.2g}", r.target.standard_error() * shown(r.target.property));
+      })};
+  const Columns fit = {
+      column("fit", [&](R r) { return number(r, r.mean); }),
+      column("95 % interval",
+             [&](R r) { return fmt::format("{} ... {}", number(r, r.low), number(r, r.high)); }),
+      column("error", [&](R r) { return error(&r); })};
+  const Columns unseen = {column("unseen",
+                                 [&](R r) {
+                                   const Comparison* v = row_of(c.verification, r.target);
+                                   return v != nullptr ? number(*v, v->mean) : std::string("-");
+                                 }),
+                          column("error", [&](R r) { return error(row_of(c.verification, r.target)); })};
+  return text_table(label, {laboratory, fit, unseen}, terminal_width) +
+         wrapped(rms_text(c), terminal_width, 2);
+}
+
+std::string verdict_text(const Calibration& c, int terminal_width) {
   std::string text = fmt::format("verdict: {}\n", to_string(c.verdict.status));
   for (const std::string& finding : c.verdict.findings) text += "- " + finding + "\n";
   for (const ParameterEstimate& e : c.parameters)
     if (!e.determined)
       text += fmt::format("- {} is left open by the data; it would take {}\n", e.symbol, e.next_test);
   for (const std::string& note : c.notes) text += "- " + note + "\n";
-  return text;
+  return wrapped(text, terminal_width, 2);
 }
 
-std::string budget_text(const Calibration& c) {
-  return fmt::format("{} tests of UCS{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
-                     c.n_strength_tests - c.n_tension_tests,
-                     c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "",
-                     c.n_coarse_tests, c.n_elastic);
+std::string budget_text(const Calibration& c, int terminal_width) {
+  return wrapped(
+      fmt::format("{} tests of UCS{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
+                  c.n_strength_tests - c.n_tension_tests,
+                  c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "",
+                  c.n_coarse_tests, c.n_elastic),
+      terminal_width, 2);
 }
 
 }  // namespace phy

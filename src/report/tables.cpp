@@ -22,7 +22,9 @@ Column column(std::string head, std::string unit, const Results& results,
   return c;
 }
 
+/// A test that was interrupted is no result, whatever its curve says up to there.
 std::string number(const TestResult& r, const std::string& name, double scale, int digits) {
+  if (r.outcome.status == Status::interrupted) return "-";
   for (const Number& n : r.numbers) {
     if (n.name != name) continue;
     if (!std::isfinite(n.value)) return "-";

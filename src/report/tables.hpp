@@ -9,7 +9,8 @@ namespace phy {
 
 /// One row per specimen, units in the head, cracks of the whole test; readings of the curve and of cracks and
 /// run are the groups of text_table.
-/// "-": could not be determined; "<": an upper bound (the number's note begins with "below").
+/// "-": could not be determined, or the test was interrupted; "<": an upper bound (the number's note begins
+/// with "below").
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 
 /// Why a "-" stands under sigma_ci or sigma_cd of a test that succeeded, once per reason.

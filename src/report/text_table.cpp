@@ -33,7 +33,9 @@ std::string render(const Columns& columns) {
   line([](const Column& c) { return c.head; });
   if (std::any_of(columns.begin(), columns.end(), [](const Column& c) { return !c.unit.empty(); }))
     line([](const Column& c) { return c.unit; });
-  line([](const Column& c) { return std::string(c.width(), '-'); });
+  line([&](const Column& c) {  // below sentences, which may be broken later, as long as their head
+    return std::string(c.left && &c == &columns.back() ? c.head.size() : c.width(), '-');
+  });
   for (std::size_t k = 0; k < columns.front().cells.size(); ++k)
     line([k](const Column& c) { return c.cells[k]; });
   return text;

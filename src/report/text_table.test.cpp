@@ -44,6 +44,12 @@ TEST(TextTable, PartsInsideAGroupThatIsTooWideByItself) {
   EXPECT_EQ(text_table(label, {first, second}, 3), E + "\n" + nu + "\n" + second_table);  // nothing is lost
 }
 
+TEST(TextTable, SentencesMayBeBrokenLater) {
+  const Columns said = {{"why", "", {"because of this", "-"}, true}};
+  EXPECT_EQ(wrapped(text_table(label, {said}, 0), 16, 8),
+            "test    why\n------  ---\none     because\n        of this\nsecond  -\n");
+}
+
 TEST(Wrapped, BreaksAtSpacesAndIndentsWhatFollows) {
   EXPECT_EQ(wrapped("one two three four\n", 9, 2), "one two\n  three\n  four\n");
   EXPECT_EQ(wrapped("one two\n", 7), "one two\n");

@@ -55,8 +55,10 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;  // a recipe that the program reads
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
-  ASSERT_EQ(run("calibrate " + rock() + " --max-tests 51 --out " + at("more")), 2);
-  EXPECT_THAT(output, HasSubstr("at least 52"));
+  for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder
+    ASSERT_EQ(run("calibrate " + rock() + " --max-tests 51 --out " + at("more")), 2);
+    EXPECT_THAT(output, HasSubstr("at least 52"));
+  }
 }
 
 TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {

@@ -198,6 +198,23 @@ TEST_F(Cli, FilmsAreEncoded) {
   }
 }
 
+TEST_F(Cli, AnInterruptedFilmLeavesNothing) {
+  if (!has("ffmpeg")) GTEST_SKIP() << "no ffmpeg here";
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
+  const fs::path films = folder / "films";
+  const pid_t child =
+      start({"film", out(), "--seconds", "120", "--out", (films / "film.webm").string()}, at("log"));
+  int status = 0;
+  while ((!fs::exists(films) || fs::is_empty(films)) && ::waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(child, SIGINT);
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status)) << "the signal must not kill it";
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_THAT(read(at("log")), HasSubstr("interrupted, nothing was written"));
+  EXPECT_TRUE(fs::is_empty(films));
+}
+
 TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
   const std::string bad = write("bad.toml", "[specimen]\nwidht = \"8 mm\"\nheight = 16\n");
   EXPECT_EQ(run("run " + bad + " --out " + out()), 2);

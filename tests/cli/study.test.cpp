@@ -123,6 +123,14 @@ TEST_F(StudyCli, ShardsMergeToTheSameStore) {
   for (const char* part : {"1/3", "2/3", "3/3"})
     ASSERT_EQ(run("study " + file + " --shard " + part + " --out " + out()), 0) << output;
   EXPECT_FALSE(fs::exists(out() + "/results.csv")) << "a part has no table of the whole";
+  for (const char* verb : {"status", "effects", "export"}) {
+    EXPECT_EQ(run(std::string("study ") + verb + " " + out()), 3);
+    EXPECT_THAT(output, HasSubstr("phyllite study merge " + out()));
+  }
+  EXPECT_EQ(run("study merge " + out() + " " + at("none.sqlite")), 3);
+  EXPECT_FALSE(fs::exists(out() + "/study.sqlite"));
+  ASSERT_EQ(run("study merge " + out() + " " + out() + "/shard-1-of-3.sqlite"), 0) << output;
+  EXPECT_THAT(output, HasSubstr("specimens are left"));
   ASSERT_EQ(run("study merge " + out()), 0) << output;
   EXPECT_EQ(hash(), whole);
   EXPECT_EQ(read(out() + "/responses.csv"), read(at("whole") + "/responses.csv"));
