@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/clock.hpp"
 #include "base/parallel.hpp"
 #include "engine/layout.hpp"
 
@@ -189,7 +190,7 @@ ElasticResult UniaxialStatics::solve(const Specimen& specimen, const ElasticOpti
     before = reading;
   }
   finish(result, reading, options);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = seconds_since(start);
   return result;
 }
 
@@ -203,7 +204,7 @@ ElasticResult UniaxialStatics::solve_held(const Specimen& specimen, const std::v
   Reading reading;
   step(result, reading);
   finish(result, reading, options);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = seconds_since(start);
   return result;
 }
 

@@ -1,26 +1,12 @@
 #include "study/crew.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/clock.hpp"
 
 namespace phy {
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 int fitting_lanes(std::size_t n, Precision precision, int widest) {
   int lanes = precision == Precision::single_precision ? 4 : 1;

@@ -104,7 +104,4 @@ class CrewExchange {
 /// Works until no test of the crew is left; shares with those who wait at the exchange.
 void run_crew(std::unique_ptr<Crew> crew, const LaneHooks& hooks, CrewExchange& exchange);
 
-/// CPU time of the calling thread [s].
-double thread_seconds();
-
 }  // namespace phy

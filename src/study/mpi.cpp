@@ -60,11 +60,6 @@ bool look(int from, int tag, MPI_Status& status) {
   return there != 0;
 }
 
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
 // What the store keeps of a result, and nothing more. NaN travels as null.
 json packed(const TestResult& r) {
   json numbers = json::array();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/clock.hpp"
 #include "base/parallel.hpp"
 #include "genesis/cut.hpp"
 #include "io/toml_in.hpp"
@@ -12,13 +13,8 @@
 namespace phy {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr auto patience = std::chrono::milliseconds(300);  // between looks at what runs elsewhere
 constexpr auto renewal = std::chrono::seconds(20);         // well within lease_seconds
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// A test that could not even begin.
 TestResult not_made(const PlannedTest& test, const std::string& reason) {
@@ -279,7 +275,7 @@ StudyProgress StoreDesk::progress() {
 
 WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   std::mutex mutex;
   std::atomic<bool> broken{false};
   CrewExchange exchange(machine.threads);

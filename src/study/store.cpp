@@ -49,11 +49,6 @@ std::string utc_now() {
   return text;
 }
 
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
 std::string first_line(const std::string& path) {
   std::ifstream in(path);
   std::string line;
@@ -157,6 +152,11 @@ void write_specimen(Database& database, const std::string& key, const std::strin
 }
 
 }  // namespace
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
 
 Store::Store(const std::string& path, Sharing sharing) : database_(path), owner_(new_owner()) {
   if (sharing == Sharing::shared) refuse_network(path);

@@ -47,6 +47,9 @@ struct MergeReport {
   std::vector<std::string> different;  ///< keys whose results differ between the two stores; ours is kept
 };
 
+/// Of this machine, as the store notes it with every result.
+std::string host_name();
+
 /// Who else may open the store meanwhile. `alone` holds it for one process, which is safe on network file
 /// systems too: for shards.
 enum class Sharing { shared, alone };
