@@ -49,6 +49,9 @@ std::vector<Recipe> recipes_of(const Recipe& first, const std::string& path) {
   recipes.push_back(read_recipe(second));
   recipes.back().sweep = first.sweep;
   auto problems = cross_checks(recipes.back(), [&](const std::string&) { return second; });
+  if (recipes.back().name == first.name)
+    problems.push_back({second, "name", first.name, "another name than that of " + path,
+                        "the tables tell the two by their names"});
   if (!problems.empty()) throw InputError(std::move(problems));
   return recipes;
 }

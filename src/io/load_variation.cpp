@@ -15,6 +15,7 @@
 #include "io/file.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
+#include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy {
@@ -157,12 +158,23 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
   return parameter;
 }
 
+/// Of its study file, where that has one.
+std::string name_of_study(const std::string& folder, const std::string& otherwise) {
+  const fs::path file = fs::path(folder) / "study.toml";
+  if (!fs::exists(file)) return otherwise;
+  std::vector<Problem> problems;
+  const TomlValue study = parse_toml(read_file(file.string()), file.string(), problems);
+  if (!problems.empty()) throw InputError(std::move(problems));
+  const TomlValue* name = study.find("name");
+  return name == nullptr || name->text.empty() ? otherwise : name->text;
+}
+
 Variation read_study_table(const std::string& folder) {
   const Named table((fs::path(folder) / "results.csv").string());
   const Recipe recipe = read_recipe((fs::path(folder) / "recipe.toml").string());
   if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
   Variation v;
-  v.name = recipe.name;
+  v.name = name_of_study(folder, recipe.name);
   v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
   v.E_intact = mean_of(table.rows([&](const TableRow& row) { return table.at(row, "intact") == "1"; }),
                        table.maybe("E_tangent [Pa]"), 1.0);

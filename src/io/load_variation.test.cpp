@@ -41,6 +41,9 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   ASSERT_EQ(variations.size(), 1U);
   const Variation& v = variations[0];
   EXPECT_EQ(v.spacing, 0.004);
+  EXPECT_EQ(v.name, read_recipe((folder / "recipe.toml").string()).name);
+  write("study.toml", "name = \"soft joints\"\n");
+  EXPECT_EQ(read_variations(folder.string())[0].name, "soft joints");
   EXPECT_EQ(v.E_intact, 6e10);
   ASSERT_EQ(v.parameters.size(), 2U);
   const VariedParameter& k_n = v.parameters[0];

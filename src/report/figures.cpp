@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "base/check.hpp"
 #include "records/recipe_schema.hpp"
@@ -74,7 +75,10 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
     if (!marks[k].empty())
       parts.push_back(fmt::format("{} with points pt {} ps 0.5 lc rgb '#222222' title '{}'",
                                   s.block(marks[k]), symbols[k], titles[k]));
-  if (parts.empty()) throw InputError(Problem{"result", "history.csv", "", "rows", "run the recipe again"});
+  if (parts.empty()) {
+    const Outcome o = data.run.tests.empty() ? Outcome{} : data.run.tests.front().result.outcome;
+    throw InputError(Problem{"result", "", "", "a test that came to be loaded", o.reason + "; " + o.advice});
+  }
   s.plot(parts);
   return 0.62 * width;
 }
@@ -86,10 +90,13 @@ struct Panel {
   const AngleCurve* theory;
 };
 
-void angle_panel(GnuplotScript& s, const FigureData& data, const Panel& p) {
+/// What a panel shows: laboratory, theory, model. Empty where the tests have no such number.
+std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, const Panel& p) {
   std::vector<Row> model, theory, laboratory;
   for (const TestRecord& t : data.run.tests)
-    if (!t.result.intact) model.push_back({t.result.theta, p.factor * value_of(t, p.number)});
+    if (const double v = value_of(t, p.number); !t.result.intact && std::isfinite(v))
+      model.push_back({t.result.theta, p.factor * v});
+  if (model.empty()) return {};
   for (std::size_t i = 0; i < p.theory->theta.size(); ++i)
     theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
   for (const Target& t : data.laboratory) {
@@ -104,30 +111,35 @@ void angle_panel(GnuplotScript& s, const FigureData& data, const Panel& p) {
   if (!laboratory.empty())
     parts.push_back(s.block(laboratory) +
                     " with yerrorbars pt 12 ps 0.8 lw 1.2 lc rgb '#222222' title 'laboratory'");
-  if (!model.empty())
-    parts.push_back(s.block(model) + " with points pt 7 ps 0.6 lc rgb '#0072b2' title 'model'");
-  if (parts.empty()) parts.emplace_back("NaN notitle");
-  s.add("set ylabel '{}' offset 1", p.label);
-  s.plot(parts);
+  parts.push_back(s.block(model) + " with points pt 7 ps 0.6 lc rgb '#0072b2' title 'model'");
+  return parts;
 }
 
 double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
-  if (std::all_of(data.run.tests.begin(), data.run.tests.end(),
-                  [](const TestRecord& t) { return t.result.intact; }))
-    throw InputError(Problem{"result", "theta", "", "specimens with bedding",
-                             "run a recipe with [[bedding]] and test.angles"});
   const TheoryCurves curves = theory_curves(data.run);
-  s.add("set multiplot layout 1,3 margins 0.06,0.99,0.20,0.96 spacing 0.075,0");
+  const TestAxes axes = axes_of(data.run);
+  const Panel all[] = {{"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E},
+                       {axes.strength, axes.strength_label + " [MPa]", 1e-6, axes.property, &curves.ucs},
+                       {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu}};
+  std::vector<std::pair<std::string, std::vector<std::string>>> panels;  // label, parts
+  for (const Panel& p : all)
+    if (auto parts = panel_parts(s, data, p); !parts.empty()) panels.emplace_back(p.label, std::move(parts));
+  if (panels.empty())
+    throw InputError(Problem{"result", "theta", "", "specimens with bedding and with numbers",
+                             "run a recipe with [[bedding]] and test.angles"});
+  const double height = std::min(0.62, 1.02 / static_cast<double>(panels.size()));  // over the width
+  s.add("set multiplot layout 1,{} margins 0.06,0.99,{:.4f},0.96 spacing 0.075,0", panels.size(),
+        0.068 / height);
   s.add(
       "set xrange [-3:93]; set xtics 15; set yrange [0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'; set "
       "key top center reverse Left");
-  angle_panel(s, data, {"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E});
-  s.add("unset key");
-  const TestAxes axes = axes_of(data.run);
-  angle_panel(s, data, {axes.strength, axes.strength_label + " [MPa]", 1e-6, axes.property, &curves.ucs});
-  angle_panel(s, data, {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu});
+  for (const auto& [label, parts] : panels) {
+    s.add("set ylabel '{}' offset 1", label);
+    s.plot(parts);
+    s.add("unset key");
+  }
   s.add("unset multiplot");
-  return 0.34 * width;
+  return height * width;
 }
 
 // --- specimens
@@ -161,20 +173,31 @@ void show(GnuplotScript& s, const TestRecord& t, const Window& w, double width, 
   s.picture(picture_of(t, w, width, at_end), 1e3 * w.x0, 1e3 * w.y0, 1e3 * w.x1, 1e3 * w.y1, {});
 }
 
+/// Side by side, with room for titles and key [mm].
 double specimens(GnuplotScript& s, const FigureData& data, double width, bool at_end) {
+  constexpr double title = 6.0, widest = 60.0;
+  const double key = at_end ? 7.0 : 1.0;
   const auto tests = with_scene(data.run);
+  const auto n = static_cast<double>(tests.size());
+  double aspect = 0.0;
+  for (const TestRecord* t : tests) {
+    const Window w = whole(*t);
+    aspect = std::max(aspect, (w.y1 - w.y0) / (w.x1 - w.x0));
+  }
+  const double panel = std::min(width / n, widest), height = panel * aspect + title + key;
   s.add("set size ratio -1; unset border; unset tics; unset key");
   for (std::size_t k = 0; at_end && k < 4; ++k)
-    s.add("set label {} '■ {}' at screen {},0.035 tc rgb '{}' font ',7'", k + 1, crack_names[k],
-          0.14 + 0.19 * static_cast<double>(k), hex_color(crack_colors[k]));
-  s.add("set multiplot layout 1,{} margins 0.003,0.997,{},0.93 spacing 0.003,0", tests.size(),
-        at_end ? 0.08 : 0.01);
+    s.add("set label {} '■ {}' at screen {},{:.4f} tc rgb '{}' font ',7'", k + 1, crack_names[k],
+          0.14 + 0.19 * static_cast<double>(k), 2.5 / height, hex_color(crack_colors[k]));
+  const double edge = 0.5 * (1.0 - n * panel / width) + 0.003;
+  s.add("set multiplot layout 1,{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing 0.003,0", tests.size(), edge,
+        1.0 - edge, key / height, 1.0 - title / height);
   for (const TestRecord* t : tests) {
-    show(s, *t, whole(*t), width / static_cast<double>(tests.size()), at_end, heading(*t));
+    show(s, *t, whole(*t), panel, at_end, heading(*t));
     s.add("unset label");
   }
   s.add("unset multiplot");
-  return 2.0 * width / static_cast<double>(tests.size()) / (at_end ? 0.85 : 0.92);
+  return height;
 }
 
 /// The specimen nearest to 30 degrees before the test, and a window on its bedding.
@@ -188,21 +211,29 @@ double model(GnuplotScript& s, const FigureData& data, double width) {
         return far(*a) < far(*b);
       });
   const double w = t.scene.width, h = t.scene.height, half = 0.16 * w;
-  const Window close{0.5 * w - half, 0.5 * h - half, 0.5 * w + half, 0.5 * h + half};
+  const Window all = whole(t), close{0.5 * w - half, 0.5 * h - half, 0.5 * w + half, 0.5 * h + half};
+  constexpr double title = 6.0, edge = 1.5;  // mm
+  const double left = 0.44 * width, right = 0.46 * width;
+  const double left_height = left * (all.y1 - all.y0) / (all.x1 - all.x0),
+               most = std::max(left_height, right), height = most + title + edge;
+  const auto place = [&](double from, double to, double high) {
+    const double bottom = edge + 0.5 * (most - high);
+    s.add(
+        "set lmargin at screen {}; set rmargin at screen {}; set bmargin at screen {:.4f}; set tmargin at "
+        "screen "
+        "{:.4f}",
+        from, to, bottom / height, (bottom + high) / height);
+  };
   s.add("set size ratio -1; unset border; unset tics; unset key; set multiplot");
-  s.add(
-      "set lmargin at screen 0.01; set rmargin at screen 0.45; set bmargin at screen 0.02; set tmargin at "
-      "screen 0.92");
   s.add("set object 1 rectangle from {},{} to {},{} front fillstyle empty border lc rgb '#000000' lw 1.4",
         1e3 * close.x0, 1e3 * close.y0, 1e3 * close.x1, 1e3 * close.y1);
-  show(s, t, whole(t), 0.44 * width, false, fmt::format("{:g} × {:g} mm, {}", 1e3 * w, 1e3 * h, heading(t)));
+  place(0.01, 0.45, left_height);
+  show(s, t, all, left, false, fmt::format("{:.3g} × {:.3g} mm, {}", 1e3 * w, 1e3 * h, heading(t)));
   s.add("unset object 1; set border 15 lw 1.4");
-  s.add(
-      "set lmargin at screen 0.52; set rmargin at screen 0.98; set bmargin at screen 0.23; set tmargin at "
-      "screen 0.72");
-  show(s, t, close, 0.46 * width, false, "dark: discs with smooth joints");
+  place(0.52, 0.98, right);
+  show(s, t, close, right, false, "dark: discs with smooth joints");
   s.add("unset multiplot");
-  return 0.98 * width;
+  return height;
 }
 
 // --- roses
@@ -274,7 +305,7 @@ double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, d
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds = {
       {"stress_strain", "", "stress over strain of a run, with sigma_ci, sigma_cd and UCS", 140.0, false},
-      {"anisotropy", "", "E, UCS and nu of a run over the inclination, theory dashed", 190.0, false},
+      {"anisotropy", "", "E, strength and nu of a run over the inclination, theory dashed", 190.0, false},
       {"rose", "", "directions of the cracks of a run", 190.0, false},
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false},

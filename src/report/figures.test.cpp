@@ -96,6 +96,43 @@ TEST(Figures, WhatIsNotThereIsRefused) {
     EXPECT_THROW(script_of(kind, data), InputError) << kind;
 }
 
+/// A test at an angle, with one number and one moment of a disc or a specimen.
+TestRecord test_at(double theta, const std::string& number, double aspect) {
+  TestRecord t;
+  t.result.intact = false, t.result.theta = theta;
+  t.result.numbers = {{number, 1e6, "Pa", "", ""}};
+  t.scene.width = 0.01, t.scene.height = 0.01 * aspect;
+  t.scene.discs = {{0.005, 0.005, 0.001}};
+  t.scene.frames.resize(1);
+  t.scene.frames[0].u = {{{0.0F, 0.0F}}};
+  return t;
+}
+
+// A Brazilian test has a strength, but neither E nor nu.
+TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
+  FigureData data;
+  data.run.tests = {test_at(0.0, "bts", 1.0), test_at(90.0, "bts", 1.0)};
+  for (TestRecord& t : data.run.tests) t.recipe.test.kind = TestKind::brazilian;
+  const std::string script = script_of("anisotropy", data);
+  EXPECT_THAT(script, HasSubstr("Brazilian strength [MPa]"));
+  EXPECT_THAT(script, HasSubstr("layout 1,1 "));
+  EXPECT_EQ(script.find("NaN"), script.npos);
+}
+
+TEST(Figures, SpecimensFillTheirFigure) {
+  const auto height = [](std::size_t n, double aspect) {
+    FigureData data;
+    for (std::size_t i = 0; i < n; ++i)
+      data.run.tests.push_back(test_at(10.0 * static_cast<double>(i), "ucs", aspect));
+    const std::string script = script_of("cracks", data),
+                      size = fmt::format("size {:.0f},", 190.0 / 25.4 * 96.0);
+    return std::stod(script.substr(script.find(size) + size.size())) / 96.0 * 25.4;
+  };
+  EXPECT_NEAR(height(5, 1.0), 38.0 + 13.0, 0.5);                // squares of 38 mm, title and key
+  EXPECT_NEAR(height(5, 2.0), 38.0 * 2.06 / 1.06 + 13.0, 0.5);  // 3 % of the width around each
+  EXPECT_NEAR(height(1, 2.0), 60.0 * 2.06 / 1.06 + 13.0, 0.5);  // one alone is not as wide as the figure
+}
+
 TEST(Figures, SizesAreThoseOfJournals) {
   FigureData data;
   data.variations = {continuum({0.5, 1.0})};

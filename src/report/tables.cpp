@@ -39,6 +39,19 @@ Column reading(std::string head, std::string unit, const Results& results, const
                 [=](const TestResult& r) { return number(r, name, scale, digits); });
 }
 
+/// "*": a strength that is none, or a bound of it; its note says why (missing_numbers).
+bool has_reservation(const Number& n) {
+  return (n.name == "bts" || n.name == "sigma_t") && std::isfinite(n.value) && !n.note.empty();
+}
+Column strength(std::string head, const Results& results, const char* name) {
+  return column(std::move(head), "MPa", results, [=](const TestResult& r) {
+    const auto n =
+        std::find_if(r.numbers.begin(), r.numbers.end(), [&](const Number& x) { return x.name == name; });
+    const std::string cell = number(r, name, 1e-6, 2);
+    return cell != "-" && has_reservation(*n) ? cell + "*" : cell;
+  });
+}
+
 Column cracks(const std::string& place, const Results& results) {
   return column("cracks " + place, "tension/shear", results, [&](const TestResult& r) {
     return number(r, "cracks_tension_" + place, 1.0, 0) + "/" + number(r, "cracks_shear_" + place, 1.0, 0);
@@ -58,14 +71,12 @@ Column label(const Results& results) {
 
 Columns tension_columns(const Results& results) {
   return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2), reading("nu", "", results, "nu", 1.0, 3),
-          reading("sigma_t", "MPa", results, "sigma_t", 1e-6, 2),
-          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
+          strength("sigma_t", results, "sigma_t"), reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
           reading("cracks at", "the grips", results, "failure_at_grip", 1.0, 2)};
 }
 
 Columns disc_columns(const Results& results) {
-  return {reading("BTS", "MPa", results, "bts", 1e-6, 2),
-          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
+  return {strength("BTS", results, "bts"), reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
           reading("1st crack", "y/D", results, "first_crack_y", 1.0, 2),
           reading("1st crack", "x/D", results, "first_crack_x", 1.0, 2),
           reading("cracks in", "central third", results, "central_cracks", 1.0, 2)};
@@ -129,9 +140,9 @@ std::string missing_numbers(const Results& results) {
   std::vector<std::pair<std::string, std::string>> told;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
-      const bool in_table = n.name == "sigma_ci" || n.name == "sigma_cd";
-      if (!in_table || r.outcome.status != Status::peaked || std::isfinite(n.value)) continue;
-      const std::string reason = n.name + " -: " + n.note;
+      const bool missing = (n.name == "sigma_ci" || n.name == "sigma_cd") && !std::isfinite(n.value);
+      if (r.outcome.status != Status::peaked || (!missing && !has_reservation(n))) continue;
+      const std::string reason = (n.name == "bts" ? "BTS" : n.name) + (missing ? " -: " : " *: ") + n.note;
       const auto it =
           std::find_if(told.begin(), told.end(), [&](const auto& t) { return t.first == reason; });
       if (it == told.end())

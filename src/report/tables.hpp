@@ -11,9 +11,11 @@ namespace phy {
 /// run are the groups of text_table.
 /// "-": could not be determined, or the test was interrupted; "<": an upper bound (the number's note begins
 /// with "below").
+/// "*": a tensile strength with a reservation (missing_numbers tells it).
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 
-/// Why a "-" stands under sigma_ci or sigma_cd of a test that succeeded, once per reason.
+/// Why a "-" stands under sigma_ci or sigma_cd, or a "*" behind a tensile strength, of a test that succeeded,
+/// once per reason.
 std::string missing_numbers(const std::vector<TestResult>& results);
 
 /// The missing numbers, then one line per specimen that did not succeed: why, and what to do; empty when all

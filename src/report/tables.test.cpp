@@ -104,6 +104,23 @@ TEST(PressTable, AnInterruptedTestHasNoNumbers) {
 
 TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), HasSubstr("UCS")); }
 
+TEST(PressTable, MarksATensileStrengthWithAReservation) {
+  std::vector<TestResult> discs(2);
+  for (TestResult& r : discs) {
+    r.kind = TestKind::brazilian, r.outcome.status = Status::peaked;
+    r.numbers = {{"bts", 9e6, "Pa", "", ""}};
+  }
+  discs[0].name = "theta = 30 deg", discs[0].intact = false, discs[0].theta = 30.0;
+  discs[0].numbers[0].note = "no tensile strength: the first crack came 0.34 diameters from the centre";
+  discs[1].name = "intact";
+  const std::string table = press_table(discs, 0);
+  EXPECT_THAT(table, HasSubstr("\n    30  9.00*  "));
+  EXPECT_THAT(table, HasSubstr("\nintact   9.00  "));
+  EXPECT_EQ(
+      outcome_lines(discs),
+      "BTS *: no tensile strength: the first crack came 0.34 diameters from the centre (theta = 30 deg)\n");
+}
+
 TEST(OutcomeLines, SayWhyADashStandsInTheTable) {
   std::vector<TestResult> all(3);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 using Row = GnuplotScript::Row;
 
-constexpr double drawn_every = 2.0;  // [deg]
+constexpr double drawn_every = 0.5;  // [deg]
 /// For parameters: differ in lightness too (Okabe & Ito 2008).
 constexpr std::array<Color, 8> line_colors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
                                               0x56b4e9, 0xe69f00, 0x000000, 0x7f7f7f};
@@ -185,7 +185,8 @@ double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>&
   char letter = 'a';
   for (const VariedParameter* p : parameters) {
     const std::string unit = common_unit(*p);
-    s.add("set title '({}) {}{}' offset 0,-0.6", letter++, symbol_of(p->key),
+    const std::string which = parameters.size() > 1 ? fmt::format("({}) ", letter++) : "";
+    s.add("set title '{}{}{}' offset 0,-0.6", which, symbol_of(p->key),
           unit.empty() ? "" : " [" + unit.substr(1) + "]");
     angle_panel(s, *p, modulus, E_intact);
   }

@@ -338,6 +338,11 @@ TEST_F(Cli, ElasticRefusesASweepThatSaysNothing) {
   EXPECT_EQ(run("elastic " + bad), 2);
   EXPECT_THAT(output, HasSubstr("bad.toml:5: sweep.factors"));
   EXPECT_THAT(output, HasSubstr("bad.toml:3: test.angles"));
+  const std::string twice = write("twice.toml",
+                                  "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n"
+                                  "[sweep]\nfactors = [0.5, 1, 2]\nalso = \"twice.toml\"\n");
+  EXPECT_EQ(run("elastic " + twice), 2);
+  EXPECT_THAT(output, HasSubstr("twice.toml: name = paper: expected another name"));
   const std::string lost = write("lost.toml",
                                  "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n"
                                  "[sweep]\nfactors = [0.5, 1, 2]\nalso = \"nowhere.toml\"\n");

@@ -177,12 +177,13 @@ TEST_F(Failure, FullDiskLeavesNoHalfRock) {
 
 // Files come before tables: a full output, met once the buffer of 4 kB is full, takes no result away.
 TEST_F(Failure, FullStandardOutputTakesNoFileAway) {
-  const std::string sweep =
-      write("sweep.toml", read(small_recipe()) + "[sweep]\nfactors = [0.5, 1, 2]\nboth_rules = true\n");
-  std::string angles = read(sweep);
-  const std::string two = "\"45 deg\", \"60 deg\"";
-  angles.replace(angles.find(two), two.size(), "\"0 deg\", \"45 deg\", \"90 deg\"");
-  write("sweep.toml", angles + "also = \"sweep.toml\"\n");
+  const std::string body =
+      "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "
+      "\"2 "
+      "mm\"\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n";
+  write("other.toml", "name = \"other\"\n" + body);
+  const std::string sweep = write(
+      "sweep.toml", body + "[sweep]\nfactors = [0.5, 1, 2]\nboth_rules = true\nalso = \"other.toml\"\n");
   ASSERT_EQ(run("elastic " + sweep + " --out " + out() + " | wc -c"), 0);
   ASSERT_GT(std::stoi(output), 4096);
   EXPECT_EQ(run("elastic " + sweep + " --out " + at("full") + " >/dev/full"), 3);

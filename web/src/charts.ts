@@ -8,7 +8,7 @@ const base = {
 };
 
 /** A chart that shares its row with others. */
-const panel = (width: number, marginLeft = 46) => ({ ...base, width, height: Math.max(220, width * 0.66), marginLeft, marginBottom: 40 });
+const panel = (width: number, marginLeft = 46) => ({ ...base, width, height: Math.max(220, width * 0.66), marginLeft, marginTop: 28, marginBottom: 40 });
 
 const inclination = { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none" } as const;
 
@@ -81,6 +81,7 @@ export function stressStrain(report: Report, width: number, selected: number | n
     height: Math.max(300, Math.min(460, width * 0.52)),
     marginLeft: 48,
     marginRight: 20,
+    marginTop: 28,
     marginBottom: 42,
     x: { label: `${report.axes.strain} [${report.axes.strain_unit}]`, labelAnchor: "center", labelArrow: "none", domain: [0, Math.max(1e-9, ...points.map((p) => p.strain))] },
     y: { label: `${report.axes.stress} [MPa]`, labelArrow: "none", domain: [0, largest * 1.05], nice: true },

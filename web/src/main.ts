@@ -458,7 +458,8 @@ function cell(t: Test, c: Column): HTMLElement {
   const n = t.numbers[c.name];
   const known = n && n.value !== null;
   const bound = known && n.note?.startsWith("below") ? "<" : "";
-  const td = h("td", { "data-number": c.name }, known ? bound + (n.value! * c.factor).toFixed(c.digits) : "–");
+  const reservation = known && !bound && n.note && (c.name === "bts" || c.name === "sigma_t") ? "*" : "";
+  const td = h("td", { "data-number": c.name }, known ? bound + (n.value! * c.factor).toFixed(c.digits) + reservation : "–");
   if (n?.note) td.title = n.note;
   return td;
 }
@@ -502,7 +503,7 @@ function everyNumber(): HTMLElement {
 }
 
 function tables() {
-  section("tables", "Tables", h("p", { class: "muted" }, "“<”: an upper bound; “–”: could not be determined (the cell says why). All digits are in result.json of each specimen."), numberTable(), everyNumber());
+  section("tables", "Tables", h("p", { class: "muted" }, "“<”: an upper bound; “*”: with a reservation, “–”: could not be determined (the cell says why). All digits are in result.json of each specimen."), numberTable(), everyNumber());
 }
 
 // --- calibration ---------------------------------------------------------------------------------------------
@@ -583,10 +584,10 @@ function calibration() {
     h("h3", {}, "What the data determine"),
     table(
       "Parameters",
-      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on", "next test"],
-      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.rests_on ?? "", p.next_test ?? ""]),
+      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would need"],
+      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : `would need ${p.next_test}`]),
       null,
-      [5, 6],
+      [5],
     ),
     ...c.notes.map((n) => h("p", { class: "muted" }, n)),
   );
