@@ -28,6 +28,12 @@ struct NoPipeSignal {
   void (*before)(int);
 };
 
+/// A file that goes when this goes, whatever happens between.
+struct Passing {
+  std::string path;
+  ~Passing() { ::unlink(path.c_str()); }
+};
+
 bool write_all(int fd, const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {
@@ -81,24 +87,22 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
                  const std::string& package,
                  const std::function<void(const std::function<void(const std::string&)>& write)>& feed) {
   const NoPipeSignal quiet;
-  const std::string said =
-      (fs::temp_directory_path() / ("phyllite-" + program + "-" + std::to_string(::getpid()))).string();
-  const Child child = start(program, arguments, package, said);
+  const Passing said{
+      (fs::temp_directory_path() / ("phyllite-" + program + "-" + std::to_string(::getpid()))).string()};
+  const Child child = start(program, arguments, package, said.path);
   bool ok = true;
   try {
     feed([&](const std::string& text) { ok = ok && write_all(child.input, text); });
   } catch (...) {
     ::close(child.input);
     ::waitpid(child.pid, nullptr, 0);
-    ::unlink(said.c_str());
     throw;
   }
   ::close(child.input);
   int status = 0;
   while (::waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
   }
-  const std::string message = message_in(said);
-  ::unlink(said.c_str());
+  const std::string message = message_in(said.path);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !ok)
     throw IoError(program + " did not succeed: " + (message.empty() ? "it said nothing" : message));
 }

@@ -32,7 +32,7 @@ Recipe opening_rock(const Recipe& model) {
 }
 
 std::vector<Comparison> response(const Recipe& truth, Simulator& simulator) {
-  const std::vector<std::int64_t> seeds = {1001, 1002, 1003, 1004, 1005};
+  const std::vector<std::int64_t> seeds = packings_from(1001, 15);  // discs of so few grains scatter widely
   std::vector<Target> moduli, strengths;
   for (const Property p : {Property::E, Property::nu})
     for (const double theta : moduli_at) moduli.push_back({p, theta, 1.0, 1.0, 1, true});

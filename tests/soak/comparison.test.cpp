@@ -1,10 +1,11 @@
 // The same budget of UCS tests spent three ways on synthetic rocks: by this calibration, by the paper's
-// sequential recipe, by a global optimiser (NLopt, controlled random search) and a local one (NLopt, BOBYQA).
-// What counts is the error of UCS(theta) on five packings that none has used. PHY_TWIN_MAGNIFICATION,
-// PHY_TWIN_FIRST and PHY_TWIN_ROCKS as in twin_trials.test.cpp; docs/calibration.md, "Compared".
+// sequential recipe, by a global optimiser (NLopt, controlled random search). What counts is the error of
+// UCS(theta) on five packings that none has used. PHY_TWIN_MAGNIFICATION, PHY_TWIN_FIRST and PHY_TWIN_ROCKS
+// as in twin_trials.test.cpp; docs/calibration.md, "Compared".
 //
-// The optimisers get the moduli of our elastic stage for nothing; the sequential recipe has its own: E, K_n,
-// K_s by least squares of Eq. 1, the paper's Eq. 2 inverted, E_c in proportion.
+// The optimiser gets the moduli of our elastic stage for nothing; the sequential recipe has its own: E, K_n,
+// K_s by least squares of Eq. 1, the paper's Eq. 2 inverted, E_c in proportion. Both work on one packing, as
+// their users do: the objective of an optimiser must not change between its calls.
 #ifdef PHY_NLOPT
 #include <gtest/gtest.h>
 
@@ -31,13 +32,24 @@ double setting(const char* name, double otherwise) {
   return text != nullptr ? std::strtod(text, nullptr) : otherwise;
 }
 
-/// UCS on packing 1 of whatever recipe, until the budget is spent.
+const std::vector<std::int64_t> budgets = {100, 280};
+
+/// UCS on packing 1 of whatever recipe, until the largest budget is spent; keeps what a method held for its
+/// best when each budget was reached.
 class Laboratory {
  public:
-  Laboratory(Simulator& simulator, std::int64_t budget) : simulator_(simulator), left_(budget) {}
-  bool can_pay(std::size_t tests) const { return left_ >= static_cast<std::int64_t>(tests); }
+  explicit Laboratory(Simulator& simulator) : simulator_(simulator), best_(budgets.size()) {}
+  bool can_pay(std::size_t tests) const {
+    return spent_ + static_cast<std::int64_t>(tests) <= budgets.back();
+  }
+  void note(const Recipe& best) {
+    for (std::size_t i = 0; i < budgets.size(); ++i)
+      if (spent_ <= budgets[i]) best_[i] = best;
+  }
+  /// The last one noted within each budget.
+  const std::vector<Recipe>& best() const { return best_; }
   std::vector<double> ucs(const Recipe& recipe, const std::vector<double>& at) {
-    left_ -= static_cast<std::int64_t>(at.size());
+    spent_ += static_cast<std::int64_t>(at.size());
     std::vector<Recipe> recipes;
     for (const double theta : at) recipes.push_back(single_at(recipe, theta, 1));
     std::vector<double> values;
@@ -50,7 +62,8 @@ class Laboratory {
 
  private:
   Simulator& simulator_;
-  std::int64_t left_;
+  std::int64_t spent_ = 0;
+  std::vector<Recipe> best_;
 };
 
 /// Strengths from numbers in [0, 1] across the box.
@@ -76,9 +89,9 @@ std::vector<double> usual_start() {
   return x;
 }
 
-Recipe by_optimiser(nlopt::algorithm algorithm, const Recipe& elastic, const std::vector<Target>& ucs,
-                    Simulator& simulator, std::int64_t budget) {
-  Laboratory laboratory(simulator, budget);
+std::vector<Recipe> by_optimiser(const Recipe& elastic, const std::vector<Target>& ucs,
+                                 Simulator& simulator) {
+  Laboratory laboratory(simulator);
   const double largest = largest_of(ucs);
   std::vector<double> best = usual_start();
   double least = 1e300;
@@ -90,12 +103,12 @@ Recipe by_optimiser(nlopt::algorithm algorithm, const Recipe& elastic, const std
     double sum = 0.0;
     for (std::size_t i = 0; i < model.size(); ++i) sum += std::pow(std::log(model[i] / ucs[i].mean), 2);
     if (sum < least) least = sum, best = x;
+    laboratory.note(strengths_at(elastic, best, largest));
     return sum;
   }};
-  nlopt::opt optimiser(algorithm, static_cast<unsigned>(best.size()));
+  nlopt::opt optimiser(nlopt::GN_CRS2_LM, static_cast<unsigned>(best.size()));
   optimiser.set_lower_bounds(0.0), optimiser.set_upper_bounds(1.0);
-  if (algorithm == nlopt::GN_CRS2_LM)
-    optimiser.set_population(14);  // twice the parameters, for a small budget
+  optimiser.set_population(14);  // twice the parameters, for a small budget
   optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
                                  void* p) { return static_cast<Problem*>(p)->value(x); },
                               &problem);
@@ -107,12 +120,12 @@ Recipe by_optimiser(nlopt::algorithm algorithm, const Recipe& elastic, const std
   } catch (const nlopt::forced_stop&) {       // the budget is spent
   } catch (const nlopt::roundoff_limited&) {  // it has come as far as it can
   }
-  return strengths_at(elastic, best, largest);
+  return laboratory.best();
 }
 
 /// The paper's order, each strength against the angle that feels it most, by secants, round after round.
-Recipe by_sequence(const Rock& rock, const Recipe& settings, const std::vector<Target>& targets,
-                   Simulator& simulator, std::int64_t budget) {
+std::vector<Recipe> by_sequence(const Rock& rock, const Recipe& settings, const std::vector<Target>& targets,
+                                Simulator& simulator) {
   std::vector<ModulusReading> moduli;
   for (const Target& t : of_property(targets, Property::E)) moduli.push_back({t.theta, t.mean});
   Eq1Options options;
@@ -133,7 +146,7 @@ Recipe by_sequence(const Rock& rock, const Recipe& settings, const std::vector<T
   const std::vector<Target> ucs = of_property(targets, Property::ucs);
   const double largest = largest_of(ucs);
   std::vector<double> x = usual_start();
-  Laboratory laboratory(simulator, budget);
+  Laboratory laboratory(simulator);
   // parameter, angle: sigma_c, C, sigma_n, mu of the joints, tau_c/sigma_c
   const std::vector<std::pair<std::size_t, std::size_t>> steps = {{0, 6}, {3, 4}, {4, 2}, {5, 5}, {1, 0}};
   for (bool more = true; more;)
@@ -151,44 +164,42 @@ Recipe by_sequence(const Rock& rock, const Recipe& settings, const std::vector<T
       x[parameter] = std::abs(fc) < std::min(std::abs(fa), std::abs(fb)) ? c
                      : std::abs(fb) < std::abs(fa)                       ? b
                                                                          : a;
+      laboratory.note(strengths_at(r, x, largest));
     }
-  return strengths_at(r, x, largest);
+  return laboratory.best();
 }
 
-TEST(Comparison, MisfitOverBudgetOfFourMethods) {
+TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
   const auto first = static_cast<std::uint32_t>(setting("PHY_TWIN_FIRST", 0));
   const auto last = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", 10));
-  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 4.0));
+  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 3.0));
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
-  const std::vector<std::int64_t> unseen = {6, 7, 8, 9, 10};
   double ours_sum = 0.0, others_sum = 0.0;
   for (std::uint32_t k = first; k < last; ++k) {
     const auto simulator = make_simulator({threads, "", nullptr, nullptr});
-    for (const std::int64_t budget : {100, 280}) {
-      const Trial t = run_trial(k, model, angles, budget, *simulator);
-      Rock rock;
-      rock.model = model;
-      TwinOptions options;
-      options.angles = angles, options.noise_seed = k;
-      rock.readings = twin_readings(t.response, options);
+    std::vector<Recipe> paper, global;
+    for (std::size_t b = 0; b < budgets.size(); ++b) {
+      const Trial t = run_trial(k, model, angles, budgets[b], *simulator, 15);
+      const Rock rock = rock_of(t, k, model, angles);
       const std::vector<Target> targets = targets_of(rock), ucs = of_property(targets, Property::ucs);
-      const Recipe settings = test_settings(t.found.recipe, ucs, 1, *simulator);
+      if (b == 0) {
+        const Recipe settings = test_settings(t.found.recipe, ucs, 1, *simulator);
+        paper = by_sequence(rock, settings, targets, *simulator);
+        global = by_optimiser(settings, ucs, *simulator);
+      }
       const auto error = [&](const Recipe& r) {
-        return rmse_against(strength_response(r, ucs, unseen, *simulator), t.unseen, Property::ucs);
+        return rmse_against(strength_response(r, ucs, unseen_packings(), *simulator), t.unseen,
+                            Property::ucs);
       };
       const double ours = rmse_against(t.found.verification, t.unseen, Property::ucs),
-                   paper = error(by_sequence(rock, settings, targets, *simulator, budget)),
-                   global = error(by_optimiser(nlopt::GN_CRS2_LM, settings, ucs, *simulator, budget)),
-                   local = error(by_optimiser(nlopt::LN_BOBYQA, settings, ucs, *simulator, budget));
-      std::printf(
-          "rock %2u, %3lld tests: RMSE of UCS ours %5.1f %%, sequential %5.1f %%, CRS2 %5.1f %%, BOBYQA "
-          "%5.1f %%\n",
-          k, static_cast<long long>(budget), 100.0 * ours, 100.0 * paper, 100.0 * global, 100.0 * local);
+                   sequential = error(paper[b]), crs2 = error(global[b]);
+      std::printf("rock %2u, %3lld tests: RMSE of UCS ours %5.1f %%, sequential %5.1f %%, CRS2 %5.1f %%\n", k,
+                  static_cast<long long>(budgets[b]), 100.0 * ours, 100.0 * sequential, 100.0 * crs2);
       std::fflush(stdout);
-      ours_sum += ours, others_sum += std::min({paper, global, local});
+      ours_sum += ours, others_sum += std::min(sequential, crs2);
     }
   }
-  EXPECT_LT(ours_sum, others_sum);  // better on the whole than the best of the others, rock by rock
+  EXPECT_LT(ours_sum, others_sum);  // better on the whole than the better of the others, rock by rock
 }
 
 }  // namespace
