@@ -86,7 +86,7 @@ struct TestRecipe {
   double ramp_strain = 2e-5;   ///< axial strain over which the speed rises from 0
   double platen_friction = 0.0;
   double stop_at = 0.6;                 ///< stop when the stress falls to this fraction of the peak
-  double post_peak = 0.3;               ///< stop when the strain exceeds that of the peak by this fraction
+  double post_peak = 1.0;               ///< stop when the strain exceeds that of the peak by this fraction
   double max_strain = 0.01;             ///< stop (not peaked) at this axial strain
   std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
