@@ -132,6 +132,17 @@ void judge(Calibration& result, const ElasticFit& elastic, bool short_search) {
     v.status = VerdictStatus::calibrated_except;
 }
 
+/// Throws InputError where the budget is too small for any search.
+void check_budget(const std::vector<Target>& targets, std::int64_t max_tests) {
+  const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
+             least = n * (n_unseen + least_points);
+  if (max_tests < least)
+    throw InputError(Problem{
+        "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
+        fmt::format("{} angles with UCS, each on {} unseen packings and at {} points of the search", n,
+                    n_unseen, least_points)});
+}
+
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, const Rock& rock, const CalibrationOptions& options,
                         const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
@@ -139,12 +150,6 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   const std::vector<Target> targets = strength_targets(all);
   const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
              reserved = n * n_unseen;
-  if (options.max_tests < reserved + least_points * n)
-    throw InputError(
-        Problem{"command line", "--max-tests", fmt::format("{}", options.max_tests),
-                fmt::format("at least {}", reserved + least_points * n),
-                fmt::format("{} angles with UCS, each on {} unseen packings and at {} points of the search",
-                            n, n_unseen, least_points)});
   StrengthFit fit =
       fit_strength(rock, result.recipe, all, seeds, options.max_tests - reserved, simulator, options.say);
   result.recipe = fit.recipe;
@@ -154,6 +159,7 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
   result.verdict.findings = fit.findings, short_search = fit.short_search;
+  result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
   if (fit.interrupted || fit.fitted.empty()) return !fit.interrupted;
   options.say("verification of the strengths on unseen packings");
   const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
@@ -182,6 +188,8 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   Calibration result;
   result.rock = rock.name;
   const std::vector<Target> targets = targets_of(rock);
+  const bool strength = !options.elastic_only && !of_property(targets, Property::ucs).empty();
+  if (strength) check_budget(targets, options.max_tests);
   const std::int64_t first_seed = rock.model.packing.seed;
   const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
   const std::vector<std::int64_t> unseen = seeds_from(first_seed + n_fit, n_unseen);
@@ -195,7 +203,6 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   options.say("verification of the moduli on unseen packings");
   result.verification = elastic_response(result.recipe, targets, unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
-  const bool strength = !options.elastic_only && !of_property(targets, Property::ucs).empty();
   bool short_search = false;
   std::vector<std::int64_t> search = fit_seeds;
   search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));

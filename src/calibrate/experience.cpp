@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/exact_math.hpp"
+#include "calibrate/parameters.hpp"
 
 namespace phy {
 namespace {
@@ -86,6 +88,23 @@ Eigen::VectorXd coefficients_at(double theta) {
   return (1.0 - share) * column(low) + share * column(low + 1);
 }
 
+/// Of strength_parameters(): the ratio i at a place of the box.
+double ratio(const Eigen::VectorXd& z, int i) {
+  const Parameter& p = strength_parameters()[static_cast<std::size_t>(i + 1)];
+  return p.low * std::pow(p.high / p.low, 0.5 * (z[i] + 1.0));
+}
+
+/// log(tensile strength/sigma_c): the weaker of matrix and planes, with a smooth passage.
+double tension(const Eigen::VectorXd& z, bool bedded, double theta) {
+  constexpr double matrix = 0.55, sharpness = 4.0;
+  if (!bedded) return std::log(matrix);
+  const double cohesion = ratio(z, 0) * ratio(z, 2), sigma_n = cohesion * ratio(z, 3);
+  const double c = std::cos(theta * pi / 180.0), s = std::sin(theta * pi / 180.0);
+  const double opened = c * c / sigma_n, slid = std::fabs(s * c) / cohesion, broken = 1.0 / matrix;
+  return -std::log(std::pow(opened, sharpness) + std::pow(slid, sharpness) + std::pow(broken, sharpness)) /
+         sharpness;
+}
+
 }  // namespace
 
 Eigen::VectorXd experience_features(const Eigen::VectorXd& z, const Eigen::VectorXd& moduli) {
@@ -124,6 +143,14 @@ Experience::Experience(const Recipe& recipe, double theta)
 
 double Experience::at(const Eigen::VectorXd& z) const {
   return coefficients_.dot(experience_features(z, moduli_));
+}
+
+Foretold foretold_strength(const Recipe& recipe, Property property, double theta) {
+  if (property == Property::ucs)
+    return {[e = Experience(recipe, theta)](const Eigen::VectorXd& z) { return e.at(z); }, 0.15, 0.06, 0.04};
+  const bool bedded = !recipe.bedding.empty();
+  const double across = property == Property::brazilian ? 90.0 - theta : theta;
+  return {[=](const Eigen::VectorXd& z) { return tension(z, bedded, across); }, 0.4, 0.2, 0.06};
 }
 
 }  // namespace phy

@@ -7,9 +7,16 @@
 // foretells UCS of rocks that took no part to 11-19 %, of which some 10 % is the scatter of single runs
 // (docs/calibration.md, "Experience"). It is a beginning, not an answer: the surrogate learns how far this
 // rock, with its own bedding and grains, lies from it.
+//
+// Of tension a closed form is enough to begin with. Across a set of planes under the pull s the normal stress
+// is s cos^2(theta), the shear stress s sin(theta) cos(theta) (bonded joints have no friction); the planes
+// part where sigma_n or C are reached, the matrix at 0.55 sigma_c (measured: docs/theory/ucs-to-tension.md).
+// A disc is pulled a quarter turn from its load.
 #pragma once
 #include <Eigen/Dense>
 
+#include "calibrate/surrogate.hpp"
+#include "records/calibration.hpp"
 #include "records/recipe.hpp"
 
 namespace phy {
@@ -32,5 +39,9 @@ class Experience {
  private:
   Eigen::VectorXd moduli_, coefficients_;
 };
+
+/// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe: of UCS, direct
+/// tension and Brazilian tests.
+Foretold foretold_strength(const Recipe& recipe, Property property, double theta);
 
 }  // namespace phy

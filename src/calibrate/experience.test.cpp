@@ -74,5 +74,18 @@ TEST(Experience, HoldsModuliItHasNotSeenAtTheEdgeOfWhatItHas) {
   EXPECT_DOUBLE_EQ(foretold(soft, 45.0), foretold(softer, 45.0));
 }
 
+double tension(const Recipe& r, Property property, double theta) {
+  return r.matrix.sigma_c * std::exp(foretold_strength(r, property, theta).value(place_of(r)));
+}
+
+TEST(Experience, TensionAcrossThePlanesIsThatOfThePlanesAlongThemThatOfTheMatrix) {
+  const Recipe r = paper_rock();  // sigma_n = 10 MPa, C = 30, sigma_c = 65
+  EXPECT_NEAR(tension(r, Property::direct_tension, 0.0) / r.bedding[0].sigma_n, 1.0, 0.01);
+  EXPECT_NEAR(tension(r, Property::direct_tension, 90.0) / (0.55 * r.matrix.sigma_c), 1.0, 1e-9);
+  EXPECT_NEAR(tension(r, Property::brazilian, 90.0), tension(r, Property::direct_tension, 0.0), 1.0);
+  for (double theta = 0.0; theta < 90.0; theta += 5.0)
+    EXPECT_LT(tension(r, Property::direct_tension, theta), tension(r, Property::direct_tension, theta + 5.0));
+}
+
 }  // namespace
 }  // namespace phy

@@ -57,7 +57,8 @@ Eigen::Vector4d expected_sd(const std::vector<Target>& targets, const Eigen::Vec
   return information.inverse().diagonal().cwiseSqrt();
 }
 
-std::string elastic_test(const std::string& key) {
+std::string elastic_test(const std::string& key, bool bedded) {
+  if (!bedded) return key == "matrix.ks_over_kn" ? "Poisson's ratio" : "E";
   if (key == "matrix.ks_over_kn") return "Poisson's ratio, best at 0 and 90 degrees";
   if (key == "bedding[0].k_n") return "E at 0 or 15 degrees";
   if (key == "bedding[0].k_s") return "E between 30 and 60 degrees";
@@ -69,7 +70,17 @@ struct Rule {
   bool held;
   std::string rests_on, next_test;
 };
-Rule strength_rule(const std::string& key, const std::vector<Target>& targets) {
+Rule rule_without_bedding(const std::string& key, const std::vector<Target>& targets) {
+  const bool pressed = !of_property(targets, Property::ucs).empty();
+  const bool pulled = !of_property(targets, Property::direct_tension).empty() ||
+                      !of_property(targets, Property::brazilian).empty();
+  if (key == "matrix.sigma_c") return {pressed, "UCS", "UCS"};
+  if (key == "tau_c/sigma_c")
+    return {pressed && pulled, "UCS against tension", "direct tension, or Brazilian"};
+  return {false, "", "confined compression"};
+}
+Rule strength_rule(const std::string& key, const std::vector<Target>& targets, bool bedded) {
+  if (!bedded) return rule_without_bedding(key, targets);
   bool ends = false, oblique = false, tension_0 = false, tension_90 = false;
   for (const Target& t : targets) {
     const bool pulled = t.property == Property::direct_tension, split = t.property == Property::brazilian;
@@ -113,12 +124,12 @@ std::vector<ParameterEstimate> foresee(const Rock& rock) {
     e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
     e.determined = modulus && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);
     e.rests_on = i == 1 ? "nu" : "E";
-    if (!e.determined) e.next_test = elastic_test(p.key);
+    if (!e.determined) e.next_test = elastic_test(p.key, rock.bedded);
     estimates.push_back(e);
   }
   for (const Parameter& p : strength_parameters()) {
     if (p.joint && !rock.bedded) continue;
-    const Rule rule = strength_rule(p.key, targets);
+    const Rule rule = strength_rule(p.key, targets, rock.bedded);
     ParameterEstimate e;
     e.key = p.key, e.symbol = p.symbol, e.unit = p.unit, e.box_low = p.low, e.box_high = p.high;
     e.determined = rule.held, e.rests_on = rule.rests_on;

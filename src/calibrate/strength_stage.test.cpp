@@ -229,7 +229,7 @@ TEST(StrengthStage, BrazilianStrengthThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
   for (const ParameterEstimate& e : c.parameters) {
     if (e.symbol != "sigma_n,sj") continue;
-    EXPECT_TRUE(e.determined);
+    EXPECT_TRUE(e.determined) << e.low << " " << e.high;
   }
   EXPECT_THAT(c.notes, testing::Contains(testing::HasSubstr("5 of 5 tests on unseen packings the first")));
 }
@@ -258,8 +258,14 @@ TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   const Calibration c = calibrate(rock_of(values, true), {}, press);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << testing::PrintToString(c.verdict.findings);
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.symbol == "sigma_n,sj") EXPECT_TRUE(e.determined);
+  for (const ParameterEstimate& e : c.parameters) {
+    if (e.symbol != "sigma_n,sj") continue;
+    // the table alone: 2.9 % standard error, a factor of 1.12. Walkers that have not found to where the table
+    // is met leave a factor of 25.
+    EXPECT_LT(e.high / e.low, 1.4);
+    EXPECT_LT(e.low, truth_rock.bedding[0].sigma_n);
+    EXPECT_GT(e.high, truth_rock.bedding[0].sigma_n);
+  }
 }
 
 TEST(StrengthStage, StopsWhenTheUserDoes) {

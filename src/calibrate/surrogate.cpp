@@ -4,20 +4,14 @@
 #include <limits>
 #include <utility>
 
-#include "base/check.hpp"
-
 namespace phy {
 namespace {
 
-// Amplitudes in units of log(strength); slopes and curvatures per half box. Without experience by maximum
-// likelihood from 240 runs of UCS at eight angles, drawn over the box on four coarse packings
-// (docs/decisions/0006-calibration-in-two-grain-sizes.md). With experience, and the scatter, from the tests
-// of 48 rocks against what the others foretell; constant and slope wider than found there (0.01, 0.03), for
-// rocks whose bedding or grains are not the paper's.
-struct Amplitudes {
-  double constant, slope, curvature, remainder;
-};
-constexpr Amplitudes unknown = {1.0, 0.33, 0.08, 0.055}, foreseen = {0.15, 0.06, 0.04, 0.055};
+// Amplitudes in units of log(strength); slopes per half box: by maximum likelihood from 240 runs of UCS at
+// eight angles, drawn over the box on four coarse packings
+// (docs/decisions/0006-calibration-in-two-grain-sizes.md), and, the scatter, from the tests of 48 rocks
+// against what others foretell (experience.hpp).
+constexpr double remainder_size = 0.055;
 constexpr double length = 0.8;  // of the remainder, in half boxes
 constexpr double coarse_constant = 0.10, coarse_slope = 0.05;
 constexpr double packing_coarse = 0.06, run_coarse = 0.085;
@@ -31,18 +25,16 @@ double square(double x) { return x * x; }
 
 /// Covariance of the response of fine grains, mean over packings.
 double Surrogate::response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-  const Amplitudes& size = foretold_ ? foreseen : unknown;
   const double dot = a.dot(b);
   return square(response_) *
-         (square(size.constant) + square(size.slope) * dot + square(size.curvature) * square(dot) +
-          square(size.remainder) * std::exp(-0.5 * (a - b).squaredNorm() / square(length)));
+         (square(foretold_.constant) + square(foretold_.slope) * dot +
+          square(foretold_.curvature) * square(dot) +
+          square(remainder_size) * std::exp(-0.5 * (a - b).squaredNorm() / square(length)));
 }
 
-Surrogate::Surrogate(std::vector<SurrogateRun> runs, Expectation foretold)
+Surrogate::Surrogate(std::vector<SurrogateRun> runs, Foretold foretold)
     : runs_(std::move(runs)), foretold_(std::move(foretold)) {
-  PHY_CHECK(!runs_.empty() || foretold_, "a surrogate needs runs or experience");
   if (runs_.empty()) return;
-  for (const SurrogateRun& r : runs_) offset_ += r.y / static_cast<double>(runs_.size());
   double best = -std::numeric_limits<double>::infinity();
   std::pair<double, double> chosen{1.0, 1.0};
   for (const double response : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6})
@@ -62,7 +54,7 @@ double Surrogate::learn(double response, double scatter) {
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const SurrogateRun& a = runs_[static_cast<std::size_t>(i)];
-    y[i] = a.y - expected(a.z);
+    y[i] = a.y - foretold_.value(a.z);
     for (Eigen::Index j = 0; j <= i; ++j) {
       const SurrogateRun& b = runs_[static_cast<std::size_t>(j)];
       double k = response_kernel(a.z, b.z);
@@ -85,7 +77,7 @@ Surrogate::Value Surrogate::at(const Eigen::VectorXd& z) const {
   for (Eigen::Index i = 0; i < k.size(); ++i) k[i] = response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
   const double prior = response_kernel(z, z);
   const double known = runs_.empty() ? 0.0 : factor_.matrixL().solve(k).squaredNorm();
-  return {expected(z) + k.dot(weights_), std::max(0.0, prior - known)};
+  return {foretold_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
 
 double Surrogate::scatter() const { return scatter_ * std::hypot(packing_fine, run_fine); }

@@ -28,14 +28,20 @@ struct SurrogateRun {
   double y = 0.0;  ///< logarithm of the answer
 };
 
+/// What is known of a response before its first run: its value at every point, and how far a rock may lie
+/// from that, in units of the logarithm, slope and curvature per half box.
+struct Foretold {
+  std::function<double(const Eigen::VectorXd&)> value = [](const Eigen::VectorXd&) { return 0.0; };
+  double constant = 1.0, slope = 0.33, curvature = 0.08;
+};
+
 class Surrogate {
  public:
   struct Value {
     double mean = 0.0, variance = 0.0;
   };
-  using Expectation = std::function<double(const Eigen::VectorXd&)>;
-  /// Learns from runs: from at least one, unless the response is foretold.
-  explicit Surrogate(std::vector<SurrogateRun> runs, Expectation foretold = nullptr);
+  /// Without runs it knows what is foretold.
+  explicit Surrogate(std::vector<SurrogateRun> runs, Foretold foretold = {});
   Value at(const Eigen::VectorXd& z) const;
   std::size_t n_runs() const { return runs_.size(); }
   /// Standard deviation of one run of a fine packing about the mean over packings.
@@ -43,14 +49,12 @@ class Surrogate {
 
  private:
   std::vector<SurrogateRun> runs_;
-  Expectation foretold_;
-  double offset_ = 0.0;                    // mean of y where nothing is foretold
+  Foretold foretold_;
   double response_ = 1.0, scatter_ = 1.0;  // factors on the amplitudes
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd weights_;
 
   double learn(double response, double scatter);  // returns the log likelihood
-  double expected(const Eigen::VectorXd& z) const { return foretold_ ? foretold_(z) : offset_; }
   double response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 };
 

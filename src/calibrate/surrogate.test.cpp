@@ -59,10 +59,10 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
 }
 
 TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
-  const auto foretold = [](const VectorXd& z) { return curve(z) + 0.2 + 0.05 * z[1]; };
+  const Foretold foretold{[](const VectorXd& z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15, 0.06, 0.04};
   const Surrogate none({}, foretold), few(runs(6, 0.02, 0.0, 0), foretold);
   const VectorXd z = point(7, 3);
-  EXPECT_DOUBLE_EQ(none.at(z).mean, foretold(z));
+  EXPECT_DOUBLE_EQ(none.at(z).mean, foretold.value(z));
   EXPECT_GT(std::sqrt(none.at(z).variance), 0.1);
   EXPECT_LT(rms(few), 0.85 * rms(Surrogate(runs(6, 0.02, 0.0, 0))));
   double chi = 0.0;

@@ -1,0 +1,75 @@
+// What a table can determine, foretold before anything runs.
+#include "calibrate/foresee.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "theory/goodman.hpp"
+
+namespace phy {
+namespace {
+
+RockReading reading(Property property, double theta, double value) {
+  RockReading r;
+  r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
+  return r;
+}
+
+/// E and nu of a jointed rock at seven angles.
+Rock layered_rock() {
+  const JointedRock truth{60e9, 40e9, 12e9, 0.25};
+  Rock rock;
+  rock.model.bedding.resize(1);
+  for (const double theta : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
+    rock.readings.push_back(reading(Property::E, theta, goodman_E(truth, theta)));
+    rock.readings.push_back(reading(Property::nu, theta, goodman_nu(truth, theta)));
+  }
+  return rock;
+}
+
+ParameterEstimate foreseen(const Rock& rock, const std::string& key) {
+  for (const ParameterEstimate& e : foresee(rock))
+    if (e.key == key) return e;
+  ADD_FAILURE() << key << " is not foreseen";
+  return {};
+}
+
+TEST(Foresee, ModuliAtSevenAnglesDetermineTheElasticParameters) {
+  for (const char* key : {"matrix.E_c", "bedding[0].k_n", "bedding[0].k_s"})
+    EXPECT_TRUE(foreseen(layered_rock(), key).determined) << key;
+  EXPECT_FALSE(foreseen(layered_rock(), "matrix.sigma_c").determined);
+}
+
+TEST(Foresee, ANoisierTableLeavesWiderIntervals) {
+  Rock noisy = layered_rock();
+  for (RockReading& r : noisy.readings) r.sd *= 4.0;
+  const auto width = [](const ParameterEstimate& e) { return std::log(e.high / e.low); };
+  EXPECT_GT(width(foreseen(noisy, "bedding[0].k_n")),
+            2.0 * width(foreseen(layered_rock(), "bedding[0].k_n")));
+}
+
+TEST(Foresee, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
+  Rock rock = layered_rock();
+  EXPECT_THAT(foreseen(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
+  rock.readings.push_back(reading(Property::direct_tension, 0.0, 5e6));
+  EXPECT_TRUE(foreseen(rock, "sigma_n,sj/C_sj").determined);
+}
+
+TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
+  Rock rock;
+  rock.bedded = false;
+  rock.readings.push_back(reading(Property::ucs, 0.0, 150e6));
+  EXPECT_EQ(foresee(rock).size(), 5U);
+  for (const ParameterEstimate& e : foresee(rock))
+    for (const std::string& text : {e.rests_on, e.next_test})
+      EXPECT_THAT(text, testing::Not(testing::HasSubstr("degrees"))) << e.key;
+  EXPECT_TRUE(foreseen(rock, "matrix.sigma_c").determined);
+  EXPECT_FALSE(foreseen(rock, "tau_c/sigma_c").determined);
+  rock.readings.push_back(reading(Property::brazilian, 0.0, 20e6));
+  EXPECT_TRUE(foreseen(rock, "tau_c/sigma_c").determined);
+}
+
+}  // namespace
+}  // namespace phy
