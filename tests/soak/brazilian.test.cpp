@@ -11,6 +11,7 @@
 #include "../calibration/twin_trial.hpp"
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "setting.hpp"
 
 namespace phy {
 namespace {
@@ -19,10 +20,7 @@ constexpr double ratio_out_of_reach = 15.0;
 const std::vector<double> moduli_at = {0, 15, 30, 45, 60, 75, 90}, ucs_at = {0, 30, 60, 90},
                           bts_at = {0, 45, 90};
 
-int threads() {
-  const char* text = std::getenv("PHY_TWIN_THREADS");
-  return text != nullptr ? std::atoi(text) : static_cast<int>(std::thread::hardware_concurrency());
-}
+int threads() { return static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency())); }
 
 Recipe opening_rock(const Recipe& model) {
   Recipe r = model;

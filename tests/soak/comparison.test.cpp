@@ -20,17 +20,13 @@
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "setting.hpp"
 #include "theory/eq1_fit.hpp"
 
 namespace phy {
 namespace {
 
 const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
-
-double setting(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
 
 const std::vector<std::int64_t> budgets = {100, 280};
 

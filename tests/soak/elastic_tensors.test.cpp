@@ -14,16 +14,12 @@
 
 #include "calibrate/calibration.hpp"
 #include "io/rock_in.hpp"
+#include "setting.hpp"
 
 namespace phy {
 namespace {
 
 constexpr std::size_t n_angles = 7;
-
-int setting(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::atoi(text) : otherwise;
-}
 
 /// The tables: seven rows of a file are one tensor.
 std::vector<Rock> tensors() {
@@ -61,10 +57,11 @@ double worst_E(const std::vector<Comparison>& rows) {
 }
 
 TEST(ElasticTensors, ModulusWithinTwoPercentOrAVerdictThatNamesTheLimit) {
-  const int threads = setting("PHY_TWIN_THREADS", static_cast<int>(std::thread::hardware_concurrency()));
+  const auto threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
   const std::vector<Rock> all = tensors();
   ASSERT_EQ(all.size(), 26U);
-  const int first = setting("PHY_TENSOR_FIRST", 0), n = setting("PHY_TENSORS", 26);
+  const auto first = static_cast<int>(setting("PHY_TENSOR_FIRST", 0)),
+             n = static_cast<int>(setting("PHY_TENSORS", 26));
   int limited = 0, run = 0;
   for (int k = first; k < std::min(26, first + n); ++k, ++run) {
     const Rock& rock = all[static_cast<std::size_t>(k)];

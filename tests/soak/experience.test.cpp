@@ -14,6 +14,7 @@
 #include "calibrate/experience.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "setting.hpp"
 
 namespace phy {
 namespace {
@@ -105,11 +106,9 @@ VectorXd regress(const std::vector<Lesson>& all, double theta) {
 }
 
 TEST(Experience, IsWhatItsTestsTeach) {
-  const char* rocks = std::getenv("PHY_EXPERIENCE_ROCKS");
-  const char* store = std::getenv("PHY_EXPERIENCE_STORE");
-  const auto n = static_cast<std::uint32_t>(rocks != nullptr ? std::atoi(rocks) : n_rocks);
+  const auto n = static_cast<std::uint32_t>(setting("PHY_EXPERIENCE_ROCKS", n_rocks));
   const auto simulator = make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
-                                         store != nullptr ? store : "", nullptr, nullptr});
+                                         text_setting("PHY_EXPERIENCE_STORE"), nullptr, nullptr});
   const Recipe model = magnified_model(2.5);
   std::vector<Lesson> all;
   std::map<double, std::vector<double>> errors;

@@ -10,19 +10,15 @@
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
+#include "setting.hpp"
 
 namespace phy {
 namespace {
 
-double setting(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
-
 /// File of finished tests of rock k, or none.
 std::string store_of(std::uint32_t k) {
-  const char* folder = std::getenv("PHY_TWIN_STORE");
-  return folder != nullptr ? fmt::format("{}/rock-{}.sqlite", folder, k) : std::string();
+  const std::string folder = text_setting("PHY_TWIN_STORE");
+  return folder.empty() ? "" : fmt::format("{}/rock-{}.sqlite", folder, k);
 }
 
 /// Mean over the targets of log(model on unseen packings over what the fit foretold).

@@ -1,0 +1,86 @@
+// What is believed of the strength parameters once some tests have run.
+//
+// A strength is proportional to all micro-strengths together (moduli, geometry and friction kept):
+// log(UCS/sigma_c) is a function of five ratios alone, one function per angle. A surrogate per test and angle
+// (surrogate.hpp) learns it from runs of the press; sigma_c costs no run. What is wanted is the posterior
+//
+//   log p = -1/2 sum_i [ (log lab_i - log sigma_c - f_i(z))^2 / v_i + log v_i ],
+//   v_i = se_i^2 + var f_i(z) + d^2
+//
+// uniform over the box of parameters.hpp: laboratory scatter and ignorance of the surrogate count alike, and
+// a ratio that the data do not determine keeps the width of its box. d is what the best known rock misses
+// beyond both: zero where the table can be met; where it cannot, the posterior would otherwise flee to the
+// rocks of which least is known.
+#pragma once
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+#include "calibrate/parameters.hpp"
+#include "calibrate/surrogate.hpp"
+#include "records/calibration.hpp"
+
+namespace phy {
+
+/// Points are vectors: log sigma_c, then the ratios in [-1, 1].
+class StrengthPosterior {
+ public:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);  ///< target to leave out
+
+  /// `recipe`: moduli of the rock.
+  StrengthPosterior(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets);
+
+  Eigen::Index n_ratios() const { return static_cast<Eigen::Index>(parameters_.size()) - 1; }
+  const std::vector<Target>& targets() const { return targets_; }
+  std::size_t n_targets() const { return targets_.size(); }
+  std::size_t n_tension() const;
+  const Parameter& parameter(std::size_t i) const { return *parameters_[i]; }
+  double box_low(std::size_t i) const;  ///< logarithm
+  double box_high(std::size_t i) const;
+  /// A point with the ratios of the middle of the box and a usual sigma_c.
+  Eigen::VectorXd middle_of_box() const;
+  /// Logarithm of parameter i at a point.
+  double log_value(const Eigen::VectorXd& x, std::size_t i) const;
+  Recipe recipe_at(Recipe recipe, const Eigen::VectorXd& x) const;
+
+  void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
+  /// Every target has an answer of its own.
+  bool has_runs() const;
+  /// From all runs so far; to be called before what follows.
+  void learn();
+  Surrogate::Value predict(const Eigen::VectorXd& x, std::size_t target) const;
+  double log_density(const Eigen::VectorXd& x, std::size_t left_out) const;
+  /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
+  /// may not find out of there.
+  std::vector<Eigen::VectorXd> draws(std::size_t left_out, std::uint32_t seed) const;
+  /// A table that no rock of the box meets: what the best known of the draws misses beyond scatter and
+  /// ignorance becomes part of every variance. True if there is any.
+  bool find_discrepancy(const std::vector<Eigen::VectorXd>& draws);
+  double discrepancy() const { return discrepancy_; }  ///< d^2
+
+  /// Squared relative standard error of the laboratory.
+  static double variance(const Target& t);
+
+ private:
+  std::vector<std::vector<SurrogateRun>> runs_;  // per target
+  std::vector<Foretold> foretold_;
+  std::vector<Surrogate> models_;
+  std::vector<Target> targets_;
+  std::vector<const Parameter*> parameters_;
+  double largest_ = 0.0;
+  double discrepancy_ = 0.0;
+
+  std::vector<Eigen::VectorXd> spread_points(int n) const;
+  double best_sigma(const Eigen::VectorXd& x, std::size_t left_out) const;
+};
+
+/// Index of the draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters,
+/// and to the laboratory. Distances are expected ones: what the surrogate does not know of a draw puts it
+/// farther away, so that of two draws that fit alike the better known is taken.
+std::size_t middle(const StrengthPosterior& posterior, const std::vector<Eigen::VectorXd>& draws);
+
+/// `n` of the draws, far from each other, the one in the middle first.
+std::vector<Eigen::VectorXd> spread_draws(const StrengthPosterior& posterior,
+                                          const std::vector<Eigen::VectorXd>& draws, std::size_t n);
+
+}  // namespace phy

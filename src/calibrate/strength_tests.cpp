@@ -1,0 +1,167 @@
+#include "calibrate/strength_tests.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/analyse.hpp"
+#include "analysis/brazilian.hpp"
+#include "base/stats.hpp"
+#include "calibrate/elastic_stage.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double coarse_factor = 2.5;         // magnification of the grains
+constexpr std::int64_t fewest_grains = 1000;  // of a coarse packing
+constexpr double wave_transits = 100.0;
+constexpr double search_speed = 2.0;
+constexpr double jump_share = 0.35;  // of the expected peak strain
+// Approach of the jaws over the diameter, in units of BTS/E: 5.5 for arcs of 10 degrees on an elastic disc
+// (1 - nu + ln(1 + 4/sin^2 5 deg), Wang et al. 2004, IJRMMS 41:245-253, nu = 0.25), less for wider ones.
+constexpr double disc_approach = 5.0;
+constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
+
+/// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
+/// disc, the approach over the diameter.
+std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
+                                 Simulator& simulator) {
+  std::vector<Recipe> recipes;
+  for (const Target& t : targets) recipes.push_back(single_at(recipe, t.theta, seed));
+  const std::vector<ElasticResult> elastic = simulator.elastic(recipes, true);
+  std::vector<double> strains;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    strains.push_back((targets[i].property == Property::brazilian ? disc_approach : 1.0) * targets[i].mean /
+                      elastic[i].E_gauge);
+  return strains;
+}
+
+/// Speed of platens or grips at which a wave crosses the specimen a hundred times until the earliest peak of
+/// a property; infinite without targets.
+double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
+                  const std::vector<double>& strains, Property property) {
+  double speed = infinity;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (targets[i].property == property) {
+      const double factor = property == Property::brazilian ? disc_approach : 1.0;
+      const double wave = std::sqrt(factor * targets[i].mean / strains[i] / recipe.matrix.density);
+      speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
+    }
+  return speed;
+}
+
+/// How a strength of the table is tested, and which number of the result it is.
+struct Procedure {
+  Property property;
+  TestKind kind;
+  const char* number;
+};
+const Procedure* procedure_of(Property property) {
+  static const std::vector<Procedure> list = {{Property::ucs, TestKind::uniaxial, "ucs"},
+                                              {Property::direct_tension, TestKind::direct_tension, "sigma_t"},
+                                              {Property::brazilian, TestKind::brazilian, "bts"}};
+  for (const Procedure& p : list)
+    if (p.property == property) return &p;
+  return nullptr;
+}
+
+/// Did a Brazilian disc begin to break outside the central third?
+bool is_invalid(const TestResult& result) {
+  for (const char* place : {"first_crack_x", "first_crack_y"})
+    if (const Number* n = find(result.numbers, place); n != nullptr && std::fabs(n->value) > central_third)
+      return true;
+  return false;
+}
+
+}  // namespace
+
+StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
+                             Simulator& simulator)
+    : targets_(targets), strains_(peak_strains(recipe, targets, seed, simulator)) {
+  for (const Target& t : targets_)
+    speeds_.push_back(t.property == Property::ucs ? recipe.test.platen_speed
+                                                  : slow_speed(recipe, targets_, strains_, t.property));
+}
+
+Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
+  Recipe one = single_at(recipe, targets_[target].theta, seed);
+  one.test.kind = procedure_of(targets_[target].property)->kind;
+  one.test.platen_speed = speeds_[target];
+  if (one.test.kind == TestKind::brazilian) {
+    if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
+    one.test.history_interval = disc_interval;
+  }
+  return one;
+}
+
+Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
+  Recipe one = of(recipe, target, seed);
+  one.test.platen_speed *= search_speed;
+  if (one.test.kind == TestKind::uniaxial) one.test.jump_strain = jump_share * strains_[target];
+  return one;
+}
+
+double strength_of(const TestResult& result, Property property) {
+  if (result.outcome.status != Status::peaked) return std::nan("");
+  const Number* n = find(result.numbers, procedure_of(property)->number);
+  return n != nullptr ? n->value : std::nan("");
+}
+
+Recipe coarse(Recipe r) {
+  r.packing.radius_min *= coarse_factor, r.packing.radius_max *= coarse_factor;
+  r.packing.n_grains =
+      std::llround(static_cast<double>(r.packing.n_grains) / (coarse_factor * coarse_factor));
+  for (BeddingRecipe& b : r.bedding) {
+    b.spacing *= coarse_factor, b.zone_thickness *= coarse_factor, b.offset *= coarse_factor;
+    b.k_n /= coarse_factor, b.k_s /= coarse_factor;
+  }
+  return r;
+}
+bool has_coarse(const Recipe& r) {
+  return r.packing.file.empty() && static_cast<double>(r.packing.n_grains) >=
+                                       static_cast<double>(fewest_grains) * coarse_factor * coarse_factor;
+}
+
+bool can_test(Property property) { return procedure_of(property) != nullptr; }
+
+Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
+  const std::vector<Target> targets = of_property(all, Property::ucs);
+  const std::vector<double> strains = peak_strains(recipe, targets, seed, simulator);
+  const double speed = slow_speed(recipe, targets, strains, Property::ucs);
+  const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
+  TestRecipe& test = recipe.test;
+  if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = std::max(0.01, 6.0 * largest);
+  test.stop_at = 0.8, test.post_peak = 1.0;
+  test.n_snapshots = 0, test.n_frames = 0;
+  test.angles.clear(), test.intact = false;
+  recipe.engine.precision = Precision::single_precision;
+  return recipe;
+}
+
+std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
+                                          const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  const StrengthTests tests(recipe, targets, seeds.front(), simulator);
+  std::vector<Recipe> recipes;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed));
+  const std::vector<TestResult> results = simulator.test(recipes);
+  std::vector<Comparison> rows;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    std::vector<double> values;
+    Comparison c;
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+      const TestResult& result = results[i * seeds.size() + p];
+      const double s = strength_of(result, targets[i].property);
+      if (!std::isfinite(s)) continue;
+      values.push_back(s);
+      c.n_invalid += is_invalid(result) ? 1 : 0;
+    }
+    const Summary s = summarise(values);
+    c.target = targets[i], c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
+    rows.push_back(c);
+  }
+  return rows;
+}
+
+}  // namespace phy

@@ -1,0 +1,51 @@
+// The tests of a table: what the laboratory did to its specimens, done to specimens of the model.
+//
+// Platens move at a speed at which a wave crosses the specimen a hundred times until the earliest peak. The
+// search of the strengths takes twice that and a jump start (docs/calibration.md, "Two speeds").
+#pragma once
+#include <vector>
+
+#include "calibrate/simulator.hpp"
+#include "records/calibration.hpp"
+
+namespace phy {
+
+/// True for the strengths that this program can test.
+bool can_test(Property property);
+
+/// The tests for one packing each. Compression runs at the recipe's speed, every kind of test in tension at
+/// a slow speed of its own.
+class StrengthTests {
+ public:
+  /// `recipe`: with test_settings(); the moduli on the packing `seed` say at which strain each target peaks.
+  StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
+                Simulator& simulator);
+  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
+  /// For the search: jump start and twice the speed halve the steps of a compression test and move UCS by
+  /// +0.7 +- 0.4 %.
+  Recipe quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
+
+ private:
+  std::vector<Target> targets_;
+  std::vector<double> strains_, speeds_;
+};
+
+/// Strength of a test [Pa]; NaN if it has none.
+double strength_of(const TestResult& result, Property property);
+
+/// Mean strengths of a recipe at the targets over packings, by the tests themselves.
+std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
+                                          const std::vector<std::int64_t>& seeds, Simulator& simulator);
+
+/// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
+/// wave crosses the specimen a hundred times until the earliest peak. `targets`: their UCS over the modulus
+/// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
+Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
+
+/// The same specimen with fewer, larger grains: planes, zone and joint stiffness in proportion, so that all
+/// dimensionless numbers stay.
+Recipe coarse(Recipe recipe);
+/// Are there grains enough for a coarse packing?
+bool has_coarse(const Recipe& recipe);
+
+}  // namespace phy
