@@ -37,12 +37,20 @@ std::size_t n_angles(const std::vector<Comparison>& rows) {
   return angles.size();
 }
 
+/// A strength that follows from a ratio is pinned by what pins the ratio.
+std::string ratio_of(const std::string& key) {
+  if (key == "matrix.tau_c") return "tau_c/sigma_c";
+  if (key == "bedding[0].cohesion") return "C_sj/tau_c";
+  if (key == "bedding[0].sigma_n") return "sigma_n,sj/C_sj";
+  return key;
+}
+
 /// Which data speak about each parameter, and what would pin the others.
 void add_identifiability(Calibration& result, const Rock& rock) {
   const std::vector<ParameterEstimate> foreseen = foresee(rock);
   for (ParameterEstimate& e : result.parameters)
     for (const ParameterEstimate& f : foreseen) {
-      if (f.key != e.key) continue;
+      if (f.key != ratio_of(e.key)) continue;
       e.rests_on = e.determined ? f.rests_on : "";
       if (!e.determined) e.next_test = f.next_test.empty() ? "more specimens of: " + f.rests_on : f.next_test;
     }

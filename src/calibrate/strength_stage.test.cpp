@@ -268,6 +268,17 @@ TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   }
 }
 
+TEST(StrengthStage, WhateverIsLeftOpenIsToldWithTheTestThatWouldPinIt) {
+  PaperPress press;
+  const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::ucs, 90.0, 170e6}}, true);
+  int open = 0;
+  for (const ParameterEstimate& e : calibrate(rock, {}, press).parameters) {
+    EXPECT_EQ(e.next_test.empty(), e.determined) << e.symbol;
+    open += e.determined ? 0 : 1;
+  }
+  EXPECT_GE(open, 4);
+}
+
 TEST(StrengthStage, StopsWhenTheUserDoes) {
   PaperPress press;
   press.stop_after = 100;
