@@ -98,7 +98,7 @@ bool LabTest::load_once_steady(bool at_target, double stress_over_target, double
       Status::not_settled,
       fmt::format("the confining or normal stress does not settle: {:.1f} % off its target after {} cycles",
                   100.0 * (stress_over_target - 1.0), cycles),
-      "raise engine.damping, or lower the stress");
+      "raise engine.damping, or lower test.platen_speed or the stress");
 }
 
 bool LabTest::after_block() {

@@ -92,6 +92,8 @@ double smallest_radius(const Packing& packing) {
   return r;
 }
 
+double modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E_b; }
+
 /// A jaw on the arc of the rim around `up` = (0, +-1).
 Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
   Tool tool{std::move(name), {}, {}, true};
@@ -168,20 +170,26 @@ Rig shear_boxes(const Packing& packing, double gap) {
   return rig;
 }
 
+double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
+  return std::sqrt(modulus(matrix) * matrix.density) * area / time;
+}
+
 double block_stiffness(const Specimen& specimen, double area, double length, double time) {
-  const MatrixRecipe& m = specimen.matrix;
-  const double E = m.E_c + m.radius_multiplier * m.E_b, rho_c = std::sqrt(E * m.density);
-  return 2.0 * E * area / length + rho_c * area / time;
+  return 2.0 * modulus(specimen.matrix) * area / length + wave_stiffness(specimen.matrix, area, time);
 }
 
 double plane_stiffness(const Specimen& specimen, double gap) {
   const std::vector<Disc>& discs = specimen.packing->discs;
   const double middle = 0.5 * specimen.packing->height;
-  double sum = 0.0, radius = 0.0;
-  for (const Contact& c : specimen.contacts)
-    if ((discs[c.a].y < middle) != (discs[c.b].y < middle)) sum += initial_stiffness(specimen, c).k_n;
+  double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
+  for (Contact c : specimen.contacts) {
+    if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
+    across += initial_stiffness(specimen, c).k_n;
+    if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
+    sound += initial_stiffness(specimen, c).k_n;
+  }
   for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
-  return sum / (1.0 + gap / (2.0 * radius));
+  return across / (1.0 + gap / (2.0 * radius) * (across / sound));
 }
 
 }  // namespace phy

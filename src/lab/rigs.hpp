@@ -38,13 +38,16 @@ Rig confined_platens(const Packing& packing, const TestRecipe& test);
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
 Rig shear_boxes(const Packing& packing, double gap);
 
-/// For the servo of a pair of platens of that area [m^2/m], `length` apart [m]: change of force per
-/// displacement of each within a block of `time` [s], of rock as stiff as its contacts, at rest and as an
-/// elastic wave [N/m per m].
+/// Change of the force on a face of rock of that area [m^2/m] per displacement within a block of `time` [s],
+/// as an elastic wave [N/m per m].
+double wave_stiffness(const MatrixRecipe& matrix, double area, double time);
+
+/// For the servo of a pair of platens of that area, `length` apart [m]: change of force per displacement of
+/// each within a block of `time`, of rock as stiff as its contacts, at rest and as a wave [N/m per m].
 double block_stiffness(const Specimen& specimen, double area, double length, double time);
 
-/// For the servo of a shear box: normal stiffness of what lies between the boxes, from the contacts across
-/// half the height [N/m per m].
+/// For the servo of a shear box: normal stiffness at rest of what lies between the boxes, the contacts across
+/// half the height in series with layers of sound rock that fill the gap [N/m per m].
 double plane_stiffness(const Specimen& specimen, double gap);
 
 }  // namespace phy
