@@ -33,6 +33,7 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       frames_(recipe.test.n_frames) {
   result_.name = specimen_->name;
   result_.kind = result_.history.kind = recipe.test.kind;
+  result_.n_grains = static_cast<std::int64_t>(packing().discs.size());
   result_.intact = specimen_->bedding.empty();
   if (!result_.intact) result_.theta = specimen_->bedding.front().theta;
 }

@@ -136,6 +136,7 @@ struct TestResult {
   double dt = 0.0;                  ///< [s] at the start
   std::int64_t n_steps = 0;
   std::int64_t n_contacts = 0;  ///< bonded, joint or touching at the start
+  std::int64_t n_grains = 0;    ///< of the specimen; not stored
   double seconds = 0.0;         ///< thread CPU time share of this specimen
   std::string hash;             ///< bits of history, cracks and final positions
 };

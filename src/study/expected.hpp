@@ -5,11 +5,15 @@
 
 namespace phy {
 
+/// Grains of the specimen, near enough; of a Brazilian test those of the disc.
+double expected_grains(const Recipe& single);
+
 /// Expected cost of a test [cycles times grains], a guess.
 double expected_cost(const Recipe& single);
 
-/// Axial strain at which a specimen is expected to peak, from Goodman's modulus and Jaeger's strength with
-/// rules of thumb for the macro values. Within a factor of two for the usual rocks; decides no result.
+/// Strain at which a specimen is expected to peak, in the measure of its test, from Goodman's modulus and
+/// Jaeger's strength with rules of thumb for the macro values. Within a factor of two for the usual rocks;
+/// decides no result.
 double expected_peak_strain(const Recipe& single);
 
 /// Seconds of CPU per unit of cost when nothing has been measured.

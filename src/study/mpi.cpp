@@ -60,7 +60,7 @@ bool look(int from, int tag, MPI_Status& status) {
   return there != 0;
 }
 
-// What the store keeps of a result, and nothing more. NaN travels as null.
+// What the store keeps of a result and the desk counts, nothing more. NaN travels as null.
 json packed(const TestResult& r) {
   json numbers = json::array();
   for (const Number& n : r.numbers) numbers.push_back({n.name, n.value, n.unit, n.definition, n.note});
@@ -72,7 +72,7 @@ json packed(const TestResult& r) {
           {"history", history_csv(r.history)},
           {"cracks", cracks_csv(r.cracks)},
           {"dt", r.dt},
-          {"counts", {r.n_steps, r.n_contacts}},
+          {"counts", {r.n_steps, r.n_contacts, r.n_grains}},
           {"seconds", r.seconds},
           {"hash", r.hash}};
 }
@@ -89,7 +89,7 @@ TestResult unpacked(const json& j) {
   r.history = parse_history(j["history"].get<std::string>(), "a result of another rank");
   r.cracks = parse_cracks(j["cracks"].get<std::string>(), "a result of another rank");
   r.dt = number_or_nan(j["dt"]);
-  r.n_steps = j["counts"][0], r.n_contacts = j["counts"][1];
+  r.n_steps = j["counts"][0], r.n_contacts = j["counts"][1], r.n_grains = j["counts"][2];
   r.seconds = j["seconds"], r.hash = j["hash"];
   return r;
 }

@@ -257,7 +257,7 @@ void StoreDesk::deliver_from(const std::string& host, std::size_t test, const Te
   ++progress_.n_new;
   progress_.n_guest += host.empty() ? 0 : 1;
   progress_.cost_new += t.cost;
-  progress_.work_new += static_cast<double>(result.n_steps * t.recipe.packing.n_grains);
+  progress_.work_new += static_cast<double>(result.n_steps * result.n_grains);
   if (hooks_.on_result) hooks_.on_result(t, result);
   if (hooks_.on_progress) hooks_.on_progress(progress_);
 }

@@ -173,6 +173,23 @@ TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
   EXPECT_EQ(n_advised, 3u);
 }
 
+// Of discs cut from a packing that is given by its porosity.
+TEST_F(Runner, WorkIsCountedInTheGrainsThatRan) {
+  write_file(at("base.toml"),
+             "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nporosity = 0.16\nn_grains = 0\n"
+             "[test]\nkind = \"brazilian\"\nplaten_speed = \"0.2 m/s\"\n");
+  const Plan p = plan("packings = [1, 2]\n");
+  Store store(at("s.sqlite"));
+  const StudyHooks none;
+  StoreDesk desk(p, store, none, 1);
+  MachineOptions machine;
+  machine.isa = native_isa();
+  work_at(desk, p, machine);
+  const StudyProgress now = desk.progress();
+  EXPECT_GT(now.work, 0.0);
+  EXPECT_EQ(now.work_new, now.work) << "all tests are finished";
+}
+
 // Discs beside the box cannot be adopted: that is an outcome of this point, not the end of the study.
 TEST_F(Runner, APackingThatCannotBeMadeIsAnOutcome) {
   write_file(at("discs.csv"), "x [m],y [m],r [m]\n1,1,0.001\n");

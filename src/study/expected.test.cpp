@@ -1,0 +1,50 @@
+// Guesses of the length of a test beside the test.
+#include "study/expected.hpp"
+
+#include <gtest/gtest.h>
+
+#include "genesis/packing.hpp"
+#include "genesis/specimen.hpp"
+#include "lab/lab_test.hpp"
+
+namespace phy {
+namespace {
+
+Recipe rock(TestKind kind) {
+  Recipe r;
+  r.specimen = {0.014, 0.016};
+  r.packing.n_grains = 0, r.packing.porosity = 0.16;
+  r.test.kind = kind, r.test.platen_speed = 0.1;
+  return r;
+}
+
+std::shared_ptr<const Specimen> specimen(const Recipe& r) {
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  return std::make_shared<const Specimen>(make_specimens(packing, r).front());
+}
+
+// Some hundred radii are drawn, with a coefficient of variation of r^2 of 0.3; a rim of a disc cuts grains.
+TEST(Expected, GrainsOfTheSpecimenThatRuns) {
+  for (const TestKind kind : {TestKind::uniaxial, TestKind::brazilian})
+    for (const auto distribution : {RadiusDistribution::by_number, RadiusDistribution::by_area}) {
+      Recipe r = rock(kind);
+      r.packing.distribution = distribution;
+      EXPECT_NEAR(expected_grains(r) / static_cast<double>(specimen(r)->packing->discs.size()), 1.0, 0.04);
+    }
+}
+
+TEST(Expected, CostWithinAFactorOfTwo) {
+  for (const TestKind kind : {TestKind::uniaxial, TestKind::brazilian, TestKind::direct_shear}) {
+    Recipe r = rock(kind);
+    r.test.normal_stress = 5e6;
+    r.test.max_strain = kind == TestKind::direct_shear ? 0.004 : 0.01;
+    const TestResult result = run_alone(specimen(r), r);
+    ASSERT_NE(result.outcome.status, Status::not_settled) << result.outcome.reason;
+    const double ratio = static_cast<double>(result.n_steps * result.n_grains) / expected_cost(r);
+    EXPECT_GT(ratio, 0.5) << to_string(kind);
+    EXPECT_LT(ratio, 2.0) << to_string(kind);
+  }
+}
+
+}  // namespace
+}  // namespace phy
