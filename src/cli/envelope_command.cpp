@@ -231,10 +231,6 @@ EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specim
     };
     tests.results.push_back(run_tests(specimens, confined, machine, hooks));
     before.n_done += specimens.size(), before.steps_done += now.steps_done;
-    for (std::size_t k = 0; k < specimens.size(); ++k) {  // a test that was not started knows its name only
-      TestResult& r = tests.results.back()[k];
-      r.intact = specimens[k]->bedding.empty(), r.theta = r.intact ? 0.0 : specimens[k]->bedding[0].theta;
-    }
   }
   line.finish();
   return tests;

@@ -28,15 +28,10 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       recipe_(recipe),
       group_(&group),
       lane_(lane),
+      result_(blank_result(*specimen_, recipe.test.kind)),
       rig_(std::make_shared<const Rig>(std::move(rig))),
       snapshots_(recipe.test.n_snapshots),
-      frames_(recipe.test.n_frames) {
-  result_.name = specimen_->name;
-  result_.kind = result_.history.kind = recipe.test.kind;
-  result_.n_grains = static_cast<std::int64_t>(packing().discs.size());
-  result_.intact = specimen_->bedding.empty();
-  if (!result_.intact) result_.theta = specimen_->bedding.front().theta;
-}
+      frames_(recipe.test.n_frames) {}
 
 void LabTest::begin() {
   LaneSetup setup;
@@ -207,6 +202,16 @@ TestResult LabTest::take_result() {
   result_.numbers = analyse(result_.history, result_.cracks, analysis());
   result_.hash = hash_of(result_);
   return std::move(result_);
+}
+
+TestResult blank_result(const Specimen& specimen, TestKind kind) {
+  TestResult r;
+  r.name = specimen.name;
+  r.kind = r.history.kind = kind;
+  r.n_grains = static_cast<std::int64_t>(specimen.packing->discs.size());
+  r.intact = specimen.bedding.empty();
+  if (!r.intact) r.theta = specimen.bedding.front().theta;
+  return r;
 }
 
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,

@@ -100,6 +100,9 @@ class LabTest {
   Reading peak_;
 };
 
+/// The result of a test that has not begun: it knows whose it is.
+TestResult blank_result(const Specimen& specimen, TestKind kind);
+
 /// The test that the recipe names, in a lane of the group.
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                    LaneGroup& group, int lane);

@@ -197,5 +197,25 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
   EXPECT_LT(n_later, 100U) << "a whole test has many more";
 }
 
+TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
+  Recipe r = small_rock(TestKind::biaxial);
+  r.bedding.resize(1);
+  r.test.angles = {30.0};
+  r.test.intact = true;
+  std::vector<std::shared_ptr<const Specimen>> specimens;
+  for (const Recipe& single : single_recipes(r)) specimens.push_back(specimen_of(packing_of(r), single));
+  const std::atomic<bool> stop{true};
+  ScheduleHooks hooks;
+  hooks.stop = &stop;
+  const auto results = run_tests(specimens, r, {1, 0, 4, native_isa()}, hooks);
+  for (const TestResult& result : results) {
+    EXPECT_EQ(result.outcome.reason, "not started");
+    EXPECT_EQ(result.kind, TestKind::biaxial);
+  }
+  EXPECT_EQ(results[0].theta, 30.0);
+  EXPECT_FALSE(results[0].intact);
+  EXPECT_TRUE(results[1].intact);
+}
+
 }  // namespace
 }  // namespace phy

@@ -136,7 +136,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
-    desk.results[i].name = specimens[i]->name;
+    desk.results[i] = blank_result(*specimens[i], recipe.test.kind);
     desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
     cost.push_back(cost_of(*specimens[i], recipe));
   }

@@ -40,7 +40,8 @@ struct ScheduleHooks {
   const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
 };
 
-/// Results in the order of `specimens`; unfinished ones carry Status::interrupted.
+/// Results in the order of `specimens`; unfinished ones carry Status::interrupted, also where a
+/// test has not begun.
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks = {});
