@@ -72,19 +72,6 @@ Recipe confined_recipe(Recipe recipe, double confining_stress) {
   return recipe;
 }
 
-EnvelopeTests run_envelope(const std::vector<std::shared_ptr<const Specimen>>& specimens,
-                           const Recipe& recipe, const std::vector<double>& confining,
-                           const MachineOptions& machine, const OnConfinedResult& on_result) {
-  EnvelopeTests tests{confining, {}};
-  for (std::size_t i = 0; i < confining.size(); ++i) {
-    ScheduleHooks hooks;
-    if (on_result)
-      hooks.on_result = [&](std::size_t k, const TestResult& result) { on_result(i, k, result); };
-    tests.results.push_back(run_tests(specimens, confined_recipe(recipe, confining[i]), machine, hooks));
-  }
-  return tests;
-}
-
 Envelope fit_envelope(const EnvelopeTests& tests) {
   Envelope envelope;
   envelope.specimens = collect(tests);

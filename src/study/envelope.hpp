@@ -7,10 +7,12 @@
 // whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A test that did
 // not peak gives no reading.
 #pragma once
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "study/scheduler.hpp"
+#include "records/recipe.hpp"
+#include "records/result.hpp"
 #include "theory/envelope_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
@@ -22,16 +24,8 @@ struct EnvelopeTests {
   std::vector<std::vector<TestResult>> results;
 };
 
-/// Called from a worker, one at a time, for every test that has ended.
-using OnConfinedResult = std::function<void(std::size_t stress, std::size_t specimen, const TestResult&)>;
-
 /// The recipe of the tests under one confining stress [Pa].
 Recipe confined_recipe(Recipe recipe, double confining_stress);
-
-/// Runs the tests stress by stress; `specimens` are those of the recipe.
-EnvelopeTests run_envelope(const std::vector<std::shared_ptr<const Specimen>>& specimens,
-                           const Recipe& recipe, const std::vector<double>& confining,
-                           const MachineOptions& machine, const OnConfinedResult& on_result = {});
 
 /// One specimen over all confining stresses.
 struct SpecimenEnvelope {

@@ -8,6 +8,7 @@
 #include "analysis/analyse.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
+#include "study/scheduler.hpp"
 #include "theory/hoek_brown.hpp"
 
 namespace phy {
@@ -60,15 +61,16 @@ TEST(Envelope, ConfinementStrengthensAndOneThreadGivesTheSameBits) {
   MachineOptions one, two;
   one.isa = two.isa = native_isa();
   two.threads = 2, two.lanes = 4;
-  const std::vector<double> confining = {0.0, 4e6, 8e6};
-  const EnvelopeTests a = run_envelope(specimens, r, confining, one),
-                      b = run_envelope(specimens, r, confining, two);
-  for (std::size_t i = 0; i < confining.size(); ++i)
-    for (std::size_t k = 0; k < specimens.size(); ++k) EXPECT_EQ(a.results[i][k].hash, b.results[i][k].hash);
+  std::vector<std::vector<TestResult>> a;
+  for (const double sigma_3 : {0.0, 4e6, 8e6}) {
+    const Recipe confined = confined_recipe(r, sigma_3);
+    a.push_back(run_tests(specimens, confined, one));
+    const auto b = run_tests(specimens, confined, two);
+    for (std::size_t k = 0; k < specimens.size(); ++k) EXPECT_EQ(a.back()[k].hash, b[k].hash);
+  }
   for (std::size_t k = 0; k < specimens.size(); ++k) {
-    ASSERT_EQ(a.results[2][k].outcome.status, Status::peaked) << a.results[2][k].outcome.reason;
-    EXPECT_GT(find(a.results[2][k].numbers, "sigma_1")->value,
-              find(a.results[0][k].numbers, "sigma_1")->value + 8e6);
+    ASSERT_EQ(a[2][k].outcome.status, Status::peaked) << a[2][k].outcome.reason;
+    EXPECT_GT(find(a[2][k].numbers, "sigma_1")->value, find(a[0][k].numbers, "sigma_1")->value + 8e6);
   }
 }
 
