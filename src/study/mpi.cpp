@@ -101,11 +101,11 @@ class RemoteDesk : public Desk {
     const json a = ask({{"ask", "enter"}});
     return {static_cast<Assignment::Kind>(a[0].get<int>()), a[1], a[2]};
   }
-  void leave(std::size_t batch) override { ask({{"ask", "leave"}, {"batch", batch}}); }
+  void leave(std::size_t batch, std::optional<std::size_t> last) override {
+    ask(at_batch("leave", batch, last));
+  }
   std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override {
-    json request = {{"ask", "take"}, {"batch", batch}};
-    if (last) request["last"] = *last;
-    const json a = ask(request);
+    const json a = ask(at_batch("take", batch, last));
     return a.is_null() ? std::nullopt : std::optional<std::size_t>(a.get<std::size_t>());
   }
   void deliver(std::size_t test, const TestResult& result) override {
@@ -120,6 +120,11 @@ class RemoteDesk : public Desk {
  private:
   std::mutex mutex_;  // one question of this rank at a time
   std::atomic<bool> stopped_{false};
+  static json at_batch(const char* what, std::size_t batch, std::optional<std::size_t> last) {
+    json request = {{"ask", what}, {"batch", batch}};
+    if (last) request["last"] = *last;
+    return request;
+  }
   json ask(const json& request) {
     const std::lock_guard lock(mutex_);
     send(request, 0, request_tag);
@@ -168,10 +173,10 @@ class Server {
       const Assignment a = desk_.enter();
       return {static_cast<int>(a.kind), a.batch, a.n_tests};
     }
-    if (what == "leave") desk_.leave(q["batch"]);
+    std::optional<std::size_t> last;
+    if (q.contains("last")) last = q["last"].get<std::size_t>();
+    if (what == "leave") desk_.leave(q["batch"], last);
     if (what == "take") {
-      std::optional<std::size_t> last;
-      if (q.contains("last")) last = q["last"].get<std::size_t>();
       const auto test = desk_.take(q["batch"], last);
       return test ? json(*test) : json(nullptr);
     }

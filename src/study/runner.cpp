@@ -39,7 +39,7 @@ class Worker {
       const Assignment a = desk_.enter();
       if (a.kind == Assignment::Kind::work) {
         run_batch(a);
-        desk_.leave(a.batch);
+        desk_.leave(a.batch, last_);
         continue;
       }
       const bool finished = a.kind == Assignment::Kind::finished;
@@ -64,14 +64,16 @@ class Worker {
 
   void run_batch(const Assignment& a) {
     const Recipe& any = plan_.tests[plan_.batches[a.batch].tests.front()].recipe;
+    last_.reset();
     try {
       packing_ = packing_of(any);
     } catch (const InputError& e) {
-      while (const auto test = desk_.take(a.batch, {}))
+      while (const auto test = desk_.take(a.batch, last_)) {
+        last_ = test;
         desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
+      }
       return;
     }
-    last_.reset();
     MachineOptions alone = machine_;
     alone.threads = 1;
     auto crew = std::make_unique<Crew>(held_by(any), crew_options(a.n_tests, any, alone));
@@ -160,10 +162,9 @@ void StoreDesk::finish(std::size_t test, bool failed) {
 }
 
 void StoreDesk::enqueue(std::size_t test) {
-  const PlannedTest& t = plan_.tests[test];
-  Kind& kind = waiting_[t.batch][t.kind];
+  Kind& kind = kind_of(test);
   kind.tests.push_back(test);
-  kind.work += t.cost;
+  kind.work += plan_.tests[test].cost;
 }
 
 std::size_t StoreDesk::n_waiting(std::size_t batch) const {
@@ -209,27 +210,24 @@ Assignment StoreDesk::enter() {
   return {Assignment::Kind::work, batch, std::min(n_waiting(batch), (n + workers - 1) / workers)};
 }
 
-void StoreDesk::leave(std::size_t batch) {
+void StoreDesk::leave(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
   --n_inside_[batch];
+  if (last) --kind_of(*last).n_at;
 }
 
 /// The kind of the last test. When none of it is left, a new kind begins: the one with the most work per
 /// worker times its longest test. Work alone would begin long tests late and leave workers idle at the end;
 /// length alone would bring all kinds together in one group.
 StoreDesk::Kind& StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
-  auto& kinds = waiting_[batch];
-  Kind* const before = last ? &kinds[plan_.tests[*last].kind] : nullptr;
-  if (before != nullptr && !before->tests.empty()) return *before;
+  if (last && !kind_of(*last).tests.empty()) return kind_of(*last);
   const auto urgency = [&](const Kind& k) {
     return k.work / (1.0 + k.n_at) * plan_.tests[k.tests.front()].cost;
   };
   Kind* best = nullptr;
-  for (auto& [number, kind] : kinds)
+  for (auto& [number, kind] : waiting_[batch])
     if (!kind.tests.empty() && (best == nullptr || urgency(kind) > urgency(*best))) best = &kind;
   PHY_CHECK(best != nullptr, "a test waits in the batch");
-  if (before != nullptr) --before->n_at;
-  ++best->n_at;
   return *best;
 }
 
@@ -238,11 +236,13 @@ std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std:
   while (n_waiting(batch) > 0 && !stopped()) {
     Kind& kind = choose(batch, last);
     const std::size_t test = kind.tests.front();
-    last = test;
     kind.tests.pop_front();
     kind.work -= plan_.tests[test].cost;
-    const Claim claim = store_.claim(plan_.tests[test].key);
-    if (claim == Claim::mine) return test;
+    if (store_.claim(plan_.tests[test].key) == Claim::mine) {
+      if (last) --kind_of(*last).n_at;
+      ++kind.n_at;
+      return test;
+    }
     elsewhere_.push_back(test);  // or done meanwhile: look_again finds out
   }
   return {};

@@ -56,7 +56,8 @@ class Desk {
   virtual ~Desk() = default;
   /// A packing to work on. `wait`: all that is left runs elsewhere; ask again a little later.
   virtual Assignment enter() = 0;
-  virtual void leave(std::size_t batch) = 0;
+  /// The worker goes, with its last test of the batch.
+  virtual void leave(std::size_t batch, std::optional<std::size_t> last) = 0;
   /// The next test of the batch; of the kind of the worker's last one, if there is one left.
   virtual std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) = 0;
   /// A result, or an interrupted test.
@@ -71,7 +72,7 @@ class StoreDesk : public Desk {
   StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers);
   ~StoreDesk() override;
   Assignment enter() override;
-  void leave(std::size_t batch) override;
+  void leave(std::size_t batch, std::optional<std::size_t> last) override;
   std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override;
   void deliver(std::size_t test, const TestResult& result) override { deliver_from("", test, result); }
   /// A result of another host; "": of this one.
@@ -87,11 +88,12 @@ class StoreDesk : public Desk {
   struct Kind {
     std::deque<std::size_t> tests;  // longest first
     double work = 0.0;              // expected cost of all
-    int n_at = 0;                   // workers
+    int n_at = 0;                   // workers whose last test was of this kind
   };
   void finish(std::size_t test, bool failed);
   void enqueue(std::size_t test);
   std::size_t n_waiting(std::size_t batch) const;
+  Kind& kind_of(std::size_t test) { return waiting_[plan_.tests[test].batch][plan_.tests[test].kind]; }
   Kind& choose(std::size_t batch, std::optional<std::size_t> last);
   void look_again();
   void keep_claims(const std::stop_token& stop);

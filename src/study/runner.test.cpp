@@ -76,6 +76,20 @@ TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
   EXPECT_FALSE(desk.take(batch, last));
 }
 
+// Or the others would keep away from a kind that nobody is at any more.
+TEST_F(Runner, AWorkerThatLeavesIsAtNoKind) {
+  const Plan p = plan("[[vary]]\nkey = \"bedding.mu\"\nvalues = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7]\n");
+  Store store(at("s.sqlite"));
+  const StudyHooks none;
+  StoreDesk desk(p, store, none, 2);
+  const std::size_t batch = desk.enter().batch;
+  const auto one = desk.take(batch, {});
+  desk.leave(batch, one);
+  const std::size_t again = desk.enter().batch;
+  const auto two = desk.take(again, {});
+  EXPECT_EQ(p.tests[*two].kind, p.tests[*one].kind) << "still the kind with most work";
+}
+
 TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
   const Plan p = plan(two_packings);
   Store store(at("s.sqlite"));
