@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/clock.hpp"
 #include "cli/elastic_sweep.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
@@ -52,7 +53,7 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
   study.one_sided = solve_all(study.specimens, options, threads);
   options.bilateral = true;
   study.bilateral = solve_all(study.specimens, options, threads);
-  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  study.seconds = seconds_since(start);
   return study;
 }
 

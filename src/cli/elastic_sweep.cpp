@@ -1,4 +1,5 @@
 #include "cli/elastic_sweep.hpp"
+#include "base/clock.hpp"
 
 #include <fmt/format.h>
 
@@ -71,8 +72,7 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
         variants.back().packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
         const SweptPacking& p = variants.back().packings.back();
         fmt::print("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
-                   to_string(rule), p.sets.size(), p.angles.size(),
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+                   to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
         std::fflush(stdout);
       }
     }
@@ -314,8 +314,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
       "lines.csv\n");
   const bool solved = all_solved(variants, width);
   write_report(out);
-  fmt::print("{:.1f} s in all; all readings in {}\n",
-             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), out);
+  fmt::print("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
   return solved ? 0 : 1;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/clock.hpp"
 #include "cli/terminal.hpp"
 
 namespace phy {
@@ -35,10 +36,9 @@ void ProgressLine::update(const Progress& p) {
 }
 
 void ProgressLine::show(const std::function<std::string(double)>& say) {
-  const auto now = Clock::now();
-  if (std::chrono::duration<double>(now - shown_).count() < (terminal_ ? 0.2 : 10.0)) return;
-  shown_ = now;
-  std::string text = say(std::chrono::duration<double>(now - start_).count());
+  if (seconds_since(shown_) < (terminal_ ? 0.2 : 10.0)) return;
+  shown_ = Clock::now();
+  std::string text = say(seconds_since(start_));
   if (terminal_) {
     text.resize(std::min(text.size(), room()));
     clear();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/clock.hpp"
 #include "cli/commands.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
@@ -74,7 +75,7 @@ void report(const ReportArguments& args) {
   const auto start = std::chrono::steady_clock::now();
   const std::string page = report_page(run, extras);
   write_file(out, page);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   fmt::print("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
              run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
              1e-6 * static_cast<double>(page.size()), seconds);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/clock.hpp"
 #include "cli/commands.hpp"
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
@@ -66,7 +67,7 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const bool cached = is_cached(recipe, folder);
   Made made;
   made.packing = packing_of(recipe, folder);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   print_packing(*made.packing, seconds, cached, width);
   for (Specimen& s : make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
@@ -146,7 +147,7 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   fmt::print("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   if (any)
     print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder,
                   folder);
