@@ -54,7 +54,7 @@ std::vector<Number> tension(const History& history, const std::vector<CrackEvent
                             const AnalysisOptions& options) {
   const History pulled = mirrored(history);
   LoadingBranch branch = loading_branch(pulled);
-  branch.strength = "sigma_t", branch.stress = "tension", branch.tool = "grip";
+  branch.strength = "sigma_t", branch.tool = "grip";
   std::vector<Number> out = press(pulled, branch, mirrored(cracks), options);
   std::erase_if(out, [](const Number& n) { return n.name == "sigma_cd"; });  // a notion of compression
   const double grip = options.grip_thickness;
@@ -68,7 +68,7 @@ std::vector<Number> tension(const History& history, const std::vector<CrackEvent
 std::vector<Number> disc(const History& history, const std::vector<CrackEvent>& cracks,
                          const AnalysisOptions& options) {
   LoadingBranch branch = loading_branch(history);
-  branch.strength = "bts", branch.stress = "tension at the centre of an elastic disc";
+  branch.strength = "bts";
   std::vector<Number> out = strength(branch);
   const std::vector<Number> place = place_of_splitting(history, branch, cracks, options.disc_diameter);
   const double y = place[0].value, x = place[1].value;
@@ -87,7 +87,7 @@ std::vector<Number> confined(const History& history, const std::vector<CrackEven
                              const AnalysisOptions& options) {
   const History q = deviatoric(history);
   LoadingBranch branch = loading_branch(q);
-  branch.strength = "q_max", branch.stress = "deviatoric stress";
+  branch.strength = "q_max";
   std::vector<Number> out = press(q, branch, cracks, options);
   const std::vector<Number> own = confined_strength(history, branch, options.confining_stress);
   out.insert(out.begin() + 2, own.begin(), own.end());
@@ -97,7 +97,7 @@ std::vector<Number> confined(const History& history, const std::vector<CrackEven
 std::vector<Number> shear(const History& history, const std::vector<CrackEvent>& cracks,
                           const AnalysisOptions& options) {
   LoadingBranch branch = loading_branch(history);
-  branch.strength = "tau_peak", branch.stress = "shear stress", branch.tool = "box";
+  branch.strength = "tau_peak", branch.tool = "box";
   std::vector<Number> out = shear_numbers(history, branch, options.normal_load);
   add(out, crack_initiation(branch, cracks, 0.0));
   add_cracks_energies_checks(out, history, branch, cracks);

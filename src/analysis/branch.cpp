@@ -9,6 +9,7 @@ namespace phy {
 
 LoadingBranch loading_branch(const History& history) {
   LoadingBranch branch;
+  branch.stress = stress_name(history.kind);
   const auto& rows = history.rows;
   std::size_t first = rows.size();
   double largest = 0.0;

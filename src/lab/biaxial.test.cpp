@@ -34,6 +34,7 @@ TEST(Biaxial, WithoutConfiningStressIsThePress) {
 TEST(Biaxial, JacketKeepsTheStressAndTheBooks) {
   const TestResult r = run_alone(confined(10e6, Confinement::jacket));
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
+  EXPECT_EQ(r.outcome.reason.find("peak deviatoric stress "), 0u) << r.outcome.reason;
   EXPECT_EQ(number(r, "sigma_3").value, 10e6);
   EXPECT_EQ(number(r, "confinement_error").value, 0.0);
   EXPECT_LT(number(r, "energy_error").value, 1e-3);

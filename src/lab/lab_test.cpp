@@ -125,33 +125,35 @@ bool LabTest::after_block() {
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
+  const char* const stress = stress_name(recipe_.test.kind);
   // Nothing fails before something has broken: what falls earlier is the first stress wave.
   const bool may_stop = ends_after_peak() && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
-               fmt::format("peak {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it",
+               fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", stress,
                            peak_.stress * 1e-6, peak_.strain * 100.0, recipe_.test.stop_at * 100.0),
                "");
   if (may_stop && recipe_.test.post_peak > 0.0 && now.strain > (1.0 + recipe_.test.post_peak) * peak_.strain)
-    return end(Status::peaked,
-               fmt::format("peak {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
-                           peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
-                           now.strain * 100.0),
-               "");
+    return end(
+        Status::peaked,
+        fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
+                    stress, peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
+                    now.strain * 100.0),
+        "");
   if (now.strain >= max_strain() && !ends_after_peak() && peak_.strain < now.strain)
     return end(Status::peaked,
-               fmt::format("peak {:.2f} MPa at {:.4f} %, {:.2f} MPa at the end", peak_.stress * 1e-6,
-                           peak_.strain * 100.0, now.stress * 1e-6),
+               fmt::format("peak {} {:.2f} MPa at {:.4f} %, {:.2f} MPa at the end", stress,
+                           peak_.stress * 1e-6, peak_.strain * 100.0, now.stress * 1e-6),
                "");
   if (now.strain >= max_strain() && !ends_after_peak())
     return end(Status::not_peaked,
-               fmt::format("the stress still rises at the end, strain {:.3f} %: {:.2f} MPa",
+               fmt::format("the {} still rises at the end, strain {:.3f} %: {:.2f} MPa", stress,
                            now.strain * 100.0, now.stress * 1e-6),
                "raise test.max_strain");
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
-               fmt::format("no drop to {:.0f} % of the largest stress ({:.2f} MPa) up to strain {:.3f} %",
-                           recipe_.test.stop_at * 100.0, peak_.stress * 1e-6, now.strain * 100.0),
+               fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to strain {:.3f} %",
+                           recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, now.strain * 100.0),
                "raise test.max_strain, or test.stop_at");
   return false;
 }

@@ -118,6 +118,17 @@ const std::vector<HistoryColumn>& history_columns(TestKind kind) {
   return press;
 }
 
+const char* stress_name(TestKind kind) {
+  switch (kind) {
+    case TestKind::uniaxial: return "axial stress";
+    case TestKind::direct_tension: return "tension";
+    case TestKind::brazilian: return "tension at the centre of an elastic disc";
+    case TestKind::biaxial: return "deviatoric stress";
+    case TestKind::direct_shear: return "shear stress";
+  }
+  return "";
+}
+
 const char* to_string(TestKind kind) {
   switch (kind) {
     case TestKind::uniaxial: return "uniaxial";

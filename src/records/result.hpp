@@ -69,6 +69,8 @@ struct HistoryColumn {
   double HistoryRow::*value;
 };
 const std::vector<HistoryColumn>& history_columns(TestKind kind = TestKind::uniaxial);
+/// What the stress of a kind of test is that its strength is read on: "axial stress", "deviatoric stress".
+const char* stress_name(TestKind kind);
 /// The recipe's word for a kind of test.
 const char* to_string(TestKind kind);
 constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension, TestKind::brazilian,
