@@ -161,10 +161,10 @@ StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const 
 }
 
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
-void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder) {
+void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
   write_file((fs::path(folder) / "responses.csv").string(), responses_csv(plan, rows));
   write_file((fs::path(folder) / "effects.csv").string(), effects_csv(plan, rows));
-  fmt::print("{}", effects_text(plan, rows));
+  fmt::print("{}", effects_text(plan, rows, width));
 }
 
 bool any_finished(const Rows& rows) {
@@ -172,9 +172,9 @@ bool any_finished(const Rows& rows) {
 }
 
 /// The tables of a whole store.
-void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder) {
+void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
   write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
-  tell_effects(plan, rows, folder);
+  tell_effects(plan, rows, folder, width);
   fmt::print("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
@@ -182,7 +182,7 @@ void write_tables(const Plan& plan, const StudyRows& rows, const std::string& fo
 int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,
                  const StudyRun& run, const Session& session) {
   const auto rows = rows_of(plan, store);
-  if (shard.n == 1 && any_finished(rows)) write_tables(plan, rows, folder);
+  if (shard.n == 1 && any_finished(rows)) write_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
   const WorkReport& report = run.report;
@@ -276,17 +276,17 @@ int export_study(const StudyArguments& args) {
   return 0;
 }
 
-int effects_of_study(const StudyArguments& args) {
+int effects_of_study(const StudyArguments& args, const Session& session) {
   const Plan plan = make_plan(study_in(args.folder));
   const Rows rows = rows_of(plan, store_in(args.folder));
   if (!any_finished(rows))
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + args.folder + "`"});
-  tell_effects(plan, rows, args.out.empty() ? args.folder : args.out);
+  tell_effects(plan, rows, args.out.empty() ? args.folder : args.out, session.terminal_width);
   return 0;
 }
 
-int merge_stores(const StudyArguments& args) {
+int merge_stores(const StudyArguments& args, const Session& session) {
   std::vector<std::string> stores = args.stores;
   if (!fs::is_directory(args.folder))
     throw IoError(args.folder + ": is no folder; name the --out of `phyllite study`");
@@ -308,7 +308,7 @@ int merge_stores(const StudyArguments& args) {
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
     const Plan plan = make_plan(study_in(args.folder));
     const Rows rows = rows_of(plan, store);
-    write_tables(plan, rows, args.folder);
+    write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       fmt::print("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
                  args.folder);
@@ -394,8 +394,8 @@ void add_study_command(CLI::App& app, Session& session) {
     session.exit_code = *status    ? status_of(*args, session)
                         : *resume  ? run_study(study_in(args->folder), *args, args->folder, session)
                         : *csv     ? export_study(*args)
-                        : *effects ? effects_of_study(*args)
-                        : *merge   ? merge_stores(*args)
+                        : *effects ? effects_of_study(*args, session)
+                        : *merge   ? merge_stores(*args, session)
                                    : study_verb(*args, session);
   });
 }

@@ -92,8 +92,8 @@ struct VarianceIndex {
 std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<double>& y);
 
 /// Tables for the terminal: macro joint stiffness where the design has the angles for it, and the main effect
-/// of every parameter on ucs and E at every specimen.
-std::string effects_text(const Plan& plan, const StudyRows& rows);
+/// of every parameter on ucs and E at every specimen. Nothing where there is no result.
+std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_width = 0);
 /// Tidy CSV, a row per response, parameter and effect.
 std::string effects_csv(const Plan& plan, const StudyRows& rows);
 /// Tidy CSV, a row per response (K_n, K_s, R2_eq1 and E_eq1 of Eq. 1 among them) and point: mean, standard

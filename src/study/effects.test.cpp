@@ -149,6 +149,17 @@ TEST(Effects, MacroStiffnessAndItsLineComeBack) {
   EXPECT_THAT(effects_text(plan, rows), HasSubstr("K_n = 1.8000+-0.0000 k_n + 300.0+-0.0 GPa/m"));
 }
 
+TEST(Effects, TextFitsTheTerminalAndExplainsWhatIsThere) {
+  auto [plan, rows] = goodman_study();
+  for (const int width : {40, 60}) {
+    std::istringstream lines(effects_text(plan, rows, width));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), width) << line;
+  }
+  EXPECT_THAT(effects_text(plan, rows), HasSubstr("+-: 95 %"));
+  for (auto& row : rows) row.reset();
+  EXPECT_EQ(effects_text(plan, rows), "");
+}
+
 TEST(Effects, ATestThatIsMissingLeavesItsPackingOut) {
   auto [plan, rows] = goodman_study();
   rows[0].reset();  // 0 degrees, first level, packing 1

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "report/text_table.hpp"
 #include "study/effects.hpp"
 #include "study/table.hpp"
 
@@ -51,28 +52,27 @@ const Effect* named(const std::vector<Effect>& effects, const std::string& name)
 }
 
 /// Parameters down, responses across.
-std::string effect_table(const Plan& plan, const std::vector<Response>& of) {
+std::string effect_table(const Plan& plan, const std::vector<Response>& of, int terminal_width) {
   if (plan.study.vary.empty()) return "";
   const Headline h = headline(plan.study.design);
   const auto [own, unit] = readable(of.front().unit);
   const double scale = h.scale > 0.0 ? h.scale : own;
-  std::string text = fmt::format("\n{}: {}{}\n{:26}", of.front().number, h.meaning,
-                                 h.scale > 0.0 ? "" : " [" + unit + "]", "");
-  const auto label = [](const Response& r) {
-    if (r.specimen == "all angles") return r.number;
-    return r.specimen.starts_with("theta = ") ? r.specimen.substr(8) : r.specimen;
-  };
-  const int width = of.front().values.size() > 1 ? 14 : 9;
-  for (const Response& r : of) text += fmt::format(" {:>{}}", label(r), width);
-  for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
-    text += fmt::format("\n  {:24}", plan.study.vary[k].key.path());
-    for (const Response& r : of) {
+  Column keys{"", "", {}, true};
+  for (const Factor& f : plan.study.vary) keys.cells.push_back(f.key.path());
+  Columns columns;
+  for (const Response& r : of) {
+    const bool at_angle = r.specimen.starts_with("theta = ");
+    Column c{r.specimen == "all angles" ? r.number : at_angle ? r.specimen.substr(8) : r.specimen, "", {}};
+    for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
       const auto effects = effects_of(plan, r, k);
       const Effect* e = named(effects, h.effect);
-      text += fmt::format(" {:>{}}", e != nullptr ? with_interval(e->value, scale, 1) : "-", width);
+      c.cells.push_back(e != nullptr ? with_interval(e->value, scale, 1) : "-");
     }
+    columns.push_back(std::move(c));
   }
-  return text + "\n";
+  const std::string title =
+      fmt::format("{}: {}{}", of.front().number, h.meaning, h.scale > 0.0 ? "" : " [" + unit + "]");
+  return "\n" + wrapped(title, terminal_width) + "\n" + text_table(keys, {columns}, terminal_width);
 }
 
 std::string line_text(const Plan& plan, const Response& K, const std::string& field) {
@@ -89,7 +89,7 @@ std::string line_text(const Plan& plan, const Response& K, const std::string& fi
   return text;
 }
 
-std::string joints_text(const Plan& plan, const StudyRows& rows) {
+std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
   const JointFits fits = fit_joints(plan, rows, modulus, Eq1Reference::given);
   const auto any = [](const Response& r) {
     for (const auto& of : r.values)
@@ -104,7 +104,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows) {
       modulus, with_interval(fits.K_n.at(0), 1e-9, 1), with_interval(fits.K_s.at(0), 1e-9, 1));
   if (plan.study.design == Design::one_at_a_time)
     text += line_text(plan, fits.K_n, "bedding.k_n") + line_text(plan, fits.K_s, "bedding.k_s");
-  return text + effect_table(plan, {fits.K_n, fits.K_s});
+  return wrapped(text, terminal_width, 4) + effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
 }
 
 /// All numbers of all specimens, then Eq. 1 on E at 50 % of ucs by every reference, and on E at small strain.
@@ -140,13 +140,13 @@ std::string cells(const Summary& s) {
 
 }  // namespace
 
-std::string effects_text(const Plan& plan, const StudyRows& rows) {
-  std::string text = joints_text(plan, rows);
+std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
+  std::string text = joints_text(plan, rows, terminal_width);
   for (const std::string& name : told)
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
-      text += effect_table(plan, of);
-  if (n_replicates(plan.study) > 1) text += "\n+-: 95 % of the mean over packings and bond seeds\n";
-  return text;
+      text += effect_table(plan, of, terminal_width);
+  if (text.find("+-") == text.npos) return text;
+  return text + wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
 }
 
 std::string effects_csv(const Plan& plan, const StudyRows& rows) {
