@@ -21,7 +21,6 @@ void Group<T>::send_contacts(std::size_t l, Group<T>& to, std::size_t k) const {
   std::set_union(pairs_.begin(), pairs_.end(), to.pairs_.begin(), to.pairs_.end(), std::back_inserter(all));
   to.carry_state(all);
   to.pairs_ = std::move(all);
-  to.make_constants();
   std::size_t there = 0;
   for (std::size_t c = 0; c < pairs_.size(); ++c, ++there) {
     while (to.pairs_[there] != pairs_[c]) ++there;
