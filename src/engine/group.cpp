@@ -241,7 +241,8 @@ GroupView<T> Group<T>::view() {
   v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
   v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
-  v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data();
+  v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data(),
+  v.balanced_touch = balanced_touch_.data();
   v.balance_on = balance_on_.get(), v.balance_force = balance_force_.get();
   v.slip = slip_.get(), v.damping = damping_.get(), v.sample = sample_.get();
   v.cracks = raw_cracks_.data();

@@ -160,6 +160,7 @@ class Group final : public LaneGroup {
   Buffer<double> tool_du_;
   Buffer<T> balance_on_, balance_force_;  // per tool, component and lane
   std::vector<BalancePoint> balanced_;    // in some lane, in the block that runs
+  std::vector<std::int32_t> balanced_touch_;
   std::vector<std::int32_t> row_touch_, row_grip_, row_load_;
   std::vector<TouchPoint<T>> touch_;
   std::vector<GripPoint> grip_;

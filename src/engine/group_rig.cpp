@@ -183,7 +183,7 @@ Vec2 Group<T>::block_velocity(Lane& lane, ToolMotion& tool) const {
 /// What the loop has to know of tools in balance: planned at rest, they are moved by it.
 template <class T>
 void Group<T>::plan_balance() {
-  balanced_.clear();
+  balanced_.clear(), balanced_touch_.clear();
   for (std::size_t t = 0; t < n_tools_; ++t)
     for (std::size_t c = 0; c < 2; ++c) {
       bool any = false;
@@ -194,7 +194,13 @@ void Group<T>::plan_balance() {
         balance_on_[i] = T(b.on ? 1 : 0), balance_force_[i] = T(b.force);
         any = any || b.on;
       }
-      if (any) balanced_.push_back({static_cast<std::int32_t>(t), static_cast<std::int32_t>(c)});
+      if (!any) continue;
+      const auto first = static_cast<std::int32_t>(balanced_touch_.size());
+      for (std::size_t i = 0; i < touch_.size(); ++i)
+        if (touch_[i].tool == static_cast<std::int32_t>(t) && (c == 0 ? touch_[i].nx : touch_[i].ny) != T(0))
+          balanced_touch_.push_back(static_cast<std::int32_t>(i));
+      balanced_.push_back({static_cast<std::int32_t>(t), static_cast<std::int32_t>(c), first,
+                           static_cast<std::int32_t>(balanced_touch_.size())});
     }
 }
 

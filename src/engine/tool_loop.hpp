@@ -108,10 +108,9 @@ class ToolLoop {
   };
   Response response(const BalancePoint& p, std::size_t at) const {
     Response r;
-    for (std::int32_t i = 0; i < v.row_touch[v.n_rows]; ++i) {
-      const TouchPoint<T>& t = v.touch[i];
+    for (std::int32_t i = p.first; i < p.end; ++i) {
+      const TouchPoint<T>& t = v.touch[v.balanced_touch[i]];
       const T along = p.component == 0 ? t.nx : t.ny;
-      if (t.tool != p.tool || along == T(0)) continue;
       const R push = lane[l_wall_kn] * R(along), depth = closure(t, at);
       r.force += push * max0(depth);
       r.stiffness += select(depth > R(0), push * R(along), R(0));

@@ -114,6 +114,7 @@ struct LoadPoint {
 /// A component of a tool that is in balance in some lane (rig.hpp).
 struct BalancePoint {
   std::int32_t tool, component;  ///< 0: x, 1: y
+  std::int32_t first, end;       ///< its touches along the component, in `balanced_touch`
 };
 
 struct RawCrack {
@@ -148,6 +149,7 @@ struct GroupView {
   T* tool_force = nullptr;       ///< per step, tool, component: force on the specimen
   int n_balanced = 0;
   const BalancePoint* balanced = nullptr;
+  const std::int32_t* balanced_touch = nullptr;  ///< places in `touch`
   const T* balance_on = nullptr;     ///< per tool and component: 1 in the lanes that are in balance
   const T* balance_force = nullptr;  ///< per tool and component: force on the specimen
   T* slip = nullptr;                 ///< per step: slip work
