@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -19,7 +20,6 @@ constexpr int n_fit = 5;  // packings of the elastic fit
 constexpr int n_unseen = verification_packings;
 constexpr int n_spare = 15;   // more for the elastic fit, where packings differ much
 constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
-constexpr double z_seven = 2.69;  // exceeded by the largest of seven cells in 5 % of tables
 constexpr double strength_tolerance = 0.06;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
@@ -35,6 +35,10 @@ std::size_t n_angles(const std::vector<Comparison>& rows) {
   std::set<double> angles;
   for (const Comparison& c : rows) angles.insert(c.target.theta);
   return angles.size();
+}
+
+bool all_answered(const std::vector<Comparison>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const Comparison& c) { return c.answered(); });
 }
 
 /// A strength that follows from a ratio is pinned by what pins the ratio.
@@ -85,16 +89,36 @@ void tell_validity(Calibration& result) {
                       c.target.theta, c.n_invalid, c.n_packings));
 }
 
-/// Strengths on unseen packings that miss the table by more than the laboratory's scatter explains.
+/// Strengths of which not every unseen packing has one.
+void tell_missing(Calibration& result) {
+  for (const Comparison& c : result.verification)
+    if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
+      result.notes.push_back(fmt::format("{}({:g}): {} of {} tests on unseen packings gave no peak",
+                                         to_string(c.target.property), c.target.theta,
+                                         n_unseen - c.n_packings, n_unseen));
+}
+
+/// Strengths on unseen packings that miss the table by more than scatter explains: that of the packings and
+/// that of the laboratory, where the table tells it. An assumed one excuses no single value, but a table as a
+/// whole is not out of reach while it might be scatter.
 void judge_strength(Calibration& result, bool short_search) {
   double squares = 0.0, scaled = 0.0;  // of the errors; of the errors over what chance explains
   int n = 0;
   for (const Comparison& c : result.verification) {
     if (!is_strength(c.target.property)) continue;
-    const double packing = std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_search) : 0.0;
-    const double noise = std::hypot(c.target.standard_error(), packing) / c.target.mean;
+    if (!c.answered()) {
+      result.verdict.status = VerdictStatus::out_of_reach;
+      result.verdict.findings.push_back(fmt::format("{}({:g}): no test on unseen packings gave a peak",
+                                                    to_string(c.target.property), c.target.theta));
+      continue;
+    }
+    const double packing =
+        (std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_search) : 0.0) / c.target.mean;
+    const double laboratory = c.target.standard_error() / c.target.mean;
+    const double told = std::hypot(c.target.sd_assumed ? 0.0 : laboratory, packing),
+                 noise = std::hypot(laboratory, packing);
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * noise)) continue;
+    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * told)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
@@ -121,6 +145,11 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
   for (std::size_t i = 0; i < std::min(result.verification.size(), elastic.comparisons.size()); ++i) {
     const Comparison& c = result.verification[i];
     const Target& t = c.target;
+    if (!c.answered() && elastic.comparisons[i].answered()) {
+      result.verdict.status = VerdictStatus::out_of_reach;
+      result.verdict.findings.push_back(
+          fmt::format("{}({:g}) has no answer on unseen packings", to_string(t.property), t.theta));
+    }
     if (!misses(c) || misses(elastic.comparisons[i])) continue;  // the fit has told its own limits
     result.verdict.findings.push_back(fmt::format(
         "E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f}: packings "
@@ -138,6 +167,21 @@ void judge(Calibration& result, const ElasticFit& elastic, bool short_search) {
   if (elastic.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
     v.status = VerdictStatus::calibrated_except;
+}
+
+/// Are there strengths to fit? What is not fitted is noted; a table with nothing to fit is an InputError.
+bool fits_strength(Calibration& result, const std::vector<Target>& targets, bool elastic_only) {
+  const bool moduli = !of_property(targets, Property::E).empty(),
+             strength = !elastic_only && !of_property(targets, Property::ucs).empty();
+  if (!moduli && !strength)
+    throw InputError(
+        Problem{result.rock, "table", "",
+                elastic_only ? "values of E" : "values of E, or of UCS without confining pressure",
+                "there is nothing to fit; `phyllite rock check` tells what the table holds"});
+  if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
+  if (!strength && !elastic_only)
+    result.notes.emplace_back("no UCS in the table: the strengths are those of the recipe");
+  return strength;
 }
 
 /// Throws InputError where the budget is too small for any search.
@@ -168,7 +212,8 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   result.left_out = fit.left_out;
   result.verdict.findings = fit.findings, short_search = fit.short_search;
   result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
-  if (fit.interrupted || fit.fitted.empty()) return !fit.interrupted;
+  if (fit.interrupted) return false;
+  if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
   options.say("verification of the strengths on unseen packings");
   const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
   const auto n_all = static_cast<std::int64_t>(targets.size());
@@ -196,7 +241,7 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   Calibration result;
   result.rock = rock.name;
   const std::vector<Target> targets = targets_of(rock);
-  const bool strength = !options.elastic_only && !of_property(targets, Property::ucs).empty();
+  bool strength = fits_strength(result, targets, options.elastic_only);
   if (strength) check_budget(targets, options.max_tests);
   const std::int64_t first_seed = rock.model.packing.seed;
   const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
@@ -212,12 +257,13 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   result.verification = elastic_response(result.recipe, targets, unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
   bool short_search = false;
+  strength = strength && all_answered(elastic.comparisons);
   std::vector<std::int64_t> search = fit_seeds;
   search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   const bool done = !strength || calibrate_strength(result, rock, options, targets, search, unseen, simulator,
                                                     short_search);
   make_ready(result.recipe, rock, targets);
-  tell_validity(result);
+  tell_validity(result), tell_missing(result);
   add_identifiability(result, rock);
   judge(result, elastic, short_search);
   if (!done)

@@ -19,7 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double z_95 = 1.959964;
-constexpr double z_seven = 2.69;  // exceeded by the largest of seven angles in 5 % of tables
 constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 constexpr double wall = 20.0;              // per logarithm outside the box: a soft but certain stop
 constexpr double usual_overlap = 1.5;      // joint length per plane length, for the first guess only
@@ -362,7 +361,12 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
   double worst = 0.0;
   for (const Comparison& c : fit.comparisons) {
     const Target& t = c.target;
-    if (t.property == Property::E) {
+    if (!c.answered()) {
+      fit.out_of_reach = true;
+      fit.findings.push_back(
+          fmt::format("{}({:g}): the model has no answer (`phyllite elastic` with calibrated.toml tells why)",
+                      to_string(t.property), t.theta));
+    } else if (t.property == Property::E) {
       const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
       const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
       if (std::fabs(c.error()) <= std::max(elastic_tolerance, z_seven * noise)) continue;
@@ -383,7 +387,7 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
     }
   }
   if (worst > 0.0) fit.findings.push_back(limit_of(eq1));
-  fit.out_of_reach = worst > 2.0 * elastic_tolerance;
+  fit.out_of_reach = fit.out_of_reach || worst > 2.0 * elastic_tolerance;
 }
 
 }  // namespace

@@ -6,14 +6,13 @@
 // assumed, E(90) of a jointed specimen may lie below the intact E. Search on one packing from the least
 // squares of Eq. 1, then on all.
 //
-//   minimise  sum ((log E_i - log E_lab,i)/s_i)^2 + sum ((nu_i - nu_lab,i)/s_i)^2 + sum ((x_j -
-//   x_usual,j)/s_j)^2
+//   minimise  sum ((log E_i - log E_lab,i)/s_i)^2 + sum ((nu_i - nu_lab,i)/s_i)^2
+//             + sum ((x_j - x_usual,j)/s_j)^2
 //
 // s_i^2: squared standard errors of the laboratory's mean (at least 0.5 %; 0.005 for nu) and of the mean over
-// packings. Where joints are soft, packings differ most: as many
-// packings are taken as bring that error below 1 % of E, up to all that there are. The last sum is weak (half
-// of the box of parameters.hpp is one standard deviation); it keeps what the data do not determine at usual
-// values.
+// packings. Where joints are soft, packings differ most: as many packings are taken as bring that error below
+// 1 % of E, up to all that there are. The last sum is weak (half of the box of parameters.hpp is one standard
+// deviation); it keeps what the data do not determine at usual values.
 //
 // Contacts pull as well as push in all of this (bilateral: one linear solution each). What one-sided contacts
 // make of it is measured once, where the search ends, on the first five packings: a factor on E and an
@@ -38,6 +37,8 @@ namespace phy {
 
 /// Largest deviation of mean E from the laboratory that passes without a word.
 constexpr double elastic_tolerance = 0.02;
+/// Standard errors that the largest of seven cells exceeds in 5 % of tables.
+constexpr double z_seven = 2.69;
 
 struct ElasticFit {
   Recipe recipe;                              ///< the rock's model with the fitted parameters

@@ -20,8 +20,10 @@ JointedRock rock_at(const Eigen::Vector4d& x) {
   return {std::exp(x[0]), std::exp(x[2]), std::exp(x[3]), x[1]};
 }
 
+constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
+
 /// The curve through the table: Eq. 1 with everything free, or a guess of usual joints where it refuses.
-Eigen::Vector4d first_rock(const std::vector<Target>& targets) {
+Eigen::Vector4d first_rock(const std::vector<Target>& targets, bool bedded) {
   std::vector<ModulusReading> readings;
   double stiffest = 0.0, nu = 0.25;
   for (const Target& t : targets) {
@@ -29,6 +31,7 @@ Eigen::Vector4d first_rock(const std::vector<Target>& targets) {
       readings.push_back({t.theta, t.mean}), stiffest = std::max(stiffest, t.mean);
     if (t.property == Property::nu) nu = t.mean;
   }
+  if (!bedded) return {std::log(stiffest), nu, std::log(no_joint * stiffest), std::log(no_joint * stiffest)};
   Eq1Options options;
   options.reference = Eq1Reference::free;
   const Eq1Fit fit = fit_eq1(readings, options);
@@ -37,8 +40,9 @@ Eigen::Vector4d first_rock(const std::vector<Target>& targets) {
 }
 
 /// Standard deviations of log E, nu, log K_n, log K_s that the table can give, against the prior alone.
-Eigen::Vector4d expected_sd(const std::vector<Target>& targets, const Eigen::Vector4d& prior_sd) {
-  const Eigen::Vector4d x = first_rock(targets);
+Eigen::Vector4d expected_sd(const std::vector<Target>& targets, bool bedded,
+                            const Eigen::Vector4d& prior_sd) {
+  const Eigen::Vector4d x = first_rock(targets, bedded);
   Eigen::Matrix4d information = prior_sd.array().square().inverse().matrix().asDiagonal();
   for (const Target& t : targets) {
     if (is_strength(t.property)) continue;
@@ -112,14 +116,13 @@ std::vector<ParameterEstimate> foresee(const Rock& rock) {
     const Parameter& p = elastic_parameters()[static_cast<std::size_t>(i)];
     prior[i] = i == 1 ? 0.15 : 0.5 * std::log(p.high / p.low);
   }
-  const Eigen::Vector4d sd = modulus ? expected_sd(targets, prior) : prior;
+  const Eigen::Vector4d sd = modulus ? expected_sd(targets, rock.bedded, prior) : prior;
   for (int i = 0; i < 4; ++i) {
     const Parameter& p = elastic_parameters()[static_cast<std::size_t>(i)];
     if (p.joint && !rock.bedded) continue;
     ParameterEstimate e;
     e.key = p.key, e.symbol = p.symbol, e.unit = p.unit, e.box_low = p.low, e.box_high = p.high;
-    // nu against log(ks/kn): the uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2 per log
-    // q
+    // nu against log q, q = ks/kn: the uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2
     const double in_log = i == 1 ? sd[i] / (4.0 * 0.3 / (3.3 * 3.3)) : sd[i];
     e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
     e.determined = modulus && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);

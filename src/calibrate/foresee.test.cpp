@@ -71,5 +71,17 @@ TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
   EXPECT_TRUE(foreseen(rock, "tau_c/sigma_c").determined);
 }
 
+TEST(Foresee, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
+  Rock rock;
+  rock.bedded = false;
+  rock.readings = {reading(Property::E, 0.0, 40e9)};
+  EXPECT_TRUE(foreseen(rock, "matrix.E_c").determined);
+  EXPECT_FALSE(foreseen(rock, "matrix.ks_over_kn").determined);
+  // no joint shares the scatter of E: 5 % of three specimens
+  EXPECT_NEAR(std::log(foreseen(rock, "matrix.E_c").high), 1.96 * 0.05 / std::sqrt(3.0), 1e-3);
+  rock.readings.push_back(reading(Property::nu, 0.0, 0.25));
+  EXPECT_TRUE(foreseen(rock, "matrix.ks_over_kn").determined);
+}
+
 }  // namespace
 }  // namespace phy

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press.test.hpp"
 #include "calibrate/strength_stage.hpp"
@@ -277,6 +279,67 @@ TEST(StrengthStage, WhateverIsLeftOpenIsToldWithTheTestThatWouldPinIt) {
     open += e.determined ? 0 : 1;
   }
   EXPECT_GE(open, 4);
+}
+
+/// UCS of the first rock at four angles, found when `peaks` decides which tests peak.
+Calibration found(const std::function<bool(const Recipe&)>& peaks) {
+  PaperPress press;
+  press.peaks = peaks;
+  std::vector<std::tuple<Property, double, double>> values;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0})
+    values.emplace_back(Property::ucs, theta, response(truth(0), theta));
+  CalibrationOptions options;
+  options.max_tests = 80;
+  return calibrate(rock_of(values, true), options, press);
+}
+bool is_unseen(const Recipe& r) { return r.packing.seed > 5 && r.packing.seed <= 10; }
+
+TEST(StrengthStage, AnAngleWithoutAnyPeakIsOutOfReach) {
+  const Calibration c = found([](const Recipe& r) { return r.bedding[0].theta != 30.0; });
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("strengths were not fitted")));
+}
+
+TEST(StrengthStage, AnAngleWithoutAPeakOnUnseenPackingsIsOutOfReach) {
+  const Calibration c = found([](const Recipe& r) { return !is_unseen(r) || r.bedding[0].theta != 30.0; });
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings, testing::Contains("UCS(30): no test on unseen packings gave a peak"));
+}
+
+TEST(StrengthStage, UnseenPackingsWithoutAPeakAreCounted) {
+  const Calibration c =
+      found([](const Recipe& r) { return r.packing.seed != 7 || r.bedding[0].theta != 30.0; });
+  EXPECT_THAT(c.notes, testing::Contains("UCS(30): 1 of 5 tests on unseen packings gave no peak"));
+}
+
+TEST(StrengthStage, AnAssumedScatterExcusesNoSingleValue) {
+  // a ratio of 11 where the press reaches 7.5; 15 % are assumed of one disc
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 13.5e6}}, false);
+  for (RockReading& r : rock.readings) r.sd = std::nan(""), r.n = 1;
+  PaperPress press;
+  const Calibration c = calibrate(rock, {}, press);
+  const Comparison& disc = c.verification.back();
+  ASSERT_GT(disc.error(), 0.12);
+  ASSERT_LT(disc.error(), 0.40);  // 2.69 times 15 %
+  EXPECT_THAT(c.verdict.findings, testing::Contains(testing::StartsWith("BTS(0) = ")));
+}
+
+TEST(StrengthStage, WithoutAnElasticAnswerNoStrengthIsTestedAndTheTableIsOutOfReach) {
+  PaperPress press;
+  press.carries_load = false;
+  const Calibration c =
+      calibrate(rock_of({{Property::E, 0.0, 40e9}, {Property::ucs, 0.0, 150e6}}, false), {}, press);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("E(0): the model has no answer")));
+  EXPECT_EQ(press.n_tests, 0);
+}
+
+TEST(StrengthStage, ATableWithNothingToFitIsRefused) {
+  PaperPress press;
+  EXPECT_THROW(calibrate(rock_of({{Property::brazilian, 0.0, 10e6}}, false), {}, press), InputError);
+  CalibrationOptions elastic;
+  elastic.elastic_only = true;
+  EXPECT_THROW(calibrate(rock_of({{Property::ucs, 0.0, 100e6}}, false), elastic, press), InputError);
 }
 
 TEST(StrengthStage, StopsWhenTheUserDoes) {

@@ -48,7 +48,7 @@ Surrogate::Surrogate(std::vector<SurrogateRun> runs, Foretold foretold)
 }
 
 double Surrogate::learn(double response, double scatter) {
-  response_ = response, scatter_ = scatter;
+  response_ = response;
   const auto n = static_cast<Eigen::Index>(runs_.size());
   Eigen::MatrixXd K(n, n);
   Eigen::VectorXd y(n);
@@ -79,7 +79,5 @@ Surrogate::Value Surrogate::at(const Eigen::VectorXd& z) const {
   const double known = runs_.empty() ? 0.0 : factor_.matrixL().solve(k).squaredNorm();
   return {foretold_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
-
-double Surrogate::scatter() const { return scatter_ * std::hypot(packing_fine, run_fine); }
 
 }  // namespace phy

@@ -4,8 +4,7 @@
 // Gaussian process (Rasmussen & Williams 2006, chapter 2) with a kernel that says what is known beforehand:
 //
 //   k = constant + slopes + curvatures + a smooth remainder           the response itself
-//     + [same resolution coarse] (constant + slopes)                  coarse grains answer a little
-//     differently
+//     + [both coarse] (constant + slopes)                             what coarse grains answer differently
 //     + [same packing] + [same run]                                   scatter of packings, of runs
 //
 // z in [-1, 1] spans the box in logarithms. Where the response is foretold (experience.hpp), the process is
@@ -43,14 +42,11 @@ class Surrogate {
   /// Without runs it knows what is foretold.
   explicit Surrogate(std::vector<SurrogateRun> runs, Foretold foretold = {});
   Value at(const Eigen::VectorXd& z) const;
-  std::size_t n_runs() const { return runs_.size(); }
-  /// Standard deviation of one run of a fine packing about the mean over packings.
-  double scatter() const;
 
  private:
   std::vector<SurrogateRun> runs_;
   Foretold foretold_;
-  double response_ = 1.0, scatter_ = 1.0;  // factors on the amplitudes
+  double response_ = 1.0;  // factor on the amplitudes
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd weights_;
 

@@ -170,6 +170,30 @@ TEST_F(RockFile, SeveralConfiningPressuresAskForOne) {
   EXPECT_THAT(rock(csv, "confining = \"50 MPa\"\n").readings, SizeIs(3));
 }
 
+TEST_F(RockFile, StrengthsUnderConfiningPressureAloneAreSaidNotToBeFitted) {
+  const Rock r = rock("theta [deg],confining [MPa],UCS [MPa]\n0,5,100\n45,5,60\n90,5,120\n");
+  EXPECT_THAT(r.notes, Contains(HasSubstr("not fitted")));
+}
+
+TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {
+  write("discs.csv", "x [m],y [m],r [m]\n0.002,0.002,0.002\n0.006,0.002,0.002\n");
+  write("m.toml", "[packing]\nfile = \"discs.csv\"\n[[bedding]]\nspacing = \"5 mm\"\n");
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"),
+              Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("no packing.file"))));
+}
+
+TEST_F(RockFile, PartsOfSpecimensAreRefused) {
+  EXPECT_THAT(problems("theta [deg],E [GPa],n\n0,23,2.5\n45,20,3\n90,59,3\n"),
+              Contains(AllOf(HasSubstr("r.csv:2: n = 2.5"), HasSubstr("whole number"))));
+}
+
+TEST_F(RockFile, PlaneStrainThatLeavesNoPositiveModulusIsRefused) {
+  const std::string csv = "theta [deg],E [GPa],nu\n0,20,0.2\n45,25,0.3\n90,30,1.2\n";
+  EXPECT_THAT(problems(csv), IsEmpty());
+  EXPECT_THAT(problems(csv, "elastic_reading = \"plane strain\"\n"),
+              Contains(HasSubstr("a nu that leaves E(90) positive")));
+}
+
 TEST_F(RockFile, AnotherSizeMagnifiesTheModel) {
   const Rock r = rock(good, "[specimen]\nwidth = \"50 mm\"\nheight = \"100 mm\"\n");
   const Recipe paper;

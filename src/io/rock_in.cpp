@@ -90,7 +90,7 @@ Range range_of(const Head& h) {
   switch (h.kind) {
     case Column::theta:
     case Column::beta: return {0.0, 90.0, "0 deg <= angle <= 90 deg"};
-    case Column::n: return {1.0, 1e6, "a number of specimens, at least 1"};
+    case Column::n: return {1.0, 1e6, "a whole number of specimens, at least 1"};
     case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
     case Column::confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
     case Column::scatter:
@@ -197,7 +197,8 @@ class ReadingReader {
       if (!q.ok) return false;  // the header was told
       value = q.value;
     }
-    if (value >= range.low && value <= range.high) return true;
+    const bool whole = h.kind != Column::n || value == std::floor(value);
+    if (value >= range.low && value <= range.high && whole) return true;
     problems_.push_back({at(row.line), h.title, cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
                          h.kind == Column::theta || h.kind == Column::beta
                              ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
@@ -363,6 +364,10 @@ class RockReader {
       problems_.push_back({at(*entry("recipe")), "recipe", entry("recipe")->value,
                            "at most one set of bedding",
                            "the tables of a rock know one direction of planes"});
+    if (!rock_.model.packing.file.empty())
+      problems_.push_back(
+          {at(*entry("recipe")), "recipe", entry("recipe")->value, "no packing.file",
+           "a file holds one packing, a calibration is verified on others: describe the grains"});
     rock_.model.bedding.resize(1);
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
@@ -463,19 +468,20 @@ class RockReader {
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",
                            "test 0, 45 and 90 degrees; or write bedded = false"});
-    if (pressures.size() > 1) {
-      bool elastic = false;
-      for (const RockReading& r : rock_.readings)
-        elastic = elastic || (r.confining > 0.0 && !is_strength(r.property));
-      if (elastic)
-        problems_.push_back({where, "confining", fmt::format("{} pressures", pressures.size()),
-                             "E and nu at one confining pressure", "choose one: confining = \"10 MPa\""});
-      else
-        rock_.notes.emplace_back("strengths under confining pressure are kept, not fitted");
-    }
+    bool elastic = false, strength = false;  // under confining pressure
+    for (const RockReading& r : rock_.readings)
+      if (r.confining > 0.0) (is_strength(r.property) ? strength : elastic) = true;
+    if (strength) rock_.notes.emplace_back("strengths under confining pressure are kept, not fitted");
+    if (pressures.size() > 1 && elastic)
+      problems_.push_back({where, "confining", fmt::format("{} pressures", pressures.size()),
+                           "E and nu at one confining pressure", "choose one: confining = \"10 MPa\""});
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});
+    for (const Target& t : of_property(targets_of(rock_), Property::E))
+      if (!(t.mean > 0.0))
+        problems_.push_back({where, "nu", "", fmt::format("a nu that leaves E({:g}) positive", t.theta),
+                             "nu along the bedding is too large to be read as plane strain"});
   }
 };
 

@@ -1,6 +1,7 @@
 // What a calibration leaves behind: estimates with intervals, comparison with the laboratory, verdict,
 // identifiability. Plain data, SI units.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -33,6 +34,7 @@ struct Comparison {
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack outside the central third (analysis/brazilian.hpp)
   double error() const { return mean / target.mean - 1.0; }
+  bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
 
 enum class VerdictStatus { calibrated, calibrated_except, out_of_reach, interrupted };
