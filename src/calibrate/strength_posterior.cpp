@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/exact_math.hpp"
 #include "calibrate/ensemble.hpp"
 #include "calibrate/experience.hpp"
 
@@ -34,6 +35,11 @@ StrengthPosterior::StrengthPosterior(const Rock& rock, const Recipe& recipe,
     largest_ = std::max(largest_, t.mean);
     foretold_.push_back(foretold_strength(recipe, t.property, t.theta));
   }
+  least_ = VectorXd::Constant(n_ratios(), -1.0);
+  if (!rock.bedded) return;
+  const Parameter& mu = *parameters_.back();
+  const double rubs = std::max(mu.low, tan_degrees(recipe.bedding.front().psi) * (1.0 + 1e-9));
+  least_[n_ratios() - 1] = 2.0 * std::log(rubs / mu.low) / std::log(mu.high / mu.low) - 1.0;
 }
 
 std::size_t StrengthPosterior::n_tension() const {
@@ -84,7 +90,8 @@ double StrengthPosterior::variance(const Target& t) {
 }
 
 double StrengthPosterior::log_density(const VectorXd& x, std::size_t left_out) const {
-  if (x[0] < box_low(0) || x[0] > box_high(0) || x.tail(n_ratios()).cwiseAbs().maxCoeff() > 1.0)
+  const auto z = x.tail(n_ratios());
+  if (x[0] < box_low(0) || x[0] > box_high(0) || z.maxCoeff() > 1.0 || (z - least_).minCoeff() < 0.0)
     return -infinity;
   double sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {

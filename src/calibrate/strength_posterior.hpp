@@ -67,6 +67,7 @@ class StrengthPosterior {
   std::vector<Surrogate> models_;
   std::vector<Target> targets_;
   std::vector<const Parameter*> parameters_;
+  Eigen::VectorXd least_;  ///< of the ratios: -1, but a joint rubs no less than it dilates (tan psi <= mu)
   double largest_ = 0.0;
   double discrepancy_ = 0.0;
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <tuple>
@@ -340,6 +341,18 @@ TEST(StrengthStage, ATableWithNothingToFitIsRefused) {
   CalibrationOptions elastic;
   elastic.elastic_only = true;
   EXPECT_THROW(calibrate(rock_of({{Property::ucs, 0.0, 100e6}}, false), elastic, press), InputError);
+}
+
+TEST(StrengthStage, NoJointDilatesMoreThanItRubs) {
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::ucs, 45.0, 60e6}}, true);
+  rock.model.bedding[0].psi = 20.0;
+  PaperPress press;
+  double least = 1.0;
+  press.peaks = [&](const Recipe& r) { return least = std::min(least, r.bedding[0].mu), true; };
+  const Calibration c = calibrate(rock, {}, press);
+  EXPECT_GE(least, std::tan(20.0 * 3.14159265358979323846 / 180.0));
+  EXPECT_LT(least, 0.5);  // and near it the box is searched
+  EXPECT_GE(c.recipe.bedding[0].mu, least);
 }
 
 TEST(StrengthStage, StopsWhenTheUserDoes) {
