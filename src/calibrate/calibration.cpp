@@ -226,6 +226,7 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
 void make_ready(Recipe& recipe, const Rock& rock, const std::vector<Target>& targets) {
   const TestRecipe usual;
   TestRecipe& test = recipe.test;
+  test.kind = usual.kind;
   test.n_snapshots = usual.n_snapshots, test.n_frames = usual.n_frames;
   test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
   std::set<double> angles;

@@ -176,6 +176,19 @@ class ElasticProblem {
     return std::hypot(std::max(least_error_nu, t.standard_error()), packing_error_[i]) / nu_weight;
   }
 
+  /// Does some E miss the table by more than 2 % and more than the scatter of the laboratory explains? An
+  /// assumed scatter explains nothing.
+  bool misses_E(const VectorXd& x) {
+    const std::vector<Answer>& a = answers(x);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      const Target& t = targets_[i];
+      if (t.property != Property::E) continue;
+      const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
+      if (std::fabs(a[i].mean / t.mean - 1.0) > std::max(elastic_tolerance, z_seven * noise)) return true;
+    }
+    return false;
+  }
+
   /// Largest relative deviation of E.
   double worst_E(const VectorXd& x) {
     double worst = 0.0;
@@ -443,7 +456,8 @@ ElasticFit fit_elastic(const Rock& rock, const std::vector<Target>& all,
   refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it
   refine(problem, x, seeds.size());
   const bool has_nu = problem.targets().size() > of_property(problem.targets(), Property::E).size();
-  if (const double before = problem.worst_E(x); has_nu && before > elastic_tolerance) {
+  if (has_nu && problem.misses_E(x)) {
+    const double before = problem.worst_E(x);
     const ElasticProblem with_nu = problem;
     const VectorXd x_with_nu = x;
     problem.nu_weight = nu_after_conflict;

@@ -21,9 +21,9 @@
 // verification solves the one-sided contacts themselves.
 //
 // Joints do not change nu/E: a rock whose nu'/E' differs from nu/E cannot have both its moduli and its
-// Poisson's ratios in this model. If E misses the table by more than 2 % while nu is in the fit, the stage is
-// repeated with nu at a tenth of its weight: moduli matter most to an engineer, and the verdict tells by how
-// much nu gave way.
+// Poisson's ratios in this model. If E misses the table by more than 2 %, and by more than the laboratory's
+// scatter explains, while nu is in the fit, the stage is repeated with nu at a tenth of its weight: moduli
+// matter most to an engineer, and the verdict tells by how much nu gave way.
 #pragma once
 #include <Eigen/Dense>
 #include <functional>

@@ -4,7 +4,7 @@
 // (coordinates z of the strength stage) and three of moduli, k_s/k_n, k_n spacing/E_c, k_s spacing/E_c. A
 // quadratic in all eight per angle, fitted by ridge regression to tests of 48 synthetic rocks of the
 // paper's geometry (1,197 discs, nine points of the box each on twelve packings, seven angles and intact),
-// foretells UCS of rocks that took no part to 11-19 %, of which some 10 % is the scatter of single runs
+// foretells UCS of rocks that took no part to 10-18 %, of which some 10 % is the scatter of single runs
 // (docs/calibration.md, "Experience"). It is a beginning, not an answer: the surrogate learns how far this
 // rock, with its own bedding and grains, lies from it.
 //

@@ -47,17 +47,18 @@ std::vector<RockReading> twin_readings(const std::vector<Comparison>& response, 
   return readings;
 }
 
-std::string readings_csv(const std::vector<RockReading>& readings) {
+std::string readings_csv(const std::vector<RockReading>& readings, bool bedded) {
   std::map<std::pair<double, int>, std::map<Property, double>> rows;
   for (const RockReading& r : readings) rows[{r.theta, r.line}][r.property] = r.value;
-  std::string text = "theta [deg],E [GPa],nu,UCS [MPa]\n";
+  std::string text = std::string(bedded ? "theta [deg]," : "") + "E [GPa],nu,UCS [MPa]\n";
   for (const auto& [at, cells] : rows) {
     const auto cell = [&of = cells](Property p, double unit) {
       const auto it = of.find(p);
       return it == of.end() ? std::string() : fmt::format("{:.4g}", it->second / unit);
     };
-    text += fmt::format("{:g},{},{},{}\n", at.first, cell(Property::E, 1e9), cell(Property::nu, 1.0),
-                        cell(Property::ucs, 1e6));
+    if (bedded) text += fmt::format("{:g},", at.first);
+    text +=
+        fmt::format("{},{},{}\n", cell(Property::E, 1e9), cell(Property::nu, 1.0), cell(Property::ucs, 1e6));
   }
   return text;
 }

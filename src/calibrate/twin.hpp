@@ -28,7 +28,7 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
 /// Readings of specimens with that response; one row per angle and specimen.
 std::vector<RockReading> twin_readings(const std::vector<Comparison>& response, const TwinOptions& options);
 
-/// The readings as a table that parse_readings reads.
-std::string readings_csv(const std::vector<RockReading>& readings);
+/// The readings as a table that parse_readings reads; without bedding it has no column theta.
+std::string readings_csv(const std::vector<RockReading>& readings, bool bedded);
 
 }  // namespace phy

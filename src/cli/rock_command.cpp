@@ -45,7 +45,10 @@ int rock_check(const std::string& path, int width) {
 int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
   Recipe truth = read_recipe(recipe_file);
   TwinOptions options;
-  if (!truth.test.angles.empty()) options.angles = truth.test.angles;
+  if (truth.bedding.empty())
+    options.angles = {0.0};
+  else if (!truth.test.angles.empty())
+    options.angles = truth.test.angles;
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   const auto simulator = make_simulator(machine);
@@ -55,7 +58,7 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
       recipe_file, options.seeds.size(), options.seeds.front(), options.seeds.back(), options.n_specimens,
       options.noise);
-  write_file(name + ".csv", about + readings_csv(twin_readings(response, options)));
+  write_file(name + ".csv", about + readings_csv(twin_readings(response, options), !truth.bedding.empty()));
   fmt::print("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
   const std::size_t n = options.angles.size();
   for (std::size_t i = 0; i < n; ++i)
