@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/stats.hpp"
@@ -329,6 +330,17 @@ MatrixXd covariance_at(ElasticProblem& problem, const VectorXd& x) {
   return (J.transpose() * J).inverse() * std::max(1.0, misfit);
 }
 
+/// 95 % interval of the rock's own value, known from two sides: its specimens deviate from the mean over
+/// packings by as much as packings do, and the laboratory has measured them. `variance`: of the model's mean.
+std::pair<double, double> interval_of(const Answer& model, const Target& t, double variance) {
+  const double scatter = std::isfinite(model.sd) ? model.sd * model.sd / std::max(1, t.n) : 0.0;
+  const double least = t.property == Property::E ? least_error_E * t.mean : least_error_nu;
+  const double lab = std::pow(std::max(least, t.standard_error()), 2.0), share = lab / (lab + scatter);
+  const double centre = share * model.mean + (1.0 - share) * t.mean;
+  const double half = z_95 * std::sqrt(share * share * variance + share * scatter);
+  return {centre - half, centre + half};
+}
+
 void report(ElasticFit& fit, ElasticProblem& problem, const VectorXd& x) {
   const MatrixXd covariance = covariance_at(problem, x);
   fit.recipe = problem.recipe_at(x);
@@ -353,8 +365,8 @@ void report(ElasticFit& fit, ElasticProblem& problem, const VectorXd& x) {
     Comparison c;
     c.target = problem.targets()[static_cast<std::size_t>(i)];
     c.mean = a.mean, c.sd = a.sd, c.n_packings = static_cast<int>(problem.n_packings());
-    const double half = z_95 * std::sqrt(a.slope.dot(covariance * a.slope));
-    c.low = a.mean - half, c.high = a.mean + half;
+    const double known = a.slope.dot(covariance * a.slope);
+    std::tie(c.low, c.high) = interval_of(a, c.target, known);
     fit.comparisons.push_back(c);
   }
 }
