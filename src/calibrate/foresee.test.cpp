@@ -6,16 +6,11 @@
 
 #include <cmath>
 
+#include "calibrate/reading.test.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy {
 namespace {
-
-RockReading reading(Property property, double theta, double value) {
-  RockReading r;
-  r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
-  return r;
-}
 
 /// E and nu of a jointed rock at seven angles.
 Rock layered_rock() {

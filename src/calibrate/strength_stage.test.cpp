@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press.test.hpp"
+#include "calibrate/reading.test.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy {
@@ -160,11 +161,8 @@ Rock rock_of(const std::vector<std::tuple<Property, double, double>>& values, bo
   Rock rock;
   rock.bedded = bedded;
   if (bedded) rock.model.bedding.resize(1);
-  for (const auto& [property, theta, value] : values) {
-    RockReading r;
-    r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
-    rock.readings.push_back(r);
-  }
+  for (const auto& [property, theta, value] : values)
+    rock.readings.push_back(reading(property, theta, value));
   return rock;
 }
 

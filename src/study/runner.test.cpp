@@ -33,6 +33,15 @@ class Runner : public testing::Test {
     write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
     return make_plan(read_study(at("study.toml")), shard);
   }
+  /// Progress at the end of a study by one worker.
+  static StudyProgress progress_after(const Plan& plan, Store& store) {
+    const StudyHooks none;
+    StoreDesk desk(plan, store, none, 1);
+    MachineOptions machine;
+    machine.isa = native_isa();
+    work_at(desk, plan, machine);
+    return desk.progress();
+  }
   static WorkReport work(const Plan& plan, Store& store, int threads, const StudyHooks& hooks = {}) {
     MachineOptions machine;
     machine.isa = native_isa();
@@ -174,13 +183,9 @@ TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
   const Plan p =
       plan("design = \"full_factorial\"\n[[vary]]\nkey = \"test.max_strain\"\nvalues = [0.0005, 0.05]\n");
   Store store(at("s.sqlite"));
-  const StudyHooks none;
-  StoreDesk desk(p, store, none, 1);
-  MachineOptions machine;
-  machine.isa = native_isa();
-  work_at(desk, p, machine);
-  EXPECT_EQ(desk.progress().n_failed, 3u);
-  EXPECT_EQ(desk.progress().n_done, 6u);
+  const StudyProgress now = progress_after(p, store);
+  EXPECT_EQ(now.n_failed, 3u);
+  EXPECT_EQ(now.n_done, 6u);
   std::size_t n_advised = 0;
   for (const StoredResult& row : store.rows())
     if (row.result.outcome.status == Status::not_peaked) n_advised += !row.result.outcome.advice.empty();
@@ -194,12 +199,7 @@ TEST_F(Runner, WorkIsCountedInTheGrainsThatRan) {
              "[test]\nkind = \"brazilian\"\nplaten_speed = \"0.2 m/s\"\n");
   const Plan p = plan("packings = [1, 2]\n");
   Store store(at("s.sqlite"));
-  const StudyHooks none;
-  StoreDesk desk(p, store, none, 1);
-  MachineOptions machine;
-  machine.isa = native_isa();
-  work_at(desk, p, machine);
-  const StudyProgress now = desk.progress();
+  const StudyProgress now = progress_after(p, store);
   EXPECT_GT(now.work, 0.0);
   EXPECT_EQ(now.work_new, now.work) << "all tests are finished";
 }

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <thread>
 
+#include "calibrate/reading.test.hpp"
 #include "twin_trial.hpp"
 
 namespace phy {
 namespace {
-
-RockReading reading(Property property, double theta, double value) {
-  RockReading r;
-  r.property = property, r.theta = theta, r.value = value, r.sd = 0.05 * value, r.n = 3;
-  return r;
-}
 
 TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock) {
   const auto simulator = make_simulator(
