@@ -168,7 +168,7 @@ std::vector<Recipe> by_sequence(const Rock& rock, const Recipe& settings, const 
 TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
   const auto first = static_cast<std::uint32_t>(setting("PHY_TWIN_FIRST", 0));
   const auto last = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", 10));
-  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 3.0));
+  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 5.0));
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
   double ours_sum = 0.0, others_sum = 0.0;
   for (std::uint32_t k = first; k < last; ++k) {
