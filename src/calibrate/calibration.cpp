@@ -9,8 +9,10 @@
 #include <set>
 
 #include "base/check.hpp"
+#include "base/exact_math.hpp"
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/foresee.hpp"
+#include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy {
@@ -184,6 +186,18 @@ bool fits_strength(Calibration& result, const std::vector<Target>& targets, bool
   return strength;
 }
 
+/// Throws InputError where joints dilate more than any friction of the box lets them.
+void check_dilation(const Rock& rock) {
+  const Parameter& mu = strength_parameters().back();
+  for (const BeddingRecipe& b : rock.model.bedding)
+    if (rock.bedded && tan_degrees(b.psi) > mu.high)
+      throw InputError(Problem{rock.name, "bedding.psi", fmt::format("{:g} deg", b.psi),
+                               fmt::format("tan(psi) <= {:g}", mu.high),
+                               fmt::format("no joint dilates more than it rubs, and {} is sought from {:g} "
+                                           "to {:g}: lower psi in the recipe",
+                                           mu.symbol, mu.low, mu.high)});
+}
+
 /// Throws InputError where the budget is too small for any search.
 void check_budget(const std::vector<Target>& targets, std::int64_t max_tests) {
   const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
@@ -243,7 +257,7 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   result.rock = rock.name;
   const std::vector<Target> targets = targets_of(rock);
   bool strength = fits_strength(result, targets, options.elastic_only);
-  if (strength) check_budget(targets, options.max_tests);
+  if (strength) check_dilation(rock), check_budget(targets, options.max_tests);
   const std::int64_t first_seed = rock.model.packing.seed;
   const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
   const std::vector<std::int64_t> unseen = seeds_from(first_seed + n_fit, n_unseen);

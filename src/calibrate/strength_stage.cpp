@@ -31,7 +31,13 @@ std::vector<Batch> plan(std::int64_t max_tests, std::size_t n_ucs, bool with_coa
 }
 
 /// Neighbouring points share a packing: two points of seven angles fill sixteen lanes.
-std::size_t packing_of_point(std::size_t point, std::size_t n_packings) { return point / 2 % n_packings; }
+constexpr std::size_t points_per_packing = 2;
+std::size_t packing_of_point(std::size_t point, std::size_t n_packings) {
+  return point / points_per_packing % n_packings;
+}
+std::size_t packings_behind(std::size_t n_points, std::size_t n_packings) {
+  return std::min(n_packings, (n_points + points_per_packing - 1) / points_per_packing);
+}
 
 std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
                              const std::vector<VectorXd>& points, bool is_coarse, const Recipe& recipe,
@@ -228,7 +234,7 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
     n_points += points.size();
     draw(b + 1);
   }
-  report(posterior, draws, seeds.size(), fit);
+  report(posterior, draws, packings_behind(n_points, seeds.size()), fit);
   return fit;
 }
 

@@ -60,6 +60,16 @@ StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, std::int6
   return fit_strength(rock, rock.model, targets, seeds, budget, press, [](const std::string&) {});
 }
 
+/// A rock of strengths only.
+Rock rock_of(const std::vector<std::tuple<Property, double, double>>& values, bool bedded) {
+  Rock rock;
+  rock.bedded = bedded;
+  if (bedded) rock.model.bedding.resize(1);
+  for (const auto& [property, theta, value] : values)
+    rock.readings.push_back(reading(property, theta, value));
+  return rock;
+}
+
 /// Three rocks and their fits, made once.
 struct Case {
   Recipe rock;
@@ -124,6 +134,51 @@ TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
   EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
 }
 
+TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
+  PaperPress press;
+  Rock rock;
+  rock.model.bedding.resize(1);
+  const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  const auto packings = [&](std::int64_t budget) {
+    const StrengthFit f = fit_strength(rock, rock.model, laboratory(truth(1), 1), twelve, budget, press,
+                                       [](const std::string&) {});
+    return f.fitted.front().n_packings;
+  };
+  EXPECT_EQ(packings(63), 5);  // nine points, two to a packing
+  EXPECT_EQ(packings(252), 12);
+}
+
+TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
+  Rock rock;
+  rock.model.bedding.resize(1);
+  rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
+  const auto n_coarse = [&] {
+    PaperPress press;
+    return fit_strength(rock, rock.model, laboratory(truth(1), 1), seeds, 63, press,
+                        [](const std::string&) {})
+        .n_coarse;
+  };
+  EXPECT_EQ(n_coarse(), 5 * 7);
+  rock.model.packing.radius_min *= 1.5, rock.model.packing.radius_max *= 1.5;  // some 3,300 grains: too few
+  EXPECT_EQ(n_coarse(), 0);
+}
+
+TEST(StrengthStage, JointsThatDilateMoreThanTheyMayRubAreRefused) {
+  Rock rock =
+      rock_of({{Property::ucs, 0.0, 150e6}, {Property::ucs, 30.0, 80e6}, {Property::ucs, 60.0, 60e6}}, true);
+  rock.model.bedding[0].psi = 46.0;
+  PaperPress press;
+  try {
+    calibrate(rock, {}, press);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("bedding.psi = 46 deg"),
+                                             testing::HasSubstr("tan(psi) <= 1")));
+  }
+  rock.model.bedding[0].psi = 44.0;
+  EXPECT_EQ(calibrate(rock, {}, press).left_out.size(), 0U);
+}
+
 TEST(StrengthStage, TheSameAnswersGiveTheSameFit) {
   PaperPress a, b;
   const std::vector<Target> targets = laboratory(truth(2), 2);
@@ -154,16 +209,6 @@ TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
   ASSERT_EQ(f.parameters.size(), 4U);  // sigma_c, tau_c/sigma_c, mu, and tau_c
   EXPECT_NEAR(PaperPress::ucs(f.recipe) / 150e6, 1.0, 0.06);
   EXPECT_TRUE(f.left_out.empty());
-}
-
-/// A rock of strengths only.
-Rock rock_of(const std::vector<std::tuple<Property, double, double>>& values, bool bedded) {
-  Rock rock;
-  rock.bedded = bedded;
-  if (bedded) rock.model.bedding.resize(1);
-  for (const auto& [property, theta, value] : values)
-    rock.readings.push_back(reading(property, theta, value));
-  return rock;
 }
 
 TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNearest) {

@@ -8,13 +8,14 @@
 #include "analysis/brazilian.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_stage.hpp"
+#include "study/expected.hpp"
 
 namespace phy {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double coarse_factor = 2.5;         // magnification of the grains
-constexpr std::int64_t fewest_grains = 1000;  // of a coarse packing
+constexpr double coarse_factor = 2.5;     // magnification of the grains
+constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 2.0;
 constexpr double jump_share = 0.35;  // of the expected peak strain
@@ -119,8 +120,7 @@ Recipe coarse(Recipe r) {
   return r;
 }
 bool has_coarse(const Recipe& r) {
-  return r.packing.file.empty() && static_cast<double>(r.packing.n_grains) >=
-                                       static_cast<double>(fewest_grains) * coarse_factor * coarse_factor;
+  return r.packing.file.empty() && expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
 
 bool can_test(Property property) { return procedure_of(property) != nullptr; }

@@ -1,5 +1,4 @@
 #include "cli/elastic_sweep.hpp"
-#include "base/clock.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +9,9 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "base/clock.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
@@ -57,7 +58,9 @@ std::vector<Recipe> recipes_of(const Recipe& first, const std::string& path) {
   return recipes;
 }
 
+/// Ctrl-C ends it after the packing at hand; what is complete is kept.
 std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) {
+  const std::atomic<bool>* stop = stop_on_interrupt();
   std::vector<Variant> variants;
   for (const Recipe& r : recipes) {
     const auto packings = sweep_packings(r, threads);
@@ -65,16 +68,17 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
     if (r.sweep.both_rules)
       rules.push_back(rules[0] == BeddingRule::zone ? BeddingRule::crossing : BeddingRule::zone);
     for (const BeddingRule rule : rules) {
-      variants.push_back({r.name, rule, {}});
-      for (std::size_t i = 0; i < packings.size(); ++i) {
+      Variant variant{r.name, rule, {}};
+      for (std::size_t i = 0; i < packings.size() && !*stop; ++i) {
         const auto start = std::chrono::steady_clock::now();
         const std::int64_t seed = r.packing.seed + static_cast<std::int64_t>(i);
-        variants.back().packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
-        const SweptPacking& p = variants.back().packings.back();
+        variant.packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
+        const SweptPacking& p = variant.packings.back();
         fmt::print("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
                    to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
         std::fflush(stdout);
       }
+      if (!variant.packings.empty()) variants.push_back(std::move(variant));
     }
   }
   return variants;
@@ -112,10 +116,11 @@ void print_variant(const Variant& v, int width) {
   const Summary ratio = over_packings(v, [](const SweptPacking& p) { return E90_ratio(p, {}); });
   print_wrapped(
       width, 0,
-      "\n{}, {} rule, {} packings: porosity {:.3f}, coordination {:.2f}, sum(A)/L {}, bridges {:.1f} %,\n"
+      "\n{}, {} rule, {} packing{}: porosity {:.3f}, coordination {:.2f}, sum(A)/L {}, bridges {:.1f} %,\n"
       "joints off the plane {:.1f} %, E intact {} GPa, E(90)/E intact {}\n",
-      v.name, to_string(v.rule), v.packings.size(), porosity.mean, coordination.mean,
-      plus_minus(of(&BeddingReport::overlap_ratio), 1.0, 3), 100.0 * of(&BeddingReport::bridge_fraction).mean,
+      v.name, to_string(v.rule), v.packings.size(), v.packings.size() == 1 ? "" : "s", porosity.mean,
+      coordination.mean, plus_minus(of(&BeddingReport::overlap_ratio), 1.0, 3),
+      100.0 * of(&BeddingReport::bridge_fraction).mean,
       100.0 * of(&BeddingReport::non_crossing_fraction).mean, plus_minus(intact, giga, 2),
       plus_minus(ratio, 1.0, 3));
 }
@@ -301,6 +306,8 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
+  if (variants.empty())
+    return fmt::print("stopped before any packing was finished; nothing was written\n"), 1;
   write_tables(variants, recipe.sweep.factors, out);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);
@@ -312,10 +319,14 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
       "of "
       "the\nother stiffness from the smallest to the largest factor; *: packings without a line, see "
       "lines.csv\n");
-  const bool solved = all_solved(variants, width);
+  const bool solved = all_solved(variants, width), stopped = *stop_on_interrupt();
+  if (stopped)
+    print_wrapped(
+        width, 0,
+        "\nstopped: the tables hold the packings above; run the same command again for all of them\n");
   write_report(out);
   fmt::print("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
-  return solved ? 0 : 1;
+  return solved && !stopped ? 0 : 1;
 }
 
 }  // namespace phy

@@ -14,6 +14,16 @@
 #include "base/check.hpp"
 
 namespace phy {
+
+int write_all(int fd, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t n = ::write(fd, text.data() + done, text.size() - done);
+    if (n < 0 && errno != EINTR) return errno;
+    if (n > 0) done += static_cast<std::size_t>(n);
+  }
+  return 0;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,17 +44,9 @@ constexpr std::size_t max_bytes = 256U << 20U;
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 
-/// Writes and closes all of it; the errno of what failed, or 0.
-int write_all(int fd, const std::string& content) {
-  std::size_t done = 0;
-  int error = 0;
-  while (done < content.size() && error == 0) {
-    const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
-    if (n >= 0)
-      done += static_cast<std::size_t>(n);
-    else if (errno != EINTR)
-      error = errno;
-  }
+/// Writes, syncs and closes; the errno of what failed, or 0.
+int write_and_close(int fd, const std::string& content) {
+  int error = write_all(fd, content);
   if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
   if (::close(fd) != 0 && error == 0) error = errno;
   return error;
@@ -54,7 +56,7 @@ int write_all(int fd, const std::string& content) {
 void write_synced(const std::string& real, const std::string& path, const std::string& content) {
   const int fd = ::open(real.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (fd < 0) fail(path, "be written", errno);
-  const int error = write_all(fd, content);
+  const int error = write_and_close(fd, content);
   if (error == 0) return;
   ::unlink(real.c_str());
   fail(path, "be written", error);
@@ -62,7 +64,7 @@ void write_synced(const std::string& real, const std::string& path, const std::s
 
 void write_stream(const std::string& path, const std::string& content) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const int error = fd < 0 ? errno : write_all(fd, content);
+  const int error = fd < 0 ? errno : write_and_close(fd, content);
   if (error != 0) fail(path, "be written", error);
 }
 

@@ -17,6 +17,9 @@ std::vector<std::string> list_folder(const std::string& path);
 /// A device or a pipe, such as /dev/stdout: it takes text as it comes, and nothing may be put in its place.
 bool is_stream(const std::string& path);
 
+/// Writes all of a text to an open descriptor; the errno of what failed, or 0.
+int write_all(int fd, const std::string& text);
+
 /// Writes one file whole or not at all; makes the folder if it is missing. A stream is written to as it is.
 void write_file(const std::string& path, const std::string& content);
 

@@ -34,18 +34,6 @@ struct Passing {
   ~Passing() { ::unlink(path.c_str()); }
 };
 
-bool write_all(int fd, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t n = ::write(fd, text.data() + done, text.size() - done);
-    if (n > 0)
-      done += static_cast<std::size_t>(n);
-    else if (errno != EINTR)
-      return false;
-  }
-  return true;
-}
-
 struct Child {
   pid_t pid = 0;
   int input = -1;
@@ -92,7 +80,7 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
   const Child child = start(program, arguments, package, said.path);
   bool ok = true;
   try {
-    feed([&](const std::string& text) { ok = ok && write_all(child.input, text); });
+    feed([&](const std::string& text) { ok = ok && write_all(child.input, text) == 0; });
   } catch (...) {
     ::close(child.input);
     ::waitpid(child.pid, nullptr, 0);

@@ -33,14 +33,14 @@ class Cli : public ProgramTest {
         if (fs::exists(entry.path() / "result.json")) ++n;
     return n;
   }
-  /// Sends Ctrl-C to the program, with one thread, as soon as there is a result in `watched`. The exit code,
-  /// or -1 if it ended by the signal.
-  int interrupted(std::vector<std::string> arguments, const std::string& watched) {
+  /// Sends Ctrl-C to the program, with one thread, as soon as something is `finished`. The exit code, or -1
+  /// if it ended by the signal.
+  int interrupted(std::vector<std::string> arguments, const std::function<bool()>& finished) {
     arguments.insert(arguments.begin(), {"--threads", "1"});
     const std::string log = at("log");
     const pid_t child = start(arguments, log);
     int status = 0;
-    while (n_results(watched) == 0 && ::waitpid(child, &status, WNOHANG) == 0)
+    while (!finished() && ::waitpid(child, &status, WNOHANG) == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     ::kill(child, SIGINT);
     ::waitpid(child, &status, 0);
@@ -238,7 +238,8 @@ TEST_F(Cli, ATestThatNeverPeaksIsStoredAndExitsWith1) {
 
 // Thirty tests one after the other; Ctrl-C as soon as the first result is there.
 TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
-  EXPECT_EQ(interrupted({"run", many_angles(), "--lanes", "1", "--out", out()}, out()), 1) << output;
+  const auto finished = [&] { return n_results(out()) > 0; };
+  EXPECT_EQ(interrupted({"run", many_angles(), "--lanes", "1", "--out", out()}, finished), 1) << output;
   EXPECT_THAT(output, HasSubstr("interrupted: not started; run the same recipe again"));
   EXPECT_GE(n_whole_results(out()), 1);
   EXPECT_LT(n_whole_results(out()), 30);
@@ -246,7 +247,8 @@ TEST_F(Cli, InterruptKeepsWhatIsFinishedAndSaysTheRest) {
 
 TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
   const std::string first = out() + "/sigma_3_0_MPa";
-  EXPECT_EQ(interrupted({"envelope", many_angles(), "--out", out()}, first), 1) << output;
+  const auto finished = [&] { return n_results(first) > 0; };
+  EXPECT_EQ(interrupted({"envelope", many_angles(), "--out", out()}, finished), 1) << output;
   EXPECT_THAT(output, HasSubstr("theta = 0 deg at 20 MPa"));
   EXPECT_THAT(output, HasSubstr("interrupted: not started; run the same recipe again"));
   const int n_finished = n_whole_results(first);
@@ -258,6 +260,23 @@ TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
   EXPECT_EQ(n_told, n_finished);
   EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,\n"));
   EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
+}
+
+TEST_F(Cli, InterruptOfASweepKeepsThePackingsThatAreFinished) {
+  const std::string recipe =
+      write("sweep.toml",
+            "[specimen]\nwidth = \"12 mm\"\nheight = \"24 mm\"\n[packing]\nn_grains = 740\n[[bedding]]\n"
+            "[test]\nangles = [\"0 deg\", \"30 deg\", \"60 deg\", \"90 deg\"]\n"
+            "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 12\n");
+  const auto finished = [&] { return read(at("log")).find("swept") != std::string::npos; };
+  EXPECT_EQ(interrupted({"elastic", recipe, "--out", out()}, finished), 1) << output;
+  EXPECT_THAT(output, HasSubstr("stopped: the tables hold the packings above"));
+  const std::string moduli = read(out() + "/moduli.csv");
+  const auto n_rows = std::count(moduli.begin(), moduli.end(), '\n') - 1;
+  EXPECT_GT(n_rows, 0);
+  EXPECT_EQ(n_rows % (2 * (5 * 4 + 1)),
+            0);  // whole packings: five sets at four angles and intact, two readings
+  EXPECT_LT(n_rows, 12 * 2 * (5 * 4 + 1));
 }
 
 TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
