@@ -14,16 +14,12 @@
 #include <string>
 #include <vector>
 
-class ProgramTest : public testing::Test {
+#include "base/in_folder.test.hpp"
+
+class ProgramTest : public phy::InFolder {
  protected:
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("phyllite-cli-" + std::to_string(::getpid()));
   std::string output;
-  void SetUp() override {
-    std::filesystem::create_directories(folder);
-    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  void SetUp() override { ::setenv("XDG_CACHE_HOME", at("cache").c_str(), 1); }
 
   int run(const std::string& arguments) { return run_line(std::string(PHY_PROGRAM) + " " + arguments); }
   /// Runs a line of shell; what it prints is in `output`. The exit code, or -1 after a signal.
@@ -35,10 +31,6 @@ class ProgramTest : public testing::Test {
     const int status = ::pclose(pipe);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder / name) << text;
-    return (folder / name).string();
-  }
   std::string small_recipe(const std::string& more = "") const {
     return write(
         "small.toml",
@@ -48,11 +40,6 @@ class ProgramTest : public testing::Test {
             more);
   }
   std::string out() const { return at("out"); }
-  std::string at(const std::string& name) const { return (folder / name).string(); }
-  static std::string read(const std::string& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   /// Of "hash 0123456789abcdef", as a study prints it last.
   std::string hash() const {
     const std::size_t place = output.rfind("hash ");

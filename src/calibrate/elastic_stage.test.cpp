@@ -86,7 +86,9 @@ TEST_F(ElasticStage, AConflictOfModuliAndPoissonsRatioIsSaidAndNuGivesWay) {
   const ElasticFit f = fit(targets);
   EXPECT_THAT(f.findings, Contains(HasSubstr("E and nu of this table conflict")));
   for (const Comparison& c : f.comparisons)
-    if (c.target.property == Property::E) EXPECT_NEAR(c.error(), 0.0, 0.03) << c.target.theta;
+    if (c.target.property == Property::E) {
+      EXPECT_NEAR(c.error(), 0.0, 0.03) << c.target.theta;
+    }
 }
 
 TEST_F(ElasticStage, NuKeepsItsWeightWhereModuliMissByNoMoreThanTheirScatter) {

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
@@ -72,10 +72,10 @@ TEST(RecipeCommand, TheReferenceHasARowForEveryKey) {
   EXPECT_THAT(a.text, HasSubstr("## [[bedding]]"));
 }
 
-TEST(RecipeCommand, ARecipeIsCheckedAndCompleted) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("phyllite-cli-" + std::to_string(::getpid()) + ".toml"))
-          .string();
+class RecipeFile : public InFolder {};
+
+TEST_F(RecipeFile, IsCheckedAndCompleted) {
+  const std::string path = at("r.toml");
   write_file(path, "[matrix]\nmu = 0.7\n");
   const Answer good = phyllite("recipe " + path);
   EXPECT_EQ(good.code, 0);

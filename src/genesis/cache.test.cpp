@@ -2,13 +2,12 @@
 #include "genesis/cache.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
 #include "base/hash.hpp"
+#include "base/in_folder.test.hpp"
 #include "genesis/packing.hpp"
 
 namespace phy {
@@ -16,38 +15,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-class Cache : public testing::Test {
+class Cache : public InFolder {
  protected:
   void SetUp() override {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("phyllite-cache-" + test + std::to_string(::getpid()));
-    fs::remove_all(folder);
     recipe.specimen = {0.005, 0.006};
     recipe.packing.n_grains = 80;
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::shared_ptr<const Packing> get() const {
-    return cached_packing(recipe.specimen, recipe.packing, recipe.matrix, folder);
+    return cached_packing(recipe.specimen, recipe.packing, recipe.matrix, cache);
   }
   std::string key() const { return packing_key(recipe.specimen, recipe.packing, recipe.matrix); }
-  fs::path file() const { return cache_file(folder, key()); }
+  fs::path file() const { return cache_file(cache, key()); }
 
+  const fs::path cache = folder / "cache";
   Recipe recipe;
-  fs::path folder;
 };
 
 TEST_F(Cache, GivesBackTheSameBits) {
-  EXPECT_FALSE(is_cached(recipe, folder));
+  EXPECT_FALSE(is_cached(recipe, cache));
   const auto made = get(), kept = get();
-  EXPECT_TRUE(is_cached(recipe, folder));
+  EXPECT_TRUE(is_cached(recipe, cache));
   EXPECT_NE(made, kept);
   EXPECT_EQ(kept->hash, made->hash);
   EXPECT_EQ(packing_hash(kept->discs), made->hash);
@@ -59,7 +47,7 @@ TEST_F(Cache, GivesBackTheSameBits) {
   EXPECT_EQ(kept->report.fabric, made->report.fabric);
   EXPECT_EQ(kept->report.n_floaters, made->report.n_floaters);
   EXPECT_EQ(kept->report.unbalanced, made->report.unbalanced);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);  // no temporary file left
+  EXPECT_EQ(std::distance(fs::directory_iterator(cache), {}), 1);  // no temporary file left
 }
 
 TEST_F(Cache, IsReallyRead) {
@@ -98,11 +86,11 @@ TEST_F(Cache, DoesNotTakeAnotherKeysFile) {
 }
 
 TEST_F(Cache, UnwritableFolderIsNoError) {
-  write(folder, "a file where the folder should be");
+  write(cache, "a file where the folder should be");
   const auto p = get();
   EXPECT_EQ(p->discs.size(), 80U);
-  EXPECT_TRUE(fs::is_regular_file(folder));
-  EXPECT_FALSE(is_cached(recipe, folder));
+  EXPECT_TRUE(fs::is_regular_file(cache));
+  EXPECT_FALSE(is_cached(recipe, cache));
   EXPECT_EQ(cached_packing(recipe.specimen, recipe.packing, recipe.matrix, {})->hash, p->hash);
   EXPECT_FALSE(is_cached(recipe, {}));
 }

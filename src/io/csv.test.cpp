@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "base/rng.hpp"
 #include "records/assembly.hpp"
 
@@ -16,12 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string problems_of(const std::string& text) {
-  try {
-    parse_discs(text, "d.csv");
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "no problem";
+  return message_of<InputError>([&] { parse_discs(text, "d.csv"); });
 }
 
 const std::string header = "x [m],y [m],r [m]\n";

@@ -4,14 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <thread>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "base/parallel.hpp"
 
 namespace phy {
@@ -20,24 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class Files : public testing::Test {
+class Files : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-file-" + std::to_string(::getpid()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override {
-    fs::permissions(folder, fs::perms::owner_all);
-    fs::remove_all(folder);
-  }
-  std::string at(const char* name) const { return (folder / name).string(); }
   std::ptrdiff_t n_entries() const { return std::distance(fs::directory_iterator(folder), {}); }
-  static std::string message_of(const std::function<void()>& action) {
-    try {
-      action();
-    } catch (const IoError& e) {
-      return e.what();
-    }
-    return "no error";
-  }
 };
 
 TEST_F(Files, AreReadBackByteByByte) {
@@ -68,22 +51,22 @@ TEST_F(Files, APipeIsWrittenToAndStays) {
 TEST_F(Files, AFolderIsListedInOrder) {
   for (const char* name : {"b", "a", "c"}) write_file(at(name), "");
   EXPECT_EQ(list_folder(folder.string()), (std::vector<std::string>{at("a"), at("b"), at("c")}));
-  EXPECT_THAT(message_of([&] { list_folder(at("none")); }), HasSubstr("check the name"));
-  EXPECT_THAT(message_of([&] { list_folder(at("a")); }), HasSubstr("name a folder"));
+  EXPECT_THAT(message_of<IoError>([&] { list_folder(at("none")); }), HasSubstr("check the name"));
+  EXPECT_THAT(message_of<IoError>([&] { list_folder(at("a")); }), HasSubstr("name a folder"));
 }
 
 TEST_F(Files, AFileInTheWayIsToldWithARemedy) {
   write_file(at("file"), "x");
   for (const char* name : {"file/out", "file"})
-    EXPECT_THAT(message_of([&] { check_writable(at(name)); }),
+    EXPECT_THAT(message_of<IoError>([&] { check_writable(at(name)); }),
                 HasSubstr("a file of that name is in the way"));
-  EXPECT_THAT(message_of([&] { write_file(at("file/x"), ""); }),
+  EXPECT_THAT(message_of<IoError>([&] { write_file(at("file/x"), ""); }),
               HasSubstr("a file of that name is in the way"));
 }
 
 TEST_F(Files, AFullDiskLeavesNothingBehind) {
   fs::create_symlink("/dev/full", at(("full.csv.part-" + std::to_string(::getpid())).c_str()));
-  const std::string message = message_of([&] { write_file(at("full.csv"), "some text"); });
+  const std::string message = message_of<IoError>([&] { write_file(at("full.csv"), "some text"); });
   EXPECT_THAT(message, HasSubstr("free some space"));
   EXPECT_THAT(message, HasSubstr(at("full.csv") + ": cannot be written"));
   EXPECT_EQ(n_entries(), 0);
@@ -106,8 +89,8 @@ TEST_F(Files, AReadOnlyFolderIsToldWithARemedy) {
   if (root) {
     ASSERT_EQ(::seteuid(65534), 0);
   }
-  const std::string check = message_of([&] { check_writable(folder.string()); });
-  const std::string result = message_of([&] { NewFolder(at("x"), "mark", "thing"); });
+  const std::string check = message_of<IoError>([&] { check_writable(folder.string()); });
+  const std::string result = message_of<IoError>([&] { NewFolder(at("x"), "mark", "thing"); });
   if (root) {
     ASSERT_EQ(::seteuid(0), 0);
   }
@@ -117,14 +100,15 @@ TEST_F(Files, AReadOnlyFolderIsToldWithARemedy) {
 
 // /proc refuses new files to everybody, root included.
 TEST_F(Files, AFolderThatTakesNoFilesIsFoundBeforehand) {
-  const std::string message = message_of([] { check_writable("/proc"); });
+  const std::string message = message_of<IoError>([] { check_writable("/proc"); });
   EXPECT_THAT(message, HasSubstr("/proc: cannot be written"));
 }
 
 TEST_F(Files, WhatCannotBeReadIsTold) {
-  EXPECT_THAT(message_of([&] { read_file(at("none")); }), HasSubstr("check the name"));
-  EXPECT_THAT(message_of([&] { read_file(folder.string()); }), HasSubstr("name a file, not a folder"));
-  EXPECT_THAT(message_of([] { read_file("/dev/zero"); }), HasSubstr("cannot be read"));
+  EXPECT_THAT(message_of<IoError>([&] { read_file(at("none")); }), HasSubstr("check the name"));
+  EXPECT_THAT(message_of<IoError>([&] { read_file(folder.string()); }),
+              HasSubstr("name a file, not a folder"));
+  EXPECT_THAT(message_of<IoError>([] { read_file("/dev/zero"); }), HasSubstr("cannot be read"));
 }
 
 TEST_F(Files, ANewFolderAppearsWholeOrNotAtAll) {
@@ -163,7 +147,7 @@ TEST_F(Files, AFailureKeepsTheOlderFolder) {
     made.publish();
   };
   write_file(at("x/mark"), "old");
-  EXPECT_THAT(message_of([&] { make("new"); }), HasSubstr("in the way"));
+  EXPECT_THAT(message_of<IoError>([&] { make("new"); }), HasSubstr("in the way"));
   EXPECT_EQ(read_file(at("x/mark")), "old");
   EXPECT_EQ(n_entries(), 1);
 }
@@ -171,9 +155,9 @@ TEST_F(Files, AFailureKeepsTheOlderFolder) {
 TEST_F(Files, ForeignFoldersAndFilesAreNotReplaced) {
   write_file(at("thesis/chapter1.tex"), "years of work");
   write_file(at("file"), "x");
-  EXPECT_THAT(message_of([&] { NewFolder(at("thesis"), "mark", "thing"); }),
+  EXPECT_THAT(message_of<IoError>([&] { NewFolder(at("thesis"), "mark", "thing"); }),
               HasSubstr("holds no thing (no mark)"));
-  EXPECT_THAT(message_of([&] { NewFolder(at("file"), "mark", "thing"); }), HasSubstr("in the way"));
+  EXPECT_THAT(message_of<IoError>([&] { NewFolder(at("file"), "mark", "thing"); }), HasSubstr("in the way"));
   EXPECT_EQ(read_file(at("thesis/chapter1.tex")), "years of work");
   fs::create_directories(folder / "empty");
   NewFolder made(at("empty"), "mark", "thing");

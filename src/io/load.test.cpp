@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "base/rng.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
@@ -61,23 +61,16 @@ TestResult moving(const Specimen& s) {
   return r;
 }
 
-class Load : public testing::Test {
+class Load : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-load-" + std::to_string(::getpid()));
   Recipe recipe;
   void SetUp() override {
-    fs::create_directories(folder);
     recipe.bedding.resize(1);
     recipe.test.angles = {30.0, 60.0};
   }
-  void TearDown() override { fs::remove_all(folder); }
   void write(const std::string& name) {
     const Specimen s = lattice();
     write_result((folder / name).string(), recipe, "9.9", s, moving(s));
-  }
-  static std::string text(const fs::path& p) {
-    std::ifstream in(p);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
 };
 
@@ -86,7 +79,7 @@ TEST_F(Load, EveryNumberComesBackToTheSameBits) {
   const TestRecord back = read_result((folder / "a").string());
   const Specimen s = lattice();
   const TestResult sent = moving(s);
-  EXPECT_EQ(result_json(back), text(folder / "a" / "result.json"));
+  EXPECT_EQ(result_json(back), read(folder / "a" / "result.json"));
   EXPECT_EQ(back.result.n_steps, sent.n_steps);
   EXPECT_EQ(back.result.numbers[0].value, 1.0 / 3.0);
   EXPECT_TRUE(std::isnan(back.result.numbers[1].value));
@@ -173,7 +166,7 @@ TEST_F(Load, ARunTellsWhatIsMissingAndWhatIsDamaged) {
 
 TEST_F(Load, AnUnknownOutcomeIsNotTakenForAnother) {
   write("a");
-  std::string json = text(folder / "a" / "result.json");
+  std::string json = read(folder / "a" / "result.json");
   const std::string known = "\"status\": \"not peaked\"";
   ASSERT_NE(json.find(known), json.npos);
   json.replace(json.find(known), known.size(), "\"status\": \"cracked\"");

@@ -2,25 +2,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 
 namespace phy {
 namespace {
 
-class LoadVariation : public testing::Test {
- protected:
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("phyllite-variation-" + std::to_string(::getpid()));
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  void write(const std::string& name, const std::string& text) { write_file((folder / name).string(), text); }
-};
+class LoadVariation : public InFolder {};
 
 TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   Recipe recipe;

@@ -2,11 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
+#include "base/in_folder.test.hpp"
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
 
@@ -21,16 +19,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-class RockFile : public testing::Test {
+class RockFile : public InFolder {
  protected:
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("phyllite-rock-" + std::to_string(::getpid()));
-  void SetUp() override { std::filesystem::create_directories(folder); }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder / name, std::ios::binary) << text;
-    return (folder / name).string();
-  }
   Rock rock(const std::string& csv, const std::string& more = "") const {
     write("r.csv", csv);
     return read_rock(write("r.toml", "data = \"r.csv\"\n" + more));

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <sstream>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "io/toml_in.hpp"
 #include "records/assembly.hpp"
 
@@ -19,12 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Store : public testing::Test {
+class Store : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-store-" + std::to_string(::getpid()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-
   static TestResult small_result() {
     TestResult r;
     r.name = "theta = 30 deg";
@@ -48,10 +44,6 @@ class Store : public testing::Test {
     s.bedding.resize(1);
     s.bedding_report.resize(1);
     return s;
-  }
-  std::string read(const fs::path& p) const {
-    std::ifstream in(p);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
 };
 

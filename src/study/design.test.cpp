@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 #include "io/file.hpp"
 #include "study/plan.hpp"
 #include "study/study_in.hpp"
@@ -21,28 +21,20 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class StudyFile : public testing::Test {
+class StudyFile : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-design-" + std::to_string(::getpid()));
   void SetUp() override {
     write_file(
         at("base.toml"),
         "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\nseed = 7\n[[bedding]]\n"
         "spacing = \"2 mm\"\n[[bedding]]\ntheta = \"90 deg\"\nspacing = \"4 mm\"\nk_n = \"1000 GPa/m\"\n");
   }
-  void TearDown() override { fs::remove_all(folder); }
-  std::string at(const char* name) const { return (folder / name).string(); }
   Study read(const std::string& text) const {
     write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
     return read_study(at("study.toml"));
   }
   std::string problems_of(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no problem";
+    return message_of<InputError>([&] { read(text); });
   }
 };
 

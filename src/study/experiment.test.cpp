@@ -2,11 +2,10 @@
 #include "study/experiment.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <set>
 
+#include "base/in_folder.test.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
@@ -77,17 +76,14 @@ TEST(SpecimenKey, IgnoresWhatChangesNothing) {
   EXPECT_EQ(specimen_key(a), specimen_key(b));
 }
 
-TEST(SpecimenKey, TakesAnImportedPackingByContent) {
-  const auto at = [](const char* name) {
-    return (std::filesystem::temp_directory_path() / (name + std::to_string(::getpid()))).string();
-  };
+class SpecimenKeyOfFiles : public InFolder {};
+
+TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
   Recipe r = single_recipes(seven_angles()).front();
   const auto key_of = [&](const std::string& name, const char* content) {
     write_file(name, content);
     r.packing.file = name;
-    const std::string key = specimen_key(r);
-    std::filesystem::remove(name);
-    return key;
+    return specimen_key(r);
   };
   const std::string one = key_of(at("phy-a"), "discs");
   EXPECT_EQ(key_of(at("phy-b"), "discs"), one);

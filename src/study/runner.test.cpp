@@ -2,11 +2,11 @@
 #include "study/runner.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <set>
 
+#include "base/in_folder.test.hpp"
 #include "io/file.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
@@ -17,9 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Runner : public testing::Test {
+class Runner : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-runner-" + std::to_string(::getpid()));
   void SetUp() override {
     ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     write_file(at("base.toml"),
@@ -27,8 +26,6 @@ class Runner : public testing::Test {
                "sigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
                "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.5 m/s\"\n");
   }
-  void TearDown() override { fs::remove_all(folder); }
-  std::string at(const char* name) const { return (folder / name).string(); }
   Plan plan(const std::string& text, Shard shard = {}) const {
     write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
     return make_plan(read_study(at("study.toml")), shard);

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "base/check.hpp"
+#include "base/in_folder.test.hpp"
 
 namespace phy {
 namespace {
@@ -43,21 +44,9 @@ TestResult some_result(int i) {
   return r;
 }
 
-class StoreTest : public testing::Test {
+class StoreTest : public InFolder {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("phyllite-store-" + std::to_string(::getpid()));
-  void SetUp() override { fs::remove_all(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-  std::string at(const char* name) const { return (folder / name).string(); }
   std::string file() const { return at("study.sqlite"); }
-  static std::string message_of(const std::function<void()>& action) {
-    try {
-      action();
-    } catch (const IoError& e) {
-      return e.what();
-    }
-    return "no error";
-  }
   /// A process of its own; it ends without any destructor, as if killed.
   static pid_t start(const std::function<void()>& body) {
     const pid_t child = ::fork();
@@ -225,21 +214,22 @@ TEST_F(StoreTest, MergeAddsWhatIsMissingAndTellsWhatDiffers) {
   EXPECT_EQ(a.find("3")->result.numbers.size(), 3u);
   EXPECT_EQ(hash_of(a.find("3")->result), hash_of(some_result(3)));
   EXPECT_EQ(a.find("2")->result.hash, "hash2");
-  EXPECT_THAT(message_of([&] { a.merge(at("none.sqlite")); }), HasSubstr("no such file"));
+  EXPECT_THAT(message_of<IoError>([&] { a.merge(at("none.sqlite")); }), HasSubstr("no such file"));
   EXPECT_FALSE(fs::exists(at("none.sqlite")));
 }
 
 TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
   fs::create_directories(folder);
   std::ofstream(file()) << std::string(2000, 'x');
-  EXPECT_THAT(message_of([&] { Store s(file()); }), HasSubstr("no store or a damaged one"));
+  EXPECT_THAT(message_of<IoError>([&] { Store s(file()); }), HasSubstr("no store or a damaged one"));
   Database(at("foreign.sqlite")).execute("CREATE TABLE mine (x)");
-  EXPECT_THAT(message_of([&] { Store s(at("foreign.sqlite")); }), HasSubstr("is no store of phyllite"));
+  EXPECT_THAT(message_of<IoError>([&] { Store s(at("foreign.sqlite")); }),
+              HasSubstr("is no store of phyllite"));
   { Store s(at("new.sqlite")); }
   Database(at("new.sqlite")).execute("PRAGMA user_version = 99");
-  EXPECT_THAT(message_of([&] { Store s(at("new.sqlite")); }), HasSubstr("has format 99"));
+  EXPECT_THAT(message_of<IoError>([&] { Store s(at("new.sqlite")); }), HasSubstr("has format 99"));
   fs::create_directories(at("folder.sqlite"));
-  EXPECT_THAT(message_of([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
+  EXPECT_THAT(message_of<IoError>([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
 }
 
 TEST_F(StoreTest, AShardHasItsStoreForItself) {
@@ -248,7 +238,8 @@ TEST_F(StoreTest, AShardHasItsStoreForItself) {
     mine.put("k", "r", some_result(1));
     EXPECT_FALSE(fs::exists(file() + "-shm")) << "no memory shared with other processes";
     Database other(file(), 10);
-    EXPECT_THAT(message_of([&] { other.execute("SELECT * FROM specimen"); }), HasSubstr("keeps it locked"));
+    EXPECT_THAT(message_of<IoError>([&] { other.execute("SELECT * FROM specimen"); }),
+                HasSubstr("keeps it locked"));
   }
   EXPECT_EQ(Store(file()).size(), 1u);
 }
@@ -257,7 +248,7 @@ TEST_F(StoreTest, ADamagedHistoryIsTold) {
   Store store(file());
   store.put("k", "r", some_result(1));
   Database(file()).execute("UPDATE specimen SET history = substr(history, 1, 100)");
-  EXPECT_THAT(message_of([&] { store.find("k"); }), HasSubstr("a history is damaged"));
+  EXPECT_THAT(message_of<IoError>([&] { store.find("k"); }), HasSubstr("a history is damaged"));
   EXPECT_EQ(store.rows().size(), 1u);
 }
 
