@@ -65,10 +65,11 @@ double Surrogate::learn(double response, double scatter) {
       K(i, j) = K(j, i) = k;
     }
   }
-  factor_.compute(K);
-  weights_ = factor_.solve(y);
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(K);
+  factor_ = cholesky.matrixLLT();
+  weights_ = cholesky.solve(y);
   double log_determinant = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor_.matrixLLT()(i, i));
+  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor_(i, i));
   return -0.5 * y.dot(weights_) - log_determinant;
 }
 
@@ -76,7 +77,7 @@ Surrogate::Value Surrogate::at(const Eigen::VectorXd& z) const {
   Eigen::VectorXd k(static_cast<Eigen::Index>(runs_.size()));
   for (Eigen::Index i = 0; i < k.size(); ++i) k[i] = response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
   const double prior = response_kernel(z, z);
-  const double known = runs_.empty() ? 0.0 : factor_.matrixL().solve(k).squaredNorm();
+  const double known = runs_.empty() ? 0.0 : factor_.triangularView<Eigen::Lower>().solve(k).squaredNorm();
   return {foretold_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
 

@@ -46,8 +46,8 @@ class Surrogate {
  private:
   std::vector<SurrogateRun> runs_;
   Foretold foretold_;
-  double response_ = 1.0;  // factor on the amplitudes
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  double response_ = 1.0;   // factor on the amplitudes
+  Eigen::MatrixXd factor_;  // lower triangle: Cholesky factor of the covariance of the runs
   Eigen::VectorXd weights_;
 
   double learn(double response, double scatter);  // returns the log likelihood
