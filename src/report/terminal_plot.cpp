@@ -17,7 +17,9 @@ constexpr int left = 8;  // characters for the numbers of the y axis, its line i
 class Dots {
  public:
   Dots(int columns, int rows)
-      : columns_(columns), rows_(rows), cells_(static_cast<std::size_t>(columns * rows)) {}
+      : columns_(columns),
+        rows_(rows),
+        cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
   int width() const { return 2 * columns_; }
   int height() const { return 4 * rows_; }
 
@@ -26,7 +28,7 @@ class Dots {
     const int row = rows_ - 1 - y / 4, line = 3 - y % 4;  // of the character, of the dot from above
     constexpr std::array<std::array<unsigned, 2>, 4> bits = {
         {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
-    Cell& cell = cells_[static_cast<std::size_t>(row * columns_ + x / 2)];
+    Cell& cell = cells_[index(row, x / 2)];
     cell.dots |= bits[static_cast<std::size_t>(line)][static_cast<std::size_t>(x % 2)];
     cell.color = color;
   }
@@ -34,7 +36,7 @@ class Dots {
   std::string line(int row, bool colored) const {
     std::string text;
     for (int i = 0; i < columns_; ++i) {
-      const Cell& cell = cells_[static_cast<std::size_t>(row * columns_ + i)];
+      const Cell& cell = cells_[index(row, i)];
       if (cell.dots == 0) {
         text += ' ';
         continue;
@@ -54,6 +56,10 @@ class Dots {
     unsigned dots = 0;
     Color color = 0;
   };
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
   int columns_, rows_;
   std::vector<Cell> cells_;
 };
@@ -66,12 +72,15 @@ double largest(const std::vector<TerminalCurve>& curves, std::vector<double> Ter
   return most;
 }
 
+/// What lies outside the picture is drawn to its nearest edge: the first stresses of a test can be a billion
+/// times below the axis.
 void draw(Dots& dots, const TerminalCurve& c, double x_end, double y_end) {
   const auto at = [](double v, double end, int n) {
-    return static_cast<int>(std::lround(v / end * (n - 1)));
+    return static_cast<int>(std::lround(std::clamp(v / end * (n - 1), -1.0, static_cast<double>(n))));
   };
+  const auto known = [&](std::size_t i) { return std::isfinite(c.x[i]) && std::isfinite(c.y[i]); };
   for (std::size_t i = 1; i < c.x.size(); ++i) {
-    if (!std::isfinite(c.x[i]) || !std::isfinite(c.y[i])) continue;
+    if (!known(i - 1) || !known(i)) continue;
     const int x0 = at(c.x[i - 1], x_end, dots.width()), x1 = at(c.x[i], x_end, dots.width());
     const int y0 = at(c.y[i - 1], y_end, dots.height()), y1 = at(c.y[i], y_end, dots.height());
     const int n = std::max({1, std::abs(x1 - x0), std::abs(y1 - y0)});

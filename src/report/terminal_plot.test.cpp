@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace phy {
 namespace {
 
@@ -40,6 +42,23 @@ TEST(TerminalPlot, FitsAnyWidthInColourToo) {
   for (const int columns : {30, 79, 200})
     for (const std::string& line : terminal_plot(curves, "%", "MPa", columns, 8, true))
       EXPECT_LE(width_of(line), columns);
+}
+
+// 2^32 dots below the axis must not come back from above as a number that has run round.
+TEST(TerminalPlot, FarBelowTheAxisIsBelowThePicture) {
+  const TerminalCurve frame{"frame", 0, {1.0}, {1.0}};
+  const double far_below = 0.5 - 4294967296.0 / 47;  // 12 lines of text hold 48 dots
+  const auto lines =
+      terminal_plot({frame, {"a", 0, {0.9, 1.0}, {far_below, far_below}}}, "%", "MPa", 32, 14, false);
+  const auto empty = terminal_plot({frame, {"a", 0, {}, {}}}, "%", "MPa", 32, 14, false);
+  EXPECT_EQ(lines, empty);
+}
+
+TEST(TerminalPlot, NothingIsDrawnFromAPointThatIsNotKnown) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto lines = terminal_plot({{"a", 0, {0.0, 1.0}, {unknown, 1.0}}}, "%", "MPa", 32, 14, false);
+  const auto empty = terminal_plot({{"a", 0, {1.0}, {1.0}}}, "%", "MPa", 32, 14, false);
+  EXPECT_EQ(lines, empty);
 }
 
 TEST(TerminalPlot, NothingToDrawIsAnEmptyFrame) {
