@@ -27,7 +27,7 @@ class Hash {
   std::string text() const {
     static const char* digit = "0123456789abcdef";
     std::string s(16, '0');
-    for (int i = 0; i < 16; ++i) s[15 - i] = digit[(value_ >> (4 * i)) & 15U];
+    for (unsigned i = 0; i < 16; ++i) s[15 - i] = digit[(value_ >> (4 * i)) & 15U];
     return s;
   }
 

@@ -25,6 +25,11 @@ std::vector<Disc> scattered(std::uint32_t n, double box) {
   return discs;
 }
 
+template <class List>
+const auto& at(const List& list, std::int32_t i) {
+  return list[static_cast<std::size_t>(i)];
+}
+
 TEST(Layout, RowsAreContiguousAndSortedByX) {
   const Specimen s = assembly(scattered(500, 40.0), soft_contact());
   const Layout layout = make_layout(*s.packing, 0.1);
@@ -32,11 +37,12 @@ TEST(Layout, RowsAreContiguousAndSortedByX) {
   std::set<std::int32_t> seen(layout.order.begin(), layout.order.end());
   EXPECT_EQ(seen.size(), 500U);
   for (int row = 0; row < layout.n_rows(); ++row) {
-    for (std::int32_t g = layout.row_grain[row]; g < layout.row_grain[row + 1]; ++g) {
-      EXPECT_EQ(layout.row_of[g], row);
-      EXPECT_EQ(layout.rank[layout.order[g]], g);
-      if (g > layout.row_grain[row]) {
-        EXPECT_LE(s.packing->discs[layout.order[g - 1]].x, s.packing->discs[layout.order[g]].x);
+    for (std::int32_t g = at(layout.row_grain, row); g < at(layout.row_grain, row + 1); ++g) {
+      EXPECT_EQ(at(layout.row_of, g), row);
+      EXPECT_EQ(at(layout.rank, at(layout.order, g)), g);
+      if (g > at(layout.row_grain, row)) {
+        EXPECT_LE(at(s.packing->discs, at(layout.order, g - 1)).x,
+                  at(s.packing->discs, at(layout.order, g)).x);
       }
     }
   }
@@ -49,7 +55,7 @@ TEST(Layout, ContactsJoinARowWithItselfOrItsNeighbour) {
     for (std::size_t b = 0; b < a; ++b) {
       const Disc p = s.packing->discs[a], q = s.packing->discs[b];
       if (norm(Vec2{p.x - q.x, p.y - q.y}) < p.r + q.r + 0.1) {
-        EXPECT_LE(std::abs(layout.row_of[layout.rank[a]] - layout.row_of[layout.rank[b]]), 1);
+        EXPECT_LE(std::abs(at(layout.row_of, layout.rank[a]) - at(layout.row_of, layout.rank[b])), 1);
       }
     }
 }

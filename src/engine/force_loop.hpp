@@ -37,7 +37,7 @@ class ForceLoop {
   static constexpr T closest = T(1e-4);  // of (distance of two centres / that at the start)^2
 
   explicit ForceLoop(GroupView<T>& view) : v(view) {
-    for (int i = 0; i < n_lane_fields; ++i) lane[i] = load<R>(v.lane, i);
+    for (std::size_t i = 0; i < n_lane_fields; ++i) lane[i] = load<R>(v.lane, i);
   }
 
   void advance(int n_steps) {
@@ -103,7 +103,7 @@ class ForceLoop {
   }
 
   /// One component of motion; returns the damping work times 2/dt.
-  static R move_component(T* grain, int f, int vel, int u, R scale, R alpha, R dt) {
+  static R move_component(T* grain, GrainField f, GrainField vel, GrainField u, R scale, R alpha, R dt) {
     const R force = load<R>(grain, f);
     const R old = load<R>(grain, vel);
     const R brake = brake_of(force, old, alpha);
@@ -127,7 +127,7 @@ class ForceLoop {
       work += move_component(grain, g_fy, g_vy, g_uy, linear, alpha, lane[l_dt]);
       work += move_component(grain, g_tq, g_w, g_rot, angular, alpha, lane[l_dt]);
     }
-    add_to(v.damping, step, work);
+    add_to(v.damping, static_cast<std::size_t>(step), work);
   }
 
   /// What a contact's two grains do, in the frame of the branch vector.
@@ -316,7 +316,7 @@ class ForceLoop {
         sums.add(part);
       }
     }
-    add_to(v.slip, step, sums.slip);
+    add_to(v.slip, static_cast<std::size_t>(step), sums.slip);
     if constexpr (sample) add_row(sums);
   }
 
@@ -356,7 +356,7 @@ class ForceLoop {
   }
 
   /// (m/4)(v_old^2 + v_new^2), with m = dt / scale.
-  R kinetic_of(const T* grain, int f, int vel, R scale) const {
+  R kinetic_of(const T* grain, GrainField f, GrainField vel, R scale) const {
     const R old = load<R>(grain, vel);
     const R force = load<R>(grain, f);
     const R now = old + (force - brake_of(force, old, lane[l_damping])) * scale;

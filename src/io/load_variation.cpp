@@ -246,7 +246,8 @@ std::vector<Variation> read_sweep_tables(const std::string& folder) {
     if (const std::pair c{macro.at(row, "recipe"), macro.at(row, "rule")};
         std::find(cases.begin(), cases.end(), c) == cases.end())
       cases.push_back(c);
-  for (const auto& [recipe, rule] : cases) {
+  for (const auto& named : cases) {
+    const std::string &recipe = named.first, &rule = named.second;  // clang 14 captures no structured binding
     const Rows points = macro.rows([&](const TableRow& row) {
       return macro.at(row, "recipe") == recipe && macro.at(row, "rule") == rule &&
              macro.at(row, "contacts") == "pushing" && macro.at(row, "strain") == "gauge" &&
@@ -257,7 +258,7 @@ std::vector<Variation> read_sweep_tables(const std::string& folder) {
              moduli.at(row, "contacts") == "pushing";
     });
     Variation v;
-    v.name = recipe + ", " + rule + " rule";
+    v.name = fmt::format("{}, {} rule", recipe, rule);
     Rows intact;
     std::copy_if(readings.begin(), readings.end(), std::back_inserter(intact),
                  [&](const TableRow* row) { return moduli.at(*row, "theta [deg]") == "intact"; });

@@ -148,10 +148,10 @@ std::vector<Recipe> by_sequence(const Rock& rock, const Recipe& settings, const 
   for (bool more = true; more;)
     for (const auto& [parameter, angle] : steps) {
       if (!(more = laboratory.can_pay(3))) break;
-      const auto error = [&](double v) {
+      const auto error = [&, p = parameter, at = angle](double v) {
         std::vector<double> y = x;
-        y[parameter] = v;
-        return std::log(laboratory.ucs(strengths_at(r, y, largest), {angles[angle]})[0] / ucs[angle].mean);
+        y[p] = v;
+        return std::log(laboratory.ucs(strengths_at(r, y, largest), {angles[at]})[0] / ucs[at].mean);
       };
       double a = x[parameter], fa = error(a), b = a < 0.5 ? a + 0.1 : a - 0.1, fb = error(b);
       double c = std::abs(fb - fa) > 1e-3 ? b - fb * (b - a) / (fb - fa) : a;
