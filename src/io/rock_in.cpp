@@ -492,7 +492,7 @@ std::vector<RockReading> parse_readings(std::string_view text, const std::string
                                         std::vector<std::string>& notes) {
   Table table = parse_table(text, where);
   for (Problem& p : table.problems) problems.push_back(std::move(p));
-  for (std::string& note : table.notes) notes.push_back(where + ": " + note);
+  for (std::string& note : table.notes) notes.push_back(fmt::format("{}: {}", where, note));
   bedded = false;
   if (table.header_line == 0) return {};
   return ReadingReader(table, where, problems, notes).read(confining, bedded);

@@ -438,21 +438,22 @@ bool within_range(const Field& f, double value) {
   return (f.above_min ? value > f.min : value >= f.min) && (f.below_max ? value < f.max : value <= f.max);
 }
 
-bool take_value(const Field& f, const TomlValue& v, double& value, std::string& remedy) {
-  const bool numeric = v.kind == TomlValue::Kind::integer || v.kind == TomlValue::Kind::number;
-  if (f.dimension != Dimension::none) {
-    const std::string text = v.kind == TomlValue::Kind::text ? v.text : as_written(v);
-    const Quantity q = v.kind == TomlValue::Kind::text || numeric ? parse_quantity(text, f.dimension)
-                                                                  : Quantity{false, 0.0, "is no quantity"};
+bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy) {
+  const bool text = value.kind == TomlValue::Kind::text, whole = value.kind == TomlValue::Kind::integer;
+  const bool numeric = whole || value.kind == TomlValue::Kind::number;
+  if (field.dimension != Dimension::none) {
+    const Quantity q = text || numeric
+                           ? parse_quantity(text ? value.text : as_written(value), field.dimension)
+                           : Quantity{false, 0.0, "is no quantity"};
     if (!q.ok) return remedy = q.problem, false;
-    value = q.value;
-  } else if (v.kind == TomlValue::Kind::integer || (numeric && f.kind != FieldKind::integer)) {
-    value = v.number;
+    number = q.value;
+  } else if (whole || (numeric && field.kind != FieldKind::integer)) {
+    number = value.number;
   } else {
-    remedy = f.kind == FieldKind::integer ? "write a whole number" : "write a bare number";
+    remedy = field.kind == FieldKind::integer ? "write a whole number" : "write a bare number";
     return false;
   }
-  return within_range(f, value);
+  return within_range(field, number);
 }
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }

@@ -6,8 +6,9 @@
 namespace phy {
 
 Canvas::Canvas(int width, int height, std::uint32_t background) : width_(width), height_(height) {
-  pixels_.reserve(static_cast<std::size_t>(3 * width * height));
-  for (int i = 0; i < width * height; ++i)
+  const std::size_t n_pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  pixels_.reserve(3 * n_pixels);
+  for (std::size_t i = 0; i < n_pixels; ++i)
     for (const unsigned shift : {16U, 8U, 0U}) pixels_ += static_cast<char>(background >> shift & 255U);
 }
 
@@ -19,10 +20,11 @@ void Canvas::paint(double x0, double y0, double x1, double y1, std::uint32_t col
   const int right = std::min(width_ - 1, static_cast<int>(std::ceil(x1)));
   const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(y1)));
   for (int y = top; y <= bottom; ++y) {
+    char* row = &pixels_[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
     for (int x = left; x <= right; ++x) {
       const double part = std::clamp(cover(x + 0.5, y + 0.5), 0.0, 1.0);
       if (part == 0.0) continue;
-      char* pixel = &pixels_[static_cast<std::size_t>(3 * (y * width_ + x))];
+      char* pixel = row + 3 * static_cast<std::ptrdiff_t>(x);
       for (unsigned k = 0; k < 3; ++k) {
         const double old = static_cast<unsigned char>(pixel[k]), ink = color >> (16U - 8U * k) & 255U;
         pixel[k] = static_cast<char>(static_cast<unsigned char>(std::lround(old + part * (ink - old))));

@@ -14,11 +14,9 @@
 namespace phy {
 namespace {
 
-constexpr double drawn_every = 1.0;  // [deg]
-
 AngleCurve sampled(std::string note, const std::function<double(double)>& value) {
   AngleCurve curve{std::move(note), {}, {}};
-  for (double theta = 0.0; theta <= 90.0; theta += drawn_every) {
+  for (int theta = 0; theta <= 90; ++theta) {  // [deg]
     const double v = value(theta);
     if (!std::isfinite(v)) continue;
     curve.theta.push_back(theta);

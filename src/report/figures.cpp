@@ -270,7 +270,7 @@ double rose(GnuplotScript& s, const FigureData& data, double width) {
     double largest = 1.0;
     for (std::size_t i = 0; i < r.tension.size(); ++i) largest = std::max(largest, r.tension[i] + r.shear[i]);
     std::vector<Row> circle;
-    for (double angle = 0.0; angle <= 360.0; angle += 5.0) circle.push_back({angle, 1.0});
+    for (int angle = 0; angle <= 360; angle += 5) circle.push_back({static_cast<double>(angle), 1.0});
     std::vector<std::string> parts = {
         s.block(circle) + " with lines lw 0.7 lc rgb '#aaaaaa'",
         fmt::format("{} with filledcurves lc rgb '{}'", s.block(petals(r, largest, false)),

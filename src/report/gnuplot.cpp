@@ -15,7 +15,7 @@ std::string GnuplotScript::quoted(const std::string& text) {
 }
 
 std::string GnuplotScript::block(const std::vector<Row>& rows) {
-  const std::string name = "$d" + std::to_string(n_blocks_++);
+  std::string name = "$d" + std::to_string(n_blocks_++);
   data_ += name + " << EOD\n";
   for (const Row& row : rows) {
     for (const double v : row) data_ += std::isfinite(v) ? fmt::format("{:.8g} ", v) : "NaN ";

@@ -15,7 +15,6 @@ namespace {
 
 using Row = GnuplotScript::Row;
 
-constexpr double drawn_every = 0.5;  // [deg]
 /// For parameters: differ in lightness too (Okabe & Ito 2008).
 constexpr std::array<Color, 8> line_colors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
                                               0x56b4e9, 0xe69f00, 0x000000, 0x7f7f7f};
@@ -106,8 +105,10 @@ std::string common_unit(const VariedParameter& p) {
 
 std::vector<Row> eq1_line(const Eq1Fit& fit) {
   std::vector<Row> line;
-  for (double theta = 0.0; fit.ok() && theta <= 90.0; theta += drawn_every)
+  for (int half_degrees = 0; fit.ok() && half_degrees <= 180; ++half_degrees) {
+    const double theta = 0.5 * half_degrees;
     line.push_back({theta, 1e-9 * goodman_E(fit.rock, theta)});
+  }
   return line;
 }
 

@@ -135,8 +135,8 @@ std::array<double, 3> strains(const Link& l, std::span<const double> u, const Gr
   return {-dot(l.n, d), dot(tangent(l.n), d), u[b + 2] - u[a + 2]};
 }
 
-std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 3>& e) {
-  return {k.k_n * e[0], -k.k_s * e[1], -k.k_m * e[2]};
+std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 3>& strains) {
+  return {k.k_n * strains[0], -k.k_s * strains[1], -k.k_m * strains[2]};
 }
 
 std::vector<Tangent<double>> stiffnesses(const Network& net, const std::vector<char>& active) {

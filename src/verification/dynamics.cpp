@@ -225,7 +225,7 @@ std::vector<Check> energy_balance() {
 // Largest frequency by power iteration on the engine itself would be circular; a chain and a lattice have
 // closed forms.
 std::vector<Check> stable_step() {
-  const auto ratio = [](Specimen s, double exact) {
+  const auto ratio = [](const Specimen& s, double exact) {
     return FrequencyBound(s, initial_stiffnesses(s)).omega() / exact;
   };
   Specimen pair = bonded_pair();

@@ -66,7 +66,9 @@ std::vector<Check> hexagonal_lattice() {
 
 std::vector<Check> square_lattice() {
   std::vector<Disc> discs;
-  for (int i = 0; i < 16; ++i) discs.push_back({R * (1.0 + 2.0 * (i % 4)), R * (1.0 + 2.0 * (i / 4)), R});
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      discs.push_back({R * (1.0 + 2.0 * column), R * (1.0 + 2.0 * row), R});
   const Cell cell(discs, {8.0 * R, 8.0 * R});
   const double n = cell.K_n(), s = cell.K_s();
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
