@@ -200,9 +200,12 @@ Packing adopt_packing(const SpecimenSize& size, const PackingRecipe& recipe, con
     return InputError(Problem{"", "packing.file", disc, what, "check the units of the file"});
   };
   if (discs.size() < 2) throw problem(discs.size(), "at least 2 discs");
+  // Beyond these the cells of the neighbour search are without number, or one disc is the whole specimen.
+  const double side = std::min(size.width, size.height), smallest = 1e-4 * side, largest = 0.5 * side;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const Disc& d = discs[i];
-    if (!(d.r > 0.0)) throw problem(i, "a positive radius");
+    if (!(d.r >= smallest && d.r < largest))
+      throw problem(i, "a radius from 1/10000 to less than 1/2 of the smaller side of the specimen");
     if (!(d.x > 0.0 && d.x < size.width && d.y > 0.0 && d.y < size.height))
       throw problem(i, "a centre inside the specimen");
   }

@@ -167,6 +167,10 @@ TEST(Packing, AdoptsDiscsAsTheyAre) {
   EXPECT_THROW(adopt_packing(r.specimen, r.packing, r.matrix, {}), InputError);
   EXPECT_THROW(adopt_packing(r.specimen, r.packing, r.matrix, {{0.001, 0.001, 0.0003}, {1.0, 1.0, 0.3}}),
                InputError);  // millimetres read as metres
+  for (const double radius : {0.0, 1e-12, 1e-150, 0.5 * r.specimen.width, 1e300})
+    EXPECT_THROW(
+        adopt_packing(r.specimen, r.packing, r.matrix, {{0.001, 0.001, 0.0003}, {0.002, 0.001, radius}}),
+        InputError);
 }
 
 }  // namespace

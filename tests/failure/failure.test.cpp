@@ -250,6 +250,12 @@ TEST_F(Imported, BadLinesAreToldWithTheirNumbers) {
   EXPECT_EQ(run("specimen " + recipe(box)), 2);
   EXPECT_THAT(output, AllOf(HasSubstr("discs.csv:3"), HasSubstr("discs.csv:4")));
 }
+TEST_F(Imported, DiscsOfAnotherScaleAreTold) {
+  write("sub/discs.csv", "x [m],y [m],r [m]\n4e-3,4e-3,1e-12\n5e-3,4e-3,1e-12\n");
+  EXPECT_EQ(run("specimen " + recipe(box)), 2);
+  EXPECT_THAT(output, AllOf(HasSubstr("packing.file = disc 1"), HasSubstr("a radius from 1/10000"),
+                            HasSubstr("check the units of the file")));
+}
 TEST_F(Imported, MissingFile) {
   fs::remove(folder / "sub/discs.csv");
   EXPECT_EQ(run("specimen " + recipe(box)), 3);
