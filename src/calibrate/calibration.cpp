@@ -25,6 +25,8 @@ constexpr int n_search = 12;  // of the search of the strengths: those of the fi
 constexpr double strength_tolerance = 0.06;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
+constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
+constexpr double hopeless = 0.20;        // the same whatever the scatter
 
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {
@@ -43,23 +45,44 @@ bool all_answered(const std::vector<Comparison>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const Comparison& c) { return c.answered(); });
 }
 
-/// A strength that follows from a ratio is pinned by what pins the ratio.
-std::string ratio_of(const std::string& key) {
-  if (key == "matrix.tau_c") return "tau_c/sigma_c";
-  if (key == "bedding[0].cohesion") return "C_sj/tau_c";
-  if (key == "bedding[0].sigma_n") return "sigma_n,sj/C_sj";
-  return key;
+/// A strength follows from a chain of ratios, and what pins the open ones pins it.
+std::vector<std::string> chain_of(const std::string& key) {
+  if (key == "matrix.tau_c") return {"tau_c/sigma_c"};
+  if (key == "bedding[0].cohesion") return {"tau_c/sigma_c", "C_sj/tau_c"};
+  if (key == "bedding[0].sigma_n") return {"tau_c/sigma_c", "C_sj/tau_c", "sigma_n,sj/C_sj"};
+  return {key};
+}
+
+template <class Estimates>
+auto* estimate_of(Estimates& list, const std::string& key) {
+  const auto it = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.key == key; });
+  return it == list.end() ? nullptr : &*it;
+}
+
+/// The first ratio behind an open estimate that is open itself; its own if none is.
+std::string open_link(const Calibration& result, const ParameterEstimate& open) {
+  const std::vector<std::string> chain = chain_of(open.key);
+  for (const std::string& link : chain)
+    if (const ParameterEstimate* e = estimate_of(result.parameters, link); e != nullptr && !e->determined)
+      return link;
+  return chain.back();
 }
 
 /// Which data speak about each parameter, and what would pin the others.
 void add_identifiability(Calibration& result, const Rock& rock) {
+  const bool met = result.verdict.status != VerdictStatus::out_of_reach;
   const std::vector<ParameterEstimate> foreseen = foresee(rock);
-  for (ParameterEstimate& e : result.parameters)
-    for (const ParameterEstimate& f : foreseen) {
-      if (f.key != ratio_of(e.key)) continue;
-      e.rests_on = e.determined ? f.rests_on : "";
-      if (!e.determined) e.next_test = f.next_test.empty() ? "more specimens of: " + f.rests_on : f.next_test;
-    }
+  for (ParameterEstimate& e : result.parameters) {
+    const ParameterEstimate* f =
+        estimate_of(foreseen, e.determined ? chain_of(e.key).back() : open_link(result, e));
+    if (f == nullptr) continue;
+    if (e.determined)
+      e.rests_on = f->rests_on;
+    else if (!f->next_test.empty())
+      e.next_test = f->next_test;
+    else
+      e.next_test = met ? "more specimens of: " + f->rests_on : "a table that the model can meet";
+  }
 }
 
 std::vector<Target> strength_targets(const std::vector<Target>& targets) {
@@ -95,9 +118,9 @@ void tell_validity(Calibration& result) {
 void tell_missing(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
-      result.notes.push_back(fmt::format("{}({:g}): {} of {} tests on unseen packings gave no peak",
+      result.notes.push_back(fmt::format("{}({:g}): {} of {} tests on unseen packings gave no peak ({})",
                                          to_string(c.target.property), c.target.theta,
-                                         n_unseen - c.n_packings, n_unseen));
+                                         n_unseen - c.n_packings, n_unseen, c.missing));
 }
 
 /// Strengths on unseen packings that miss the table by more than scatter explains: that of the packings and
@@ -110,12 +133,13 @@ void judge_strength(Calibration& result, bool short_search) {
     if (!is_strength(c.target.property)) continue;
     if (!c.answered()) {
       result.verdict.status = VerdictStatus::out_of_reach;
-      result.verdict.findings.push_back(fmt::format("{}({:g}): no test on unseen packings gave a peak",
-                                                    to_string(c.target.property), c.target.theta));
+      result.verdict.findings.push_back(fmt::format("{}({:g}): no test on unseen packings gave a peak ({})",
+                                                    to_string(c.target.property), c.target.theta, c.missing));
       continue;
     }
-    const double packing =
-        (std::isfinite(c.sd) ? c.sd * std::sqrt(1.0 / c.n_packings + 1.0 / n_search) : 0.0) / c.target.mean;
+    const Comparison* fitted = row_of(result.fitted, c.target);
+    const double share = 1.0 / c.n_packings + (fitted != nullptr ? 1.0 / fitted->n_packings : 0.0);
+    const double packing = (std::isfinite(c.sd) ? c.sd * std::sqrt(share) : 0.0) / c.target.mean;
     const double laboratory = c.target.standard_error() / c.target.mean;
     const double told = std::hypot(c.target.sd_assumed ? 0.0 : laboratory, packing),
                  noise = std::hypot(laboratory, packing);
@@ -125,25 +149,21 @@ void judge_strength(Calibration& result, bool short_search) {
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
   }
-  if (n > 0 && std::sqrt(squares / n) > strength_limit && std::sqrt(scaled / n) > chance_limit) {
+  const double error = n > 0 ? std::sqrt(squares / n) : 0.0, beyond = n > 0 ? std::sqrt(scaled / n) : 0.0;
+  if (error > hopeless || (error > strength_limit && beyond > chance_limit)) {
     result.verdict.status = VerdictStatus::out_of_reach;
     result.verdict.findings.push_back(fmt::format(
         "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
-        100.0 * std::sqrt(squares / n)));
+        100.0 * error));
     tell_ratios(result);
-    if (short_search)
-      result.verdict.findings.emplace_back("the search was short: a larger --max-tests may come nearer");
   }
+  if (short_search)
+    result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
 }
 
-/// E on unseen packings that misses the table by more than it may, where the fit itself does not: then it is
-/// packings of this size that differ.
+/// E and nu on unseen packings that miss the table by more than they may, where the fit itself does not: then
+/// it is packings of this size that differ.
 void judge_moduli(Calibration& result, const ElasticFit& elastic) {
-  const auto misses = [](const Comparison& c) {
-    const double noise = c.target.sd_assumed ? 0.0 : c.target.standard_error() / c.target.mean;
-    return c.target.property == Property::E &&
-           std::fabs(c.error()) > std::max(elastic_tolerance, z_seven * noise);
-  };
   for (std::size_t i = 0; i < std::min(result.verification.size(), elastic.comparisons.size()); ++i) {
     const Comparison& c = result.verification[i];
     const Target& t = c.target;
@@ -153,11 +173,19 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
           fmt::format("{}({:g}) has no answer on unseen packings", to_string(t.property), t.theta));
     }
     if (!misses(c) || misses(elastic.comparisons[i])) continue;  // the fit has told its own limits
-    result.verdict.findings.push_back(fmt::format(
-        "E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f}: packings "
-        "of this size differ by {:.1f} %, the mean of {} by {:.1f} %",
-        t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * c.sd / c.mean, c.n_packings,
-        100.0 * c.sd / c.mean / std::sqrt(c.n_packings)));
+    const double mean_sd = c.sd / std::sqrt(static_cast<double>(c.n_packings));
+    result.verdict.findings.push_back(
+        t.property == Property::E
+            ? fmt::format(
+                  "E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} (by "
+                  "chance of the laboratory: {:.1f} %): packings of this size differ by {:.1f} %, the "
+                  "mean of {} by {:.1f} %",
+                  t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * modulus_limit(t),
+                  100.0 * c.sd / c.mean, c.n_packings, 100.0 * mean_sd / c.mean)
+            : fmt::format(
+                  "nu({:g}) = {:.3f} on unseen packings instead of {:.3f}: packings of this size differ "
+                  "by {:.3f}, the mean of {} by {:.3f}",
+                  t.theta, c.mean, t.mean, c.sd, c.n_packings, mean_sd));
   }
 }
 
@@ -181,8 +209,9 @@ bool fits_strength(Calibration& result, const std::vector<Target>& targets, bool
                 elastic_only ? "values of E" : "values of E, or of UCS without confining pressure",
                 "there is nothing to fit; `phyllite rock check` tells what the table holds"});
   if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
-  if (!strength && !elastic_only)
-    result.notes.emplace_back("no UCS in the table: the strengths are those of the recipe");
+  if (!strength)
+    result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
+                                       elastic_only ? "the elastic part only" : "no UCS in the table"));
   return strength;
 }
 
@@ -209,6 +238,29 @@ void check_budget(const std::vector<Target>& targets, std::int64_t max_tests) {
                     n_unseen, least_points)});
 }
 
+/// E and nu of the press beside the table's, where it has them. Where they differ much from those at small
+/// strain, the user must know which of the two the laboratory means.
+void add_pressed(Calibration& result, const std::vector<Comparison>& pressed) {
+  double worst = 0.0, theta = 0.0;
+  for (const Comparison& p : pressed)
+    for (const Comparison& v : result.verification) {
+      if (v.target.property != p.target.property || v.target.theta != p.target.theta) continue;
+      result.pressed.push_back(p);
+      result.pressed.back().target = v.target;
+      const double change = p.mean / v.mean - 1.0;
+      if (v.target.property == Property::E && std::fabs(change) > std::fabs(worst))
+        worst = change, theta = v.target.theta;
+    }
+  if (std::fabs(worst) > modulus_change)
+    result.notes.push_back(
+        fmt::format("E and nu of the table are read as those at small strain. At 40 - 60 % of UCS, after the "
+                    "first bonds and "
+                    "joints have broken, the press measures other ones (column \"at 50 % UCS\"): E({:g}) "
+                    "{:+.0f} %. Where the "
+                    "laboratory's E is such a tangent, the model is too soft by that much",
+                    theta, 100.0 * worst));
+}
+
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, const Rock& rock, const CalibrationOptions& options,
                         const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
@@ -229,7 +281,9 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   if (fit.interrupted) return false;
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
   options.say("verification of the strengths on unseen packings");
-  const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator);
+  std::vector<Comparison> pressed;
+  const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator, &pressed);
+  add_pressed(result, pressed);
   const auto n_all = static_cast<std::int64_t>(targets.size());
   result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
@@ -249,12 +303,17 @@ void make_ready(Recipe& recipe, const Rock& rock, const std::vector<Target>& tar
   test.angles.assign(angles.begin(), angles.end());
 }
 
-}  // namespace
+/// "shale, calibrated", or what else stands in the recipe: the name goes into every file that holds it.
+std::string name_of(const Calibration& result, bool moduli, bool strength) {
+  if (result.verdict.status == VerdictStatus::out_of_reach)
+    return result.rock + ", the nearest model (out of reach)";
+  if (!strength) return result.rock + ", moduli calibrated, strengths given";
+  return result.rock + (moduli ? ", calibrated" : ", strengths calibrated, moduli given");
+}
 
-Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator) {
-  const auto start = std::chrono::steady_clock::now();
-  Calibration result;
-  result.rock = rock.name;
+/// All stages one after the other. False: stopped by the user.
+bool run_stages(Calibration& result, const Rock& rock, const CalibrationOptions& options,
+                Simulator& simulator) {
   const std::vector<Target> targets = targets_of(rock);
   bool strength = fits_strength(result, targets, options.elastic_only);
   if (strength) check_dilation(rock), check_budget(targets, options.max_tests);
@@ -264,7 +323,6 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   const std::vector<std::int64_t> spare = seeds_from(first_seed + n_fit + n_unseen, n_spare);
   const ElasticFit elastic = fit_elastic(rock, targets, fit_seeds, spare, simulator, options.say);
   result.recipe = elastic.recipe;
-  result.recipe.name = rock.name + ", calibrated";
   result.parameters = elastic.parameters;
   result.fitted = elastic.comparisons;
   result.n_elastic = elastic.n_solutions;
@@ -275,12 +333,28 @@ Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simul
   strength = strength && all_answered(elastic.comparisons);
   std::vector<std::int64_t> search = fit_seeds;
   search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
-  const bool done = !strength || calibrate_strength(result, rock, options, targets, search, unseen, simulator,
-                                                    short_search);
+  if (strength &&
+      !calibrate_strength(result, rock, options, targets, search, unseen, simulator, short_search))
+    return false;
   make_ready(result.recipe, rock, targets);
   tell_validity(result), tell_missing(result);
-  add_identifiability(result, rock);
   judge(result, elastic, short_search);
+  add_identifiability(result, rock);
+  result.recipe.name = name_of(result, !elastic.parameters.empty(), strength);
+  return true;
+}
+
+}  // namespace
+
+Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator) {
+  const auto start = std::chrono::steady_clock::now();
+  Calibration result;
+  result.rock = rock.name;
+  bool done = false;
+  try {
+    done = run_stages(result, rock, options, simulator);
+  } catch (const Stopped&) {  // in the middle of elastic solutions
+  }
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -19,7 +19,8 @@ struct CalibrationOptions {
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
 };
 
-/// Throws nothing for what the physics do: the verdict says it. An interrupted calibration has
+/// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the
+/// budget is too small or the recipe's joints dilate too much. An interrupted calibration has
 /// VerdictStatus::interrupted.
 Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator);
 

@@ -24,8 +24,7 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 constexpr double wall = 20.0;              // per logarithm outside the box: a soft but certain stop
 constexpr double usual_overlap = 1.5;      // joint length per plane length, for the first guess only
 constexpr double nu_after_conflict = 0.1;  // weight
-constexpr double nu_tolerance = 0.03;
-constexpr double at_edge = 0.01;  // of a logarithm
+constexpr double at_edge = 0.01;           // of a logarithm
 // what one-sided contacts usually make of E and nu, until it is measured
 constexpr double usual_factor = 0.97, usual_addition = 0.05;
 constexpr std::size_t n_first_correction = 2;  // packings
@@ -177,15 +176,12 @@ class ElasticProblem {
     return std::hypot(std::max(least_error_nu, t.standard_error()), packing_error_[i]) / nu_weight;
   }
 
-  /// Does some E miss the table by more than 2 % and more than the scatter of the laboratory explains? An
-  /// assumed scatter explains nothing.
   bool misses_E(const VectorXd& x) {
     const std::vector<Answer>& a = answers(x);
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Target& t = targets_[i];
-      if (t.property != Property::E) continue;
-      const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
-      if (std::fabs(a[i].mean / t.mean - 1.0) > std::max(elastic_tolerance, z_seven * noise)) return true;
+      Comparison c;
+      c.target = targets_[i], c.mean = a[i].mean;
+      if (c.target.property == Property::E && misses(c)) return true;
     }
     return false;
   }
@@ -394,7 +390,7 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
     } else if (t.property == Property::E) {
       const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
       const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
-      if (std::fabs(c.error()) <= std::max(elastic_tolerance, z_seven * noise)) continue;
+      if (!misses(c)) continue;
       const bool by_chance = std::fabs(c.error()) <= z_seven * std::hypot(noise, packings);
       if (!by_chance) worst = std::max(worst, std::fabs(c.error()));
       fit.findings.push_back(fmt::format(
@@ -403,7 +399,7 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
           by_chance ? fmt::format(": packings of this size scatter that much (+-{:.0f} % on the mean of {})",
                                   100.0 * z_seven * packings, c.n_packings)
                     : ""));
-    } else if (std::fabs(c.mean - t.mean) > std::max(nu_tolerance, z_seven * t.standard_error())) {
+    } else if (misses(c)) {
       fit.findings.push_back(fmt::format(
           "nu({:g}) = {:.3f} instead of {:.3f}{}", t.theta, c.mean, t.mean,
           fit.nu_gave_way ? ": joints leave nu/E as it is in every direction, so E and nu of this "
@@ -416,6 +412,17 @@ void judge(ElasticFit& fit, const Eq1Fit& eq1) {
 }
 
 }  // namespace
+
+double modulus_limit(const Target& t) {
+  const double noise = t.sd_assumed ? 0.0 : z_seven * t.standard_error();
+  return t.property == Property::E ? std::max(elastic_tolerance, noise / t.mean)
+                                   : std::max(nu_tolerance, noise);
+}
+
+bool misses(const Comparison& c) {
+  const double error = c.target.property == Property::E ? c.error() : c.mean - c.target.mean;
+  return std::fabs(error) > modulus_limit(c.target);
+}
 
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
   Recipe one = recipe;

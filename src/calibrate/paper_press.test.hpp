@@ -20,10 +20,13 @@ class PaperPress : public Simulator {
   double coarse_bias = 0.06;  ///< of the logarithm, for packings of less than 5,000 grains
   std::function<bool(const Recipe&)> peaks = [](const Recipe&) { return true; };
   bool carries_load = true;      ///< false: the direct solution has no answer
+  double tangent = 1.0;          ///< E of the press at half of the strength over that at small strain
+  bool stops_statics = false;    ///< the user stops in the middle of the direct solutions
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
   std::int64_t n_tests = 0, n_announced = 0;
 
   std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool) override {
+    if (stops_statics) throw Stopped{};
     std::vector<ElasticResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
       const JointedRock rock = rock_of(recipes[i]);
@@ -41,7 +44,8 @@ class PaperPress : public Simulator {
       const Recipe& r = recipes[i];
       const double noise = packing_scatter * draw(r, 0) + run_scatter * draw(r, 1);
       const double bias = r.packing.n_grains < 5000 ? coarse_bias * std::cos(theta_of(r) / 20.0) : 0.0;
-      results[i].outcome.status = peaks(r) ? Status::peaked : Status::not_peaked;
+      results[i].outcome = {Status::peaked, "", ""};
+      if (!peaks(r)) results[i].outcome = {Status::not_peaked, "no drop", "raise test.max_strain"};
       if (r.test.kind == TestKind::direct_tension)
         results[i].numbers.push_back({"sigma_t", tension(r) * std::exp(noise + bias), "Pa", "", ""});
       else if (r.test.kind == TestKind::brazilian)
@@ -49,7 +53,9 @@ class PaperPress : public Simulator {
                               {"first_crack_x", first_crack, "1", "", ""},
                               {"first_crack_y", 0.0, "1", "", ""}};
       else
-        results[i].numbers.push_back({"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""});
+        results[i].numbers = {{"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
+                              {"E_tangent", tangent * goodman_E(rock_of(r), theta_of(r)), "Pa", "", ""},
+                              {"nu", goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
     }
     return results;
   }

@@ -96,7 +96,10 @@ class OwnSimulator : public Simulator {
     ElasticOptions how;
     how.bilateral = bilateral;
     how.tolerance = statics_tolerance;
-    return solve_all(specimens, how, options_.threads);
+    how.stop = options_.stop;
+    std::vector<ElasticResult> results = solve_all(specimens, how, options_.threads);
+    if (stopped()) throw Stopped{};
+    return results;
   }
 
   std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {

@@ -13,11 +13,15 @@
 
 namespace phy {
 
+/// The user has asked to stop: what elastic() throws instead of half an answer.
+struct Stopped {};
+
 /// All recipes here stand for one specimen: no test.angles, the bedding at its final angle (or none).
 class Simulator {
  public:
   virtual ~Simulator() = default;
-  /// Small-strain E and nu with derivatives. `bilateral`: contacts also pull, five times faster.
+  /// Small-strain E and nu with derivatives. `bilateral`: contacts also pull, five times faster. May throw
+  /// Stopped.
   virtual std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool bilateral) = 0;
   /// Laboratory tests. Results in the order of the recipes; Status::interrupted where the user stopped.
   virtual std::vector<TestResult> test(const std::vector<Recipe>& recipes) = 0;

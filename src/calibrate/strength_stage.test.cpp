@@ -347,13 +347,17 @@ TEST(StrengthStage, AnAngleWithoutAnyPeakIsOutOfReach) {
 TEST(StrengthStage, AnAngleWithoutAPeakOnUnseenPackingsIsOutOfReach) {
   const Calibration c = found([](const Recipe& r) { return !is_unseen(r) || r.bedding[0].theta != 30.0; });
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
-  EXPECT_THAT(c.verdict.findings, testing::Contains("UCS(30): no test on unseen packings gave a peak"));
+  EXPECT_THAT(
+      c.verdict.findings,
+      testing::Contains("UCS(30): no test on unseen packings gave a peak (no drop; raise test.max_strain)"));
 }
 
 TEST(StrengthStage, UnseenPackingsWithoutAPeakAreCounted) {
   const Calibration c =
       found([](const Recipe& r) { return r.packing.seed != 7 || r.bedding[0].theta != 30.0; });
-  EXPECT_THAT(c.notes, testing::Contains("UCS(30): 1 of 5 tests on unseen packings gave no peak"));
+  EXPECT_THAT(c.notes,
+              testing::Contains(
+                  "UCS(30): 1 of 5 tests on unseen packings gave no peak (no drop; raise test.max_strain)"));
 }
 
 TEST(StrengthStage, AnAssumedScatterExcusesNoSingleValue) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "analysis/analyse.hpp"
 #include "analysis/brazilian.hpp"
@@ -75,6 +77,31 @@ bool is_invalid(const TestResult& result) {
   return false;
 }
 
+/// NaN where a test has not come to its peak.
+double number_of(const TestResult& result, const char* name) {
+  if (result.outcome.status != Status::peaked) return std::nan("");
+  const Number* n = find(result.numbers, name);
+  return n != nullptr ? n->value : std::nan("");
+}
+
+/// A number of the same test on several packings.
+Comparison over_packings(const Target& target, const char* number, std::span<const TestResult> results) {
+  std::vector<double> values;
+  Comparison c;
+  for (const TestResult& result : results) {
+    const double value = number_of(result, number);
+    if (std::isfinite(value)) {
+      values.push_back(value);
+      c.n_invalid += is_invalid(result) ? 1 : 0;
+    } else if (c.missing.empty()) {
+      c.missing = result.outcome.reason + (result.outcome.advice.empty() ? "" : "; " + result.outcome.advice);
+    }
+  }
+  const Summary s = summarise(values);
+  c.target = target, c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
+  return c;
+}
+
 }  // namespace
 
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
@@ -104,9 +131,7 @@ Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64
 }
 
 double strength_of(const TestResult& result, Property property) {
-  if (result.outcome.status != Status::peaked) return std::nan("");
-  const Number* n = find(result.numbers, procedure_of(property)->number);
-  return n != nullptr ? n->value : std::nan("");
+  return number_of(result, procedure_of(property)->number);
 }
 
 Recipe coarse(Recipe r) {
@@ -140,7 +165,8 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
 }
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+                                          const std::vector<std::int64_t>& seeds, Simulator& simulator,
+                                          std::vector<Comparison>* pressed) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -148,18 +174,14 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    std::vector<double> values;
-    Comparison c;
-    for (std::size_t p = 0; p < seeds.size(); ++p) {
-      const TestResult& result = results[i * seeds.size() + p];
-      const double s = strength_of(result, targets[i].property);
-      if (!std::isfinite(s)) continue;
-      values.push_back(s);
-      c.n_invalid += is_invalid(result) ? 1 : 0;
+    const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
+                                           seeds.size());
+    rows.push_back(over_packings(targets[i], procedure_of(targets[i].property)->number, some));
+    if (pressed == nullptr || targets[i].property != Property::ucs) continue;
+    for (const auto& [property, number] : {std::pair{Property::E, "E_tangent"}, {Property::nu, "nu"}}) {
+      const Target target{property, targets[i].theta, std::nan(""), std::nan("")};
+      pressed->push_back(over_packings(target, number, some));
     }
-    const Summary s = summarise(values);
-    c.target = targets[i], c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
-    rows.push_back(c);
   }
   return rows;
 }

@@ -33,9 +33,11 @@ class StrengthTests {
 /// Strength of a test [Pa]; NaN if it has none.
 double strength_of(const TestResult& result, Property property);
 
-/// Mean strengths of a recipe at the targets over packings, by the tests themselves.
+/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `pressed` gains E
+/// (tangent at 40 - 60 % of the strength) and nu of the tests of UCS; their targets have no values.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Simulator& simulator);
+                                          const std::vector<std::int64_t>& seeds, Simulator& simulator,
+                                          std::vector<Comparison>* pressed = nullptr);
 
 /// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
 /// wave crosses the specimen a hundred times until the earliest peak. `targets`: their UCS over the modulus

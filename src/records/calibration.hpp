@@ -33,6 +33,7 @@ struct Comparison {
   double high = std::numeric_limits<double>::quiet_NaN();
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack outside the central third (analysis/brazilian.hpp)
+  std::string missing;  ///< why the first packing without an answer has none
   double error() const { return mean / target.mean - 1.0; }
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
@@ -46,6 +47,9 @@ struct Verdict {
   std::vector<std::string> findings;
 };
 
+/// The row of a target; nullptr if there is none.
+const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t);
+
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
@@ -53,7 +57,11 @@ struct Calibration {
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit
   std::vector<Comparison> verification;  ///< on packings that the fit has not seen
-  std::vector<Comparison> left_out;      ///< each angle predicted from the others
+  std::vector<Comparison> left_out;      ///< each value predicted without it
+  /// E (tangent) and nu that the press measures at 40 - 60 % of UCS on the unseen packings, beside the
+  /// table's: what bonds and joints have lost by then is missing from `fitted` and `verification`, which are
+  /// moduli at small strain. Where the table holds E or nu, and UCS.
+  std::vector<Comparison> pressed;
   Verdict verdict;
   std::vector<std::string> notes;
   std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included

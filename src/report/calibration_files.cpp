@@ -102,6 +102,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["fitted"] = rows_json(c.fitted);
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
+  j["pressed"] = rows_json(c.pressed);
   j["notes"] = c.notes;
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},

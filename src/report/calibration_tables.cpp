@@ -28,13 +28,6 @@ std::string cell(const Calibration& c, const std::string& key, double value, dou
                      e->determined ? "" : " open");
 }
 
-const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
-  for (const Comparison& c : rows)
-    if (c.target.property == t.property && c.target.theta == t.theta && c.target.diameter == t.diameter)
-      return &c;
-  return nullptr;
-}
-
 /// Root mean square error of a property; relative, of nu absolute.
 std::string rms(const std::vector<Comparison>& rows, Property property) {
   double squares = 0.0;
@@ -67,25 +60,34 @@ std::string rms_text(const Calibration& c) {
 }  // namespace
 
 std::string target_table(const std::vector<Target>& targets, int terminal_width) {
-  std::map<double, std::map<Property, const Target*>> rows;
+  std::map<std::pair<double, int>, std::map<Property, const Target*>>
+      rows;  // discs of another size: a row more
   std::set<Property> properties;
-  bool assumed = false;
-  for (const Target& t : targets)
-    rows[t.theta][t.property] = &t, properties.insert(t.property), assumed = assumed || t.sd_assumed;
+  bool assumed = false, sizes = false;
+  for (const Target& t : targets) {
+    int row = 0;
+    while (rows[{t.theta, row}].contains(t.property)) ++row;
+    rows[{t.theta, row}][t.property] = &t;
+    properties.insert(t.property);
+    assumed = assumed || t.sd_assumed, sizes = sizes || t.diameter > 0.0;
+  }
   Column theta{"theta", "deg", {}};
-  for (const auto& [angle, cells] : rows) theta.cells.push_back(fmt::format("{:g}", angle));
+  for (const auto& [place, cells] : rows) theta.cells.push_back(fmt::format("{:g}", place.first));
   std::vector<Columns> groups;
   for (const Property p : properties) {
-    Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}};
-    for (const auto& [angle, cells] : rows) {
+    Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}},
+        disc{"disc", "mm", {}};
+    for (const auto& [place, cells] : rows) {
       const auto it = cells.find(p);
       const Target* t = it == cells.end() ? nullptr : it->second;
       value.cells.push_back(t == nullptr ? "-" : fmt::format("{:.4g}", t->mean * shown(p)));
       scatter.cells.push_back(
           t == nullptr ? "-" : fmt::format("{:.2g}{}", t->sd * shown(p), t->sd_assumed ? "*" : ""));
       n.cells.push_back(t == nullptr ? "-" : fmt::format("{}", t->n));
+      disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
+    if (p == Property::brazilian && sizes) groups.back().push_back(disc);
   }
   return text_table(theta, groups, terminal_width) + (assumed ? "* no scatter in the table: assumed\n" : "");
 }
@@ -158,27 +160,35 @@ std::string macro_table(const Calibration& c, int terminal_width) {
   };
   Column label = column("at theta [deg]", [](R r) {
     const std::string unit = unit_head(r.target.property);
-    return fmt::format("{:<3} {:>4g}{}", to_string(r.target.property), r.target.theta,
-                       unit.empty() ? "" : " [" + unit + "]");
+    const double d = r.target.diameter;
+    return fmt::format("{:<3} {:>4g}{}{}", to_string(r.target.property), r.target.theta,
+                       unit.empty() ? "" : " [" + unit + "]",
+                       d > 0.0 ? fmt::format(", {:g} mm", d * 1e3) : "");
   });
   label.left = true;
+  const auto value = [&](const Comparison* r) {
+    return r != nullptr ? number(*r, r->mean) : std::string("-");
+  };
   const Columns laboratory = {
-      column("lab", [&](R r) { return number(r, r.target.mean); }), column("+- se", [](R r) {
-        return fmt::format("{:.2g}", r.target.standard_error() * shown(r.target.property));
-      })};
-  const Columns fit = {
-      column("fit", [&](R r) { return number(r, r.mean); }),
-      column("95 % interval",
-             [&](R r) { return fmt::format("{} ... {}", number(r, r.low), number(r, r.high)); }),
-      column("error", [&](R r) { return error(&r); })};
-  const Columns unseen = {column("unseen",
-                                 [&](R r) {
-                                   const Comparison* v = row_of(c.verification, r.target);
-                                   return v != nullptr ? number(*v, v->mean) : std::string("-");
-                                 }),
+      column("lab", [&](R r) { return number(r, r.target.mean); }),
+      column("+- se",
+             [](R r) { return fmt::format("{:.2g}", r.target.standard_error() * shown(r.target.property)); }),
+      column("rock, 95 %",
+             [&](R r) { return fmt::format("{} ... {}", number(r, r.low), number(r, r.high)); })};
+  const Columns fit = {column("fit", [&](R r) { return value(&r); }),
+                       column("error", [&](R r) { return error(&r); })};
+  const Columns unseen = {column("unseen", [&](R r) { return value(row_of(c.verification, r.target)); }),
                           column("error", [&](R r) { return error(row_of(c.verification, r.target)); })};
-  return text_table(label, {laboratory, fit, unseen}, terminal_width) +
-         wrapped(rms_text(c), terminal_width, 2);
+  std::vector<Columns> groups = {laboratory, fit, unseen};
+  std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
+  if (!c.pressed.empty()) {
+    groups.push_back({column("at 50 % UCS", [&](R r) { return value(row_of(c.pressed, r.target)); })});
+    legend +=
+        "at 50 % UCS: tangent E and nu of the press at 40 - 60 % of UCS, unseen packings; fit and unseen: at "
+        "small "
+        "strain\n";
+  }
+  return text_table(label, groups, terminal_width) + wrapped(legend + rms_text(c), terminal_width, 2);
 }
 
 std::string verdict_text(const Calibration& c, int terminal_width) {

@@ -283,7 +283,7 @@ std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, con
   std::vector<ElasticResult> results(specimens.size());
   for_all(specimens.size(), threads, [&] {
     return [&, statics = UniaxialStatics()](std::size_t i) mutable {
-      results[i] = statics.solve(specimens[i], options);
+      if (options.stop == nullptr || !*options.stop) results[i] = statics.solve(specimens[i], options);
     };
   });
   return results;

@@ -20,6 +20,7 @@
 // at the final set of closed contacts (where a contact changes its state E has a kink).
 // docs/theory/statics.md
 #pragma once
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,7 @@ struct ElasticOptions {
   double tolerance = 1e-6;         ///< relative change of E, absolute change of nu
   double max_alternating = 0.005;  ///< of the contacts
   int max_iterations = 50;
+  const std::atomic<bool>* stop = nullptr;  ///< solve_all begins no more once it is set
 };
 
 /// Solves specimens one after the other; keeps the symbolic factorisation while packing and contacts stay the

@@ -54,6 +54,7 @@ export interface Calibration {
   fitted: Comparison[];
   verification: Comparison[];
   left_out: Comparison[];
+  pressed?: Comparison[]; // E and nu at half of UCS; not in older files
   notes: string[];
 }
 

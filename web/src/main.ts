@@ -534,14 +534,14 @@ function table(label: string, heads: string[], rows: Child[][], caption: string 
 
 function comparisonTable(rows: Comparison[], caption: string): Child {
   if (rows.length === 0) return null;
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "95 % interval", "error [%]"];
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error"];
   return table(
     caption,
     heads,
     rows.map((r) => {
       const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
-      const error = r.model === null ? "–" : (100 * (r.model / mean - 1)).toFixed(1);
+      const error = r.model === null ? "–" : r.property === "nu" ? (r.model - mean).toFixed(3) : `${(100 * (r.model / mean - 1)).toFixed(1)} %`;
       return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error];
     }),
     caption,
@@ -580,7 +580,8 @@ function calibration() {
     ),
     comparisonTable(c.fitted, "On the packings of the fit"),
     comparisonTable(c.verification, "On packings that the fit has not seen"),
-    comparisonTable(c.left_out, "Each angle predicted from the others"),
+    comparisonTable(c.pressed ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
+    comparisonTable(c.left_out, "Each value predicted without it"),
     h("h3", {}, "What the data determine"),
     table(
       "Parameters",

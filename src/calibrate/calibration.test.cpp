@@ -1,0 +1,107 @@
+// The whole calibration on a press of closed forms: what it tells the user beside the numbers.
+#include "calibrate/calibration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "calibrate/paper_press.test.hpp"
+#include "calibrate/reading.test.hpp"
+#include "theory/goodman.hpp"
+
+namespace phy {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A jointed rock that the press can be: E, nu and UCS at four angles.
+Rock rock(double nu_factor = 1.0) {
+  Rock made;
+  made.name = "shale";
+  made.model.bedding.resize(1);
+  const JointedRock macro{50e9, 90e9, 40e9, 0.25};
+  Recipe truth = made.model;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    truth.bedding[0].theta = theta;
+    made.readings.push_back(reading(Property::E, theta, goodman_E(macro, theta)));
+    made.readings.push_back(reading(Property::nu, theta, nu_factor * goodman_nu(macro, theta)));
+    made.readings.push_back(reading(Property::ucs, theta, PaperPress::ucs(truth)));
+  }
+  return made;
+}
+
+Calibration calibrated(const Rock& rock, PaperPress& press, bool elastic_only = false) {
+  CalibrationOptions options;
+  options.elastic_only = elastic_only, options.max_tests = 4 * (8 + 5);
+  return calibrate(rock, options, press);
+}
+
+TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
+  PaperPress press;
+  press.tangent = 0.8;
+  const Calibration c = calibrated(rock(), press);
+  ASSERT_EQ(c.pressed.size(), 8U);  // E and nu at four angles
+  for (const Comparison& p : c.pressed) {
+    const Comparison* small_strain = row_of(c.verification, p.target);
+    ASSERT_NE(small_strain, nullptr);
+    EXPECT_NEAR(p.mean / small_strain->mean, p.target.property == Property::E ? 0.8 : 1.0, 1e-9);
+    EXPECT_EQ(p.n_packings, 5);
+  }
+  EXPECT_THAT(c.notes, Contains(HasSubstr("-20 %. Where")));
+  press.tangent = 0.97;
+  EXPECT_THAT(calibrated(rock(), press).notes, Not(Contains(HasSubstr("small strain"))));
+}
+
+TEST(Calibrate, AShortSearchIsAlwaysTold) {
+  PaperPress press;
+  EXPECT_THAT(calibrated(rock(), press).notes, Contains(HasSubstr("the search was short")));
+}
+
+TEST(Calibrate, AnAssumedScatterOfNuExcusesNothing) {
+  Rock conflict = rock(0.8);
+  for (RockReading& r : conflict.readings)
+    if (r.property == Property::nu) r.sd = std::nan(""), r.n = 1;
+  PaperPress press;
+  const Calibration c = calibrated(conflict, press, true);
+  double worst = 0.0;
+  for (const Comparison& f : c.fitted)
+    if (f.target.property == Property::nu) worst = std::max(worst, std::fabs(f.mean - f.target.mean));
+  ASSERT_GT(worst, 0.03);
+  ASSERT_LT(worst, 2.69 * 0.03);  // what three hundredths of assumed scatter would excuse
+  EXPECT_THAT(c.verdict.findings, Contains(testing::StartsWith("nu(")));
+}
+
+TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {
+  PaperPress press;
+  EXPECT_EQ(calibrated(rock(), press).recipe.name, "shale, calibrated");
+  const Calibration part = calibrated(rock(), press, true);
+  EXPECT_EQ(part.recipe.name, "shale, moduli calibrated, strengths given");
+  EXPECT_THAT(part.notes, Contains(HasSubstr("strengths are those of the recipe")));
+  Rock strengths = rock();
+  std::erase_if(strengths.readings, [](const RockReading& r) { return r.property != Property::ucs; });
+  EXPECT_EQ(calibrated(strengths, press).recipe.name, "shale, strengths calibrated, moduli given");
+}
+
+TEST(Calibrate, AnOpenStrengthIsPinnedByWhatPinsItsOpenRatio) {
+  PaperPress press;
+  const Calibration c = calibrated(rock(), press);
+  const auto of = [&](const char* symbol) {
+    return *std::find_if(c.parameters.begin(), c.parameters.end(),
+                         [&](const ParameterEstimate& e) { return e.symbol == symbol; });
+  };
+  ASSERT_FALSE(of("tau_c/sigma_c").determined);
+  ASSERT_FALSE(of("sigma_n,sj").determined);
+  EXPECT_EQ(of("sigma_n,sj").next_test, of("tau_c/sigma_c").next_test);
+}
+
+TEST(Calibrate, StopsInTheMiddleOfTheDirectSolutions) {
+  PaperPress press;
+  press.stops_statics = true;
+  EXPECT_EQ(calibrated(rock(), press).verdict.status, VerdictStatus::interrupted);
+}
+
+}  // namespace
+}  // namespace phy
