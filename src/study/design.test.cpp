@@ -203,12 +203,13 @@ TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
   }
 }
 
-TEST(PaperStudy, Has175DistinctLayeredSpecimensAndTheIntactOne) {
+TEST(PaperStudy, Has175DistinctLayeredSpecimensAndTheIntactOneOnEachOfThreePackings) {
   const Plan plan = make_plan(read_study(PHY_SOURCE_DIR "/examples/paper/study.toml"));
   EXPECT_EQ(plan.points.size(), 25u);  // the base once, 6 parameters x 4 other values
-  EXPECT_EQ(plan.runs.size(), 25u * 8u);
-  EXPECT_EQ(plan.tests.size(), 175u + 1u);
-  EXPECT_EQ(plan.batches.size(), 1u);
+  EXPECT_EQ(plan.runs.size(), 3u * 25u * 8u);
+  EXPECT_EQ(plan.tests.size(), 3u * (175u + 1u));
+  ASSERT_EQ(plan.batches.size(), 3u);
+  for (const Batch& b : plan.batches) EXPECT_EQ(b.tests.size(), 176u);
 }
 
 TEST_F(StudyFile, ShardsPartTheWork) {
