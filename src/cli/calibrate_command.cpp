@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/hash.hpp"
 #include "calibrate/calibration.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -24,17 +25,54 @@ struct Arguments {
   std::int64_t max_tests = 300;
 };
 
+/// Everything that the answer follows from.
+std::string fingerprint(const Rock& rock, const Arguments& args) {
+  Hash hash;
+  hash.add(rock.name);
+  hash.add(write_recipe(rock.model));
+  hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
+  for (const Target& t : targets_of(rock)) {
+    hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
+    hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
+  }
+  return hash.text();
+}
+
+/// What a folder holds, in words; the fingerprint of the rock stands in the last line.
+std::string label(const Rock& rock, const Arguments& args) {
+  return fmt::format("calibration of \"{}\" ({}){}, --max-tests {}\n{}\n", rock.name, args.rock,
+                     args.elastic ? ", --elastic" : "", args.max_tests, fingerprint(rock, args));
+}
+
+/// Throws InputError where --resume would write one calibration over another.
+void check_same(const std::string& file, const std::string& expected, const Arguments& args) {
+  const std::string found = std::filesystem::exists(file) ? read_file(file) : "";
+  const auto key = [](const std::string& text) {  // the rock file may have moved
+    const std::size_t end = text.find('\n');
+    return end == text.npos ? "" : text.substr(end + 1);
+  };
+  if (!found.empty() && key(found) == key(expected)) return;
+  const std::string holds = found.empty() ? "a calibration of an earlier version of this program"
+                                          : found.substr(0, found.find('\n'));
+  throw InputError(
+      Problem{"command line", "--out", args.out, "a folder of this same calibration for --resume",
+              "it holds: " + holds + "; its table, recipe or options differ: another --out begins afresh"});
+}
+
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
-std::string store_in(const Arguments& args) {
+std::string store_in(const Arguments& args, const Rock& rock) {
   namespace fs = std::filesystem;
   const fs::path folder(args.out);
   std::string store = (folder / "runs.sqlite").string();
+  const std::string label_file = (folder / "calibration-of.txt").string();
   check_writable(args.out);
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && Store(store).size() > 0);
   if (begun && !args.resume)
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
+  if (begun) check_same(label_file, label(rock, args), args);
+  write_file(label_file, label(rock, args));
   return store;
 }
 
@@ -66,7 +104,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
-  machine.store = store_in(args);
+  machine.store = store_in(args, rock);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
   fmt::print("\n{}\n", target_table(targets_of(rock), width));

@@ -72,6 +72,24 @@ TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
   EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));
 }
 
+TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
+  const std::string own = "calibrate " + rock() + " --threads 2 --elastic --resume --out " + out();
+  ASSERT_THAT(run(own), testing::AnyOf(0, 1)) << output;  // --resume of nothing begins
+  const std::string expected = read(out() + "/calibration.json");
+  write("other.csv", "theta [deg],E [GPa]\n0,17.5\n30,15.6\n60,21.0\n90,47\n");
+  const std::string other = write("other.toml", "data = \"other.csv\"\nrecipe = \"start.toml\"\n");
+  const std::string more = " --threads 2 --resume --out " + out();
+  for (const std::string& refused :
+       {"calibrate " + other + " --elastic" + more, "calibrate " + at("rock.toml") + more}) {
+    ASSERT_EQ(run(refused), 2) << output;
+    EXPECT_THAT(output,
+                testing::AllOf(HasSubstr("\"rock\""), HasSubstr("--elastic"), HasSubstr("another --out")));
+  }
+  EXPECT_EQ(read(out() + "/calibration.json"), expected);
+  ASSERT_THAT(run(own), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(read(out() + "/calibration.json"), expected);
+}
+
 TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {
   write("table.csv", "theta [deg],E [GPa],UCS [MPa]\n0,20,-5\n120,25,90\n45,abc,60\n");
   ASSERT_EQ(run("calibrate " + write("bad.toml", "data = \"table.csv\"\n") + " --out " + out()), 2);
