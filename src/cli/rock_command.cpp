@@ -1,7 +1,10 @@
-// `phyllite rock new NAME` and `phyllite rock check ROCK`: the laboratory's side of a calibration.
+// `phyllite rock new NAME`, `phyllite rock check ROCK` and `phyllite rock twin RECIPE NAME`: the laboratory's
+// side of a calibration.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "calibrate/foresee.hpp"
 #include "calibrate/twin.hpp"
@@ -15,12 +18,23 @@
 namespace phy {
 namespace {
 
-int rock_new(const std::string& name) {
-  const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
-  for (const auto& path : {toml, csv})
-    if (std::filesystem::exists(path))
+/// Throws InputError unless the files NAME + ending can be made, and a TOML string can hold the name.
+void check_free(const char* verb, const std::string& name, const std::vector<std::string>& endings) {
+  const std::string stem = std::filesystem::path(name).filename().string();
+  const bool odd = std::any_of(stem.begin(), stem.end(),
+                               [](unsigned char c) { return c < 32 || c == 127 || c == '"' || c == '\\'; });
+  if (stem.empty() || odd)
+    throw InputError(Problem{"command line", verb, '\'' + name + '\'',
+                             "a name, without quotes and backslashes", "for example grey-shale"});
+  for (const std::string& ending : endings)
+    if (std::filesystem::exists(name + ending))
       throw InputError(
-          Problem{"command line", "rock new", path.string(), "a name that is free", "nothing was written"});
+          Problem{"command line", verb, name + ending, "a name that is free", "nothing was written"});
+}
+
+int rock_new(const std::string& name) {
+  check_free("rock new", name, {".toml", ".csv"});
+  const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
   write_file(csv.string(), rock_table_template());
   try {
     write_file(toml.string(), rock_template(toml.stem().string()));
@@ -33,16 +47,32 @@ int rock_new(const std::string& name) {
   return 0;
 }
 
+/// The table as it was understood: discs of several diameters each in a table of their own.
+std::string tables_of(const std::vector<Target>& targets, int width) {
+  std::map<double, std::vector<Target>> discs;
+  for (const Target& t : of_property(targets, Property::brazilian)) discs[t.diameter].push_back(t);
+  if (discs.size() < 2) return target_table(targets, width);
+  std::vector<Target> rest = targets;
+  std::erase_if(rest, [](const Target& t) { return t.property == Property::brazilian; });
+  std::string text = rest.empty() ? "" : target_table(rest, width);
+  for (const auto& [diameter, some] : discs)
+    text += fmt::format("\ndiscs of {}\n{}",
+                        diameter > 0.0 ? fmt::format("{:g} mm", diameter * 1e3) : "the model's diameter",
+                        target_table(some, width));
+  return text;
+}
+
 int rock_check(const std::string& path, int width) {
   const Rock rock = read_rock(path);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  fmt::print("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
+  fmt::print("\n{}\n{}", tables_of(targets_of(rock), width), foresight_table(foresee(rock), width));
   for (const std::string& line : advice(rock)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
 
 int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
+  check_free("rock twin", name, {".csv"});
   Recipe truth = read_recipe(recipe_file);
   TwinOptions options;
   if (truth.bedding.empty())
@@ -51,8 +81,10 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
     options.angles = truth.test.angles;
   SimulatorOptions machine;
   machine.threads = n_threads(session);
+  machine.stop = stop_on_interrupt();
   const auto simulator = make_simulator(machine);
   const auto response = twin_response(truth, options.angles, options.seeds, *simulator);
+  if (simulator->stopped()) return fmt::print("stopped, nothing was written\n"), 1;
   const std::string about = fmt::format(
       "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
@@ -86,7 +118,10 @@ void add_rock_command(CLI::App& app, Session& session) {
       rock->add_subcommand("twin", "write NAME.csv: a table made by the model itself, with 5 % noise");
   twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required();
   twin->add_option("name", *name, "name of the table")->required();
-  twin->callback([recipe, name, &session] { session.exit_code = rock_twin(*recipe, *name, session); });
+  twin->callback([recipe, name, &session] {
+    stop_on_interrupt();
+    session.exit_code = rock_twin(*recipe, *name, session);
+  });
 }
 
 }  // namespace phy

@@ -1,0 +1,54 @@
+// The laboratory's side as a user meets it: new, check, twin.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "../program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using RockCli = ProgramTest;
+
+TEST_F(RockCli, DiscsOfTwoDiametersAreBothShown) {
+  write("t.csv",
+        "theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,14,20\n0,,11,30\n45,60,8,20\n90,120,,\n");
+  ASSERT_EQ(run("rock check " + write("t.toml", "data = \"t.csv\"\n")), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("discs of 20 mm"), HasSubstr("discs of 30 mm"), HasSubstr(" 14 "),
+                            HasSubstr(" 11 ")));
+}
+
+TEST_F(RockCli, NamesThatNoRockFileCanHaveAreRefused) {
+  const std::string here = "cd " + folder.string() + " && " + PHY_PROGRAM + " rock ";
+  for (const char* name : {"''", "'a\"b'", "'a\\b'", "sub/"}) {
+    run_line("(" + here + "new " + name + "; echo code $?)");
+    EXPECT_THAT(output, AllOf(HasSubstr("without quotes and backslashes"), HasSubstr("code 2"))) << name;
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(RockCli, ATwinWritesOverNothing) {
+  write("mine.csv", "precious\n");
+  ASSERT_EQ(run("rock twin " + write("m.toml", "") + " " + at("mine")), 2) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("mine.csv"), HasSubstr("a name that is free")));
+  EXPECT_EQ(read(at("mine.csv")), "precious\n");
+}
+
+TEST_F(RockCli, ATwinStopsWhenAskedAndWritesNothing) {
+  const pid_t child = start({"rock", "twin", small_recipe(), at("twin"), "--threads", "2"}, at("log"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1) << read(at("log"));
+  EXPECT_THAT(read(at("log")), HasSubstr("stopped, nothing was written"));
+  EXPECT_FALSE(fs::exists(at("twin.csv")));
+}
+
+}  // namespace
