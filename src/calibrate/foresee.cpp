@@ -72,19 +72,16 @@ std::string elastic_test(const std::string& key, bool bedded) {
 /// What the tests say about a strength parameter, by the kind and angle of the tests alone.
 struct Rule {
   bool held;
-  std::string rests_on, next_test;
+  std::string tests, next_test;
 };
 Rule rule_without_bedding(const std::string& key, const std::vector<Target>& targets) {
-  const bool pressed = !of_property(targets, Property::ucs).empty();
   const bool pulled = !of_property(targets, Property::direct_tension).empty() ||
                       !of_property(targets, Property::brazilian).empty();
-  if (key == "matrix.sigma_c") return {pressed, "UCS", "UCS"};
-  if (key == "tau_c/sigma_c")
-    return {pressed && pulled, "UCS against tension", "direct tension, or Brazilian"};
+  if (key == "matrix.sigma_c") return {true, "UCS", ""};
+  if (key == "tau_c/sigma_c") return {pulled, "UCS against tension", "direct tension, or Brazilian"};
   return {false, "", "confined compression"};
 }
-Rule strength_rule(const std::string& key, const std::vector<Target>& targets, bool bedded) {
-  if (!bedded) return rule_without_bedding(key, targets);
+Rule rule_with_bedding(const std::string& key, const std::vector<Target>& targets) {
   bool ends = false, oblique = false, tension_0 = false, tension_90 = false;
   for (const Target& t : targets) {
     const bool pulled = t.property == Property::direct_tension, split = t.property == Property::brazilian;
@@ -105,12 +102,25 @@ Rule strength_rule(const std::string& key, const std::vector<Target>& targets, b
   return {false, "", "confined compression at 45 to 60 degrees"};
 }
 
+/// The rule in terms of what the table holds: without UCS nothing is fitted, and where the tests of a rule
+/// are missing, UCS is all that the fit has.
+void apply_strength_rule(ParameterEstimate& e, const std::vector<Target>& targets, bool bedded) {
+  const Rule rule = bedded ? rule_with_bedding(e.key, targets) : rule_without_bedding(e.key, targets);
+  const bool fitted = !of_property(targets, Property::ucs).empty();
+  e.determined = fitted && rule.held;
+  if (fitted) e.rests_on = rule.held ? rule.tests : "UCS";
+  if (!rule.held) e.next_test = rule.next_test;
+  if (!fitted && e.next_test.find("UCS") == std::string::npos)
+    e.next_test = e.next_test.empty() ? "UCS" : "UCS, and " + e.next_test;
+}
+
 }  // namespace
 
 std::vector<ParameterEstimate> foresee(const Rock& rock) {
   const std::vector<Target> targets = targets_of(rock);
   std::vector<ParameterEstimate> estimates;
-  const bool modulus = !of_property(targets, Property::E).empty();
+  const bool modulus = !of_property(targets, Property::E).empty(),
+             has_nu = !of_property(targets, Property::nu).empty();
   Eigen::Vector4d prior;
   for (int i = 0; i < 4; ++i) {
     const Parameter& p = elastic_parameters()[static_cast<std::size_t>(i)];
@@ -126,17 +136,15 @@ std::vector<ParameterEstimate> foresee(const Rock& rock) {
     const double in_log = i == 1 ? sd[i] / (4.0 * 0.3 / (3.3 * 3.3)) : sd[i];
     e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
     e.determined = modulus && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);
-    e.rests_on = i == 1 ? "nu" : "E";
+    if (modulus) e.rests_on = i == 1 && has_nu ? "nu" : "E";
     if (!e.determined) e.next_test = elastic_test(p.key, rock.bedded);
     estimates.push_back(e);
   }
   for (const Parameter& p : strength_parameters()) {
     if (p.joint && !rock.bedded) continue;
-    const Rule rule = strength_rule(p.key, targets, rock.bedded);
     ParameterEstimate e;
     e.key = p.key, e.symbol = p.symbol, e.unit = p.unit, e.box_low = p.low, e.box_high = p.high;
-    e.determined = rule.held, e.rests_on = rule.rests_on;
-    if (!rule.held) e.next_test = rule.next_test;
+    apply_strength_rule(e, targets, rock.bedded);
     e.low = e.high = std::nan("");
     estimates.push_back(e);
   }
@@ -150,17 +158,23 @@ std::vector<std::string> advice(const Rock& rock) {
     const auto property = static_cast<Property>(i);
     const std::vector<Target> some = of_property(targets, property);
     if (some.empty()) continue;
-    const auto assumed =
-        std::count_if(some.begin(), some.end(), [](const Target& t) { return t.sd_assumed; });
-    if (assumed > 0)
+    const auto assumed = [](const Target& t) { return t.sd_assumed; };
+    const auto first = std::find_if(some.begin(), some.end(), assumed);
+    if (first != some.end())
       lines.push_back(fmt::format(
-          "{}: {} of {} cells have no scatter; {} is assumed for single specimens", to_string(property),
-          assumed, some.size(),
-          property == Property::nu ? "0.03" : fmt::format("{:g} %", 100.0 * some[0].sd / some[0].mean)));
+          "{}: the table tells little of the scatter of {} of {} cells; {} is taken for single specimens",
+          to_string(property), std::count_if(some.begin(), some.end(), assumed), some.size(),
+          property == Property::nu ? fmt::format("{:.2g}", first->sd)
+                                   : fmt::format("{:.2g} %", 100.0 * first->sd / first->mean)));
   }
   const auto has = [&](Property p) { return !of_property(targets, p).empty(); };
-  if (!has(Property::E)) lines.emplace_back("no E: the elastic parameters stay those of the recipe");
-  if (!has(Property::ucs)) lines.emplace_back("no UCS: only the elastic stage can run");
+  if (!has(Property::E))
+    lines.emplace_back("no E: the elastic parameters stay those of the recipe");
+  else
+    lines.emplace_back(
+        "expected intervals count the scatter of the laboratory alone; what packings of the model differ by "
+        "comes on top");
+  if (!has(Property::ucs)) lines.emplace_back("no UCS: no strength is fitted, they stay those of the recipe");
   const std::vector<Target> E = of_property(targets, Property::E);
   if (rock.bedded && E.size() >= 2 && E.front().mean > E.back().mean && E.front().theta < E.back().theta)
     lines.emplace_back(

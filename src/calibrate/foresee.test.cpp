@@ -47,9 +47,39 @@ TEST(Foresee, ANoisierTableLeavesWiderIntervals) {
 
 TEST(Foresee, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
   Rock rock = layered_rock();
+  rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
   EXPECT_THAT(foreseen(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
   rock.readings.push_back(reading(Property::direct_tension, 0.0, 5e6));
   EXPECT_TRUE(foreseen(rock, "sigma_n,sj/C_sj").determined);
+}
+
+TEST(Foresee, WithoutUcsNoStrengthIsDetermined) {
+  Rock rock = layered_rock();
+  for (const double theta : {0.0, 90.0})
+    rock.readings.push_back(reading(Property::direct_tension, theta, 5e6));
+  for (const ParameterEstimate& e : foresee(rock))
+    if (!std::isfinite(e.low)) {
+      EXPECT_FALSE(e.determined) << e.key;
+      EXPECT_THAT(e.next_test, testing::HasSubstr("UCS")) << e.key;
+      EXPECT_EQ(e.rests_on, "") << e.key;
+    }
+  EXPECT_THAT(advice(rock), testing::Contains(testing::HasSubstr("no strength is fitted")));
+}
+
+// The fit may pin a ratio that no rule says it would: its estimate then names data that are there.
+TEST(Foresee, ParametersRestOnWhatTheTableHolds) {
+  Rock rock = layered_rock();
+  std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::nu; });
+  for (const double theta : {0.0, 45.0, 90.0}) rock.readings.push_back(reading(Property::ucs, theta, 100e6));
+  for (const ParameterEstimate& e : foresee(rock))
+    EXPECT_THAT(e.rests_on, testing::AnyOf("E", testing::StartsWith("UCS near"),
+                                           testing::StartsWith("UCS between"), "UCS"))
+        << e.key;
+}
+
+TEST(Foresee, IntervalsAreSaidToLeaveOutThePackings) {
+  EXPECT_THAT(advice(layered_rock()),
+              testing::Contains(testing::HasSubstr("what packings of the model differ by")));
 }
 
 TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,6 +18,7 @@
 #include "io/toml_in.hpp"
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/rock_remarks.hpp"
 
 namespace phy {
 namespace {
@@ -81,7 +83,7 @@ Head head_of(const std::string& cell) {
   return h;
 }
 
-/// Admissible values: a unit that is off by a factor of a thousand should not pass.
+/// What can be computed with at all; what is only doubtful, records/rock_remarks.hpp tells.
 struct Range {
   double low, high;
   const char* text;
@@ -292,11 +294,16 @@ class RockReader {
     for (const auto& [path, entry] : entries_)
       if (!known().contains(path)) unknown(entry);
     rock_.name = this->text("name", std::filesystem::path(path_).stem().string());
+    const std::size_t n_before = problems_.size();
     read_recipe_file();
     read_size();
     read_disc();
+    const bool has_model = problems_.size() == n_before;
     read_reading();
     read_table();
+    if (has_model) check_model(), check_discs();
+    if (problems_.empty())
+      for (std::string& remark : remarks_on(rock_)) rock_.notes.push_back(std::move(remark));
   }
 
  private:
@@ -304,6 +311,8 @@ class RockReader {
   Rock& rock_;
   std::vector<Problem>& problems_;
   std::map<std::string, Entry> entries_;
+  std::string table_;        // its path
+  bool has_bedding_ = true;  // the recipe says where the planes are
 
   static const std::set<std::string>& known() {
     static const std::set<std::string> keys = {
@@ -333,8 +342,9 @@ class RockReader {
     const Quantity q = parse_quantity(e->value, d);
     if (!q.ok)
       problems_.push_back({at(*e), key, e->value, "a number with a unit: " + unit_names(d), q.problem});
-    if (q.ok && !(q.value > 0.0)) problems_.push_back({at(*e), key, e->value, "a positive value", ""});
-    return q.ok ? q.value : otherwise;
+    else if (!(q.value > 0.0))
+      problems_.push_back({at(*e), key, e->value, "a positive value", ""});
+    return q.value > 0.0 ? q.value : otherwise;
   }
   std::string beside(const std::string& file) const {
     return (std::filesystem::path(path_).parent_path() / file).string();
@@ -368,6 +378,7 @@ class RockReader {
       problems_.push_back(
           {at(*entry("recipe")), "recipe", entry("recipe")->value, "no packing.file",
            "a file holds one packing, a calibration is verified on others: describe the grains"});
+    has_bedding_ = !rock_.model.bedding.empty();
     rock_.model.bedding.resize(1);
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
@@ -397,21 +408,68 @@ class RockReader {
     test.disc_diameter = quantity("brazilian.diameter", Dimension::length, test.disc_diameter);
     if (const Entry* e = entry("brazilian.loading_angle")) {
       const Quantity q = parse_quantity(e->value, Dimension::angle);
-      if (q.ok && q.value >= 0.0 && q.value <= 60.0)
+      if (q.ok)
         test.loading_angle = q.value;
       else
         problems_.push_back(
-            {at(*e), e->path, e->value, "0 deg (flat platens) <= arc of a jaw <= 60 deg", "10 deg is usual"});
+            {at(*e), e->path, e->value, "a number with a unit: " + unit_names(Dimension::angle), q.problem});
     }
-    check_disc(test.disc_diameter, path_, 0);
   }
-  void check_disc(double diameter, const std::string& where, int line) {
-    const double most = std::min(rock_.model.specimen.width, rock_.model.specimen.height);
-    if (diameter <= most) return;
-    problems_.push_back({line > 0 ? where + ":" + std::to_string(line) : where, "diameter",
-                         fmt::format("{:g} mm", diameter * 1e3),
-                         fmt::format("at most {:g} mm, the smaller side of the specimen", most * 1e3),
-                         "discs are cut from the model's specimen: make [specimen] as large as the disc"});
+
+  /// The key of the rock file behind a key of the recipe; nullptr: nobody gave it.
+  const Entry* said_here(const std::string& path) const {
+    if (path == "test.disc_diameter") return entry("brazilian.diameter");
+    if (path == "test.loading_angle") return entry("brazilian.loading_angle");
+    if (entry("recipe") != nullptr) return entry("recipe");
+    const Entry *width = entry("specimen.width"), *height = entry("specimen.height");
+    return height == nullptr || (path == "specimen.width" && width != nullptr) ? width : height;
+  }
+  using Where = std::function<std::string(const std::string&)>;
+  /// Numbers of the model outside the ranges of a recipe.
+  std::vector<Problem> out_of_range(const Where& where) const {
+    std::vector<Problem> found;
+    for (const Field& f : recipe_fields()) {
+      if (f.kind != FieldKind::quantity && f.kind != FieldKind::number && f.kind != FieldKind::integer)
+        continue;
+      const std::size_t n = f.table == "bedding" ? rock_.model.bedding.size() : 1;
+      for (std::size_t i = 0; i < n; ++i)
+        if (!within_range(f, f.get(rock_.model, i)))
+          found.push_back({where(f.path()), f.path(), print_field(f, rock_.model, i), range_text(f), ""});
+    }
+    return found;
+  }
+  /// What `phyllite run` would refuse: the recipe's own ranges and checks, after all of the rock file.
+  void check_model() {
+    const Where where = [&](const std::string& path) {
+      const Entry* e = said_here(path);
+      return e != nullptr ? at(*e) : path_;
+    };
+    std::vector<Problem> found = out_of_range(where);
+    std::set<std::string> odd;
+    for (const Problem& p : found) odd.insert(p.key);
+    for (Problem& p :
+         cross_checks(rock_.model, where, [&](const std::string& key) { return !odd.contains(key); }))
+      found.push_back(std::move(p));
+    for (Problem& p : found) {
+      const Entry* e = said_here(p.key);
+      if (e != nullptr && e->path.starts_with("brazilian.")) p.key = e->path;
+      if (e != nullptr && e->path.starts_with("specimen."))
+        p.remedy =
+            "[specimen] magnifies the paper's specimen, grains and all: nearer to its shape, 1 : 2, or a "
+            "recipe with grains of its own";
+      problems_.push_back(std::move(p));
+    }
+  }
+  /// The same for every disc of the table.
+  void check_discs() {
+    for (const RockReading& r : rock_.readings) {
+      if (r.property != Property::brazilian || r.diameter == 0.0) continue;
+      Recipe disc = rock_.model;
+      disc.test.disc_diameter = r.diameter;
+      const std::string where = table_ + ":" + std::to_string(r.line);
+      for (Problem& p : cross_checks(disc, [&](const std::string&) { return where; }))
+        if (p.key == "test.disc_diameter") p.key = "diameter", problems_.push_back(std::move(p));
+    }
   }
 
   void read_reading() {
@@ -427,7 +485,9 @@ class RockReader {
     if (entry("data") == nullptr)
       return problems_.push_back(
           {path_, "data", "", "the name of the table of tests", "write data = \"tests.csv\""});
-    const std::string where = beside(text("data", ""));
+    table_ = beside(text("data", ""));
+    const std::string& where = table_;
+    const std::size_t n_before = problems_.size();
     bool has_angles = false;
     const double confining =
         entry("confining") != nullptr ? quantity("confining", Dimension::pressure, nan) : nan;
@@ -446,11 +506,15 @@ class RockReader {
             {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     }
     if (!rock_.bedded) {
-      rock_.model.bedding.clear();
+      rock_.model.bedding.clear(), rock_.model.test.angles.clear();
       for (RockReading& r : rock_.readings) r.theta = 0.0;
       rock_.notes.emplace_back("a rock without bedding");
+    } else if (!has_bedding_) {
+      rock_.notes.push_back(
+          fmt::format("the recipe has no [[bedding]]: planes are the paper's, every {:g} mm",
+                      rock_.model.bedding[0].spacing * 1e3));
     }
-    check_content(where);
+    if (problems_.size() == n_before) check_content(where);
   }
   void check_content(const std::string& where) {
     std::set<double> angles, pressures;
@@ -458,13 +522,12 @@ class RockReader {
     for (const RockReading& r : rock_.readings) {
       angles.insert(r.theta), pressures.insert(r.confining);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
-      if (r.property == Property::brazilian) check_disc(r.diameter, where, r.line);
     }
-    if (rock_.readings.empty() && problems_.empty())
+    if (rock_.readings.empty())
       problems_.push_back({where, "", "", "at least one value",
                            entry("confining") != nullptr ? "no row has this confining pressure"
                                                          : "all cells are empty: fill in the table"});
-    if (rock_.bedded && !rock_.readings.empty() && angles.size() < least_angles)
+    else if (rock_.bedded && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",
                            "test 0, 45 and 90 degrees; or write bedded = false"});

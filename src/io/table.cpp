@@ -61,6 +61,11 @@ class Reader {
   Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
 
   Table read() {
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+      table_.problems.push_back(
+          {where_, "", "UTF-16", "text in UTF-8", "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
+      return std::move(table_);
+    }
     if (text_.starts_with("\xEF\xBB\xBF")) {
       text_.remove_prefix(3);
       table_.notes.emplace_back("a byte-order mark at the beginning was skipped");
@@ -87,7 +92,7 @@ class Reader {
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   void take_line(std::string_view line, int number) {
-    if (trimmed(line).empty() || line.front() == '#') return;
+    if (const std::string text = trimmed(line); text.empty() || text.front() == '#') return;
     if (table_.header_line == 0) {
       table_.header_line = number;
       choose_delimiter(line);

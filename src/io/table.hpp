@@ -2,7 +2,8 @@
 //
 // Read and told: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma.
 // Refused: a header whose delimiter could be two things, decimal points and decimal commas in one table, rows
-// with more or fewer cells than the header. Lines that begin with # are comments; empty lines are skipped.
+// with more or fewer cells than the header, UTF-16. Lines that begin with # are comments; empty lines are
+// skipped.
 #pragma once
 #include <string>
 #include <string_view>

@@ -11,9 +11,10 @@ namespace phy {
 namespace {
 
 constexpr double pooled_weight = 10.0;  // degrees of freedom lent by the other angles
+constexpr int usual_degrees = 4;        // that the usual scatter is worth beside the table's own
 constexpr double same_angle = 1e-6;     // [deg]
 
-/// Scatter where nothing is known: relative for moduli and strengths, absolute for nu.
+/// Scatter of most rocks: relative for moduli and strengths, absolute for nu.
 double usual_scatter(Property p) {
   if (p == Property::nu) return 0.03;
   return p == Property::direct_tension || p == Property::brazilian ? 0.15 : 0.05;
@@ -23,6 +24,7 @@ double usual_scatter(Property p) {
 struct Pool {
   double squares = 0.0;
   int degrees = 0;
+  bool given = false;  ///< the table has an SD
 };
 
 Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
@@ -30,7 +32,7 @@ Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
   for (const RockReading* r : rows) {
     if (std::isfinite(r->sd)) {
       const int degrees = std::max(1, r->n - 1);
-      pool.squares += degrees * r->sd * r->sd, pool.degrees += degrees;
+      pool.squares += degrees * r->sd * r->sd, pool.degrees += degrees, pool.given = true;
     }
     pool.squares += r->n * (r->value - mean) * (r->value - mean);
   }
@@ -38,28 +40,49 @@ Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
   return pool;
 }
 
-/// 1/E_2D = 1/E_theta - nu^2/E, nu_2D/E_2D = nu_theta/E_theta + nu^2/E, with E and nu of the rock along its
-/// bedding: the out-of-plane strain is held by the rock between the joints, which add nothing there.
-void to_plane_stress(std::vector<Target>& targets) {
-  const auto nearest_90 = [&](Property p) {
-    const Target* best = nullptr;
-    for (const Target& t : targets)
-      if (t.property == p && (best == nullptr || t.theta > best->theta)) best = &t;
-    return best;
-  };
-  const Target *e = nearest_90(Property::E), *nu = nearest_90(Property::nu);
-  if (e == nullptr || nu == nullptr) return;
-  const double held = nu->mean * nu->mean / e->mean;
-  std::map<double, double> E_2D, E_lab;
+/// Variance of single specimens that the scatter seen leaves us with, where `usual` is expected: the mean of
+/// a scaled inverse chi-square with `usual_degrees`. A pair that happens to agree cannot make a table exact.
+double expected_variance(const Pool& seen, double usual) {
+  return (usual_degrees * usual * usual + seen.squares) / (usual_degrees + seen.degrees);
+}
+
+/// SD of single specimens in a cell: its own SDs as given; else its replicates, drawn towards `common`.
+double scatter_of(const Pool& own, double common) {
+  if (own.given) return std::sqrt(own.squares / own.degrees);
+  return std::sqrt((own.squares + pooled_weight * common) / (own.degrees + pooled_weight));
+}
+
+/// The target whose load runs most nearly along the bedding; nullptr without any.
+const Target* along_bedding(const std::vector<Target>& targets, Property p) {
+  const Target* best = nullptr;
   for (const Target& t : targets)
-    if (t.property == Property::E) E_lab[t.theta] = t.mean, E_2D[t.theta] = 1.0 / (1.0 / t.mean - held);
+    if (t.property == p && (best == nullptr || t.theta > best->theta)) best = &t;
+  return best;
+}
+
+/// 1/E_2D = 1/E_theta - h, nu_2D/E_2D = nu_theta/E_theta + h, h = nu^2/E with E and nu of the rock along its
+/// bedding: the out-of-plane strain is held by the rock between the joints, which add nothing there. Scatter:
+/// that of E stays the same share; that of nu is carried by the derivative, in the cell along the bedding
+/// with dh/dnu = 2 nu/E.
+void to_plane_stress(std::vector<Target>& targets) {
+  const Target *E_found = along_bedding(targets, Property::E),
+               *nu_found = along_bedding(targets, Property::nu);
+  if (E_found == nullptr || nu_found == nullptr) return;
+  const Target E = *E_found, nu = *nu_found;
+  const double held = nu.mean * nu.mean / E.mean;
+  std::map<double, double> E_lab;
+  for (const Target& t : targets)
+    if (t.property == Property::E) E_lab[t.theta] = t.mean;
   for (Target& t : targets) {
     const auto at = E_lab.find(t.theta);
     if (at == E_lab.end()) continue;
+    const double E_2D = 1.0 / (1.0 / at->second - held);
     if (t.property == Property::E) {
-      t.sd *= E_2D[t.theta] / t.mean, t.mean = E_2D[t.theta];
+      t.sd *= E_2D / t.mean, t.mean = E_2D;
     } else if (t.property == Property::nu) {
-      t.mean = E_2D[t.theta] * (t.mean / at->second + held);
+      const double nu_2D = E_2D * (t.mean / at->second + held);
+      const double by_held = t.theta == nu.theta ? E_2D * (1.0 + nu_2D) * 2.0 * nu.mean / E.mean : 0.0;
+      t.sd *= E_2D / at->second + by_held, t.mean = nu_2D;
     }
   }
 }
@@ -100,12 +123,8 @@ std::vector<Target> targets_of(const Rock& rock) {
     Target& t = targets[i];
     const Pool& all = pooled[t.property];
     const double scale = t.property == Property::nu ? 1.0 : t.mean;
-    const double common = all.degrees > 0 ? all.squares / all.degrees * scale * scale : 0.0;
-    const double weight = all.degrees > own[i].degrees ? pooled_weight : 0.0;  // nothing to borrow from
-    t.sd = own[i].degrees > 0 ? std::sqrt((own[i].squares + weight * common) / (own[i].degrees + weight))
-                              : std::sqrt(common);
-    t.sd_assumed = !(t.sd > 0.0);
-    if (t.sd_assumed) t.sd = scale * usual_scatter(t.property);
+    t.sd = scatter_of(own[i], expected_variance(all, usual_scatter(t.property)) * scale * scale);
+    t.sd_assumed = !own[i].given && all.degrees < usual_degrees;
   }
   if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);
   return targets;

@@ -40,11 +40,11 @@ struct RockReading {
 /// All cells of one property and angle together.
 struct Target {
   Property property = Property::E;
-  double theta = 0.0;  ///< [deg]
-  double mean = 0.0;   ///< SI
-  double sd = 0.0;     ///< scatter of single specimens, SI, > 0
-  int n = 1;           ///< specimens
-  bool sd_assumed = false;
+  double theta = 0.0;             ///< [deg]
+  double mean = 0.0;              ///< SI
+  double sd = 0.0;                ///< scatter of single specimens, SI, > 0
+  int n = 1;                      ///< specimens
+  bool sd_assumed = false;        ///< `sd` rests on what is usual more than on the table
   double diameter = 0.0;          ///< [m] of the disc of a Brazilian test; 0: the model's
   double standard_error() const;  ///< sd/sqrt(n)
 };
@@ -59,10 +59,11 @@ struct Rock {
 };
 
 /// One target per property, angle and diameter of disc, ordered in this way. Replicates are averaged,
-/// weighted by n. Their scatter: SDs pooled with the spread between rows, and drawn towards the relative
-/// scatter of the property over all angles as if by ten more specimens, because the scatter of three
-/// specimens says little; where a cell has none of its own, that of the others alone; where there is none at
-/// all, 5 % (strengths in tension 15 %, nu 0.03). Moduli are converted to plane stress if `reading` says so.
+/// weighted by n. Scatter of single specimens: SDs of the table as given, together with the spread between
+/// rows. Elsewhere the relative scatter of the property over all angles, itself drawn towards what is usual
+/// (5 %, strengths in tension 15 %, nu 0.03) as if that had been seen with four degrees of freedom; a cell
+/// with replicates of its own draws towards it as if by ten more specimens, because the scatter of three
+/// specimens says little. Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.

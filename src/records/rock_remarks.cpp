@@ -1,0 +1,128 @@
+#include "records/rock_remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace phy {
+namespace {
+
+// Bounds are wide on purpose: they are there for units off by a thousand and for columns exchanged.
+constexpr double least_ratio = 80.0,
+                 most_ratio = 2000.0;                   // E/UCS; 200 to 500 is medium (Deere & Miller 1966)
+constexpr double least_ucs = 0.25e6, most_ucs = 600e6;  // [Pa] below, the ISRM's grades of rock end
+constexpr double least_E = 0.1e9, most_E = 200e9;       // [Pa]
+constexpr double most_tension = 0.5;                    // of UCS; a tenth is usual
+constexpr double replicates_apart = 1.5;                // factor
+constexpr double along = 80.0;                          // [deg], from which a load runs along the bedding
+
+/// "UCS(45)"; "UCS" of a rock without bedding.
+std::string name_at(const Rock& rock, const std::string& name, double theta) {
+  return rock.bedded ? fmt::format("{}({:g})", name, theta) : name;
+}
+
+const Target* at_angle(const std::vector<Target>& targets, Property p, double theta) {
+  for (const Target& t : targets)
+    if (t.property == p && t.theta == theta) return &t;
+  return nullptr;
+}
+
+/// Appends "what, what: why" if there is anything.
+void tell(std::vector<std::string>& remarks, const std::vector<std::string>& what, const std::string& why) {
+  if (what.empty()) return;
+  std::string text = "look again: ";
+  for (const std::string& w : what) text += w + (&w == &what.back() ? ": " : ", ");
+  remarks.push_back(text + why);
+}
+
+void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& remarks) {
+  std::vector<std::string> moduli, strengths;
+  for (const Target& t : targets) {
+    if (t.property == Property::E && (t.mean < least_E || t.mean > most_E))
+      moduli.push_back(fmt::format("{} = {:.3g} GPa", name_at(rock, "E", t.theta), t.mean * 1e-9));
+    if (t.property == Property::ucs && (t.mean < least_ucs || t.mean > most_ucs))
+      strengths.push_back(fmt::format("{} = {:.3g} MPa", name_at(rock, "UCS", t.theta), t.mean * 1e-6));
+  }
+  tell(remarks, moduli, "rocks have 0.1 to 200 GPa; check the unit in the header");
+  tell(remarks, strengths, "rocks have 0.25 to 600 MPa; check the unit in the header");
+}
+
+void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& remarks) {
+  std::vector<std::string> moduli, tension;
+  for (const Target& t : targets) {
+    const Target* ucs = at_angle(targets, Property::ucs, t.theta);
+    if (ucs == nullptr || t.property == Property::nu || t.property == Property::ucs) continue;
+    const double ratio = t.mean / ucs->mean;
+    if (t.property == Property::E) {
+      if (ratio < least_ratio || ratio > most_ratio)
+        moduli.push_back(fmt::format("{} = {:.4g}", name_at(rock, "E/UCS", t.theta), ratio));
+    } else if (ratio > most_tension) {
+      tension.push_back(fmt::format("{} = {:.3g} UCS", name_at(rock, to_string(t.property), t.theta), ratio));
+    }
+  }
+  tell(remarks, moduli,
+       "most rocks have 200 to 500 (Deere & Miller 1966), hardly any less than 80 or more than 2000; check "
+       "units and columns");
+  tell(remarks, tension, "rocks in tension have about a tenth of UCS; check units and columns");
+}
+
+void doubt_replicates(const Rock& rock, std::vector<std::string>& remarks) {
+  struct Cell {
+    const RockReading *least = nullptr, *most = nullptr;
+    bool has_sd = false;
+  };
+  std::map<std::tuple<Property, double, double, double>, Cell> cells;
+  for (const RockReading& r : rock.readings) {
+    if (r.property == Property::nu) continue;  // may be anything about zero
+    Cell& c = cells[{r.property, r.theta, r.confining, r.diameter}];
+    if (c.least == nullptr || r.value < c.least->value) c.least = &r;
+    if (c.most == nullptr || r.value > c.most->value) c.most = &r;
+    c.has_sd = c.has_sd || std::isfinite(r.sd);
+  }
+  std::vector<std::string> apart;
+  for (const auto& [key, c] : cells)
+    if (!c.has_sd && c.most->value > replicates_apart * c.least->value)
+      apart.push_back(fmt::format("{} of lines {} and {} differs by a factor {:.2g}",
+                                  name_at(rock, to_string(std::get<0>(key)), c.least->theta),
+                                  std::min(c.least->line, c.most->line),
+                                  std::max(c.least->line, c.most->line), c.most->value / c.least->value));
+  tell(remarks, apart, "a slip of the pen, or two rocks?");
+}
+
+/// What the conversion to plane stress takes for the rock along its bedding, and what it cannot convert.
+void tell_conversion(const Rock& rock, const std::vector<Target>& targets,
+                     std::vector<std::string>& remarks) {
+  std::vector<std::string> stand_ins, left;
+  for (const Property p : {Property::E, Property::nu}) {
+    double nearest = 0.0;
+    for (const Target& t : of_property(targets, p)) nearest = std::max(nearest, t.theta);
+    if (rock.bedded && nearest < along) stand_ins.push_back(name_at(rock, to_string(p), nearest));
+  }
+  for (const Target& t : of_property(targets, Property::nu))
+    if (at_angle(targets, Property::E, t.theta) == nullptr) left.push_back(name_at(rock, "nu", t.theta));
+  tell(
+      remarks, stand_ins,
+      "taken for the value along the bedding, which the conversion of plane strain needs; the table has none "
+      "nearer to 90 degrees");
+  tell(remarks, left, "not converted from plane strain, for want of E at the same angle");
+}
+
+}  // namespace
+
+std::vector<std::string> remarks_on(const Rock& rock) {
+  const std::vector<Target> targets = targets_of(rock);
+  std::vector<std::string> remarks;
+  doubt_values(rock, targets, remarks);
+  doubt_ratios(rock, targets, remarks);
+  doubt_replicates(rock, remarks);
+  const bool moduli = !of_property(targets, Property::E).empty(),
+             nu = !of_property(targets, Property::nu).empty();
+  if (rock.reading == ElasticReading::plane_strain && moduli && nu) tell_conversion(rock, targets, remarks);
+  return remarks;
+}
+
+}  // namespace phy
