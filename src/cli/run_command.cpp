@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/check.hpp"
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
 #include "cli/live_plot.hpp"
@@ -19,16 +20,20 @@
 #include "io/toml_in.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
+#include "study/experiment.hpp"
 
 namespace phy {
 namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 struct RunArguments {
   std::vector<std::string> recipes;
   std::string out = "results";
   int lanes = 0;
   int skew = 4;
-  bool no_cache = false;
+  bool no_cache = false, replace = false;
 };
 
 void print_packing(const Packing& p, double seconds, bool cached, int width) {
@@ -62,8 +67,8 @@ struct Made {
 };
 
 Made make_all(const Recipe& recipe, bool no_cache, int width) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::filesystem::path folder = no_cache ? "" : default_cache_folder();
+  const auto start = Clock::now();
+  const fs::path folder = no_cache ? "" : default_cache_folder();
   const bool cached = is_cached(recipe, folder);
   Made made;
   made.packing = packing_of(recipe, folder);
@@ -79,13 +84,13 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
 void write_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
   for (const TestResult& r : results) {
-    const auto place = std::filesystem::path(folder) / folder_name(r.name);
+    const auto place = fs::path(folder) / folder_name(r.name);
     if (r.outcome.status == Status::interrupted)
       run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
     else
       run.tests.push_back(read_result(place.string()));
   }
-  write_file((std::filesystem::path(folder) / "report.html").string(), report_page(run));
+  write_file((fs::path(folder) / "report.html").string(), report_page(run));
 }
 
 /// Names and colours of the curves on the terminal.
@@ -115,17 +120,56 @@ MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, co
   return machine;
 }
 
-int run_one(const std::string& path, const RunArguments& args, const Session& session, bool several) {
-  const Recipe recipe = read_recipe(path);
-  const std::string folder =
-      several ? (std::filesystem::path(args.out) / std::filesystem::path(path).stem()).string() : args.out;
-  check_writable(folder);
-  const auto start = std::chrono::steady_clock::now();
-  const int width = session.terminal_width;
-  print_wrapped(width, 10, "recipe    {} ({})\n", recipe.name, path);
-  const Made made = make_all(recipe, args.no_cache, width);
-  const MachineOptions machine = chosen_machine(recipe, args, session, made.specimens.size());
-  std::fflush(stdout);
+/// A recipe of the command line and the folder of its results.
+struct RecipeRun {
+  std::string path, folder;
+  Recipe recipe;
+};
+
+/// Results in the folder that are of another recipe, with the first key that tells.
+std::vector<std::pair<std::string, RecipeDifference>> results_of_others(const RecipeRun& job) {
+  std::vector<std::pair<std::string, RecipeDifference>> others;
+  std::error_code none;
+  if (!fs::is_directory(job.folder, none)) return others;
+  for (const std::string& folder : result_folders(job.folder)) {
+    try {
+      if (const auto d = first_difference(read_result_recipe(folder), job.recipe))
+        others.emplace_back(folder, *d);
+    } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
+    }
+  }
+  return others;
+}
+
+/// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named
+/// after their files.
+std::vector<RecipeRun> jobs_of(const RunArguments& args) {
+  std::vector<RecipeRun> jobs;
+  std::vector<Problem> problems;
+  for (const std::string& path : args.recipes) {
+    const bool several = args.recipes.size() > 1;
+    const std::string folder = several ? (fs::path(args.out) / fs::path(path).stem()).string() : args.out;
+    for (const RecipeRun& other : jobs)
+      if (other.folder == folder)
+        problems.push_back({"command line", "recipe", path, "another file name than " + other.path,
+                            "both would write into " + folder + ": run them one by one, with an --out each"});
+    jobs.push_back({path, folder, {}});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  for (RecipeRun& job : jobs) {
+    job.recipe = read_recipe(job.path);
+    if (args.replace) continue;
+    for (const auto& [folder, d] : results_of_others(job))
+      problems.push_back({folder, d.key, d.one, d.other + ", as in " + job.path,
+                          "the folder holds results of another recipe: use another --out, or --replace to "
+                          "remove them when the run begins"});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return jobs;
+}
+
+/// Runs the tests; every result is on disk as soon as it is there.
+std::vector<TestResult> press(const RecipeRun& job, const Made& made, const MachineOptions& machine) {
   ProgressLine line;
   LivePlot plot(curves_of(made.specimens));
   line.draw_above([&] { return plot.lines(); });
@@ -135,27 +179,47 @@ int run_one(const std::string& path, const RunArguments& args, const Session& se
   hooks.on_progress = [&](const Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
     if (result.outcome.status == Status::interrupted) return;
-    write_result((std::filesystem::path(folder) / folder_name(result.name)).string(), recipe, PHY_VERSION,
+    write_result((fs::path(job.folder) / folder_name(result.name)).string(), job.recipe, PHY_VERSION,
                  *made.specimens[i], result);
     line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
   };
-  const std::vector<TestResult> results = run_tests(made.specimens, recipe, machine, hooks);
+  std::vector<TestResult> results = run_tests(made.specimens, job.recipe, machine, hooks);
   line.finish();
-  const bool any = std::any_of(results.begin(), results.end(),
-                               [](const TestResult& r) { return r.outcome.status != Status::interrupted; });
-  if (any) write_report(folder, results);  // before anything is printed: the output may be closed or full
+  return results;
+}
+
+/// Writes the page, then prints: the output may be closed or full. The exit code.
+int finish(const RecipeRun& job, const std::vector<TestResult>& results, const Clock::time_point& start,
+           int width) {
+  const auto has = [&](auto&& wanted) {
+    return std::any_of(results.begin(), results.end(),
+                       [&](const TestResult& r) { return wanted(r.outcome.status); });
+  };
+  const bool any = has([](Status s) { return s != Status::interrupted; });
+  if (any) write_report(job.folder, results);
   fmt::print("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = seconds_since(start);
   if (any)
-    print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds, folder,
-                  folder);
+    print_wrapped(width, 2, "{:.1f} s in all; results in {}, to look at: {}/report.html\n", seconds,
+                  job.folder, job.folder);
   else
     print_wrapped(width, 2, "{:.1f} s in all; no test was finished, nothing was written\n", seconds);
-  for (const TestResult& r : results)
-    if (r.outcome.status != Status::peaked) return 1;
-  return 0;
+  return has([](Status s) { return s != Status::peaked; }) ? 1 : 0;
+}
+
+int run_one(const RecipeRun& job, const RunArguments& args, const Session& session) {
+  check_writable(job.folder);
+  const auto start = Clock::now();
+  const int width = session.terminal_width;
+  print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
+  const Made made = make_all(job.recipe, args.no_cache, width);
+  const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
+  std::fflush(stdout);
+  if (args.replace)
+    for (const auto& [folder, difference] : results_of_others(job)) remove_folder(folder);
+  return finish(job, press(job, made, machine), start, width);
 }
 
 }  // namespace
@@ -169,12 +233,12 @@ void add_run_command(CLI::App& app, Session& session) {
                   "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
       ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}));
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
+  run->add_flag("--replace", args->replace, "remove results of another recipe from the folder");
   run->add_flag("--no-cache", args->no_cache, "make the packing anew");
   run->callback([args, &session] {
     stop_on_interrupt();
-    for (const std::string& path : args->recipes)
-      session.exit_code =
-          std::max(session.exit_code, run_one(path, *args, session, args->recipes.size() > 1));
+    for (const RecipeRun& job : jobs_of(*args))
+      session.exit_code = std::max(session.exit_code, run_one(job, *args, session));
   });
 }
 
@@ -193,7 +257,7 @@ void add_specimen_command(CLI::App& app, Session& session) {
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {
-      const std::filesystem::path folder(*out);
+      const fs::path folder(*out);
       write_file((folder / "discs.csv").string(), discs_csv(*made.packing));
       for (const auto& s : made.specimens)
         write_file((folder / ("contacts_" + folder_name(s->name) + ".csv")).string(), contacts_csv(*s));

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <set>
 
+#include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
@@ -15,6 +17,7 @@
 #include "io/file.hpp"
 #include "study/effects.hpp"
 #include "study/expected.hpp"
+#include "study/experiment.hpp"
 #include "study/mpi.hpp"
 #include "study/runner.hpp"
 #include "study/study_in.hpp"
@@ -25,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_parts = 10000;
+
 struct StudyArguments {
   std::string study, folder, shard, csv;
   std::vector<std::string> stores;
@@ -33,14 +38,21 @@ struct StudyArguments {
   bool dry_run = false, reference = false, mpi = false;
 };
 
+bool read_whole(std::string_view text, int& n) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
 Shard parse_shard(const std::string& text) {
   Shard shard;
-  char rest = 0;
-  const bool ok = text.empty() || (std::sscanf(text.c_str(), "%d/%d%c", &shard.i, &shard.n, &rest) == 2 &&
-                                   shard.n >= 1 && shard.i >= 1 && shard.i <= shard.n);
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const bool ok = text.empty() || (slash < text.size() && read_whole(text.substr(0, slash), shard.i) &&
+                                   read_whole(text.substr(slash + 1), shard.n) && shard.i >= 1 &&
+                                   shard.i <= shard.n && shard.n <= most_parts);
   if (!ok)
-    throw InputError(
-        Problem{"command line", "--shard", text, "i/n with 1 <= i <= n", "for example --shard 3/10"});
+    throw InputError(Problem{"command line", "--shard", text,
+                             fmt::format("i/n with 1 <= i <= n <= {}", most_parts),
+                             "for example --shard 3/10"});
   return shard;
 }
 
@@ -57,7 +69,7 @@ std::string duration(double seconds) {
 }
 
 /// CPU seconds per cost: of finished tests, else the usual value.
-double seconds_per_cost(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
+double seconds_per_cost(const Plan& plan, const StudyRows& rows) {
   double seconds = 0.0, cost = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i]) seconds += rows[i]->result.seconds, cost += plan.tests[i].cost;
@@ -75,9 +87,7 @@ std::size_t n_packings_to_make(const Plan& plan) {
   return keys.size();
 }
 
-using Rows = std::vector<std::optional<StoredResult>>;
-
-void print_plan(const Plan& plan, const Rows& rows, const Session& session) {
+void print_plan(const Plan& plan, const StudyRows& rows, const Session& session) {
   std::size_t mine = 0, left = 0;
   double cost = 0.0;
   for (const Batch& b : plan.batches)
@@ -106,7 +116,7 @@ void print_plan(const Plan& plan, const Rows& rows, const Session& session) {
 }
 
 /// Outcomes other than a peak, with advice. Returns their number.
-std::size_t print_failures(const Plan& plan, const Rows& rows, int width) {
+std::size_t print_failures(const Plan& plan, const StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
@@ -121,7 +131,7 @@ std::size_t print_failures(const Plan& plan, const Rows& rows, int width) {
   return n;
 }
 
-std::size_t n_unfinished(const Plan& plan, const Rows& rows) {
+std::size_t n_unfinished(const Plan& plan, const StudyRows& rows) {
   std::size_t n = 0;
   for (const Batch& b : plan.batches)
     for (const std::size_t t : b.tests) n += rows[t] ? 0 : 1;
@@ -167,8 +177,8 @@ void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& fo
   fmt::print("{}", effects_text(plan, rows, width));
 }
 
-bool any_finished(const Rows& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
+std::ptrdiff_t n_finished(const StudyRows& rows) {
+  return std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
 }
 
 /// The tables of a whole store.
@@ -182,7 +192,7 @@ void write_tables(const Plan& plan, const StudyRows& rows, const std::string& fo
 int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,
                  const StudyRun& run, const Session& session) {
   const auto rows = rows_of(plan, store);
-  if (shard.n == 1 && any_finished(rows)) write_tables(plan, rows, folder, session.terminal_width);
+  if (shard.n == 1 && n_finished(rows) > 0) write_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
   const WorkReport& report = run.report;
@@ -191,7 +201,7 @@ int finish_study(const Plan& plan, const Store& store, const std::string& folder
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle);
   if (run.n_guest > 0) fmt::print("{} of them on other ranks\n", run.n_guest);
-  fmt::print("store of {} with hash {}\n", store.size(), store.hash());
+  fmt::print("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
   if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
   if (shard.n > 1) fmt::print("when all parts are done: phyllite study merge {}\n", folder);
   return n_bad + n_left > 0 ? 1 : 0;
@@ -202,31 +212,6 @@ int run_as_guest(const Plan& plan, const Ranks& ranks, const MachineOptions& mac
   ranks.sum(machine.threads);
   work_as_guest(ranks, plan, machine);
   return 0;
-}
-
-int run_study(const Study& study, const StudyArguments& args, const std::string& folder,
-              const Session& session) {
-  std::optional<Ranks> ranks;
-  if (args.mpi) ranks.emplace();
-  const Shard shard = parse_shard(args.shard);
-  const Plan plan = make_plan(study, shard);
-  if (ranks) ranks->check_same(plan);
-  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
-  const std::string file = store_file(folder, shard);
-  if (args.dry_run) {
-    Rows rows(plan.tests.size());
-    if (fs::exists(file)) rows = rows_of(plan, Store(file));
-    print_plan(plan, rows, session);
-    return 0;
-  }
-  check_writable(folder);
-  for (const auto& [name, content] : study_files(study))
-    write_file((fs::path(folder) / name).string(), content);
-  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
-  print_plan(plan, rows_of(plan, store), session);
-  std::fflush(stdout);
-  const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
-  return finish_study(plan, store, folder, shard, run, session);
 }
 
 /// A folder of an earlier run, with its study.
@@ -245,6 +230,62 @@ std::vector<std::string> shards_in(const std::string& folder) {
   return shards;
 }
 
+/// A folder holds one study: of this name, on this base recipe. It may grow.
+void refuse_other_study(const Study& study, const std::string& folder) {
+  std::error_code none;
+  if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
+  const Study there = study_in(folder);
+  const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
+  if (there.name != study.name)
+    throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
+  if (const auto d = first_difference(there.base, study.base))
+    throw InputError(
+        Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
+}
+
+/// What parts have run would run again, unless it is merged first.
+void refuse_unmerged(const std::string& folder) {
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) return;
+  const std::vector<std::string> parts = shards_in(folder);
+  const std::string whole = store_file(folder, {});
+  std::vector<std::string> known;
+  if (!parts.empty() && fs::exists(whole)) known = Store(whole).keys();
+  for (const std::string& part : parts) {
+    const std::vector<std::string> keys = Store(part, Sharing::alone).keys();
+    if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
+      throw IoError(
+          fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole, folder));
+  }
+}
+
+int run_study(const Study& study, const StudyArguments& args, const std::string& folder,
+              const Session& session) {
+  const Shard shard = parse_shard(args.shard);
+  refuse_other_study(study, folder);
+  if (shard.n == 1) refuse_unmerged(folder);
+  std::optional<Ranks> ranks;
+  if (args.mpi) ranks.emplace();
+  const Plan plan = make_plan(study, shard);
+  if (ranks) ranks->check_same(plan);
+  if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
+  const std::string file = store_file(folder, shard);
+  if (args.dry_run) {
+    StudyRows rows(plan.tests.size());
+    if (fs::exists(file)) rows = rows_of(plan, Store(file));
+    print_plan(plan, rows, session);
+    return 0;
+  }
+  check_writable(folder);
+  for (const auto& [name, content] : study_files(study))
+    write_file((fs::path(folder) / name).string(), content);
+  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
+  print_plan(plan, rows_of(plan, store), session);
+  std::fflush(stdout);
+  const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
+  return finish_study(plan, store, folder, shard, run, session);
+}
+
 /// The whole store of a study that has run.
 Store store_in(const std::string& folder) {
   const std::string file = store_file(folder, {});
@@ -261,8 +302,8 @@ int status_of(const StudyArguments& args, const Session& session) {
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
-  fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n",
-             plan.tests.size() - n_left, plan.tests.size(), store.n_claimed(), n_bad, store.hash());
+  fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n", n_finished(rows),
+             plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
 
@@ -278,8 +319,8 @@ int export_study(const StudyArguments& args) {
 
 int effects_of_study(const StudyArguments& args, const Session& session) {
   const Plan plan = make_plan(study_in(args.folder));
-  const Rows rows = rows_of(plan, store_in(args.folder));
-  if (!any_finished(rows))
+  const StudyRows rows = rows_of(plan, store_in(args.folder));
+  if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + args.folder + "`"});
   tell_effects(plan, rows, args.out.empty() ? args.folder : args.out, session.terminal_width);
@@ -305,15 +346,16 @@ int merge_stores(const StudyArguments& args, const Session& session) {
       fmt::print("  {} differs from the row that is there, which stays\n", key);
     n_different += report.different.size();
   }
+  StudyRows rows = store.rows(store.keys());
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
     const Plan plan = make_plan(study_in(args.folder));
-    const Rows rows = rows_of(plan, store);
+    rows = rows_of(plan, store);
     write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       fmt::print("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
                  args.folder);
   }
-  fmt::print("store of {} with hash {}\n", store.size(), store.hash());
+  fmt::print("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
   return n_different > 0 ? 1 : 0;
 }
 
@@ -364,17 +406,45 @@ int study_verb(const StudyArguments& args, const Session& session) {
 
 }  // namespace
 
+/// Words and options in front of a verb that the verb has no use for.
+void refuse_unused(const CLI::App& study, const CLI::App& verb) {
+  const std::string name = "phyllite study " + verb.get_name();
+  std::vector<Problem> problems;
+  for (const CLI::Option* option : study.get_options()) {
+    const bool used =
+        verb.get_name() == "resume" &&
+        (option->check_name("--shard") || option->check_name("--mpi") || option->check_name("--dry-run"));
+    if (option->count() == 0 || used) continue;
+    const std::string value = fmt::format("{}", fmt::join(option->results(), " "));
+    if (option->get_positional())
+      problems.push_back({"command line", "", value, "one folder after " + name, "run it per folder"});
+    else
+      problems.push_back({"command line", option->get_name(), value, "an option of " + name,
+                          fmt::format("see `{} --help`", name)});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void add_study_options(CLI::App& study, StudyArguments& args) {
+  study.add_option("study", args.study, "study file (TOML)");
+  study.add_option("--out", args.out, "folder for the store and the table; default results/NAME");
+  CLI::Option* shard =
+      study.add_option("--shard", args.shard, "run part i of n only, i/n, into a store of its own");
+  CLI::Option* mpi = study.add_flag("--mpi", args.mpi, "work on all ranks of mpirun; rank 0 keeps the store");
+  CLI::Option* dry_run =
+      study.add_flag("--dry-run", args.dry_run, "tell the number of runs and the expected time, run nothing");
+  study.add_option("--slurm", args.slurm, "print a job script that runs the study in N parts")
+      ->check(CLI::Range(1, most_parts))
+      ->excludes(shard)
+      ->excludes(mpi)
+      ->excludes(dry_run);
+  study.add_flag("--reference", args.reference, "print all keys of a study file");
+}
+
 void add_study_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<StudyArguments>();
   CLI::App* study = app.add_subcommand("study", "run many specimens: parameters, packings, angles");
-  study->add_option("study", args->study, "study file (TOML)");
-  study->add_option("--out", args->out, "folder for the store and the table; default results/NAME");
-  study->add_option("--shard", args->shard, "run part i of n only, i/n, into a store of its own");
-  study->add_option("--slurm", args->slurm, "print a job script that runs the study in N parts")
-      ->check(CLI::Range(1, 10000));
-  study->add_flag("--mpi", args->mpi, "work on all ranks of mpirun; rank 0 keeps the store");
-  study->add_flag("--dry-run", args->dry_run, "tell the number of runs and the expected time, run nothing");
-  study->add_flag("--reference", args->reference, "print all keys of a study file");
+  add_study_options(*study, *args);
   study->require_subcommand(0, 1);
   const auto verb = [&](const char* name, const char* meaning) {
     CLI::App* sub = study->add_subcommand(name, meaning);
@@ -390,6 +460,7 @@ void add_study_command(CLI::App& app, Session& session) {
   CLI::App* merge = verb("merge", "join the stores of shards");
   merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
   study->callback([=, &session] {
+    for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
     stop_on_interrupt();
     session.exit_code = *status    ? status_of(*args, session)
                         : *resume  ? run_study(study_in(args->folder), *args, args->folder, session)

@@ -160,6 +160,14 @@ void check_writable(const std::string& folder) {
   ::unlink(probe.c_str());
 }
 
+void remove_folder(const std::string& path) {
+  const std::string old = beside(path, "old");
+  std::error_code error;
+  fs::rename(path, old, error);
+  if (!error) fs::remove_all(old, error);
+  if (error) fail(path, "be removed", error.value());
+}
+
 NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
     : folder_(std::move(folder)), mark_(std::move(mark)), kind_(std::move(kind)) {
   while (folder_.size() > 1 && folder_.back() == '/')

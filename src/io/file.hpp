@@ -29,6 +29,9 @@ void make_folder(const std::string& path);
 /// Makes the folder if needed and tries to write into it, before hours of work are lost.
 void check_writable(const std::string& folder);
 
+/// Removes a folder, in one step for whoever looks.
+void remove_folder(const std::string& path);
+
 /// A folder in the making. Files go into a temporary folder beside the place; `publish` syncs it and puts it
 /// in the place of `folder` in one step, exchanging it for an older one. Without `publish` nothing is left
 /// behind.

@@ -139,6 +139,13 @@ TEST_F(Files, AnOlderFolderIsExchangedAndRemoved) {
   EXPECT_EQ(n_entries(), 1);
 }
 
+TEST_F(Files, AFolderIsRemovedWithAllThatIsInIt) {
+  write_file(at("old/deep/file"), "x");
+  remove_folder(at("old"));
+  EXPECT_TRUE(fs::is_empty(folder));
+  EXPECT_THROW(remove_folder(at("old")), IoError);
+}
+
 TEST_F(Files, AFailureKeepsTheOlderFolder) {
   const auto make = [&](const char* content) {
     NewFolder made(at("x"), "mark", "thing");

@@ -56,12 +56,21 @@ void read_packing(const Json& j, TestRecord& record) {
                                number(b.at("non_crossing_fraction"))}});
 }
 
-TestRecord parse_result(const std::string& text, const std::string& where) {
-  const Json j = Json::parse(text);
+Json parse_format(const std::string& text) {
+  Json j = Json::parse(text);
   if (j.at("format") != result_format) throw std::out_of_range("another version of the format");
+  return j;
+}
+
+Recipe recipe_in(const Json& j, const std::string& where) {
+  return parse_recipe(j.at("recipe").get<std::string>(), where + ": recipe");
+}
+
+TestRecord parse_result(const std::string& text, const std::string& where) {
+  const Json j = parse_format(text);
   TestRecord record;
   record.program = j.at("program");
-  record.recipe = parse_recipe(j.at("recipe").get<std::string>(), where + ": recipe");
+  record.recipe = recipe_in(j, where);
   TestResult& r = record.result;
   r.name = j.at("specimen");
   r.kind = record.recipe.test.kind;
@@ -84,17 +93,32 @@ bool is_result(const fs::path& folder) {
   return fs::exists(folder / "result.json", none);
 }
 
-std::vector<std::string> result_folders(const std::string& path) {
-  if (is_result(path)) return {path};
-  std::vector<std::string> folders;
-  for (const std::string& entry : list_folder(path))
-    if (is_result(entry)) folders.push_back(entry);
-  if (folders.empty())
-    throw InputError(
-        Problem{path, "", "", "a folder with result.json, or a folder of such folders",
-                "name what `phyllite run` wrote (its --out), or a folder of `phyllite envelope` in it"});
-  return folders;
+/// What reads a folder that is no run.
+std::string verb_for(const fs::path& folder) {
+  const std::pair<const char*, const char*> verbs[] = {
+      {"study.toml", "this is a study: `phyllite study status FOLDER`, `phyllite study effects FOLDER`"},
+      {"calibration.json", "this is a calibration: its tables are in tables.txt, its page is report.html"},
+      {"fig4.csv", "this is a sweep: its tables are the CSV files, `phyllite report FOLDER` draws them"},
+      {"envelope.csv", "this is an envelope: name one of its folders sigma_3_..."}};
+  std::error_code none;
+  for (const auto& [file, verb] : verbs)
+    if (fs::exists(folder / file, none)) return verb;
+  return "name what `phyllite run` wrote (its --out), or a folder of `phyllite envelope` in it";
 }
+
+/// What is read from a result.json; whatever is wrong with it becomes an InputError that names the file.
+template <class Parse>
+auto parsed(const std::string& file, const Parse& parse) {
+  try {
+    return parse(read_file(file));
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+  } catch (const std::out_of_range& e) {
+    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
+  }
+}
+
+std::string json_of(const std::string& folder) { return (fs::path(folder) / "result.json").string(); }
 
 /// Specimens that the recipe of the run names and that have no folder among the results.
 void tell_missing(RunRecord& run, const std::string& path) {
@@ -111,16 +135,22 @@ void tell_missing(RunRecord& run, const std::string& path) {
 
 }  // namespace
 
+std::vector<std::string> result_folders(const std::string& path) {
+  if (is_result(path)) return {path};
+  std::vector<std::string> folders;
+  for (const std::string& entry : list_folder(path))
+    if (is_result(entry)) folders.push_back(entry);
+  return folders;
+}
+
+Recipe read_result_recipe(const std::string& folder) {
+  const std::string file = json_of(folder);
+  return parsed(file, [&](const std::string& text) { return recipe_in(parse_format(text), file); });
+}
+
 TestRecord read_result(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "result.json").string();
-  TestRecord record;
-  try {
-    record = parse_result(read_file(file), file);
-  } catch (const nlohmann::json::exception& e) {
-    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
-  } catch (const std::out_of_range& e) {
-    throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
-  }
+  const std::string file = json_of(folder);
+  TestRecord record = parsed(file, [&](const std::string& text) { return parse_result(text, file); });
   const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   History& history = record.result.history;
   history = parse_history(read_file(path("history.csv")), path("history.csv"));
@@ -134,7 +164,11 @@ TestRecord read_result(const std::string& folder) {
 RunRecord read_run(const std::string& path) {
   RunRecord run;
   std::string last;
-  for (const std::string& folder : result_folders(path)) {
+  const std::vector<std::string> folders = result_folders(path);
+  if (folders.empty())
+    throw InputError(
+        Problem{path, "", "", "a folder with result.json, or a folder of such folders", verb_for(path)});
+  for (const std::string& folder : folders) {
     try {
       run.tests.push_back(read_result(folder));
     } catch (const InputError& e) {

@@ -11,6 +11,11 @@ namespace phy {
 /// them. Throws IoError (unreadable), or InputError when a file is no result of this format.
 TestRecord read_result(const std::string& folder);
 
+/// The result folders of a run: `path` itself or those in it. Throws IoError (unreadable).
+std::vector<std::string> result_folders(const std::string& path);
+/// The completed recipe of one result folder; throws as read_result.
+Recipe read_result_recipe(const std::string& folder);
+
 /// All results of a run: of `path` itself, or of the folders in it, angles ascending and intact rock last.
 /// Specimens that the recipe names and that are not there, and folders that cannot be read, are told in
 /// `missing`. Throws InputError when there is no result at all.

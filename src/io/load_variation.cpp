@@ -134,6 +134,9 @@ std::vector<std::size_t> varied_columns(const Named& table) {
   return columns;
 }
 
+/// What a test that did not peak carried most is no strength.
+bool has_peaked(const Named& table, const TableRow& row) { return table.at(row, "status") == "peaked"; }
+
 /// One column through its levels while the others stay as in `base`.
 VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& columns, std::size_t column,
                          const TableRow& base) {
@@ -148,7 +151,7 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
   for (const std::string& level : levels_in(alike, column)) {
     Rows rows;
     std::copy_if(alike.begin(), alike.end(), std::back_inserter(rows),
-                 [&](const TableRow* row) { return row->cells[column] == level; });
+                 [&](const TableRow* row) { return row->cells[column] == level && has_peaked(table, *row); });
     const double base_value = number_of(base.cells[column]);
     parameter.settings.push_back(
         {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : not_known,
@@ -176,8 +179,9 @@ Variation read_study_table(const std::string& folder) {
   Variation v;
   v.name = name_of_study(folder, recipe.name);
   v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
-  v.E_intact = mean_of(table.rows([&](const TableRow& row) { return table.at(row, "intact") == "1"; }),
-                       table.maybe("E_tangent [Pa]"), 1.0);
+  const Rows intact = table.rows(
+      [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_peaked(table, row); });
+  v.E_intact = mean_of(intact, table.maybe("E_tangent [Pa]"), 1.0);
   const std::vector<std::size_t> columns = varied_columns(table);
   for (const std::size_t c : columns)
     if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)

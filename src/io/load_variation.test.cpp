@@ -22,14 +22,16 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   write("recipe.toml", write_recipe(recipe));
   write("results.csv",
         "point,packing,bond_seed,theta [deg],intact,bedding.k_n [Pa/m],bedding.mu,ucs [Pa],E_tangent "
-        "[Pa],reason\n"
-        "0,1,1,0,0,3e+12,0.4,1e+08,2e+10,\"peak, stopped\"\n"
-        "0,2,1,0,0,3e+12,0.4,1.2e+08,2.2e+10,x\n"
-        "0,1,1,90,0,3e+12,0.4,,5e+10,x\n"
-        "0,1,1,,1,3e+12,0.4,2e+08,6e+10,x\n"
-        "1,1,1,0,0,1.5e+12,0.4,9e+07,1e+10,x\n"
-        "2,1,1,0,0,3e+12,0.6000000000000001,1.1e+08,2e+10,x\n"
-        "3,1,1,0,0,1.5e+12,0.8,1e+06,1e+09,both differ from the base\n");
+        "[Pa],status,reason\n"
+        "0,1,1,0,0,3e+12,0.4,1e+08,2e+10,peaked,\"peak, stopped\"\n"
+        "0,2,1,0,0,3e+12,0.4,1.2e+08,2.2e+10,peaked,x\n"
+        "0,1,1,90,0,3e+12,0.4,,5e+10,peaked,x\n"
+        "0,2,1,90,0,3e+12,0.4,3e+08,9e+10,not peaked,what it carried most is no strength\n"
+        "0,1,1,,1,3e+12,0.4,2e+08,6e+10,peaked,x\n"
+        "0,2,1,,1,3e+12,0.4,2e+08,1e+10,unstable,x\n"
+        "1,1,1,0,0,1.5e+12,0.4,9e+07,1e+10,peaked,x\n"
+        "2,1,1,0,0,3e+12,0.6000000000000001,1.1e+08,2e+10,peaked,x\n"
+        "3,1,1,0,0,1.5e+12,0.8,1e+06,1e+09,peaked,both differ from the base\n");
   const std::vector<Variation> variations = read_variations(folder.string());
   ASSERT_EQ(variations.size(), 1U);
   const Variation& v = variations[0];

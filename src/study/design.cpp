@@ -11,8 +11,6 @@
 namespace phy {
 namespace {
 
-constexpr int morris_levels = 4;
-
 /// Random numbers of a study: a dimension and a running number.
 double draw(const Study& study, std::size_t dimension, std::size_t i) {
   return uniform(static_cast<std::uint32_t>(study.seed), Stream::design,
@@ -111,19 +109,25 @@ std::vector<Point> saltelli(const Study& study) {
   return points;
 }
 
+Point on_grid(const Study& study, const std::vector<int>& levels) {
+  std::vector<double> u;
+  for (const int level : levels) u.push_back(static_cast<double>(level) / (morris_levels - 1));
+  return from_unit(study, u);
+}
+
 std::vector<Point> morris(const Study& study) {
   const std::size_t k = study.vary.size();
   std::vector<Point> points;
   for (std::size_t walk = 0; walk < static_cast<std::size_t>(study.samples); ++walk) {
-    std::vector<double> u(k);
+    std::vector<int> levels(k);  // whole numbers: the same level is the same value to the last bit
     for (std::size_t i = 0; i < k; ++i)
-      u[i] = std::floor(draw(study, 2 * i, walk) * morris_levels) / (morris_levels - 1);
-    points.push_back(from_unit(study, u));
+      levels[i] = static_cast<int>(draw(study, 2 * i, walk) * morris_levels);
+    points.push_back(on_grid(study, levels));
     Study turn = study;
     turn.seed = study.seed + static_cast<std::int64_t>(walk);
     for (const std::size_t i : shuffled(turn, 2 * k + 1, k)) {
-      u[i] += u[i] + morris_step > 1.0 + 1e-9 ? -morris_step : morris_step;
-      points.push_back(from_unit(study, u));
+      levels[i] += levels[i] < morris_jump ? morris_jump : -morris_jump;
+      points.push_back(on_grid(study, levels));
       points.back().moved = static_cast<int>(i);
     }
   }

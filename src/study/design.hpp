@@ -26,9 +26,10 @@ namespace phy {
 
 enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
 constexpr int n_designs = 7;
-/// Of morris, in parts of the range: p / (2 (p - 1)) with p = 4 levels, so that each is reached equally
-/// often.
-constexpr double morris_step = 2.0 / 3.0;
+/// Of morris: p levels and a step of p / 2 of them, so that each is reached equally often; in parts of the
+/// range the step is p / (2 (p - 1)).
+constexpr int morris_levels = 4, morris_jump = morris_levels / 2;
+constexpr double morris_step = static_cast<double>(morris_jump) / (morris_levels - 1);
 const char* to_string(Design design);
 
 /// A key of the recipe; of the bedding either one set or all sets alike.

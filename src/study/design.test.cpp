@@ -121,6 +121,16 @@ TEST_F(StudyFile, MorrisWalksMoveOneParameterAStep) {
   }
 }
 
+// The base and the range of a study that ran one level twice, as 1709.975946676697 and ...68 GPa/m.
+TEST_F(StudyFile, MorrisLevelsAreTheSameToTheLastBit) {
+  const Study s = read(std::string("design = \"morris\"\nsamples = 60\n") + two_ranges);
+  for (const std::size_t k : {0U, 1U}) {
+    std::set<double> levels;
+    for (const Point& p : points_of(s)) levels.insert(p.values[k]);
+    EXPECT_EQ(levels.size(), 4u) << s.vary[k].key.path();
+  }
+}
+
 TEST_F(StudyFile, SaltelliBlocksMixTwoPoints) {
   const std::vector<Point> points =
       points_of(read(std::string("design = \"saltelli\"\nsamples = 6\n") + two_ranges));
@@ -134,11 +144,11 @@ TEST_F(StudyFile, SaltelliBlocksMixTwoPoints) {
 
 TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
   write_file(at("points.csv"),
-             "bedding.k_n [GPa/m], bedding.rule ,packing.seed\r\n100,zone,3\n 200 ,crossing,4\n");
+             "bedding.k_n [GPa/m], bedding.rule ,test.history_interval\r\n100,zone,30\n 200 ,crossing,40\n");
   const Study s = read("design = \"list\"\nfile = \"points.csv\"\n");
   ASSERT_EQ(s.rows.size(), 2u);
-  EXPECT_THAT(s.rows[0], ElementsAre(100e9, 1.0, 3.0));
-  EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 4.0));
+  EXPECT_THAT(s.rows[0], ElementsAre(100e9, 1.0, 30.0));
+  EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 40.0));
   write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
   const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
   for (const char* part : {"points.csv:2 = 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
@@ -185,6 +195,24 @@ TEST_F(StudyFile, PointsThatNoRecipeMayHaveAreRefused) {
       problems_of(
           "[set]\n\"bedding.theta\" = \"90 deg\"\n[[vary]]\nkey = \"bedding.theta\"\ntimes = [1, 2]\n"),
       HasSubstr("within 0 deg <= value < 180 deg"));
+}
+
+TEST_F(StudyFile, SeedsAndAnglesHaveKeysOfTheirOwn) {
+  const auto varied = [](const std::string& key, const std::string& values) {
+    return "[[vary]]\nkey = \"" + key + "\"\nvalues = [" + values + "]\n";
+  };
+  EXPECT_THAT(problems_of(varied("packing.seed", "1, 2")), HasSubstr("study.toml:3: vary[0].key"));
+  EXPECT_THAT(problems_of(varied("packing.seed", "1, 2")), HasSubstr("packings = [1, 2, 3]"));
+  EXPECT_THAT(problems_of(varied("matrix.bond_seed", "1, 2")), HasSubstr("bond_seeds = [1, 2, 3]"));
+  const std::string theta = varied("bedding.theta", "\"30 deg\", \"60 deg\"");
+  EXPECT_EQ(points_of(read(theta)).size(), 3u) << "without test.angles";
+  write_file(at("base.toml"), read_file(at("base.toml")) + "[test]\nangles = [\"0 deg\", \"90 deg\"]\n");
+  EXPECT_THAT(problems_of(theta), HasSubstr("add the angles there"));
+  EXPECT_EQ(points_of(read(varied("bedding[1].theta", "\"30 deg\", \"60 deg\""))).size(), 3u);
+  write_file(at("points.csv"), "bedding.theta [deg],packing.seed\n30,2\n");
+  const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
+  EXPECT_THAT(told, HasSubstr("points.csv:1: column = packing.seed"));
+  EXPECT_THAT(told, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
 }
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {

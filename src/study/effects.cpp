@@ -26,7 +26,8 @@ std::size_t replicate_of(const Plan& plan, const Run& run) {
 
 const Number* number_of(const StudyRows& rows, const Run& run, const std::string& name) {
   const auto& row = rows[run.test];
-  return row ? find(row->result.numbers, name) : nullptr;
+  const bool counts = row && row->result.outcome.status == Status::peaked;
+  return counts ? find(row->result.numbers, name) : nullptr;
 }
 
 std::string name_of(const Recipe& single) {

@@ -3,7 +3,8 @@
 // A response is one number of one specimen of the design ("ucs" at 30 degrees), or one that needs all angles
 // of a point: the macro joint stiffnesses K_n and K_s by Eq. 1 (theory/eq1_fit.hpp). Every effect is computed
 // on each replicate (packing and bond seed) by itself; then mean and 95 % interval over the replicates are
-// taken. What a single packing shows is one draw from a distribution.
+// taken. What a single packing shows is one draw from a distribution. Tests that did not peak are left out:
+// what they carried most is no strength.
 //
 //   one_at_a_time      line over the points of one parameter: slope, intercept, R2, standard errors, and the
 //                      change from the lowest to the highest level

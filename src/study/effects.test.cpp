@@ -1,6 +1,7 @@
 // Do effects come out as their definitions say, on functions whose effects are known?
 #include "study/effects.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -168,6 +169,17 @@ TEST(Effects, ATestThatIsMissingLeavesItsPackingOut) {
   EXPECT_LT(csv.find("theta = 0 deg"), csv.find("theta = 30 deg")) << "the order of the design";
   EXPECT_THAT(csv, HasSubstr("E_tangent,Pa,theta = 0 deg,0,3.36e+12,1,"));
   EXPECT_THAT(csv, HasSubstr("E_tangent,Pa,theta = 30 deg,0,3.36e+12,2,"));
+}
+
+TEST(Effects, TestsThatDidNotPeakAreLeftOutAndCounted) {
+  auto [plan, rows] = goodman_study();
+  EXPECT_THAT(effects_text(plan, rows), testing::Not(HasSubstr("left out")));
+  rows[0]->result.outcome.status = Status::not_peaked;  // 0 degrees, first level, packing 1
+  rows[1]->result.outcome.status = Status::unstable;
+  EXPECT_EQ(responses(plan, rows, "ucs")[0].at(0).n, 1u);
+  EXPECT_EQ(fit_joints(plan, rows, "E_tangent", Eq1Reference::given).K_n.at(0).n, 1u);
+  EXPECT_THAT(effects_text(plan, rows),
+              HasSubstr(fmt::format("left out: 2 of {} specimens, which did not peak", rows.size())));
 }
 
 TEST(Effects, IntervalsAreOverPackings) {

@@ -134,6 +134,16 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
   return all;
 }
 
+/// How many finished tests the effects do without.
+std::string left_out_text(const StudyRows& rows) {
+  std::size_t n_finished = 0, n_peaked = 0;
+  for (const auto& row : rows)
+    if (row) ++n_finished, n_peaked += row->result.outcome.status == Status::peaked ? 1 : 0;
+  if (n_peaked == n_finished) return "";
+  return fmt::format("\nleft out: {} of {} specimens, which did not peak\n", n_finished - n_peaked,
+                     n_finished);
+}
+
 std::string cells(const Summary& s) {
   return fmt::format("{},{},{},{}", s.n, csv_cell(s.mean), csv_cell(s.sd), csv_cell(s.half_width));
 }
@@ -145,8 +155,9 @@ std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_w
   for (const std::string& name : told)
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
       text += effect_table(plan, of, terminal_width);
-  if (text.find("+-") == text.npos) return text;
-  return text + wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
+  if (text.find("+-") != text.npos)
+    text += wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
+  return text + wrapped(left_out_text(rows), terminal_width);
 }
 
 std::string effects_csv(const Plan& plan, const StudyRows& rows) {

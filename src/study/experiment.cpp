@@ -10,8 +10,21 @@
 #include "io/csv.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
 
 namespace phy {
+namespace {
+
+/// What all specimens of a recipe have in common.
+Recipe without_angles(Recipe r) {
+  r.test.angles.clear();
+  r.test.intact = false;
+  r.sweep = {};
+  if (!r.bedding.empty()) r.bedding = turned(r.bedding, 0.0);
+  return r;
+}
+
+}  // namespace
 
 std::vector<Recipe> single_recipes(const Recipe& recipe) {
   std::vector<Recipe> singles;
@@ -43,6 +56,22 @@ std::string specimen_key(const Recipe& single) {
   r.packing.file.clear();
   h.add(std::string_view(write_recipe(r)));
   return h.text();
+}
+
+std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other) {
+  const Recipe a = without_angles(one), b = without_angles(other);
+  if (a.bedding.size() != b.bedding.size())
+    return RecipeDifference{"number of [[bedding]] tables", std::to_string(a.bedding.size()),
+                            std::to_string(b.bedding.size())};
+  for (const Field& f : recipe_fields()) {
+    const bool of_set = f.table == "bedding";
+    for (std::size_t i = 0; i < (of_set ? a.bedding.size() : 1); ++i) {
+      const std::string in_a = print_field(f, a, i), in_b = print_field(f, b, i);
+      if (in_a == in_b) continue;
+      return RecipeDifference{of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path(), in_a, in_b};
+    }
+  }
+  return {};
 }
 
 std::shared_ptr<const Packing> packing_of(const Recipe& r) {

@@ -5,6 +5,7 @@
 // says everything that a result depends on, so its fingerprint is the specimen's name in the store.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,14 @@ std::vector<Recipe> single_recipes(const Recipe& recipe);
 /// crossing rule). With packing.file the content of the file counts, not its name. Throws IoError if that
 /// file cannot be read.
 std::string specimen_key(const Recipe& single);
+
+/// A key in which two recipes differ, with its values as in a file.
+struct RecipeDifference {
+  std::string key, one, other;
+};
+/// The first key by which specimens of two recipes differ in more than their angle; nothing where there is
+/// none. The angles, the intact specimen and the sweep do not count.
+std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other);
 
 /// The packing of a recipe: imported, from the cache, or made.
 std::shared_ptr<const Packing> packing_of(const Recipe& recipe);

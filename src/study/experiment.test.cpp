@@ -76,6 +76,25 @@ TEST(SpecimenKey, IgnoresWhatChangesNothing) {
   EXPECT_EQ(specimen_key(a), specimen_key(b));
 }
 
+TEST(RecipeDifference, IsTheFirstKeyThatIsNoAngle) {
+  const Recipe a = seven_angles();
+  Recipe b = a;
+  b.test.angles = {5, 10};
+  b.test.intact = false;
+  b.bedding = turned(a.bedding, 30.0);
+  b.sweep.n_packings = 3;
+  EXPECT_FALSE(first_difference(a, b));
+  b.matrix.mu = 0.25;
+  b.bedding[1].k_s *= 2.0;
+  const auto d = first_difference(a, b);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->key + " " + d->one + " " + d->other, "matrix.mu 0.8 0.25");
+  b.matrix.mu = a.matrix.mu;
+  EXPECT_EQ(first_difference(a, b)->key, "bedding[1].k_s");
+  b.bedding.pop_back();
+  EXPECT_EQ(first_difference(a, b)->other, "1");
+}
+
 class SpecimenKeyOfFiles : public InFolder {};
 
 TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {

@@ -58,7 +58,7 @@ TEST_F(Runner, ThreadsAndLanesChangeNothing) {
   work(p, one, 1);
   work(p, four, 4);
   EXPECT_EQ(one.size(), p.tests.size());
-  EXPECT_EQ(one.hash(), four.hash());
+  EXPECT_EQ(hash_of(rows_of(p, one)), hash_of(rows_of(p, four)));
 }
 
 TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
@@ -138,7 +138,8 @@ TEST_F(Runner, AnImportedPackingIsMadeForEverySize) {
 
 TEST_F(Runner, ShardsMergeToTheWhole) {
   Store whole(at("whole.sqlite")), joined(at("joined.sqlite"));
-  work(plan(two_packings), whole, 2);
+  const Plan p = plan(two_packings);
+  work(p, whole, 2);
   for (int i = 1; i <= 3; ++i) {
     const std::string file = at(("part" + std::to_string(i)).c_str());
     {
@@ -147,7 +148,7 @@ TEST_F(Runner, ShardsMergeToTheWhole) {
     }
     EXPECT_TRUE(joined.merge(file).different.empty());
   }
-  EXPECT_EQ(joined.hash(), whole.hash());
+  EXPECT_EQ(hash_of(rows_of(p, joined)), hash_of(rows_of(p, whole)));
 }
 
 TEST_F(Runner, TwoStudiesShareWhatIsTheSame) {
@@ -173,7 +174,7 @@ TEST_F(Runner, StopKeepsWhatIsFinishedAndGivesTheRestBack) {
   EXPECT_EQ(store.n_claimed(), 0u);
   work(p, store, 2);
   work(p, whole, 2);
-  EXPECT_EQ(store.hash(), whole.hash());
+  EXPECT_EQ(hash_of(rows_of(p, store)), hash_of(rows_of(p, whole)));
 }
 
 TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "base/check.hpp"
@@ -158,6 +159,17 @@ std::string host_name() {
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
 
+std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
+  std::map<std::string, const TestResult*> sorted;
+  for (const auto& row : rows)
+    if (row) sorted[row->key] = &row->result;
+  Hash h;
+  for (const auto& [key, result] : sorted) {
+    h.add(key), h.add(std::string(to_string(result->outcome.status))), h.add(result->hash);
+  }
+  return h.text();
+}
+
 Store::Store(const std::string& path, Sharing sharing) : database_(path), owner_(new_owner()) {
   if (sharing == Sharing::shared) refuse_network(path);
   make_tables(sharing);
@@ -295,13 +307,12 @@ std::size_t Store::n_claimed() const {
   return n;
 }
 
-std::string Store::hash() const {
+std::vector<std::string> Store::keys() const {
   const std::lock_guard lock(mutex_);
-  Hash h;
-  Statement s(database_, "SELECT key, status, result_hash FROM specimen ORDER BY key");
-  while (s.step())
-    for (const int column : {0, 1, 2}) h.add(s.text(column));
-  return h.text();
+  std::vector<std::string> keys;
+  Statement s(database_, "SELECT key FROM specimen ORDER BY key");
+  while (s.step()) keys.push_back(s.text(0));
+  return keys;
 }
 
 MergeReport Store::merge(const std::string& other_path) {

@@ -50,6 +50,10 @@ struct MergeReport {
 /// Of this machine, as the store notes it with every result.
 std::string host_name();
 
+/// Fingerprint over keys, outcomes and result hashes of the rows that are there; not over hosts, times or the
+/// order of the rows.
+std::string hash_of(const std::vector<std::optional<StoredResult>>& rows);
+
 /// Who else may open the store meanwhile. `alone` holds it for one process, which is safe on network file
 /// systems too: for shards.
 enum class Sharing { shared, alone };
@@ -81,8 +85,8 @@ class Store {
   std::size_t size() const;
   /// Specimens that living processes are at.
   std::size_t n_claimed() const;
-  /// Fingerprint over keys, outcomes and result hashes; not over hosts, times or the order of arrival.
-  std::string hash() const;
+  /// Of all rows, sorted.
+  std::vector<std::string> keys() const;
   /// Takes over the rows of another store that are missing here.
   MergeReport merge(const std::string& other_path);
 

@@ -48,6 +48,16 @@ bool take_any(const Field& f, const TomlValue& v, double& value, std::string& re
   return v.kind == Kind::text && it != f.choices.end();
 }
 
+/// Why a key must not vary from point to point, as what to do instead; empty: it may.
+std::string instead_of_varying(const RecipeKey& key, const Recipe& base) {
+  const std::string path = key.field->path();
+  if (path == "packing.seed") return "give the seeds as packings = [1, 2, 3], at the top of the study";
+  if (path == "matrix.bond_seed") return "give the seeds as bond_seeds = [1, 2, 3], at the top of the study";
+  if (path == "bedding.theta" && key.set <= 0 && !base.test.angles.empty())
+    return "test.angles of the base recipe turns the bedding: add the angles there";
+  return "";
+}
+
 bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != FieldKind::quantities; }
 
 class Reader {
@@ -239,6 +249,8 @@ class Reader {
     Factor f;
     f.key = usable(key->text, key->line, name + ".key");
     if (f.key.field == nullptr) return;
+    if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
+      return tell(*key, name + ".key", "a key that varies from point to point", remedy);
     const TomlValue *values = table.find("values"), *times = table.find("times"), *from = table.find("from"),
                     *to = table.find("to");
     const int n_ways = (values != nullptr) + (times != nullptr) + (from != nullptr || to != nullptr);
@@ -327,6 +339,9 @@ class Reader {
       if (!ok)
         problems.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
                             "a key of the base recipe", key_hint(key)});
+      else if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
+        problems.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
+                            "a key that varies from point to point", remedy});
       units.push_back(open == cell.npos ? "" : cell.substr(open + 2, cell.size() - open - 3));
       study_.vary.push_back(f);
     }

@@ -223,6 +223,42 @@ TEST_F(Cli, BadRecipeIsRefusedWithAllProblemsAndNothingIsWritten) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+TEST_F(Cli, RecipesOfOneFileNameAreNotRunTogether) {
+  fs::create_directories(folder / "d1");
+  fs::create_directories(folder / "d2");
+  for (const char* place : {"d1", "d2"}) fs::copy(small_recipe(), folder / place / "press.toml");
+  EXPECT_EQ(run("run " + at("d1/press.toml") + " " + at("d2/press.toml") + " --out " + out()), 2);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("d2/press.toml: expected another file name than"),
+                                     HasSubstr("d1/press.toml"), HasSubstr("--out each")));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, AFolderHoldsResultsOfOneRecipe) {
+  const auto recipe = [&](const std::string& k_n, const std::string& angles) {
+    return write("press.toml",
+                 "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
+                 "[[bedding]]\nspacing = \"2 mm\"\nk_n = \"" +
+                     k_n +
+                     "\"\n[test]\n"
+                     "platen_speed = \"0.2 m/s\"\nangles = [" +
+                     angles + "]\n");
+  };
+  const std::string line = " --out " + out();
+  ASSERT_EQ(run("run " + recipe("3000 GPa/m", "\"45 deg\"") + line), 0) << output;
+  ASSERT_EQ(run("run " + recipe("3000 GPa/m", "\"60 deg\"") + line), 0) << output;
+  EXPECT_EQ(n_results(out()), 2) << "other angles are added";
+  fs::create_directories(fs::path(out()) / "mine");
+  EXPECT_EQ(run("run " + recipe("1000 GPa/m", "\"45 deg\"") + line), 2);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("out/theta_60_deg: bedding[0].k_n = \"3000 GPa/m\""),
+                                     HasSubstr("expected \"1000 GPa/m\", as in"), HasSubstr("--replace")));
+  EXPECT_EQ(n_results(out()), 2);
+  ASSERT_EQ(run("run --replace " + recipe("1000 GPa/m", "\"45 deg\"") + line), 0) << output;
+  EXPECT_EQ(n_results(out()), 1);
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "mine")) << "what is no result stays";
+  EXPECT_EQ(run("show " + out()), 0);
+  EXPECT_THAT(output, testing::Not(HasSubstr(" 60")));
+}
+
 TEST_F(Cli, MissingRecipeAndBlockedFolderExitWith3) {
   EXPECT_EQ(run("run /nonexistent.toml"), 3);
   write("blocked", "a file");

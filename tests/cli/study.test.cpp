@@ -141,10 +141,66 @@ TEST_F(StudyCli, ShardsMergeToTheSameStore) {
   EXPECT_THAT(output, HasSubstr("#SBATCH --array=1-8"));
 }
 
+TEST_F(StudyCli, AFolderHoldsOneStudyWhichMayGrow) {
+  const auto with = [&](const std::string& name, const std::string& times, const std::string& more = "") {
+    small_recipe("max_strain = 0.03\n");
+    return write("study.toml", "name = \"" + name + "\"\nrecipe = \"small.toml\"\n" + more +
+                                   "[[vary]]\nkey = \"bedding.k_n\"\ntimes = " + times + "\n");
+  };
+  const std::string line = " --out " + out();
+  ASSERT_EQ(run("study " + with("A", "[0.5, 1]") + line), 0) << output;
+  EXPECT_THAT(output, HasSubstr("5 run in"));
+  const std::string first = hash();
+  ASSERT_EQ(run("study " + with("A", "[0.5, 1, 2]") + line), 0) << output;
+  EXPECT_THAT(output, HasSubstr("2 run in"));
+  const std::string both = hash();
+  EXPECT_NE(both, first);
+  EXPECT_EQ(run("study " + with("B", "[2]") + line), 2);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("name = A: expected B"), HasSubstr("use another --out")));
+  EXPECT_EQ(run("study " + with("A", "[2]", "[set]\n\"matrix.mu\" = 0.5\n") + line), 2);
+  EXPECT_THAT(output, HasSubstr("recipe.toml: matrix.mu = 0.8: expected 0.5"));
+  ASSERT_EQ(run("study status " + out()), 0) << output;
+  EXPECT_EQ(hash(), both) << "a study that is refused changes nothing";
+  ASSERT_EQ(run("study " + with("A", "[0.5, 1]") + line), 0) << output;
+  EXPECT_THAT(output, HasSubstr("0 run in"));
+  EXPECT_EQ(hash(), first) << "of this plan, whatever else the store holds";
+}
+
+TEST_F(StudyCli, PartsAreMergedBeforeTheWholeIsRun) {
+  const std::string file = study("packings = [1]\n");
+  ASSERT_EQ(run("study " + file + " --shard 1/2 --out " + out()), 0) << output;
+  for (const std::string& line : {"study resume " + out(), "study " + file + " --out " + out()}) {
+    EXPECT_EQ(run(line), 3) << output;
+    EXPECT_THAT(output, testing::AllOf(HasSubstr("shard-1-of-2.sqlite"), HasSubstr("study merge " + out())));
+    EXPECT_FALSE(fs::exists(out() + "/study.sqlite"));
+  }
+  ASSERT_EQ(run("study merge " + out()), 0) << output;
+  ASSERT_EQ(run("study resume " + out()), 0) << output;
+  EXPECT_THAT(output, HasSubstr("3 run in"));
+}
+
+TEST_F(StudyCli, NothingOnTheCommandLineIsPassedOver) {
+  const std::string file = study();
+  for (const char* shard : {"1/99999999999", "99999999999/1", "1/", "/2", "1/2x", "0/2", "2", "1/20000"}) {
+    EXPECT_EQ(run("study " + file + " --dry-run --shard " + shard + " --out " + out()), 2) << shard;
+    EXPECT_THAT(output, HasSubstr("i/n with 1 <= i <= n <= 10000"));
+  }
+  EXPECT_EQ(run("study " + file + " --slurm 3 --shard 1/2"), 2);
+  EXPECT_THAT(output, HasSubstr("--shard excludes --slurm"));
+  EXPECT_EQ(run("study status " + out() + " extra"), 2);
+  EXPECT_THAT(output, HasSubstr("extra: expected one folder after phyllite study status"));
+  EXPECT_EQ(run("study status " + out() + " --shard 1/2"), 2);
+  EXPECT_THAT(output, HasSubstr("--shard = 1/2: expected an option of phyllite study status"));
+  EXPECT_EQ(run("study " + file + " resume " + out()), 2);
+  ASSERT_EQ(run("study " + file + " --shard 1/2 --out " + out()), 0) << output;
+  EXPECT_EQ(run("study resume " + out() + " --shard 2/2 --dry-run"), 0) << output;
+}
+
 TEST_F(StudyCli, FailuresAreListedAndExitWith1) {
   const std::string file = study("packings = [1]\n[set]\n\"test.max_strain\" = 0.001\n");
   EXPECT_EQ(run("study " + file + " --out " + out()), 1) << output;
   EXPECT_THAT(output, HasSubstr("without a peak"));
+  EXPECT_THAT(output, HasSubstr("left out: 7 of 7 specimens, which did not peak"));
   EXPECT_THAT(output, HasSubstr("raise test.max_strain"));
   EXPECT_EQ(run("study status " + out()), 1) << output;
 }
