@@ -84,6 +84,13 @@ std::string print_shifted(double value, int power) {
   return (std::signbit(value) ? "-" : "") + decimal(digits, exponent + 1 - power);
 }
 
+/// The unit that a value is written in; of a pressure without a value MPa: only moduli are larger.
+std::string unit_of(double usual, Dimension dimension) {
+  const bool unknown_stress = dimension == Dimension::pressure && usual == 0.0;
+  const std::string text = print_quantity(unknown_stress ? 1e6 : usual, dimension);
+  return text.substr(text.find(' ') + 1);
+}
+
 /// What is wrong with a unit that was not found, with the likeliest cause first.
 std::string unit_problem(std::string_view unit, Dimension dimension) {
   std::string text = "has the wrong unit \"" + std::string(unit) + "\"; ";
@@ -114,7 +121,7 @@ std::string inner_unit(Dimension dimension) {
   return "1";
 }
 
-Quantity parse_quantity(std::string_view text, Dimension dimension) {
+Quantity parse_quantity(std::string_view text, Dimension dimension, double usual) {
   std::string_view s = trimmed(text);
   if (s.size() > 1 && s.front() == '+' && s[1] != '-') s.remove_prefix(1);
   double number = 0.0;
@@ -127,12 +134,10 @@ Quantity parse_quantity(std::string_view text, Dimension dimension) {
     return unit.empty()
                ? Quantity{error == std::errc(), number, error == std::errc() ? "" : beyond}
                : Quantity{false, 0.0, "has a unit, \"" + std::string(unit) + "\"; write a bare number"};
-  if (unit.empty()) {
-    const std::string all = unit_names(dimension);
+  if (unit.empty())
     return {false, 0.0,
             "has no unit; write for example \"" + std::string(s.substr(0, length)) + " " +
-                all.substr(0, all.find(',')) + "\""};
-  }
+                unit_of(usual, dimension) + "\""};
   for (const Unit& u : units) {
     if (u.dimension != dimension || unit != u.name) continue;
     double value = 0.0;

@@ -108,6 +108,7 @@ TEST_P(BadQuantity, SaysWhatIsWrong) {
 INSTANTIATE_TEST_SUITE_P(
     Messages, BadQuantity,
     testing::Values(Bad{"bare", "38", Dimension::length, "has no unit; write for example \"38 mm\""},
+                    Bad{"bare_stress", "5", Dimension::pressure, "\"5 MPa\""},
                     Bad{"bare_angle", "35.5", Dimension::angle, "\"35.5 deg\""},
                     Bad{"other_dimension", "38 mm", Dimension::pressure,
                         "wrong unit \"mm\"; known here: GPa, MPa"},
@@ -120,6 +121,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"huge", "1e308 GPa", Dimension::pressure, "larger or smaller than a number can be"},
                     Bad{"unit_on_pure_number", "0.3 mm", Dimension::none, "write a bare number"}),
     [](const auto& which) { return std::string(which.param.name); });
+
+TEST(Units, TheUnitOfAUsualValueIsProposed) {
+  EXPECT_THAT(parse_quantity("40", Dimension::pressure, 38e9).problem, HasSubstr("\"40 GPa\""));
+  EXPECT_THAT(parse_quantity("40", Dimension::pressure, 65e6).problem, HasSubstr("\"40 MPa\""));
+}
 
 TEST(Units, EveryDimensionHasItsInnerUnitAmongTheKnown) {
   for (const Dimension d : dimensions) {

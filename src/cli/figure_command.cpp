@@ -1,6 +1,7 @@
 // `phyllite figure RESULT --kind KIND`: a figure for print through gnuplot.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 
 #include "cli/machine.hpp"
@@ -13,8 +14,12 @@
 namespace phy {
 namespace {
 
+const std::map<std::string, FigureFormat> formats = {
+    {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}, {"png", FigureFormat::png}};
+constexpr double least_width = 30.0, most_width = 1000.0;  // [mm]
+
 struct FigureArguments {
-  std::string result, rock, kind, format = "svg", out;
+  std::string result, rock, kind, format, out;
   double width = 0.0;
 };
 
@@ -38,14 +43,28 @@ FigureData data_for(const FigureKind& kind, const FigureArguments& args) {
   return data;
 }
 
+/// The format that is asked for, else that of the name of the file, else SVG.
+std::string format_of(const FigureArguments& args) {
+  std::string ending = std::filesystem::path(args.out).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  if (!formats.contains(ending)) return args.format.empty() ? "svg" : args.format;
+  if (!args.format.empty() && args.format != ending)
+    throw InputError(Problem{"command line", "--format", args.format, ending + ", as --out " + args.out,
+                             "leave --format out, or give the file another ending"});
+  return ending;
+}
+
 void draw(FigureArguments args) {
-  const std::map<std::string, FigureFormat> formats = {
-      {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}, {"png", FigureFormat::png}};
+  const std::string format = format_of(args);
   const FigureKind& kind = figure_kind(args.kind);
+  if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))
+    throw InputError(Problem{"command line", "--width", fmt::format("{:g}", args.width),
+                             fmt::format("{:g} to {:g} mm", least_width, most_width),
+                             "journals have 90, 140, 190; 0: the usual one of the kind"});
   const FigureData data = data_for(kind, args);
-  if (args.out.empty()) args.out = std::string(kind.name) + "." + args.format;
+  if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
-    const std::string script = figure_script(kind, data, formats.at(args.format), args.width, temporary);
+    const std::string script = figure_script(kind, data, formats.at(format), args.width, temporary);
     run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   fmt::print("{}\n", args.out);
@@ -66,11 +85,9 @@ void add_figure_command(CLI::App& app, Session& session) {
   verb->add_option("result", args->result, "folder of a run, a study, or a sweep of the elastic solution")
       ->required();
   verb->add_option("--kind", args->kind, kinds_text())->required();
-  verb->add_option("--format", args->format, "svg, pdf or png")
-      ->check(CLI::IsMember({"svg", "pdf", "png"}))
-      ->capture_default_str();
-  verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")
-      ->check(CLI::Range(0.0, 1000.0));
+  verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
+      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind");
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
   verb->add_option("--out", args->out, "file; default: KIND.FORMAT here");
   verb->callback([args, &session] {

@@ -390,6 +390,13 @@ toml::table parse_checked(std::string_view text, const std::string& where, std::
   return std::move(result).table();
 }
 
+/// The value that a key has by default.
+double usual_of(const Field& field) {
+  Recipe recipe;
+  recipe.bedding.resize(1);
+  return field.get ? field.get(recipe, 0) : 0.0;
+}
+
 }  // namespace
 
 Recipe parse_recipe(std::string_view text, const std::string& where) {
@@ -442,9 +449,9 @@ bool take_value(const Field& field, const TomlValue& value, double& number, std:
   const bool text = value.kind == TomlValue::Kind::text, whole = value.kind == TomlValue::Kind::integer;
   const bool numeric = whole || value.kind == TomlValue::Kind::number;
   if (field.dimension != Dimension::none) {
-    const Quantity q = text || numeric
-                           ? parse_quantity(text ? value.text : as_written(value), field.dimension)
-                           : Quantity{false, 0.0, "is no quantity"};
+    const Quantity q = text || numeric ? parse_quantity(text ? value.text : as_written(value),
+                                                        field.dimension, usual_of(field))
+                                       : Quantity{false, 0.0, "is no quantity"};
     if (!q.ok) return remedy = q.problem, false;
     number = q.value;
   } else if (whole || (numeric && field.kind != FieldKind::integer)) {

@@ -122,6 +122,15 @@ bool LabTest::after_block() {
   return check_stop();
 }
 
+std::string LabTest::advice_to_go_on(const std::string& usual) const {
+  const std::size_t n_floaters = static_cast<std::size_t>(packing().report.n_floaters),
+                    n = packing().discs.size();
+  if (2 * n_floaters < n) return usual;
+  return fmt::format(
+      "{} of {} grains have fewer than three contacts: raise packing.n_grains, or lower packing.porosity",
+      n_floaters, n);
+}
+
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
@@ -149,12 +158,12 @@ bool LabTest::check_stop() {
     return end(Status::not_peaked,
                fmt::format("the {} still rises at the end, strain {:.3f} %: {:.2f} MPa", stress,
                            now.strain * 100.0, now.stress * 1e-6),
-               "raise test.max_strain");
+               advice_to_go_on("raise test.max_strain"));
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
                fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to strain {:.3f} %",
                            recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, now.strain * 100.0),
-               "raise test.max_strain, or test.stop_at");
+               advice_to_go_on("raise test.max_strain, or test.stop_at"));
   return false;
 }
 

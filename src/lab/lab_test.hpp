@@ -89,6 +89,8 @@ class LabTest {
   Frame frame() const;
   void keep_pictures();
   bool check_stop();
+  /// For a test without a peak: `usual`, unless most grains of the packing carry nothing.
+  std::string advice_to_go_on(const std::string& usual) const;
 
   std::shared_ptr<const Rig> rig_;
   Phase phase_ = Phase::settle;

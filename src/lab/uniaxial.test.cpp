@@ -1,6 +1,7 @@
 // The press room: the jump start and its rule.
 #include "lab/uniaxial.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,6 +48,19 @@ TEST(JumpStart, SpecimenAtItsStrengthIsRunWithoutIt) {
   EXPECT_EQ(too_far.history.rows.front().step, plain.history.rows.front().step);
   EXPECT_EQ(number(too_far, "sigma_first_crack").value, number(plain, "sigma_first_crack").value);
   EXPECT_FALSE(number(too_far, "sigma_ci").note.starts_with("below")) << "nothing was jumped over";
+}
+
+// 330 grains loose in four times their place: nothing to go on for.
+TEST(Uniaxial, SpecimenOfLooseGrainsIsNotToBePressedFurther) {
+  Recipe r = small_rock(TestKind::uniaxial);
+  r.specimen = {0.010, 0.020};
+  r.test.platen_speed = 0.5;
+  r.test.max_strain = 1e-3;
+  const TestResult loose = run_alone(r);
+  ASSERT_EQ(loose.outcome.status, Status::not_peaked);
+  EXPECT_THAT(loose.outcome.advice, testing::HasSubstr("raise packing.n_grains"));
+  r.specimen = {0.008, 0.016};
+  EXPECT_THAT(run_alone(r).outcome.advice, testing::HasSubstr("raise test.max_strain"));
 }
 
 }  // namespace

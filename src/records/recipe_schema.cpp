@@ -550,23 +550,29 @@ std::string unknown_key_hint(const std::string& word, const std::string& table) 
   return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
+namespace {
+
+/// Letters that are wrong, missing or too many, and neighbours that are exchanged.
+std::size_t n_slips(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> n(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      n[i][j] = i == 0 ? j : j == 0 ? i : n[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      if (i == 0 || j == 0) continue;
+      n[i][j] = std::min({n[i][j], n[i - 1][j] + 1, n[i][j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        n[i][j] = std::min(n[i][j], n[i - 2][j - 2] + 1);
+    }
+  return n[a.size()][b.size()];
+}
+
+}  // namespace
+
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t least = word.size() / 2 + 2;  // farther than half of the word is no help
-  for (const std::string& c : candidates) {
-    std::vector<std::size_t> row(c.size() + 1);
-    for (std::size_t j = 0; j <= c.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= word.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i;
-      for (std::size_t j = 1; j <= c.size(); ++j) {
-        const std::size_t change = diagonal + (word[i - 1] == c[j - 1] ? 0 : 1);
-        diagonal = row[j];
-        row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-      }
-    }
-    if (row[c.size()] < least) least = row[c.size()], best = c;
-  }
+  std::size_t least = word.size() / 3 + 1;  // more than one slip in three letters is another word
+  for (const std::string& c : candidates)
+    if (const std::size_t n = n_slips(word, c); n < least) least = n, best = c;
   return best;
 }
 

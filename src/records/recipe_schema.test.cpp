@@ -95,6 +95,10 @@ TEST(Schema, NearestFindsTypingErrors) {
   EXPECT_EQ(nearest("thicknes", {"thickness", "spacing"}), "thickness");
   EXPECT_EQ(nearest("xyzxyz", {"thickness", "spacing"}), "");
   EXPECT_EQ(nearest("", {"thickness"}), "");
+  EXPECT_EQ(nearest("widht", {"width"}), "width");
+  EXPECT_EQ(nearest("nwe", {"check", "new"}), "new");
+  EXPECT_EQ(nearest("nope", {"rose", "cracks"}), "");
+  EXPECT_EQ(nearest("nokey", {"name", "key"}), "");
 }
 
 TEST(Schema, HintsKnowOtherTablesAndPfc) {

@@ -91,6 +91,33 @@ void add_line(Collected& all, const Plan& plan, const Response& r, const std::ve
   all.add("change", "1", y[points.back()] / y[points.front()] - 1.0);
 }
 
+/// The moduli of one point on one replicate.
+struct Readings {
+  std::vector<ModulusReading> layered;
+  double intact = nan, spacing = nan;
+  bool whole = true;
+};
+
+/// By replicate and point.
+std::map<std::pair<std::size_t, std::size_t>, Readings> readings_of(const Plan& plan, const StudyRows& rows,
+                                                                    const std::string& modulus) {
+  std::map<std::pair<std::size_t, std::size_t>, Readings> all;
+  for (const Run& run : plan.runs) {
+    Readings& r = all[{replicate_of(plan, run), run.point}];
+    const Number* n = number_of(rows, run, modulus);
+    const Recipe& recipe = plan.tests[run.test].recipe;
+    const double E = n != nullptr ? n->value : nan;
+    if (recipe.bedding.empty()) {
+      r.intact = E;
+      continue;
+    }
+    r.whole = r.whole && std::isfinite(E);
+    r.spacing = recipe.bedding.front().spacing;
+    r.layered.push_back({recipe.bedding.front().theta, E});
+  }
+  return all;
+}
+
 }  // namespace
 
 Summary Response::at(std::size_t point) const {
@@ -117,31 +144,12 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
 
 JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
                      Eq1Reference reference) {
-  struct Readings {
-    std::vector<ModulusReading> layered;
-    double intact = nan, spacing = nan;
-    bool whole = true;
-  };
-  std::map<std::pair<std::size_t, std::size_t>, Readings> all;  // replicate and point
-  for (const Run& run : plan.runs) {
-    Readings& r = all[{replicate_of(plan, run), run.point}];
-    const Number* n = number_of(rows, run, modulus);
-    const Recipe& recipe = plan.tests[run.test].recipe;
-    const double E = n != nullptr ? n->value : nan;
-    if (recipe.bedding.empty()) {
-      r.intact = E;
-      continue;
-    }
-    r.whole = r.whole && std::isfinite(E);
-    r.spacing = recipe.bedding.front().spacing;
-    r.layered.push_back({recipe.bedding.front().theta, E});
-  }
   JointFits fits;
   fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<Eq1Fit>>(plan.points.size()));
   fits.K_n = {"K_n", "Pa/m", "all angles", no_values(plan)};
   fits.K_s = {"K_s", "Pa/m", "all angles", no_values(plan)};
   fits.R2 = {"R2_eq1", "1", "all angles", no_values(plan)};
-  for (const auto& [place, r] : all) {
+  for (const auto& [place, r] : readings_of(plan, rows, modulus)) {
     const bool has_reference = reference != Eq1Reference::given || std::isfinite(r.intact);
     if (!r.whole || r.layered.empty() || !has_reference) continue;
     const Eq1Fit fit = fit_eq1(r.layered, {Eq1Loss::compliance, reference, r.intact});

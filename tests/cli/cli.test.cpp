@@ -108,6 +108,16 @@ TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   EXPECT_GT(fs::file_size(folder / "page.html"), 100000U);
   EXPECT_EQ(run("show " + out() + "/theta_45_deg"), 0);
   EXPECT_EQ(run("show " + folder.string()), 2);
+  for (const auto& [file, verb] : {std::pair{"study.toml", "phyllite study status"},
+                                   {"calibration.json", "tables.txt"},
+                                   {"fig4.csv", "phyllite report"},
+                                   {"envelope.csv", "sigma_3_"}}) {
+    fs::create_directories(folder / "other");
+    std::ofstream(folder / "other" / file) << "\n";
+    EXPECT_EQ(run("show " + at("other")), 2);
+    EXPECT_THAT(output, HasSubstr(verb)) << file;
+    fs::remove_all(folder / "other");
+  }
   EXPECT_EQ(run("show /nonexistent"), 3);
 }
 
@@ -117,6 +127,12 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
   const std::string figure = "figure " + out() + " --out '" + file.string() + "' --kind ";
   EXPECT_EQ(run(figure + "fig5"), 2);
   EXPECT_THAT(output, testing::AllOf(HasSubstr("--kind = fig5"), HasSubstr("study")));
+  EXPECT_EQ(run(figure + "rose --format png"), 2);
+  EXPECT_THAT(output, HasSubstr("--format = png: expected svg, as --out"));
+  for (const char* width : {"1e-3", "-90", "1e9", "nan"}) {
+    EXPECT_EQ(run(figure + "rose --width " + width), 2);
+    EXPECT_THAT(output, HasSubstr("expected 30 to 1000 mm"));
+  }
   EXPECT_EQ(run_line("PATH=/nonexistent " PHY_PROGRAM " " + figure + "cracks"), 3);
   EXPECT_THAT(output, HasSubstr("apt install gnuplot-nox"));
   EXPECT_FALSE(fs::exists(file));
@@ -128,6 +144,10 @@ TEST_F(Cli, FiguresAreWrittenWholeOrNotAtAll) {
     EXPECT_THAT(text, HasSubstr("</svg>")) << kind;
     EXPECT_GT(text.size(), 10000U) << kind;
   }
+  const std::string rose = "figure " + out() + " --kind rose --out ";
+  EXPECT_EQ(run(rose + at("rose.png")), 0) << output;
+  EXPECT_THAT(read(at("rose.png")), testing::StartsWith("\x89PNG")) << "the ending says the format";
+  EXPECT_EQ(run(rose + at("smallest.svg") + " --width 30"), 0) << output;
   const fs::path locked = folder / "locked";
   EXPECT_EQ(
       run("figure " + out() + " --kind rose --format pdf --out " + (locked / "deeper" / "x.pdf").string()),
@@ -257,6 +277,11 @@ TEST_F(Cli, AFolderHoldsResultsOfOneRecipe) {
   EXPECT_TRUE(fs::exists(fs::path(out()) / "mine")) << "what is no result stays";
   EXPECT_EQ(run("show " + out()), 0);
   EXPECT_THAT(output, testing::Not(HasSubstr(" 60")));
+}
+
+TEST_F(Cli, StressesWithoutUnitAreShownInMPa) {
+  EXPECT_EQ(run("envelope --confining '0 MPa,5,10 MPa' " + small_recipe() + " --out " + out()), 2);
+  EXPECT_THAT(output, HasSubstr("\"5 MPa\""));
 }
 
 TEST_F(Cli, MissingRecipeAndBlockedFolderExitWith3) {
