@@ -59,12 +59,12 @@ auto* estimate_of(Estimates& list, const std::string& key) {
   return it == list.end() ? nullptr : &*it;
 }
 
-/// The first ratio behind an open estimate that is open itself; its own if none is.
+/// The last ratio behind an open estimate that is open itself: the one nearest to it.
 std::string open_link(const Calibration& result, const ParameterEstimate& open) {
   const std::vector<std::string> chain = chain_of(open.key);
-  for (const std::string& link : chain)
-    if (const ParameterEstimate* e = estimate_of(result.parameters, link); e != nullptr && !e->determined)
-      return link;
+  for (auto link = chain.rbegin(); link != chain.rend(); ++link)
+    if (const ParameterEstimate* e = estimate_of(result.parameters, *link); e != nullptr && !e->determined)
+      return *link;
   return chain.back();
 }
 
