@@ -12,6 +12,7 @@
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "cli/machine.hpp"
+#include "cli/other_results.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
@@ -241,6 +242,12 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const Recipe recipe = read_recipe(args.recipe);
   const fs::path out(args.out);
   const int width = session.terminal_width;
+  std::vector<Problem> others;
+  for (const double sigma_3 : confining)
+    for (Problem& p : problems_of_others((out / folder_of(sigma_3)).string(),
+                                         confined_recipe(recipe, sigma_3), args.recipe, "use another --out"))
+      others.push_back(std::move(p));
+  if (!others.empty()) throw InputError(std::move(others));
   check_writable(args.out);
   const auto packing = packing_of(recipe, default_cache_folder());
   std::vector<std::shared_ptr<const Specimen>> specimens;

@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
+#include "cli/other_results.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
@@ -126,21 +127,6 @@ struct RecipeRun {
   Recipe recipe;
 };
 
-/// Results in the folder that are of another recipe, with the first key that tells.
-std::vector<std::pair<std::string, RecipeDifference>> results_of_others(const RecipeRun& job) {
-  std::vector<std::pair<std::string, RecipeDifference>> others;
-  std::error_code none;
-  if (!fs::is_directory(job.folder, none)) return others;
-  for (const std::string& folder : result_folders(job.folder)) {
-    try {
-      if (const auto d = first_difference(read_result_recipe(folder), job.recipe))
-        others.emplace_back(folder, *d);
-    } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
-    }
-  }
-  return others;
-}
-
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named
 /// after their files.
 std::vector<RecipeRun> jobs_of(const RunArguments& args) {
@@ -159,10 +145,10 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   for (RecipeRun& job : jobs) {
     job.recipe = read_recipe(job.path);
     if (args.replace) continue;
-    for (const auto& [folder, d] : results_of_others(job))
-      problems.push_back({folder, d.key, d.one, d.other + ", as in " + job.path,
-                          "the folder holds results of another recipe: use another --out, or --replace to "
-                          "remove them when the run begins"});
+    for (Problem& p :
+         problems_of_others(job.folder, job.recipe, job.path,
+                            "use another --out, or --replace to remove them when the run begins"))
+      problems.push_back(std::move(p));
   }
   if (!problems.empty()) throw InputError(std::move(problems));
   return jobs;
@@ -218,7 +204,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   std::fflush(stdout);
   if (args.replace)
-    for (const auto& [folder, difference] : results_of_others(job)) remove_folder(folder);
+    for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe)) remove_folder(folder);
   return finish(job, press(job, made, machine), start, width);
 }
 

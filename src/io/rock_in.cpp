@@ -466,7 +466,7 @@ class RockReader {
       if (r.property != Property::brazilian || r.diameter == 0.0) continue;
       Recipe disc = rock_.model;
       disc.test.disc_diameter = r.diameter;
-      const std::string where = table_ + ":" + std::to_string(r.line);
+      std::string where = table_ + ":" + std::to_string(r.line);
       for (Problem& p : cross_checks(disc, [&](const std::string&) { return where; }))
         if (p.key == "test.disc_diameter") p.key = "diameter", problems_.push_back(std::move(p));
     }

@@ -89,7 +89,8 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
     groups.push_back({value, scatter, n});
     if (p == Property::brazilian && sizes) groups.back().push_back(disc);
   }
-  return text_table(theta, groups, terminal_width) + (assumed ? "* no scatter in the table: assumed\n" : "");
+  return text_table(theta, groups, terminal_width) +
+         (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");
 }
 
 std::string foresight_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {

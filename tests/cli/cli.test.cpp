@@ -1,4 +1,5 @@
 // The program as a user meets it: exit codes, messages, files.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -321,6 +322,20 @@ TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
   EXPECT_EQ(n_told, n_finished);
   EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,\n"));
   EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
+}
+
+TEST_F(Cli, AnEnvelopeOfAnotherRecipeIsNotMixedIn) {
+  const auto recipe = [&](int n) {
+    return write("r.toml",
+                 fmt::format("[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = {}\n"
+                             "[test]\nintact = true\nplaten_speed = \"0.2 m/s\"\n",
+                             n));
+  };
+  const std::string rest = " --confining \"0 MPa,5 MPa,10 MPa\" --out " + out();
+  ASSERT_EQ(run("envelope " + recipe(330) + rest), 0) << output;
+  EXPECT_EQ(run("envelope " + recipe(331) + rest), 2);
+  EXPECT_THAT(output, HasSubstr("packing.n_grains = 330: expected 331"));
+  EXPECT_EQ(run("envelope " + recipe(330) + rest), 0) << output;
 }
 
 TEST_F(Cli, InterruptOfASweepKeepsThePackingsThatAreFinished) {
