@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "calibrate/calibration.hpp"
-#include "io/rock_in.hpp"
+#include "io/rock_table.hpp"
 #include "setting.hpp"
 
 namespace phy {

@@ -1,0 +1,264 @@
+#include "io/rock_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/units.hpp"
+#include "io/table.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
+
+/// What a column holds. `scatter`: the standard deviation of the property.
+enum class Column { theta, beta, confining, diameter, n, value, scatter, other };
+struct Head {
+  Column kind = Column::other;
+  Property property = Property::E;
+  std::string name, unit;  ///< name in lower case
+  std::string title;       ///< name as it is written, for messages
+};
+
+/// The names that columns of values may have, in lower case.
+const std::map<std::string, Property>& property_names() {
+  static const std::map<std::string, Property> names = {{"e", Property::E},
+                                                        {"nu", Property::nu},
+                                                        {"ucs", Property::ucs},
+                                                        {"dts", Property::direct_tension},
+                                                        {"bts", Property::brazilian}};
+  return names;
+}
+
+Dimension dimension_of(const Head& h) {
+  if (h.kind == Column::theta || h.kind == Column::beta) return Dimension::angle;
+  if (h.kind == Column::diameter) return Dimension::length;
+  if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
+  return Dimension::pressure;
+}
+
+/// "E [GPa]", "E (GPa)" and "E_GPa" are the same head.
+Head head_of(const std::string& cell) {
+  Head h;
+  std::size_t open = cell.find_first_of("[(");
+  h.name = cell.substr(0, open);
+  if (open != cell.npos) {
+    h.unit = cell.substr(open + 1, cell.find_first_of("])", open) - open - 1);
+  } else if (const std::size_t bar = cell.rfind('_'); bar != cell.npos) {
+    const std::string tail = cell.substr(bar + 1);
+    for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
+      if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);
+  }
+  h.title = h.name.substr(0, h.name.find_last_not_of(' ') + 1);
+  std::string word;
+  for (const char c : h.name)
+    word += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  while (!word.empty() && word.back() == '_') word.pop_back();
+  h.name = word;
+  if (word == "theta") h.kind = Column::theta;
+  if (word == "beta") h.kind = Column::beta;
+  if (word == "confining") h.kind = Column::confining;
+  if (word == "diameter") h.kind = Column::diameter;
+  if (word == "n") h.kind = Column::n;
+  const bool scatter = word.size() > 3 && word.ends_with("_sd");
+  const auto it = property_names().find(scatter ? word.substr(0, word.size() - 3) : word);
+  if (it != property_names().end())
+    h.kind = scatter ? Column::scatter : Column::value, h.property = it->second;
+  return h;
+}
+
+/// What can be computed with at all; what is only doubtful, records/rock_remarks.hpp tells.
+struct Range {
+  double low, high;
+  const char* text;
+};
+Range range_of(const Head& h) {
+  switch (h.kind) {
+    case Column::theta:
+    case Column::beta: return {0.0, 90.0, "0 deg <= angle <= 90 deg"};
+    case Column::n: return {1.0, 1e6, "a whole number of specimens, at least 1"};
+    case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
+    case Column::confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
+    case Column::scatter:
+      return h.property == Property::nu ? Range{0.0, 1.0, "0 <= SD of nu <= 1"}
+                                        : Range{0.0, 1e12, "a standard deviation >= 0"};
+    default: break;
+  }
+  if (h.property == Property::E) return {1e6, 1e12, "1 MPa <= E <= 1000 GPa"};
+  if (h.property == Property::nu) return {-0.5, 1.5, "-0.5 <= apparent nu <= 1.5"};
+  return {1e3, 5e9, "1 kPa <= strength <= 5 GPa"};
+}
+
+/// Reads the cells of a table.
+class ReadingReader {
+ public:
+  ReadingReader(const Table& table, std::string where, std::vector<Problem>& problems,
+                std::vector<std::string>& notes)
+      : table_(table), where_(std::move(where)), problems_(problems), notes_(notes) {}
+
+  std::vector<RockReading> read(double confining, bool& bedded) {
+    read_heads();
+    bedded = find(Column::theta) || find(Column::beta);
+    for (const TableRow& row : table_.rows) read_row(row, confining);
+    check_repeats();
+    return std::move(readings_);
+  }
+
+ private:
+  const Table& table_;
+  std::string where_;
+  std::vector<Problem>& problems_;
+  std::vector<std::string>& notes_;
+  std::vector<Head> heads_;
+  std::vector<RockReading> readings_;
+
+  std::string at(int line) const { return where_ + ":" + std::to_string(line); }
+  std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (heads_[i].kind == kind &&
+          (heads_[i].property == p || (kind != Column::value && kind != Column::scatter)))
+        return i;
+    return std::nullopt;
+  }
+  void tell(const std::string& key, const std::string& value, const std::string& expected,
+            const std::string& remedy) {
+    problems_.push_back({at(table_.header_line), key, value, expected, remedy});
+  }
+
+  void read_heads() {
+    std::vector<std::string> ignored;
+    std::map<std::string, std::string> seen;
+    for (const std::string& cell : table_.header) {
+      const Head h = head_of(cell);
+      heads_.push_back(h);
+      const Dimension d = dimension_of(h);
+      if (h.kind == Column::other) {
+        if (!h.unit.empty())
+          tell(cell, "",
+               "a known column: theta or beta, E, nu, UCS, DTS, BTS, each with _sd, diameter, confining, n",
+               "rename it, or take its unit out of the header to have it passed over");
+        else if (!h.name.empty())
+          ignored.push_back(cell);
+        continue;
+      }
+      if (const auto [it, fresh] = seen.emplace(h.name, h.unit); !fresh)
+        tell(cell, "", "one column of this name",
+             it->second != h.unit ? "its units are mixed: " + it->second + " and " + h.unit : "");
+      if (d == Dimension::none) continue;
+      if (!parse_quantity("1 " + h.unit, d).ok)
+        tell(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
+             "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
+    }
+    if (find(Column::theta) && find(Column::beta))
+      tell("beta", "", "one convention of angles", "keep theta or beta, not both");
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (heads_[i].kind == Column::scatter && !find(Column::value, heads_[i].property))
+        tell(table_.header[i], "", "a column of the values themselves", "");
+    bool any = false;
+    for (const Head& h : heads_) any = any || h.kind == Column::value;
+    if (!any) tell("header", "", "at least one of the columns E, nu, UCS, DTS, BTS", "");
+    if (find(Column::beta))
+      notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
+    if (!ignored.empty())
+      notes_.push_back("columns passed over: " + fmt::format("{}", fmt::join(ignored, ", ")));
+  }
+
+  /// One cell in SI; NaN if it is empty. False: told.
+  bool number(const TableRow& row, std::size_t column, double& value) {
+    const Head& h = heads_[column];
+    const std::string& cell = row.cells[column];
+    value = nan;
+    if (cell.empty() || cell == "-") return true;
+    const Range range = range_of(h);
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+      const bool unit = error == std::errc() && std::isalpha(static_cast<unsigned char>(cell.back())) != 0;
+      problems_.push_back({at(row.line), h.title, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
+                           unit ? "units stand in the header only: mixed units are not read"
+                                : "leave the cell empty where nothing was measured"});
+      return false;
+    }
+    if (const Dimension d = dimension_of(h); d != Dimension::none) {
+      const Quantity q = parse_quantity(cell + " " + h.unit, d);
+      if (!q.ok) return false;  // the header was told
+      value = q.value;
+    }
+    const bool whole = h.kind != Column::n || value == std::floor(value);
+    if (value >= range.low && value <= range.high && whole) return true;
+    problems_.push_back({at(row.line), h.title, cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
+                         h.kind == Column::theta || h.kind == Column::beta
+                             ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
+                             : ""});
+    return false;
+  }
+
+  void read_row(const TableRow& row, double confining) {
+    std::vector<double> v(heads_.size(), nan);
+    bool good = true;
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (heads_[i].kind != Column::other) good = number(row, i, v[i]) && good;
+    RockReading r;
+    r.line = row.line;
+    const auto theta = find(Column::theta), beta = find(Column::beta), n = find(Column::n);
+    if (theta || beta) {
+      const double angle = v[theta ? *theta : *beta];
+      if (good && !std::isfinite(angle))
+        problems_.push_back({at(row.line), theta ? "theta" : "beta", "", "an angle in every row", ""}),
+            good = false;
+      r.theta = theta ? angle : 90.0 - angle;
+    }
+    if (!good) return;
+    if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
+    if (std::isfinite(confining) && std::fabs(r.confining - confining) > 1e-6 * std::max(1.0, confining))
+      return;
+    if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
+    if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
+      r.property = heads_[i].property, r.value = v[i];
+      const auto sd = find(Column::scatter, r.property);
+      r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
+      readings_.push_back(r);
+    }
+  }
+
+  /// Two rows of one cell that cannot be the same rock.
+  void check_repeats() {
+    std::set<int> told;
+    for (std::size_t i = 0; i < readings_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const RockReading &a = readings_[j], &b = readings_[i];
+        if (a.property != b.property || a.theta != b.theta || a.confining != b.confining ||
+            a.diameter != b.diameter)
+          continue;
+        const double sd = std::fmax(a.sd, b.sd);  // passes over a NaN
+        if (!(std::fabs(a.value - b.value) > most_apart * sd) || !told.insert(b.line).second) continue;
+        problems_.push_back({at(b.line), to_string(b.property), fmt::format("{:g}", b.value),
+                             fmt::format("within {:g} SD ({:g}) of line {} ({:g}), SI units", most_apart, sd,
+                                         a.line, a.value),
+                             "one of the two is a slip, or the rows are two different rocks"});
+      }
+  }
+};
+
+}  // namespace
+
+std::vector<RockReading> parse_readings(std::string_view text, const std::string& where, double confining,
+                                        bool& bedded, std::vector<Problem>& problems,
+                                        std::vector<std::string>& notes) {
+  Table table = parse_table(text, where);
+  for (Problem& p : table.problems) problems.push_back(std::move(p));
+  for (std::string& note : table.notes) notes.push_back(fmt::format("{}: {}", where, note));
+  bedded = false;
+  if (table.header_line == 0) return {};
+  return ReadingReader(table, where, problems, notes).read(confining, bedded);
+}
+
+}  // namespace phy
