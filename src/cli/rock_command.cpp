@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "calibrate/foresee.hpp"
 #include "calibrate/twin.hpp"
@@ -47,26 +46,11 @@ int rock_new(const std::string& name) {
   return 0;
 }
 
-/// The table as it was understood: discs of several diameters each in a table of their own.
-std::string tables_of(const std::vector<Target>& targets, int width) {
-  std::map<double, std::vector<Target>> discs;
-  for (const Target& t : of_property(targets, Property::brazilian)) discs[t.diameter].push_back(t);
-  if (discs.size() < 2) return target_table(targets, width);
-  std::vector<Target> rest = targets;
-  std::erase_if(rest, [](const Target& t) { return t.property == Property::brazilian; });
-  std::string text = rest.empty() ? "" : target_table(rest, width);
-  for (const auto& [diameter, some] : discs)
-    text += fmt::format("\ndiscs of {}\n{}",
-                        diameter > 0.0 ? fmt::format("{:g} mm", diameter * 1e3) : "the model's diameter",
-                        target_table(some, width));
-  return text;
-}
-
 int rock_check(const std::string& path, int width) {
   const Rock rock = read_rock(path);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  fmt::print("\n{}\n{}", tables_of(targets_of(rock), width), foresight_table(foresee(rock), width));
+  fmt::print("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
   for (const std::string& line : advice(rock)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }

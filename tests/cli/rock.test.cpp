@@ -19,8 +19,8 @@ TEST_F(RockCli, DiscsOfTwoDiametersAreBothShown) {
   write("t.csv",
         "theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,14,20\n0,,11,30\n45,60,8,20\n90,120,,\n");
   ASSERT_EQ(run("rock check " + write("t.toml", "data = \"t.csv\"\n")), 0) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("discs of 20 mm"), HasSubstr("discs of 30 mm"), HasSubstr(" 14 "),
-                            HasSubstr(" 11 ")));
+  for (const char* row : {" 14 [^\n]* 20\n", " 11 [^\n]* 30\n", " 8 [^\n]* 20\n"})
+    EXPECT_THAT(output, testing::ContainsRegex(row));
 }
 
 TEST_F(RockCli, NamesThatNoRockFileCanHaveAreRefused) {
