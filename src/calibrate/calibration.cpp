@@ -242,15 +242,15 @@ void check_budget(const std::vector<Target>& targets, std::int64_t max_tests) {
 /// strain, the user must know which of the two the laboratory means.
 void add_pressed(Calibration& result, const std::vector<Comparison>& pressed) {
   double worst = 0.0, theta = 0.0;
-  for (const Comparison& p : pressed)
-    for (const Comparison& v : result.verification) {
-      if (v.target.property != p.target.property || v.target.theta != p.target.theta) continue;
-      result.pressed.push_back(p);
-      result.pressed.back().target = v.target;
-      const double change = p.mean / v.mean - 1.0;
-      if (v.target.property == Property::E && std::fabs(change) > std::fabs(worst))
-        worst = change, theta = v.target.theta;
-    }
+  for (const Comparison& p : pressed) {
+    const Comparison* small_strain = row_of(result.verification, p.target);
+    if (small_strain == nullptr) continue;
+    result.pressed.push_back(p);
+    result.pressed.back().target = small_strain->target;
+    const double change = p.mean / small_strain->mean - 1.0;
+    if (p.target.property == Property::E && std::fabs(change) > std::fabs(worst))
+      worst = change, theta = p.target.theta;
+  }
   if (std::fabs(worst) > modulus_change)
     result.notes.push_back(
         fmt::format("E and nu of the table are read as those at small strain. At 40 - 60 % of UCS, after the "
