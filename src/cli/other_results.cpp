@@ -1,6 +1,7 @@
 #include "cli/other_results.hpp"
 
 #include <filesystem>
+#include <map>
 
 #include "io/load.hpp"
 
@@ -24,9 +25,16 @@ std::vector<std::pair<std::string, RecipeDifference>> results_of_others(const st
 std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,
                                         const std::string& path, const std::string& remedy) {
   std::vector<Problem> problems;
-  for (const auto& [result, d] : results_of_others(folder, recipe))
-    problems.push_back({result, d.key, d.one, d.other + ", as in " + path,
+  std::map<std::string, int> n_alike;  // results that differ alike are one problem
+  const auto others = results_of_others(folder, recipe);
+  for (const auto& [result, d] : others) ++n_alike[d.key + " " + d.one];
+  for (const auto& [result, d] : others) {
+    const int n = std::exchange(n_alike[d.key + " " + d.one], 0);
+    if (n == 0) continue;
+    const std::string where = n == 1 ? result : folder + " (" + std::to_string(n) + " results)";
+    problems.push_back({where, d.key, d.one, d.other + ", as in " + path,
                         "the folder holds results of another recipe: " + remedy});
+  }
   return problems;
 }
 

@@ -13,7 +13,7 @@ namespace phy {
 std::vector<std::pair<std::string, RecipeDifference>> results_of_others(const std::string& folder,
                                                                         const Recipe& recipe);
 
-/// A problem for each of them. `path`: file of the recipe.
+/// A problem for all of them that differ alike. `path`: file of the recipe.
 std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,
                                         const std::string& path, const std::string& remedy);
 
