@@ -270,7 +270,7 @@ TEST_F(Cli, AFolderHoldsResultsOfOneRecipe) {
   EXPECT_EQ(n_results(out()), 2) << "other angles are added";
   fs::create_directories(fs::path(out()) / "mine");
   EXPECT_EQ(run("run " + recipe("1000 GPa/m", "\"45 deg\"") + line), 2);
-  EXPECT_THAT(output, testing::AllOf(HasSubstr("out/theta_60_deg: bedding[0].k_n = \"3000 GPa/m\""),
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("out (2 results): bedding[0].k_n = \"3000 GPa/m\""),
                                      HasSubstr("expected \"1000 GPa/m\", as in"), HasSubstr("--replace")));
   EXPECT_EQ(n_results(out()), 2);
   ASSERT_EQ(run("run --replace " + recipe("1000 GPa/m", "\"45 deg\"") + line), 0) << output;
