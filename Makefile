@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy docs web browser clean
+.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -25,10 +25,14 @@ deps-all: deps
 build:
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS)
 
-demo: deps build
+# What a user needs; `build` makes tests and benchmarks too.
+program:
+	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target phyllite
+
+demo: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume
 
-demo-press: build
+demo-press: deps program
 	$(BUILD)/phyllite run examples/paper/press.toml --out results/paper
 
 test: build

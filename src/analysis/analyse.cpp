@@ -32,10 +32,10 @@ void add(std::vector<Number>& out, std::vector<Number> more) {
 
 /// What every kind of test has.
 void add_cracks_energies_checks(std::vector<Number>& out, const History& history, const LoadingBranch& branch,
-                                const std::vector<CrackEvent>& cracks) {
+                                const std::vector<CrackEvent>& cracks, const WavePath& path) {
   add(out, crack_numbers(branch, cracks));
   add(out, energy_budget(branch, history));
-  add(out, run_checks(branch, history));
+  add(out, run_checks(branch, history, path));
 }
 
 /// A specimen loaded along its axis: strength, elasticity, damage, cracks, energies, checks.
@@ -46,7 +46,7 @@ std::vector<Number> press(const History& history, const LoadingBranch& branch,
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
   add(out, crack_initiation(branch, cracks, options.jump_strain));
   out.push_back(crack_damage(branch));
-  add_cracks_energies_checks(out, history, branch, cracks);
+  add_cracks_energies_checks(out, history, branch, cracks, {options.density, options.length});
   return out;
 }
 
@@ -79,7 +79,8 @@ std::vector<Number> disc(const History& history, const std::vector<CrackEvent>& 
                                       std::hypot(x, y)));
   add(out, place);
   add(out, crack_initiation(branch, cracks, 0.0));
-  add_cracks_energies_checks(out, history, branch, cracks);
+  add_cracks_energies_checks(out, history, branch, cracks,
+                             {options.density, options.disc_diameter, disc_approach});
   return out;
 }
 
@@ -100,7 +101,7 @@ std::vector<Number> shear(const History& history, const std::vector<CrackEvent>&
   branch.strength = "tau_peak", branch.tool = "box";
   std::vector<Number> out = shear_numbers(history, branch, options.normal_load);
   add(out, crack_initiation(branch, cracks, 0.0));
-  add_cracks_energies_checks(out, history, branch, cracks);
+  add_cracks_energies_checks(out, history, branch, cracks, {});  // the boxes carry no wave
   return out;
 }
 

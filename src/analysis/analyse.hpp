@@ -12,6 +12,7 @@
 //   confined.hpp   q_max in the place of ucs, sigma_1 sigma_3 confinement_error       (biaxial)
 //   shear.hpp      tau_peak u_peak tau_residual sigma_n K_s mu_residual dilation ...  (direct_shear)
 //   energy.hpp     energy_<column>, and the same with _at_peak; energy_error kinetic_ratio platen_difference
+//                  rows_to_peak wave_transits
 #pragma once
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct AnalysisOptions {
   double disc_diameter = 0.0;     ///< of a Brazilian test [m]
   double confining_stress = 0.0;  ///< of a biaxial test [Pa]
   NormalLoad normal_load;         ///< of a direct shear test
+  double density = 0.0;           ///< of the rock [kg/m^3]; 0: not known, nor how often waves crossed
+  double length = 0.0;            ///< of the specimen along the load [m]; 0: not known
   double jump_strain = 0.0;       ///< axial strain of a jump start, 0: none; cracks below it could not show
   StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of ucs
   double secant = 0.5;               ///< level of E_secant, fraction of ucs

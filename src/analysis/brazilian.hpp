@@ -17,6 +17,11 @@ namespace phy {
 
 constexpr double central_third = 1.0 / 6.0;  ///< of the diameter, to either side of the centre
 
+/// Approach of the jaws over the diameter, in units of tension at the centre over E: 5.5 for arcs of 10
+/// degrees on an elastic disc (1 - nu + ln(1 + 4/sin^2 5 deg), Wang et al. 2004, IJRMMS 41:245-253, nu =
+/// 0.25), less for wider ones.
+constexpr double disc_approach = 5.0;
+
 /// Tension at the centre under arcs of half-angle `alpha` [deg] over that under point loads [-]:
 /// (sin 2a - a)/sin a, 1 for a = 0.
 double brazilian_arc_factor(double alpha);

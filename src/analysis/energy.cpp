@@ -68,6 +68,33 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
   out.push_back(all), out.push_back(most);
 }
 
+/// Time in which the strain of the peak is reached at the strain rate of the second half of the way [s]: the
+/// way before may have been jumped over, or run through in a ramp.
+double rise_time(const LoadingBranch& branch) {
+  const auto& rows = branch.rows;
+  if (rows.size() < 2) return nan;
+  std::size_t half = rows.size() - 2;
+  while (half > 0 && rows[half - 1].axial_strain >= 0.5 * branch.strain) --half;
+  const HistoryRow &from = rows[half], &to = rows.back();
+  return branch.strain * (to.time - from.time) / (to.axial_strain - from.axial_strain);
+}
+
+/// A wave of speed sqrt(E/rho), with E of the peak's stress and strain: the softest that the rock has been.
+Number wave_transits(const LoadingBranch& branch, const WavePath& path) {
+  Number n{"wave_transits", nan, "1",
+           fmt::format(
+               "times that a wave of speed sqrt(E/density), E secant at {}, crosses the specimen within the "
+               "rise of the strain to that of the peak, at the strain rate of its second half",
+               branch.strength),
+           branch_note(branch)};
+  if (path.density > 0.0 && path.length > 0.0 && branch.peaked)
+    n.value = rise_time(branch) / path.length *
+              std::sqrt(path.modulus_factor * branch.largest / branch.strain / path.density);
+  else if (branch.peaked)
+    n.note = "the way of a wave through the specimen is not known";
+  return n;
+}
+
 }  // namespace
 
 std::vector<Number> energy_budget(const LoadingBranch& branch, const History& history) {
@@ -85,7 +112,7 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
   return out;
 }
 
-std::vector<Number> run_checks(const LoadingBranch& branch, const History& history) {
+std::vector<Number> run_checks(const LoadingBranch& branch, const History& history, const WavePath& path) {
   const double work = largest_work(history.rows);
   const auto lost = [](const HistoryRow& r) { return r.energy_error * r.boundary_work; };
   const auto own = [](const HistoryRow& r) { return r.energy_error; };
@@ -101,6 +128,9 @@ std::vector<Number> run_checks(const LoadingBranch& branch, const History& histo
                    branch.strength),
        joined(branch_note(branch), missing)}};
   platen_checks(branch, out);
+  out.push_back({"rows_to_peak", branch.peaked ? static_cast<double>(branch.rows.size()) : nan, "1",
+                 fmt::format("rows of the history up to {}", branch.strength), branch_note(branch)});
+  out.push_back(wave_transits(branch, path));
   return out;
 }
 

@@ -7,6 +7,13 @@
 
 namespace phy {
 
+/// What a stress wave runs through. With density or length 0 the number of its transits is not known.
+struct WavePath {
+  double density = 0.0;         ///< [kg/m^3]
+  double length = 0.0;          ///< between the tools [m]
+  double modulus_factor = 1.0;  ///< modulus of the rock over stress / strain of this test, of an elastic body
+};
+
 /// Work and each term of the balance [J per m thickness]: energy_boundary_work, energy_kinetic, ... in the
 /// last row, and the same with _at_peak. NaN with a note when the history holds no energies (laboratory,
 /// other programs).
@@ -20,6 +27,8 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
 ///                        below 1e-2
 ///   platen_difference    largest |top - bottom platen stress| / ucs before the peak; and _95: not exceeded
 ///                        by 95 % of rows
-std::vector<Number> run_checks(const LoadingBranch& branch, const History& history);
+///   rows_to_peak         rows of the history up to the peak
+///   wave_transits        how often a wave crosses the specimen while the stress rises to its peak
+std::vector<Number> run_checks(const LoadingBranch& branch, const History& history, const WavePath& path);
 
 }  // namespace phy

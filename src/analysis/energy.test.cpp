@@ -8,7 +8,9 @@ namespace phy {
 namespace {
 
 std::vector<Number> budget(const History& h) { return energy_budget(loading_branch(h), h); }
-std::vector<Number> checked(const History& h) { return run_checks(loading_branch(h), h); }
+std::vector<Number> checked(const History& h, const WavePath& path = {}) {
+  return run_checks(loading_branch(h), h, path);
+}
 
 TEST(Energy, BudgetAtThePeakAndAtTheEnd) {  // marble: work 1 J/m per row, peak in the 200th of 300 rows
   History h = marble();
@@ -36,7 +38,7 @@ TEST(Energy, ALaboratoryCurveHasNone) {
   for (HistoryRow& r : h.rows) r.boundary_work = r.strain_bond = 0.0;
   for (const auto& numbers : {budget(h), checked(h)}) {
     for (const Number& n : numbers) {
-      if (n.name.starts_with("platen")) continue;
+      if (n.name.starts_with("platen") || n.name == "rows_to_peak" || n.name == "wave_transits") continue;
       EXPECT_TRUE(std::isnan(n.value)) << n.name;
       EXPECT_EQ(n.note, "the history holds no energies") << n.name;
     }
@@ -77,6 +79,29 @@ TEST(RunChecks, MissingPlatenStressesAndNoPeak) {
   EXPECT_EQ(note(checked(h), "platen_difference"), "the history has no platen stresses");
   EXPECT_TRUE(note(checked(unfinished()), "platen_difference").starts_with("no peak"));
   EXPECT_EQ(value(checked(unfinished()), "platen_difference"), 0.0);
+}
+
+TEST(RunChecks, RowsAndWaveTransitsToThePeak) {
+  // Marble: 100 MPa at a strain of 0.002. At 0.1 1/s that takes 20 ms; a wave of sqrt(50 GPa / 2000 kg/m^3) =
+  // 5000 m/s crosses 0.1 m in 20 us: a thousand times.
+  History h = marble();
+  for (HistoryRow& r : h.rows) r.time = r.axial_strain / 0.1;
+  EXPECT_EQ(value(checked(h), "rows_to_peak"), 200.0);
+  EXPECT_NEAR(value(checked(h, {2000.0, 0.1}), "wave_transits"), 1000.0, 1e-6);
+  EXPECT_NEAR(value(checked(h, {2000.0, 0.1, 4.0}), "wave_transits"), 2000.0, 1e-6);  // E four times as large
+  EXPECT_TRUE(std::isnan(value(checked(h), "wave_transits")));
+}
+
+TEST(RunChecks, WaveTransitsCountByTheSpeedOfTheEnd) {
+  // Ten times as fast from the middle of the way on, as after a ramp: the slow half does not help.
+  History h = marble();
+  for (HistoryRow& r : h.rows)
+    r.time = std::min(r.axial_strain, 0.001) / 0.1 + std::max(0.0, r.axial_strain - 0.001);
+  EXPECT_NEAR(value(checked(h, {2000.0, 0.1}), "wave_transits"), 0.002 * 5000.0 / 0.1, 1e-6);
+  h.rows.erase(h.rows.begin(), h.rows.begin() + 198);  // a peak in the second row
+  EXPECT_NEAR(value(checked(h, {2000.0, 0.1}), "wave_transits"), 100.0, 1e-6);
+  h.rows.erase(h.rows.begin());  // in the first
+  EXPECT_TRUE(std::isnan(value(checked(h, {2000.0, 0.1}), "wave_transits")));
 }
 
 }  // namespace

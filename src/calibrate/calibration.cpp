@@ -114,6 +114,13 @@ void tell_validity(Calibration& result) {
                       c.target.theta, c.n_invalid, c.n_packings));
 }
 
+/// Remarks on the tests behind the strengths of the verification.
+void tell_quality(Calibration& result) {
+  QualityTally tally;
+  for (const Comparison& c : result.verification) tally.add(c.quality);
+  if (tally.n_marked > 0) result.notes.push_back("on unseen packings " + tally.text());
+}
+
 /// Strengths of which not every unseen packing has one.
 void tell_missing(Calibration& result) {
   for (const Comparison& c : result.verification)
@@ -337,7 +344,7 @@ bool run_stages(Calibration& result, const Rock& rock, const CalibrationOptions&
       !calibrate_strength(result, rock, options, targets, search, unseen, simulator, short_search))
     return false;
   make_ready(result.recipe, rock, targets);
-  tell_validity(result), tell_missing(result);
+  tell_validity(result), tell_quality(result), tell_missing(result);
   judge(result, elastic, short_search);
   add_identifiability(result, rock);
   result.recipe.name = name_of(result, !elastic.parameters.empty(), strength);

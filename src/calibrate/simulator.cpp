@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "genesis/cache.hpp"
 #include "statics/uniaxial.hpp"
+#include "study/effects.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
 #include "study/runner.hpp"
@@ -108,7 +109,8 @@ class OwnSimulator : public Simulator {
     run(plan);
     std::vector<std::string> keys;
     for (const Run& r : plan.runs) keys.push_back(plan.tests[r.test].key);
-    const std::vector<std::optional<StoredResult>> rows = store().rows(keys);
+    StudyRows rows = store().rows(keys);
+    if (options_.with_untrusted) rows = with_untrusted(std::move(rows));
     std::vector<TestResult> results(recipes.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i])

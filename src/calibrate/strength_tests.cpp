@@ -20,10 +20,7 @@ constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 2.0;
-constexpr double jump_share = 0.35;  // of the expected peak strain
-// Approach of the jaws over the diameter, in units of BTS/E: 5.5 for arcs of 10 degrees on an elastic disc
-// (1 - nu + ln(1 + 4/sin^2 5 deg), Wang et al. 2004, IJRMMS 41:245-253, nu = 0.25), less for wider ones.
-constexpr double disc_approach = 5.0;
+constexpr double jump_share = 0.35;         // of the expected peak strain
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
@@ -92,6 +89,7 @@ Comparison over_packings(const Target& target, const char* number, std::span<con
     const double value = number_of(result, number);
     if (std::isfinite(value)) {
       values.push_back(value);
+      c.quality.add(result.numbers);
       c.n_invalid += is_invalid(result) ? 1 : 0;
     } else if (c.missing.empty()) {
       c.missing = result.outcome.reason + (result.outcome.advice.empty() ? "" : "; " + result.outcome.advice);

@@ -21,7 +21,7 @@ namespace {
 
 struct Arguments {
   std::string rock, out = "results/calibration";
-  bool elastic = false, resume = false;
+  bool elastic = false, resume = false, with_untrusted = false;
   std::int64_t max_tests = 300;
 };
 
@@ -31,6 +31,7 @@ std::string fingerprint(const Rock& rock, const Arguments& args) {
   hash.add(rock.name);
   hash.add(write_recipe(rock.model));
   hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
+  if (args.with_untrusted) hash.add(true);
   for (const Target& t : targets_of(rock)) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
@@ -40,8 +41,9 @@ std::string fingerprint(const Rock& rock, const Arguments& args) {
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
 std::string label(const Rock& rock, const Arguments& args) {
-  return fmt::format("calibration of \"{}\" ({}){}, --max-tests {}\n{}\n", rock.name, args.rock,
-                     args.elastic ? ", --elastic" : "", args.max_tests, fingerprint(rock, args));
+  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", rock.name, args.rock,
+                     args.elastic ? ", --elastic" : "", args.with_untrusted ? ", --with-untrusted" : "",
+                     args.max_tests, fingerprint(rock, args));
 }
 
 /// Throws InputError where --resume would write one calibration over another.
@@ -104,6 +106,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
+  machine.with_untrusted = args.with_untrusted;
   machine.store = store_in(args, rock);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
@@ -139,6 +142,8 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
+  verb->add_flag("--with-untrusted", args->with_untrusted,
+                 "count tests that peaked but are not to be trusted (docs/reliability.md)");
   verb->add_option("--max-tests", args->max_tests, "budget: tests of UCS, verification included")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -20,6 +20,7 @@
 #include "io/file.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
 #include "study/table.hpp"
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 struct EnvelopeArguments {
   std::string recipe, out = "results/envelope";
   std::vector<std::string> confining = {"0 MPa", "5 MPa", "10 MPa", "20 MPa"};
+  bool with_untrusted = false;
 };
 
 /// Tests of one stress stand in a folder as `phyllite run` leaves it.
@@ -164,9 +166,16 @@ void print_fits(const Envelope& envelope, int width) {
     print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
 }
 
-/// Tests without a peak, which give no reading: why, and what to do.
+/// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do. Remarks
+/// of the others.
 void print_outcomes(const EnvelopeTests& tests, int width) {
   Findings findings;
+  for (std::size_t i = 0; i < tests.confining.size(); ++i)
+    for (const TestResult& r : tests.results[i])
+      for (const QualityMark& mark : quality_marks(r.numbers))
+        if (r.outcome.status == Status::peaked)
+          findings.add(fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
+                       fmt::format("remark: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       if (const Outcome& o = r.outcome; o.status != Status::peaked)
@@ -177,7 +186,8 @@ void print_outcomes(const EnvelopeTests& tests, int width) {
 }
 
 std::string strengths_csv(const EnvelopeTests& tests) {
-  std::string text = "specimen,theta [deg],sigma_3 [Pa],sigma_1 [Pa],confinement_error,status,result_hash\n";
+  std::string text =
+      "specimen,theta [deg],sigma_3 [Pa],sigma_1 [Pa],confinement_error,status,quality,result_hash\n";
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i]) {
       const bool stored = r.outcome.status != Status::interrupted;
@@ -185,9 +195,10 @@ std::string strengths_csv(const EnvelopeTests& tests) {
         const Number* n = stored ? find(r.numbers, name) : nullptr;
         return n == nullptr ? std::string() : csv_cell(n->value);
       };
-      text += fmt::format("{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
-                          to_string(r.outcome.status), stored ? r.hash : "");
+                          to_string(r.outcome.status), stored ? to_string(grade_of(r.numbers)) : "",
+                          stored ? r.hash : "");
     }
   return text;
 }
@@ -258,7 +269,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
   std::fflush(stdout);
   const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
-  const Envelope envelope = fit_envelope(tests);
+  const Envelope envelope = fit_envelope(args.with_untrusted ? with_untrusted(tests) : tests);
   write_file((out / "envelope.csv").string(), strengths_csv(tests));
   write_file((out / "fits.csv").string(), fits_csv(envelope));
   print_strengths(tests, envelope, width);
@@ -285,6 +296,8 @@ void add_envelope_command(CLI::App& app, Session& session) {
       ->allow_extra_args(false)
       ->capture_default_str();
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  verb->add_flag("--with-untrusted", args->with_untrusted,
+                 "fit tests that peaked but are not to be trusted (docs/reliability.md)");
   verb->callback([args, &session] {
     stop_on_interrupt();
     session.exit_code = envelope_of(*args, session);

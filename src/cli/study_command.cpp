@@ -35,7 +35,7 @@ struct StudyArguments {
   std::vector<std::string> stores;
   std::string out;
   int slurm = 0;
-  bool dry_run = false, reference = false, mpi = false;
+  bool dry_run = false, reference = false, mpi = false, with_untrusted = false;
 };
 
 bool read_whole(std::string_view text, int& n) {
@@ -120,7 +120,7 @@ std::size_t print_failures(const Plan& plan, const StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
-    if (n++ == 0) fmt::print("\nwithout a peak:\n");
+    if (n++ == 0) fmt::print("\nwithout a peak, or not to be trusted:\n");
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
@@ -140,7 +140,7 @@ std::size_t n_unfinished(const Plan& plan, const StudyRows& rows) {
 
 std::string progress_text(const StudyProgress& p, double seconds, std::size_t n_total) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, n_total);
-  if (p.n_failed > 0) text += fmt::format(" ({} without a peak)", p.n_failed);
+  if (p.n_failed > 0) text += fmt::format(" ({} without a good peak)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
   if (p.work <= 0.0) return text + ", starting";
   return text + fmt::format(", {:.0f} per minute, about {} left",
@@ -302,7 +302,7 @@ int status_of(const StudyArguments& args, const Session& session) {
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
-  fmt::print("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n", n_finished(rows),
+  fmt::print("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
              plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
@@ -319,7 +319,8 @@ int export_study(const StudyArguments& args) {
 
 int effects_of_study(const StudyArguments& args, const Session& session) {
   const Plan plan = make_plan(study_in(args.folder));
-  const StudyRows rows = rows_of(plan, store_in(args.folder));
+  StudyRows rows = rows_of(plan, store_in(args.folder));
+  if (args.with_untrusted) rows = with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + args.folder + "`"});
@@ -457,6 +458,8 @@ void add_study_command(CLI::App& app, Session& session) {
   csv->add_option("--csv", args->csv, "file to write; default: standard output");
   CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of what is finished");
   effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's");
+  effects->add_flag("--with-untrusted", args->with_untrusted,
+                    "count tests that peaked but are not to be trusted (docs/reliability.md)");
   CLI::App* merge = verb("merge", "join the stores of shards");
   merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
   study->callback([=, &session] {

@@ -9,6 +9,7 @@
 #include "io/scene.hpp"
 #include "io/toml_in.hpp"
 #include "io/vtk.hpp"
+#include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy {
@@ -53,6 +54,20 @@ Json recipe_json(const Recipe& recipe) {
     else
       (f.table.empty() ? j : j[f.table])[key] = field_json(f, recipe, 0);
   }
+  return j;
+}
+
+/// What a reader without our limits needs to know: how good, and what is not.
+Json quality_json(const TestResult& result) {
+  const std::vector<QualityMark> marks = quality_marks(result.numbers);
+  Json j = {{"grade", to_string(grade_of(result.numbers))}, {"marks", Json::array()}};
+  for (const QualityMark& m : marks)
+    j["marks"].push_back({{"number", m.limit->number},
+                          {"value", m.value},
+                          {"limit", m.bound()},
+                          {"grade", to_string(m.grade)},
+                          {"says", m.text()},
+                          {"advice", m.limit->advice}});
   return j;
 }
 
@@ -112,6 +127,7 @@ std::string result_json(const TestRecord& record) {
   j["outcome"] = {{"status", to_string(result.outcome.status)},
                   {"reason", result.outcome.reason},
                   {"advice", result.outcome.advice}};
+  j["quality"] = quality_json(result);
   j["numbers"] = Json::object();
   for (const Number& n : result.numbers) j["numbers"][n.name] = number_json(n);
   j["packing"] = packing_json(record);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/specimen_checks.hpp"
 #include "base/check.hpp"
 #include "lab/biaxial.hpp"
 #include "lab/brazilian.hpp"
 #include "lab/direct_shear.hpp"
 #include "lab/direct_tension.hpp"
 #include "lab/uniaxial.hpp"
+#include "records/quality.hpp"
 
 namespace phy {
 namespace {
@@ -122,15 +124,6 @@ bool LabTest::after_block() {
   return check_stop();
 }
 
-std::string LabTest::advice_to_go_on(const std::string& usual) const {
-  const std::size_t n_floaters = static_cast<std::size_t>(packing().report.n_floaters),
-                    n = packing().discs.size();
-  if (2 * n_floaters < n) return usual;
-  return fmt::format(
-      "{} of {} grains have fewer than three contacts: raise packing.n_grains, or lower packing.porosity",
-      n_floaters, n);
-}
-
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
@@ -158,12 +151,12 @@ bool LabTest::check_stop() {
     return end(Status::not_peaked,
                fmt::format("the {} still rises at the end, strain {:.3f} %: {:.2f} MPa", stress,
                            now.strain * 100.0, now.stress * 1e-6),
-               advice_to_go_on("raise test.max_strain"));
+               "raise test.max_strain");
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
                fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to strain {:.3f} %",
                            recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, now.strain * 100.0),
-               advice_to_go_on("raise test.max_strain, or test.stop_at"));
+               "raise test.max_strain, or test.stop_at");
   return false;
 }
 
@@ -202,6 +195,21 @@ double LabTest::progress() const {
   return phase_ == Phase::load ? std::min(1.0, reading(group_->row(lane_)).strain / max_strain()) : 0.0;
 }
 
+void LabTest::read_numbers() {
+  AnalysisOptions options = analysis();
+  options.density = specimen_->matrix.density;
+  options.length = packing().height;
+  result_.numbers = analyse(result_.history, result_.cracks, options);
+  for (Number& n : specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
+  const std::vector<QualityMark> marks = quality_marks(result_.numbers);
+  Outcome& outcome = result_.outcome;
+  if (grade_of(result_.numbers) != Grade::untrusted) return;
+  if (outcome.status != Status::peaked && outcome.status != Status::not_peaked) return;
+  if (outcome.status == Status::peaked) outcome.status = Status::untrusted;
+  outcome.reason = marks.front().text() + "; it ended with " + outcome.reason;
+  outcome.advice = marks.front().limit->advice;
+}
+
 TestResult LabTest::take_result() {
   result_.cracks = group_->cracks(lane_);
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
@@ -210,7 +218,7 @@ TestResult LabTest::take_result() {
   result_.snapshots = snapshots_.take(group_->snapshot(lane_));
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(group_->row(lane_).step);
-  result_.numbers = analyse(result_.history, result_.cracks, analysis());
+  read_numbers();
   result_.hash = hash_of(result_);
   return std::move(result_);
 }

@@ -64,7 +64,7 @@ class LabTest {
   virtual double first_stop_strain() const { return 0.0; }
   /// False for a test that runs to max_strain whatever happens, for what comes after the peak.
   virtual bool ends_after_peak() const { return true; }
-  /// What the analysis has to know beside the history.
+  /// What the analysis has to know beside the history and what all tests tell it (read_numbers).
   virtual AnalysisOptions analysis() const { return {}; }
 
   void start_loading();
@@ -88,9 +88,10 @@ class LabTest {
   void place_rig();
   Frame frame() const;
   void keep_pictures();
+  /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why it found
+  /// no peak.
+  void read_numbers();
   bool check_stop();
-  /// For a test without a peak: `usual`, unless most grains of the packing carry nothing.
-  std::string advice_to_go_on(const std::string& usual) const;
 
   std::shared_ptr<const Rig> rig_;
   Phase phase_ = Phase::settle;

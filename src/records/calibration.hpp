@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "records/quality.hpp"
 #include "records/rock.hpp"
 
 namespace phy {
@@ -33,7 +34,8 @@ struct Comparison {
   double high = std::numeric_limits<double>::quiet_NaN();
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack outside the central third (analysis/brazilian.hpp)
-  std::string missing;  ///< why the first packing without an answer has none
+  std::string missing;   ///< why the first packing without an answer has none
+  QualityTally quality;  ///< remarks of the tests behind the mean
   double error() const { return mean / target.mean - 1.0; }
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };

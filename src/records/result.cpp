@@ -147,6 +147,7 @@ const char* to_string(Status status) {
     case Status::not_settled: return "not settled";
     case Status::unstable: return "unstable";
     case Status::interrupted: return "interrupted";
+    case Status::untrusted: return "untrusted";
   }
   return "unknown";
 }

@@ -76,9 +76,11 @@ const char* to_string(TestKind kind);
 constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension, TestKind::brazilian,
                                   TestKind::biaxial, TestKind::direct_shear};
 
-enum class Status { peaked, not_peaked, not_settled, unstable, interrupted };
-constexpr Status all_statuses[] = {Status::peaked, Status::not_peaked, Status::not_settled, Status::unstable,
-                                   Status::interrupted};
+/// `untrusted`: it peaked, but a measure of quality is so bad that its numbers are none of the rock
+/// (quality.hpp).
+enum class Status { peaked, not_peaked, not_settled, unstable, interrupted, untrusted };
+constexpr Status all_statuses[] = {Status::peaked,   Status::not_peaked,  Status::not_settled,
+                                   Status::unstable, Status::interrupted, Status::untrusted};
 const char* to_string(Status status);
 /// The status of that name; nothing: there is none.
 std::optional<Status> status_of(std::string_view name);

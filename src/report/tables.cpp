@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "records/quality.hpp"
 #include "report/text_table.hpp"
 
 namespace phy {
@@ -124,10 +125,17 @@ Columns curve_columns(const Results& results) {
 }
 
 Columns run_columns(const Results& results) {
-  return {cracks("matrix", results), cracks("bedding", results),
+  return {cracks("matrix", results),
+          cracks("bedding", results),
           column("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
           column("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
-          column("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); })};
+          column("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
+          column("quality", "", results, [](const TestResult& r) {
+            const bool ended = r.outcome.status == Status::peaked || r.outcome.status == Status::not_peaked ||
+                               r.outcome.status == Status::untrusted;
+            if (!ended) return "-";
+            return to_string(grade_of(r.numbers));
+          })};
 }
 
 }  // namespace
@@ -156,8 +164,36 @@ std::string missing_numbers(const Results& results) {
   return text;
 }
 
+namespace {
+
+/// One line per measure and limit, with the tests and their values. Of tests that are not to be trusted, or
+/// found no peak, the outcome tells the cause, and the rest follows from it.
+std::string quality_lines(const Results& results) {
+  std::vector<std::pair<QualityMark, std::string>> told;  // a mark, tests with values
+  for (const TestResult& r : results) {
+    if (r.outcome.status != Status::peaked) continue;
+    for (const QualityMark& mark : quality_marks(r.numbers)) {
+      const std::string test = fmt::format("{} {:.2g}", r.name, mark.value);
+      const auto same = [&](const auto& t) {
+        return t.first.limit == mark.limit && t.first.grade == mark.grade;
+      };
+      if (const auto it = std::find_if(told.begin(), told.end(), same); it != told.end())
+        it->second += ", " + test;
+      else
+        told.emplace_back(mark, test);
+    }
+  }
+  std::string text;
+  for (const auto& [mark, tests] : told)
+    text += fmt::format("{}: {}: {}; {} ({})\n", to_string(mark.grade), mark.name(), mark.limit->says,
+                        mark.limit->advice, tests);
+  return text;
+}
+
+}  // namespace
+
 std::string outcome_lines(const Results& results) {
-  std::string text = missing_numbers(results);
+  std::string text = missing_numbers(results) + quality_lines(results);
   for (const TestResult& r : results) {
     if (r.outcome.status == Status::peaked) continue;
     text += r.name + ": " + to_string(r.outcome.status);

@@ -18,8 +18,8 @@ std::string press_table(const std::vector<TestResult>& results, int terminal_wid
 /// once per reason.
 std::string missing_numbers(const std::vector<TestResult>& results);
 
-/// The missing numbers, then one line per specimen that did not succeed: why, and what to do; empty when all
-/// went well.
+/// The missing numbers, then the measures of quality beyond their limits, then one line per specimen that did
+/// not succeed: why, and what to do; empty when all went well.
 std::string outcome_lines(const std::vector<TestResult>& results);
 
 }  // namespace phy

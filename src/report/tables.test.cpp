@@ -27,6 +27,7 @@ std::vector<TestResult> two() {
                     {"sigma_ci", 44.4e6, "Pa", "", "below 44.4 MPa: the crack came early"},
                     {"sigma_cd", 99.9e6, "Pa", "", ""},
                     {"energy_error", 0.00066, "1", "", ""},
+                    {"porosity", 0.1, "1", "", ""},
                     {"cracks_tension_matrix", 850, "1", "", ""},
                     {"cracks_shear_matrix", 64, "1", "", ""},
                     {"cracks_tension_bedding", 12, "1", "", ""},
@@ -48,15 +49,15 @@ TEST(PressTable, OneTableWithUnits) {
   EXPECT_EQ(
       press_table(two(), 200),
       " theta  E tan50  E sec50     nu     UCS  sigma_ci  sigma_cd   energy  cracks matrix  cracks bedding  "
-      "steps   CPU   outcome\n"
+      "steps   CPU   outcome  quality\n"
       "   deg      GPa      GPa            MPa       MPa       MPa    error  tension/shear   tension/shear  "
       "          s\n"
       "------  -------  -------  -----  ------  --------  --------  -------  -------------  --------------  "
-      "-----  ----  --------\n"
+      "-----  ----  --------  -------\n"
       "    30    23.10    24.00  0.251  111.91    <44.40     99.90  0.00066         850/64            12/7  "
-      "61200  11.0    peaked\n"
+      "61200  11.0    peaked     good\n"
       "intact        -        -      -       -         -         -        -            -/-             -/-  "
-      "    0   0.0  unstable\n");
+      "    0   0.0  unstable        -\n");
 }
 
 TEST(PressTable, NoLimitForOutputThatIsNoTerminal) {
@@ -99,7 +100,7 @@ TEST(PressTable, AnInterruptedTestHasNoNumbers) {
   auto all = two();
   all[0].outcome.status = Status::interrupted;
   EXPECT_THAT(press_table(all, 0), Not(HasSubstr("23.10")));
-  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted\n"));
+  EXPECT_THAT(press_table(all, 0), HasSubstr("-/-             -/-  61200  11.0  interrupted        -\n"));
 }
 
 TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), HasSubstr("UCS")); }
@@ -129,6 +130,21 @@ TEST(OutcomeLines, SayWhyADashStandsInTheTable) {
     all[i].numbers = {{"sigma_cd", i == 1 ? 40e6 : std::nan(""), "Pa", "", i == 1 ? "" : "it never turns"}};
   }
   EXPECT_EQ(outcome_lines(all), "sigma_cd -: it never turns (test 0, test 2)\n");
+}
+
+TEST(OutcomeLines, TellARemarkOnceWithTheTestsThatItIsSaidOf) {
+  std::vector<TestResult> all(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[i].name = "test " + std::to_string(i);
+    all[i].outcome = {Status::peaked, "", ""};
+    all[i].numbers = {{"rattlers", i == 1 ? 0.02 : 0.16 + 0.02 * static_cast<double>(i), "1", "", ""}};
+  }
+  EXPECT_EQ(outcome_lines(all),
+            "remark: rattlers above 0.15: this share of the grains can carry nothing; raise "
+            "packing.n_grains, or lower "
+            "packing.porosity (test 0 0.16, test 2 0.2)\n");
+  for (TestResult& r : all) r.outcome = {Status::untrusted, "rattlers 0.4", "raise it"};
+  EXPECT_EQ(outcome_lines({all[0]}), "test 0: untrusted: rattlers 0.4; raise it\n");
 }
 
 TEST(OutcomeLines, SayWhatFailedAndWhatToDo) {

@@ -4,7 +4,7 @@
 // of a point: the macro joint stiffnesses K_n and K_s by Eq. 1 (theory/eq1_fit.hpp). Every effect is computed
 // on each replicate (packing and bond seed) by itself; then mean and 95 % interval over the replicates are
 // taken. What a single packing shows is one draw from a distribution. Tests that did not peak are left out:
-// what they carried most is no strength.
+// what they carried most is no strength; and so are untrusted ones (records/quality.hpp), unless asked for.
 //
 //   one_at_a_time      line over the points of one parameter: slope, intercept, R2, standard errors, and the
 //                      change from the lowest to the highest level
@@ -28,6 +28,9 @@
 namespace phy {
 
 using StudyRows = std::vector<std::optional<StoredResult>>;  ///< belonging to Plan::tests
+
+/// Untrusted tests as if they had peaked and nothing more: for those who ask for means and fits with them.
+StudyRows with_untrusted(StudyRows rows);
 
 /// A response at every point on every replicate; NaN where there is none.
 struct Response {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "records/quality.hpp"
 #include "report/text_table.hpp"
 #include "study/effects.hpp"
 #include "study/table.hpp"
@@ -134,14 +135,23 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
   return all;
 }
 
-/// How many finished tests the effects do without.
+/// How many finished tests the effects do without, and how many of the others carry a remark.
 std::string left_out_text(const StudyRows& rows) {
-  std::size_t n_finished = 0, n_peaked = 0;
-  for (const auto& row : rows)
-    if (row) ++n_finished, n_peaked += row->result.outcome.status == Status::peaked ? 1 : 0;
-  if (n_peaked == n_finished) return "";
-  return fmt::format("\nleft out: {} of {} specimens, which did not peak\n", n_finished - n_peaked,
-                     n_finished);
+  std::size_t n_finished = 0, n_untrusted = 0;
+  QualityTally tally;
+  for (const auto& row : rows) {
+    if (!row) continue;
+    ++n_finished;
+    if (row->result.outcome.status == Status::peaked) tally.add(row->result.numbers);
+    if (row->result.outcome.status == Status::untrusted) ++n_untrusted;
+  }
+  std::string text;
+  if (const std::size_t n = n_finished - tally.n_results - n_untrusted; n > 0)
+    text += fmt::format("\nleft out: {} of {} specimens, which did not peak\n", n, n_finished);
+  if (n_untrusted > 0)
+    text +=
+        fmt::format("\nleft out: {} of {} specimens, which are not to be trusted\n", n_untrusted, n_finished);
+  return text + (tally.n_marked > 0 ? "\n" + tally.text() + "\n" : "");
 }
 
 std::string cells(const Summary& s) {
@@ -158,6 +168,12 @@ std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_w
   if (text.find("+-") != text.npos)
     text += wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
   return text + wrapped(left_out_text(rows), terminal_width);
+}
+
+StudyRows with_untrusted(StudyRows rows) {
+  for (auto& row : rows)
+    if (row && row->result.outcome.status == Status::untrusted) row->result.outcome.status = Status::peaked;
+  return rows;
 }
 
 std::string effects_csv(const Plan& plan, const StudyRows& rows) {

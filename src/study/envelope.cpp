@@ -72,6 +72,13 @@ Recipe confined_recipe(Recipe recipe, double confining_stress) {
   return recipe;
 }
 
+EnvelopeTests with_untrusted(EnvelopeTests tests) {
+  for (auto& of_stress : tests.results)
+    for (TestResult& r : of_stress)
+      if (r.outcome.status == Status::untrusted) r.outcome.status = Status::peaked;
+  return tests;
+}
+
 Envelope fit_envelope(const EnvelopeTests& tests) {
   Envelope envelope;
   envelope.specimens = collect(tests);

@@ -5,7 +5,7 @@
 // specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness (Jaeger, in the
 // strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of the specimen
 // whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A test that did
-// not peak gives no reading.
+// not peak gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
 #pragma once
 #include <limits>
 #include <string>
@@ -46,5 +46,8 @@ struct Envelope {
 };
 
 Envelope fit_envelope(const EnvelopeTests& tests);
+
+/// Untrusted tests as if they had peaked and nothing more: for those who ask for fits with them.
+EnvelopeTests with_untrusted(EnvelopeTests tests);
 
 }  // namespace phy

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/analyse.hpp"
+#include "records/quality.hpp"
 
 namespace phy {
 namespace {
@@ -18,6 +19,14 @@ std::vector<std::pair<std::string, std::string>> numbers_in(
         if (std::find(names.begin(), names.end(), std::pair{n.name, n.unit}) == names.end())
           names.emplace_back(n.name, n.unit);
   return names;
+}
+
+/// Grade and names of the measures beyond their limits.
+std::string quality_cells(const TestResult& result) {
+  const std::vector<QualityMark> marks = quality_marks(result.numbers);
+  std::string names;
+  for (const QualityMark& m : marks) names += (names.empty() ? "" : " ") + std::string(m.limit->number);
+  return std::string(to_string(grade_of(result.numbers))) + "," + names;
 }
 
 }  // namespace
@@ -44,7 +53,7 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
   std::string text = "point,packing,bond_seed,theta [deg],intact";
   for (const Factor& f : plan.study.vary) text.append(",").append(csv_head(f.key));
   for (const auto& [name, unit] : numbers) text += "," + name + " [" + unit + "]";
-  text += ",n_cracks,n_steps,cpu [s],status,reason,result_hash,key\n";
+  text += ",n_cracks,n_steps,cpu [s],status,reason,quality,marks,result_hash,key\n";
   for (const Run& run : plan.runs) {
     const PlannedTest& test = plan.tests[run.test];
     const bool intact = test.recipe.bedding.empty();
@@ -61,9 +70,10 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
     if (row)
       text += "," + std::to_string(row->n_cracks) + "," + std::to_string(row->result.n_steps) + "," +
               print_number(row->result.seconds) + "," + to_string(row->result.outcome.status) + "," +
-              csv_cell(row->result.outcome.reason) + "," + row->result.hash + ",";
+              csv_cell(row->result.outcome.reason) + "," + quality_cells(row->result) + "," +
+              row->result.hash + ",";
     else
-      text += ",,,,not run,,,";
+      text += ",,,,not run,,,,,";
     text += test.key + "\n";
   }
   return text;

@@ -83,11 +83,18 @@ export interface Rose {
   shear: number[];
 }
 
+/** What speaks against a test (result.json, "quality"). */
+export interface Quality {
+  grade: string; // good, remark, untrusted
+  marks: { number: string; value: number; limit: number; grade: string; says: string; advice: string }[];
+}
+
 interface RawTest {
   result: {
     specimen: string;
     "theta [deg]"?: number;
     outcome: { status: string; reason: string; advice: string };
+    quality: Quality;
     numbers: Record<string, NumberValue>;
     packing: Record<string, unknown>;
     run: Record<string, number>;
@@ -143,6 +150,7 @@ export interface Test {
   label: string; // "30°", "intact"
   theta: number | null;
   outcome: { status: string; reason: string; advice: string };
+  quality: Quality;
   numbers: Record<string, NumberValue>;
   result: RawTest["result"];
   strain: Float64Array;
@@ -199,6 +207,7 @@ export function readReport(): Report {
       label: t.label,
       theta,
       outcome: t.result.outcome,
+      quality: t.result.quality,
       numbers: t.result.numbers,
       result: t.result,
       strain,

@@ -76,11 +76,23 @@ function crackLegend(): HTMLElement {
 
 // --- what is missing ----------------------------------------------------------------------------------------
 
+/** What is remarked on tests that count, each once with the tests that it is said of. */
+function remarks(): [string, string[]][] {
+  const told = new Map<string, string[]>();
+  for (const t of report.tests.filter((t) => t.outcome.status === "peaked"))
+    for (const m of t.quality.marks) {
+      const says = `${m.number} ${m.says.slice(m.says.indexOf(", ") + 2)}; ${m.advice}`;
+      told.set(says, [...(told.get(says) ?? []), `${t.name}: ${m.value.toPrecision(2)}`]);
+    }
+  return [...told];
+}
+
 function notices(): Child[] {
   const failed = report.tests.filter((t) => t.outcome.status !== "peaked");
   const about = (t: Test) => [t.outcome.reason, t.outcome.advice].filter((s) => s.length > 0).join("; ");
   return [
     ...failed.map((t) => h("p", { class: "notice" }, h("strong", {}, `${t.name}: ${t.outcome.status}. `), about(t))),
+    ...remarks().map(([says, names]) => h("p", { class: "remark" }, h("strong", {}, "Remark. "), `${says} (${names.join(", ")})`)),
     ...report.missing.map((m) => h("p", { class: "notice" }, h("strong", {}, `${m.name}: missing. `), m.reason)),
   ];
 }
@@ -472,12 +484,12 @@ function numberTable(): HTMLElement {
     h(
       "table",
       { id: "numbers" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "specimen"), ...used.map((c) => h("th", { scope: "col" }, c.head, h("small", {}, c.unit))), h("th", { scope: "col", class: "words" }, "outcome"))),
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "specimen"), ...used.map((c) => h("th", { scope: "col" }, c.head, h("small", {}, c.unit))), h("th", { scope: "col", class: "words" }, "outcome"), h("th", { scope: "col", class: "words" }, "quality"))),
       h(
         "tbody",
         {},
-        ...report.tests.map((t) => h("tr", { "data-specimen": t.name }, h("th", { scope: "row" }, t.label), ...used.map((c) => cell(t, c)), h("td", { class: "words" }, t.outcome.status))),
-        ...report.missing.map((m) => h("tr", {}, h("th", { scope: "row" }, m.name), h("td", { class: "words", colspan: String(used.length + 1) }, "missing"))),
+        ...report.tests.map((t) => h("tr", { "data-specimen": t.name }, h("th", { scope: "row" }, t.label), ...used.map((c) => cell(t, c)), h("td", { class: "words" }, t.outcome.status), h("td", { class: "words" }, t.quality.grade))),
+        ...report.missing.map((m) => h("tr", {}, h("th", { scope: "row" }, m.name), h("td", { class: "words", colspan: String(used.length + 2) }, "missing"))),
       ),
     ),
   );

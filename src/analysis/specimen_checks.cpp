@@ -1,0 +1,108 @@
+#include "analysis/specimen_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace phy {
+namespace {
+
+double mean_diameter(const std::vector<Disc>& discs) {
+  double sum = 0.0;
+  for (const Disc& d : discs) sum += 2.0 * d.r;
+  return sum / static_cast<double>(discs.size());
+}
+
+double largest_overlap(const Specimen& s) {
+  double most = 0.0;
+  for (const Contact& c : s.contacts) {
+    const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
+    most = std::max(most, (a.r + b.r - norm(Vec2{b.x - a.x, b.y - a.y})) / std::min(a.r, b.r));
+  }
+  return most;
+}
+
+using Neighbours = std::vector<std::vector<std::uint32_t>>;
+
+Neighbours neighbours_of(const Specimen& s) {
+  Neighbours of(s.packing->discs.size());
+  for (const Contact& c : s.contacts) of[c.a].push_back(c.b), of[c.b].push_back(c.a);
+  return of;
+}
+
+/// Marks the grains that nothing can load: taking one away may leave its neighbour with one contact.
+std::vector<char> dangling(const Neighbours& of) {
+  std::vector<std::size_t> left(of.size());
+  std::vector<std::uint32_t> next;
+  std::vector<char> gone(of.size(), 0);
+  for (std::uint32_t g = 0; g < of.size(); ++g)
+    if (left[g] = of[g].size(); left[g] < 2) next.push_back(g);
+  while (!next.empty()) {
+    const std::uint32_t g = next.back();
+    next.pop_back();
+    if (gone[g] != 0) continue;
+    gone[g] = 1;
+    for (const std::uint32_t n : of[g])
+      if (gone[n] == 0 && --left[n] < 2) next.push_back(n);
+  }
+  return gone;
+}
+
+/// Number of grains of the largest connected part of those not marked.
+std::size_t largest_part(const Neighbours& of, std::vector<char> gone) {
+  std::size_t largest = 0;
+  for (std::uint32_t start = 0; start < of.size(); ++start) {
+    if (gone[start] != 0) continue;
+    std::size_t n = 0;
+    std::vector<std::uint32_t> next = {start};
+    gone[start] = 1;
+    while (!next.empty()) {
+      const std::uint32_t g = next.back();
+      next.pop_back();
+      ++n;
+      for (const std::uint32_t m : of[g])
+        if (gone[m] == 0) gone[m] = 1, next.push_back(m);
+    }
+    largest = std::max(largest, n);
+  }
+  return largest;
+}
+
+double rattlers(const Specimen& s) {
+  const Neighbours of = neighbours_of(s);
+  const auto n = static_cast<double>(of.size());
+  return 1.0 - static_cast<double>(largest_part(of, dangling(of))) / n;
+}
+
+double fewest_joints(const Specimen& s) {
+  std::vector<double> n(s.bedding.size(), 0.0);
+  for (const Contact& c : s.contacts)
+    if (c.kind == ContactKind::joint) n[c.set] += 1.0;
+  return *std::min_element(n.begin(), n.end());
+}
+
+}  // namespace
+
+std::vector<Number> specimen_checks(const Specimen& specimen) {
+  const Packing& p = *specimen.packing;
+  const double diameter = mean_diameter(p.discs);
+  std::vector<Number> out = {
+      {"grains_across", std::min(p.width, p.height) / diameter, "1",
+       "smaller side of the specimen / mean grain diameter", ""},
+      {"porosity", p.report.porosity, "1", "1 - area of all discs / area of the box, of the packing", ""},
+      {"overlap", largest_overlap(specimen), "1",
+       "largest overlap of two grains in contact at the start / radius of the smaller one", ""},
+      {"rattlers", rattlers(specimen), "1",
+       "share of grains that no contact can load: fewer than two contacts, or cut off from the largest part",
+       ""}};
+  if (specimen.bedding.empty()) return out;
+  double spacing = specimen.bedding.front().spacing;
+  for (const BeddingRecipe& set : specimen.bedding) spacing = std::min(spacing, set.spacing);
+  out.push_back({"grains_per_spacing", spacing / diameter, "1",
+                 "spacing of the bedding / mean grain diameter, of several sets the smallest", ""});
+  out.push_back({"joints", fewest_joints(specimen), "1",
+                 "smooth joints of a bedding set at the start, of several sets the fewest", ""});
+  return out;
+}
+
+}  // namespace phy

@@ -1,0 +1,22 @@
+// Whether a specimen is one: what its packing and bedding must have before any test of it means something.
+#pragma once
+#include <vector>
+
+#include "records/result.hpp"
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// Measures, all [1]:
+///   grains_across       smaller side of the specimen (diameter of a disc) over the mean grain diameter
+///   porosity            of the packing, 1 - area of all discs / area of the box; below zero: discs lie on
+///   top of each other overlap             largest overlap of two grains in contact at the start / radius of
+///   the smaller one rattlers            share of grains outside the load-bearing network: those left over
+///   when grains with fewer than
+///                       two contacts are taken away one after the other, and all parts but the largest
+///   grains_per_spacing  spacing of the bedding over the mean grain diameter; of several sets the smallest
+///   joints              number of smooth joints of a bedding set; of several sets the smallest number
+/// The last two only with bedding.
+std::vector<Number> specimen_checks(const Specimen& specimen);
+
+}  // namespace phy

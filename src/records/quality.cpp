@@ -1,0 +1,100 @@
+#include "records/quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace phy {
+
+const char* to_string(Grade grade) {
+  switch (grade) {
+    case Grade::unknown: return "not assessed";
+    case Grade::good: return "good";
+    case Grade::remark: return "remark";
+    case Grade::untrusted: return "untrusted";
+  }
+  return "";
+}
+
+const std::vector<QualityLimit>& quality_limits() {
+  static const std::vector<QualityLimit> limits = {
+      {"porosity", true, 0.05, 0.0, "the discs lie on top of each other",
+       "lower packing.n_grains, or give packing.porosity"},
+      {"overlap", false, 0.5, 1.0, "grains are pushed into each other at the start",
+       "lower packing.n_grains, or move the imported discs apart"},
+      {"rattlers", false, 0.15, 0.3, "this share of the grains can carry nothing",
+       "raise packing.n_grains, or lower packing.porosity"},
+      {"grains_across", true, 10.0, 5.0, "too few grains across the specimen to be a rock",
+       "lower the radii of [packing], or widen the specimen"},
+      {"joints", true, 3.0, 1.0, "the bedding hardly meets the specimen, or not at all",
+       "lower bedding.spacing, or move bedding.offset"},
+      {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
+       "lower the radii of [packing], or raise bedding.spacing"},
+      {"wave_transits", true, 50.0, 10.0, "stress waves have no time to even out", "lower test.platen_speed"},
+      {"rows_to_peak", true, 20.0, 5.0, "too few rows of the history see the way to the peak",
+       "lower test.history_interval, or test.platen_speed"},
+      {"platen_difference_95", false, 0.03, 0.1,
+       "both tools press with different forces, inertia carries the difference",
+       "lower test.platen_speed, or raise engine.damping"},
+      {"kinetic_ratio", false, 0.02, 0.1, "the specimen is in motion, not in equilibrium",
+       "lower test.platen_speed, or raise engine.damping"},
+      {"energy_error", false, 0.01, 0.1, "energy appears or is lost",
+       "raise engine.damping where it is below 0.7, else lower engine.step_safety"},
+  };
+  return limits;
+}
+
+std::string QualityMark::name() const {
+  return fmt::format("{} {} {:g}", limit->number, limit->least ? "below" : "above", bound());
+}
+
+std::string QualityMark::text() const {
+  return fmt::format("{} {:.2g}, {} {:g}: {}", limit->number, value, limit->least ? "below" : "above",
+                     bound(), limit->says);
+}
+
+std::vector<QualityMark> quality_marks(const std::vector<Number>& numbers) {
+  std::vector<QualityMark> marks;
+  for (const QualityLimit& limit : quality_limits())
+    for (const Number& n : numbers) {
+      if (n.name != limit.number || !std::isfinite(n.value)) continue;
+      const auto beyond = [&](double bound) { return limit.least ? n.value < bound : n.value > bound; };
+      if (beyond(limit.remark))
+        marks.push_back({&limit, n.value, beyond(limit.untrusted) ? Grade::untrusted : Grade::remark});
+    }
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const QualityMark& p, const QualityMark& q) { return p.grade > q.grade; });
+  return marks;
+}
+
+Grade grade_of(const std::vector<Number>& numbers) {
+  const std::vector<QualityMark> marks = quality_marks(numbers);
+  if (!marks.empty()) return marks.front().grade;
+  const bool assessed = std::any_of(numbers.begin(), numbers.end(), [](const Number& n) {
+    return n.name == quality_limits().front().number;
+  });
+  return assessed ? Grade::good : Grade::unknown;
+}
+
+void QualityTally::add(const std::vector<Number>& numbers) {
+  const std::vector<QualityMark> marks = quality_marks(numbers);
+  ++n_results;
+  n_marked += marks.empty() ? 0 : 1;
+  for (const QualityMark& m : marks) ++measures[m.limit->number];
+}
+
+void QualityTally::add(const QualityTally& more) {
+  n_results += more.n_results, n_marked += more.n_marked;
+  for (const auto& [measure, n] : more.measures) measures[measure] += n;
+}
+
+std::string QualityTally::text() const {
+  if (n_marked == 0) return "";
+  std::string text = fmt::format("{} of {} tests carry a remark: ", n_marked, n_results);
+  const char* comma = "";
+  for (const auto& [measure, n] : measures) text += fmt::format("{}{} ({})", comma, measure, n), comma = ", ";
+  return text;
+}
+
+}  // namespace phy

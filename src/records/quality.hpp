@@ -1,0 +1,63 @@
+// Whether a result can be believed: the measures of a test beside the limits that they should keep.
+//
+// Every measure is a number of the result like any other (analysis/energy.hpp, analysis/specimen_checks.hpp),
+// so it is stored, tabled and read back with the rest; only the limits stand here. Two levels: a *remark*
+// leaves the number standing and is shown wherever the number is; *untrusted* means that the number is not
+// one of the rock, and ends the test with that outcome, out of every mean and fit. The limits come from tests
+// made bad on purpose: docs/reliability.md.
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "records/result.hpp"
+
+namespace phy {
+
+/// `unknown`: the result has no measures, it is of an older version of this program.
+enum class Grade { unknown, good, remark, untrusted };
+const char* to_string(Grade grade);
+
+/// How far a measure may go. Measures of which little is bad (rows, transits) have `least` set.
+struct QualityLimit {
+  const char* number;  ///< name of the measure among the numbers of a result
+  bool least;          ///< the limits are lower bounds, else upper ones
+  double remark;       ///< beyond it the result carries a remark
+  double untrusted;    ///< beyond it the result is not trusted
+  const char* says;    ///< what is wrong then, after the name and the value
+  const char* advice;  ///< what to change
+};
+/// The one list, in the order in which troubles are told: what a cause is comes before what follows from it.
+const std::vector<QualityLimit>& quality_limits();
+
+/// A measure beyond a limit.
+struct QualityMark {
+  const QualityLimit* limit = nullptr;
+  double value = 0.0;
+  Grade grade = Grade::remark;
+  double bound() const { return grade == Grade::untrusted ? limit->untrusted : limit->remark; }
+  /// "kinetic_ratio above 0.02"
+  std::string name() const;
+  /// "kinetic_ratio 0.08, above 0.02: the specimen is in motion, not in equilibrium"
+  std::string text() const;
+};
+
+/// The marks of a result, untrusted ones first; empty when all measures keep their limits. A measure that
+/// could not be determined, or is not there (a result of an older version), is no mark.
+std::vector<QualityMark> quality_marks(const std::vector<Number>& numbers);
+
+/// That of the worst mark.
+Grade grade_of(const std::vector<Number>& numbers);
+
+/// How many of many results carry which mark.
+struct QualityTally {
+  std::size_t n_results = 0, n_marked = 0;
+  std::map<std::string, std::size_t> measures;  ///< results beyond a limit, by measure
+  void add(const std::vector<Number>& numbers);
+  void add(const QualityTally& more);
+  /// "3 of 35 tests carry a remark: energy_error (1), kinetic_ratio (2)"; empty where none does.
+  std::string text() const;
+};
+
+}  // namespace phy

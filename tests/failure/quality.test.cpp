@@ -1,0 +1,139 @@
+// A bad run never looks like a good one: runs made bad on purpose, as the program tells of them in its table,
+// its exit code, its files and its studies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../program.hpp"
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Quality : public ProgramTest {
+ protected:
+  /// The paper's rock with 254 discs, every length of its microstructure 5.4 times larger. `change` replaces
+  /// a line that begins like it.
+  std::string rock(const std::vector<std::string>& changes = {}) const {
+    std::vector<std::string> lines = {"[specimen]",
+                                      "width = \"38 mm\"",
+                                      "height = \"76 mm\"",
+                                      "[packing]",
+                                      "radius_min = \"1.357 mm\"",
+                                      "radius_max = \"2.252 mm\"",
+                                      "n_grains = 254",
+                                      "[matrix]",
+                                      "E_c = \"38 GPa\"",
+                                      "[[bedding]]",
+                                      "spacing = \"27 mm\"",
+                                      "zone_thickness = \"3.2 mm\"",
+                                      "k_n = \"620 GPa/m\"",
+                                      "k_s = \"177 GPa/m\"",
+                                      "offset = \"0 mm\"",
+                                      "[test]",
+                                      "kind = \"uniaxial\"",
+                                      "angles = [\"60 deg\"]",
+                                      "platen_speed = \"0.02 m/s\"",
+                                      "history_interval = 100",
+                                      "n_snapshots = 1",
+                                      "n_frames = 2",
+                                      "[engine]",
+                                      "damping = 0.7"};
+    for (const std::string& change : changes) {
+      const std::string key = change.substr(0, change.find('='));
+      bool found = false;
+      for (std::string& line : lines)
+        if (line.starts_with(key)) line = change, found = true;
+      EXPECT_TRUE(found) << change;
+    }
+    std::string text = "name = \"254 discs\"\n";
+    for (const std::string& line : lines) text += line + "\n";
+    return write("rock.toml", text);
+  }
+  nlohmann::json result(const std::string& specimen = "theta_60_deg") const {
+    std::ifstream in(out() + "/" + specimen + "/result.json");
+    return nlohmann::json::parse(in);
+  }
+};
+
+TEST_F(Quality, ASlowTestOfARealSpecimenIsGood) {
+  EXPECT_EQ(run("run " + rock() + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("good"), Not(HasSubstr("remark")), Not(HasSubstr("untrusted"))));
+  EXPECT_EQ(result()["quality"]["grade"], "good");
+  EXPECT_TRUE(result()["quality"]["marks"].empty());
+}
+
+struct Bad {
+  const char* name;
+  std::vector<std::string> changes;
+  const char* measure;
+  const char* advice;
+};
+void PrintTo(const Bad& b, std::ostream* out) { *out << b.name; }
+
+class Untrusted : public Quality, public testing::WithParamInterface<Bad> {};
+
+TEST_P(Untrusted, IsNoResultAndSaysWhy) {
+  EXPECT_EQ(run("run " + rock(GetParam().changes) + " --out " + out()), 1) << output;
+  EXPECT_THAT(output,
+              AllOf(HasSubstr("untrusted"), HasSubstr(GetParam().measure), HasSubstr(GetParam().advice)));
+  const nlohmann::json j = result();
+  EXPECT_EQ(j["outcome"]["status"], "untrusted");
+  EXPECT_EQ(j["quality"]["grade"], "untrusted");
+  EXPECT_EQ(j["quality"]["marks"][0]["grade"], "untrusted");
+  EXPECT_EQ(run("show " + out()), 1);
+  EXPECT_THAT(output, HasSubstr("untrusted"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Untrusted,
+    testing::Values(
+        Bad{"platens_at_2_m_per_s", {"platen_speed = \"2 m/s\""}, "wave_transits", "lower test.platen_speed"},
+        Bad{"platens_at_10_m_per_s", {"platen_speed = \"10 m/s\""}, "rows_to_peak", "lower test."},
+        Bad{"grips_that_differ",
+            {"kind = \"direct_tension\"", "platen_speed = \"1 m/s\"", "history_interval = 5"},
+            "platen_difference_95",
+            "lower test.platen_speed"},
+        Bad{"four_hundred_discs_in_the_space_of_254",
+            {"n_grains = 400"},
+            "porosity",
+            "lower packing.n_grains"},
+        Bad{"planes_that_miss", {"spacing = \"200 mm\"", "offset = \"100 mm\""}, "joints", "bedding.offset"},
+        Bad{"grains_without_load", {"n_grains = 215"}, "rattlers", "raise packing.n_grains"},
+        Bad{"three_rows", {"history_interval = 5000"}, "rows_to_peak", "lower test.history_interval"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+TEST_F(Quality, WithoutDampingTheNumberStandsWithARemark) {
+  EXPECT_EQ(run("run " + rock({"damping = 0"}) + " --out " + out()), 0) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("remark"), HasSubstr("raise engine.damping")));
+  EXPECT_EQ(result()["outcome"]["status"], "peaked");
+  EXPECT_EQ(result()["quality"]["grade"], "remark");
+}
+
+// In a study an untrusted test is left out of means and effects, unless asked for.
+TEST_F(Quality, AStudyLeavesUntrustedTestsOut) {
+  rock();
+  const std::string study = write(
+      "study.toml", "name = \"speeds\"\nrecipe = \"rock.toml\"\ndesign = \"list\"\nfile = \"points.csv\"\n");
+  write("points.csv", "test.platen_speed [m/s]\n0.05\n0.02\n2\n");
+  EXPECT_EQ(run("study " + study + " --out " + out()), 1) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("not to be trusted"), HasSubstr("left out: 1 of 3 specimens")));
+  std::ifstream in(out() + "/results.csv");
+  const std::string csv(std::istreambuf_iterator<char>(in), {});
+  EXPECT_THAT(csv,
+              AllOf(HasSubstr("status,reason,quality,marks"), HasSubstr(",untrusted,"), HasSubstr(",good,")));
+  EXPECT_EQ(run("study effects " + out() + " --with-untrusted"), 0) << output;
+  EXPECT_THAT(output, AllOf(Not(HasSubstr("left out")), HasSubstr("1 of 3 tests carry a remark")));
+}
+
+TEST_F(Quality, AnEnvelopeLeavesUntrustedTestsOut) {
+  const std::string file = rock({"platen_speed = \"2 m/s\""});
+  EXPECT_EQ(run("envelope " + file + " --confining '0 MPa,5 MPa' --out " + out()), 1) << output;
+  EXPECT_THAT(output, AllOf(HasSubstr("untrusted"), HasSubstr("no Mohr-Coulomb envelope")));
+}
+
+}  // namespace
