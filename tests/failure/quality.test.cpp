@@ -26,6 +26,7 @@ class Quality : public ProgramTest {
                                       "radius_min = \"1.357 mm\"",
                                       "radius_max = \"2.252 mm\"",
                                       "n_grains = 254",
+                                      "seed = 1",
                                       "[matrix]",
                                       "E_c = \"38 GPa\"",
                                       "[[bedding]]",
@@ -95,15 +96,15 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"platens_at_2_m_per_s", {"platen_speed = \"2 m/s\""}, "wave_transits", "lower test.platen_speed"},
         Bad{"platens_at_10_m_per_s", {"platen_speed = \"10 m/s\""}, "rows_to_peak", "lower test."},
         Bad{"grips_that_differ",
-            {"kind = \"direct_tension\"", "platen_speed = \"1 m/s\"", "history_interval = 5"},
-            "platen_difference_95",
+            {"kind = \"direct_tension\"", "platen_speed = \"1 m/s\"", "history_interval = 10"},
+            "wave_transits",
             "lower test.platen_speed"},
         Bad{"four_hundred_discs_in_the_space_of_254",
             {"n_grains = 400"},
             "porosity",
             "lower packing.n_grains"},
         Bad{"planes_that_miss", {"spacing = \"200 mm\"", "offset = \"100 mm\""}, "joints", "bedding.offset"},
-        Bad{"grains_without_load", {"n_grains = 215"}, "rattlers", "raise packing.n_grains"},
+        Bad{"grains_without_load", {"n_grains = 212", "seed = 2"}, "rattlers", "raise packing.n_grains"},
         Bad{"three_rows", {"history_interval = 5000"}, "rows_to_peak", "lower test.history_interval"}),
     [](const auto& one) { return std::string(one.param.name); });
 
@@ -132,7 +133,7 @@ TEST_F(Quality, AStudyLeavesUntrustedTestsOut) {
 
 TEST_F(Quality, AnEnvelopeLeavesUntrustedTestsOut) {
   const std::string file = rock({"platen_speed = \"2 m/s\""});
-  EXPECT_EQ(run("envelope " + file + " --confining '0 MPa,5 MPa' --out " + out()), 1) << output;
+  EXPECT_EQ(run("envelope " + file + " --confining '0 MPa,5 MPa,10 MPa' --out " + out()), 1) << output;
   EXPECT_THAT(output, AllOf(HasSubstr("untrusted"), HasSubstr("no Mohr-Coulomb envelope")));
 }
 
