@@ -100,9 +100,11 @@ std::string sh_word(std::string_view text) {
   return word + "'";
 }
 
+// A quote inside single quotes is not doubled: gnuplot 5.4 takes two of them in a row, or one at the front,
+// for the end of the string. It is joined from outside.
 std::string gnuplot_string(std::string_view text) {
   std::string out = "'";
-  for (const char c : comment_text(text)) out += c == '\'' ? "''" : std::string(1, c);
+  for (const char c : comment_text(text)) out += c == '\'' ? "'.\"'\".'" : std::string(1, c);
   return out + "'";
 }
 

@@ -34,8 +34,8 @@ std::string csv_cell(std::string_view text);
 /// sh: one word that means itself, in quotes unless nothing in it means anything to a shell.
 std::string sh_word(std::string_view text);
 
-/// gnuplot: a string in single quotes, in which it looks for neither commands (backquotes) nor macros nor
-/// escapes.
+/// gnuplot: a string expression of parts in single quotes, in which it looks for neither commands
+/// (backquotes) nor macros nor escapes.
 std::string gnuplot_string(std::string_view text);
 /// gnuplot: the same text among markup ("enhanced"), shown as it is; gnuplot_string() goes around the whole.
 std::string gnuplot_plain(std::string_view text);

@@ -67,7 +67,7 @@ TEST(Quote, AShellTakesAWordAsItIs) {
 }
 
 TEST(Quote, GnuplotShowsWhatItIsGiven) {
-  EXPECT_EQ(gnuplot_string("it's `rm` \"x\""), "'it''s `rm` \"x\"'");
+  EXPECT_EQ(gnuplot_string("it's `rm` \"x\""), "'it'.\"'\".'s `rm` \"x\"'");
   EXPECT_EQ(gnuplot_string("a\n"), "'a\\x0a'");
   EXPECT_EQ(gnuplot_plain("{a}_b^c@d&e~f\\g"), "\\{a\\}\\_b\\^c\\@d\\&e\\~f\\\\g");
 }
