@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
@@ -85,21 +86,24 @@ std::string beside(const std::string& path, const char* what) {
   return path + "." + what + "-" + std::to_string(::gettid());
 }
 
-/// Files that have been read, by device and number.
+/// Files that have been read, by device, number and time: a file that is gone leaves its number to another
+/// one.
 class FilesRead {
  public:
   void add(const struct stat& s) {
     const std::lock_guard lock(mutex_);
-    files_.emplace(s.st_dev, s.st_ino);
+    files_.insert(key(s));
   }
   bool has(const struct stat& s) {
     const std::lock_guard lock(mutex_);
-    return files_.contains({s.st_dev, s.st_ino});
+    return files_.contains(key(s));
   }
 
  private:
+  using Key = std::tuple<dev_t, ino_t, time_t, long>;
+  static Key key(const struct stat& s) { return {s.st_dev, s.st_ino, s.st_mtim.tv_sec, s.st_mtim.tv_nsec}; }
   std::mutex mutex_;
-  std::set<std::pair<dev_t, ino_t>> files_;
+  std::set<Key> files_;
 } files_read;
 
 }  // namespace
