@@ -56,6 +56,7 @@ paper: build
 	@for s in study no-jump small small-jump crossing choices area; do f=study-$$s; [ $$s = study ] && f=study; \
 	  $(BUILD)/phyllite study examples/paper/$$f.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
 	$(BUILD)/phyllite elastic examples/paper/elastic.toml --out results/paper/elastic || [ $$? = 1 ]
+	rm -f docs/pictures/stiffness.png docs/pictures/modulus.png docs/pictures/strength.png # from the clone: not replaced
 	for k in 4:stiffness 5:modulus 6:strength; do $(BUILD)/phyllite figure results/paper/study --kind fig$${k%%:*} \
 	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
 	python3 tools/paper.py results/paper docs

@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
 #include "report/calibration_files.hpp"
@@ -41,9 +42,10 @@ std::string fingerprint(const Rock& rock, const Arguments& args) {
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
 std::string label(const Rock& rock, const Arguments& args) {
-  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", rock.name, args.rock,
-                     args.elastic ? ", --elastic" : "", args.with_untrusted ? ", --with-untrusted" : "",
-                     args.max_tests, fingerprint(rock, args));
+  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", rock.name,
+                     comment_text(args.rock), args.elastic ? ", --elastic" : "",
+                     args.with_untrusted ? ", --with-untrusted" : "", args.max_tests,
+                     fingerprint(rock, args));
 }
 
 /// Throws InputError where --resume would write one calibration over another.
@@ -61,12 +63,22 @@ void check_same(const std::string& file, const std::string& expected, const Argu
               "it holds: " + holds + "; its table, recipe or options differ: another --out begins afresh"});
 }
 
+/// All that is written beside the store.
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"calibration-of.txt", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
+                           "calibration.json", "tables.txt", "report.html"})
+    files.push_back((std::filesystem::path(folder) / name).string());
+  return files;
+}
+
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
 std::string store_in(const Arguments& args, const Rock& rock) {
   namespace fs = std::filesystem;
   const fs::path folder(args.out);
   std::string store = (folder / "runs.sqlite").string();
   const std::string label_file = (folder / "calibration-of.txt").string();
+  check_outputs(files_in(args.out));
   check_writable(args.out);
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && Store(store).size() > 0);
@@ -74,7 +86,7 @@ std::string store_in(const Arguments& args, const Rock& rock) {
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
   if (begun) check_same(label_file, label(rock, args), args);
-  write_file(label_file, label(rock, args));
+  write_output(label_file, label(rock, args));
   return store;
 }
 
@@ -93,11 +105,11 @@ std::string tables_of(const Calibration& c, int width) {
 
 void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
   const std::filesystem::path out(folder);
-  write_file((out / "calibrated.toml").string(), write_recipe(c.recipe));
-  write_file((out / "calibrated.p2dat").string(), pfc_commands(c.recipe));
-  write_file((out / "calibrated-yade.py").string(), yade_script(c.recipe));
-  write_file((out / "calibration.json").string(), calibration_json(c, PHY_VERSION));
-  write_file((out / "tables.txt").string(), tables);
+  write_output((out / "calibrated.toml").string(), write_recipe(c.recipe));
+  write_output((out / "calibrated.p2dat").string(), pfc_commands(c.recipe));
+  write_output((out / "calibrated-yade.py").string(), yade_script(c.recipe));
+  write_output((out / "calibration.json").string(), calibration_json(c, PHY_VERSION));
+  write_output((out / "tables.txt").string(), tables);
 }
 
 int run_calibration(const Arguments& args, const Session& session) {
@@ -110,7 +122,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   machine.store = store_in(args, rock);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  fmt::print("\n{}\n", target_table(targets_of(rock), width));
+  print_text("\n{}\n", target_table(targets_of(rock), width));
   std::fflush(stdout);
   ProgressLine line;
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
@@ -122,9 +134,10 @@ int run_calibration(const Arguments& args, const Session& session) {
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
-  fmt::print("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
+  print_text("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
   if (interrupted) {
-    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --resume\n", args.rock, args.out);
+    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --resume\n", sh_word(args.rock),
+                  sh_word(args.out));
     return 1;
   }
   write_report(args.out);

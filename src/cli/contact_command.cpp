@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "lab/contact_bench.hpp"
 #include "verification/contact_witness.hpp"
 
@@ -201,15 +202,16 @@ void contact(const ContactArguments& args, int width) {
   if (!args.path.empty()) corners = read_path(args.path, problems);
   if (!problems.empty()) throw InputError(problems);
   if (corners.empty()) corners = default_path();
+  if (!args.out.empty()) check_outputs({args.out});
   const auto bench = bench_contact(law.name, v);
   const std::vector<BenchRow> rows = drive(*bench, corners, args.steps);
   const std::vector<ContactForces> exact = witness(law.name, v, corners, args.steps);
   PHY_CHECK(exact.size() == rows.size(), "every law of the list has a closed form");
   const std::string text = table(rows, exact);
   if (args.out.empty())
-    fmt::print("{}", text);
+    print_text("{}", text);
   else
-    write_file(args.out, text);
+    write_output(args.out, text);
   std::fflush(stdout);
   fmt::print(stderr, "{}", summary(rows, exact));
 }

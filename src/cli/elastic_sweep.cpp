@@ -10,10 +10,12 @@
 
 #include "base/check.hpp"
 #include "base/clock.hpp"
+#include "base/quote.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/stiffness_sweep.hpp"
@@ -74,7 +76,7 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
         const std::int64_t seed = r.packing.seed + static_cast<std::int64_t>(i);
         variant.packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
         const SweptPacking& p = variant.packings.back();
-        fmt::print("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
+        print_text("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
                    to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
         std::fflush(stdout);
       }
@@ -169,7 +171,7 @@ void print_lines(const Variant& v, int width) {
   std::string refused;
   const Columns normal = line_columns(v, SweptStiffness::normal, refused),
                 shear = line_columns(v, SweptStiffness::shear, refused);
-  fmt::print("{}", text_table(label, {normal, shear}, width));
+  print_text("{}", text_table(label, {normal, shear}, width));
   print_wrapped(width, 2, "{}", refused);
 }
 
@@ -184,14 +186,8 @@ void for_all_readings(const Use& use) {
           use(MacroReading{contacts, strain, loss, reference});
 }
 
-std::string quoted(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + "\"";
-}
-
 std::string cells_of(const Variant& v, const MacroReading& r) {
-  return fmt::format("{},{},{},{},{},{}", quoted(v.name), to_string(v.rule), to_string(r.contacts),
+  return fmt::format("{},{},{},{},{},{}", csv_cell(v.name), to_string(v.rule), to_string(r.contacts),
                      to_string(r.strain), to_string(r.loss), to_string(r.reference));
 }
 constexpr const char* reading_head = "recipe,rule,contacts,strain,loss,reference E";
@@ -208,7 +204,7 @@ std::string lines_csv(const std::vector<Variant>& variants) {
         text += fmt::format("{},{},{},{:.4f},{:.4f},{:.2f},{:.2f},{:.6f},{:.4f},{}\n", cells_of(v, r),
                             what == SweptStiffness::normal ? "K_n(k_n)" : "K_s(k_s)", l.slope.n, l.slope.mean,
                             l.slope.half_width, l.intercept.mean * giga, l.intercept.half_width * giga,
-                            l.R2.mean, l.cross.mean, quoted(l.refused));
+                            l.R2.mean, l.cross.mean, csv_cell(l.refused));
       }
     });
   return text;
@@ -250,9 +246,9 @@ std::string fig4_csv(const std::vector<Variant>& variants, const std::vector<dou
 
 void add_modulus(std::string& text, const Variant& v, const SweptPacking& p, const std::string& joints,
                  const std::string& theta, const ElasticResult& r) {
-  text += fmt::format("{},{},{},{},{},{},{:.4f},{:.5f},{:.4f},{},{}\n", quoted(v.name), to_string(v.rule),
+  text += fmt::format("{},{},{},{},{},{},{:.4f},{:.5f},{:.4f},{},{}\n", csv_cell(v.name), to_string(v.rule),
                       p.seed, joints, r.bilateral ? "pulling" : "pushing", theta, r.E_gauge * giga,
-                      r.nu_gauge, r.E_platen * giga, r.n_alternating, quoted(r.outcome.reason));
+                      r.nu_gauge, r.E_platen * giga, r.n_alternating, csv_cell(r.outcome.reason));
 }
 
 std::string moduli_csv(const std::vector<Variant>& variants) {
@@ -290,12 +286,21 @@ bool all_solved(const std::vector<Variant>& variants, int width) {
   return solved;
 }
 
-void write_tables(const std::vector<Variant>& variants, std::vector<double> factors, const std::string& out) {
+struct SweepFiles {
+  explicit SweepFiles(const std::filesystem::path& folder)
+      : lines((folder / "lines.csv").string()),
+        fig4((folder / "fig4.csv").string()),
+        moduli((folder / "moduli.csv").string()),
+        page((folder / "report.html").string()) {}
+  std::string lines, fig4, moduli, page;
+};
+
+void write_tables(const std::vector<Variant>& variants, std::vector<double> factors,
+                  const SweepFiles& files) {
   std::sort(factors.begin(), factors.end());
-  const std::filesystem::path folder(out);
-  write_file((folder / "lines.csv").string(), lines_csv(variants));
-  write_file((folder / "fig4.csv").string(), fig4_csv(variants, factors));
-  write_file((folder / "moduli.csv").string(), moduli_csv(variants));
+  write_output(files.lines, lines_csv(variants));
+  write_output(files.fig4, fig4_csv(variants, factors));
+  write_output(files.moduli, moduli_csv(variants));
 }
 
 }  // namespace
@@ -303,12 +308,14 @@ void write_tables(const std::vector<Variant>& variants, std::vector<double> fact
 int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads,
                       int width) {
   const std::vector<Recipe> recipes = recipes_of(recipe, path);
+  const SweepFiles files(out);
+  check_outputs({files.lines, files.fig4, files.moduli, files.page});
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
   if (variants.empty())
-    return fmt::print("stopped before any packing was finished; nothing was written\n"), 1;
-  write_tables(variants, recipe.sweep.factors, out);  // before anything is printed: the output may be full
+    return print_text("stopped before any packing was finished; nothing was written\n"), 1;
+  write_tables(variants, recipe.sweep.factors, files);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);
     print_lines(v, width);
@@ -325,7 +332,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
         width, 0,
         "\nstopped: the tables hold the packings above; run the same command again for all of them\n");
   write_report(out);
-  fmt::print("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
+  print_text("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
   return solved && !stopped ? 0 : 1;
 }
 

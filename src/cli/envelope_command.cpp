@@ -18,6 +18,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "records/quality.hpp"
@@ -127,7 +128,7 @@ void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int w
     }
     strengths.push_back(std::move(c));
   }
-  fmt::print("\nsigma_1 [MPa] at the peak\n{}",
+  print_text("\nsigma_1 [MPa] at the peak\n{}",
              text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
@@ -144,7 +145,7 @@ void print_fits(const Envelope& envelope, int width) {
                               of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
                               of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
   const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
-  fmt::print("\n{}",
+  print_text("\n{}",
              text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
@@ -259,6 +260,11 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
                                          confined_recipe(recipe, sigma_3), args.recipe, "use another --out"))
       others.push_back(std::move(p));
   if (!others.empty()) throw InputError(std::move(others));
+  for (const double sigma_3 : confining)
+    for (const std::string& name : specimen_names(recipe))
+      check_result_place((out / folder_of(sigma_3) / folder_name(name)).string());
+  const std::string strengths = (out / "envelope.csv").string(), fits = (out / "fits.csv").string();
+  check_outputs({strengths, fits});
   check_writable(args.out);
   const auto packing = packing_of(recipe, default_cache_folder());
   std::vector<std::shared_ptr<const Specimen>> specimens;
@@ -270,8 +276,8 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::fflush(stdout);
   const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const Envelope envelope = fit_envelope(args.with_untrusted ? with_untrusted(tests) : tests);
-  write_file((out / "envelope.csv").string(), strengths_csv(tests));
-  write_file((out / "fits.csv").string(), fits_csv(envelope));
+  write_output(strengths, strengths_csv(tests));
+  write_output(fits, fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
   print_fits(envelope, width);

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <map>
 
+#include "base/quote.hpp"
 #include "cli/machine.hpp"
+#include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/program.hpp"
@@ -61,13 +63,16 @@ void draw(FigureArguments args) {
     throw InputError(Problem{"command line", "--width", fmt::format("{:g}", args.width),
                              fmt::format("{:g} to {:g} mm", least_width, most_width),
                              "journals have 90, 140, 190; 0: the usual one of the kind"});
+  if (!is_plain(args.out))
+    throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
+                             "gnuplot has no way to write others"});
   const FigureData data = data_for(kind, args);
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
     const std::string script = figure_script(kind, data, formats.at(format), args.width, temporary);
     run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
-  fmt::print("{}\n", args.out);
+  print_text("{}\n", args.out);
 }
 
 std::string kinds_text() {

@@ -107,10 +107,10 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const phy::InputError& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    fmt::print(stderr, "{}\n", phy::terminal_text(e.what()));
     return 2;
   } catch (const phy::IoError& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    fmt::print(stderr, "{}\n", phy::terminal_text(e.what()));
     return 3;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "not enough memory; use fewer grains, or fewer lanes (--lanes)\n");

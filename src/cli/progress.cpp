@@ -38,7 +38,7 @@ void ProgressLine::update(const Progress& p) {
 void ProgressLine::show(const std::function<std::string(double)>& say) {
   if (seconds_since(shown_) < (terminal_ ? 0.2 : 10.0)) return;
   shown_ = Clock::now();
-  std::string text = say(seconds_since(start_));
+  std::string text = terminal_text(say(seconds_since(start_)));
   if (terminal_) {
     text.resize(std::min(text.size(), room()));
     clear();
@@ -67,7 +67,8 @@ void ProgressLine::draw_lines() {
 
 void ProgressLine::note(const std::string& text) {
   clear();
-  fmt::print(stderr, "{}\n", terminal_ ? wrapped(text, static_cast<int>(room()), 2) : text);
+  const std::string safe = terminal_text(text);
+  fmt::print(stderr, "{}\n", terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe);
 }
 
 void ProgressLine::finish() {

@@ -8,9 +8,11 @@
 #include "base/check.hpp"
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
+#include "io/output.hpp"
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
@@ -72,14 +74,15 @@ void report(const ReportArguments& args) {
     run = read_run(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
+  check_outputs({out});
   const auto start = std::chrono::steady_clock::now();
   const std::string page = report_page(run, extras);
-  write_file(out, page);
+  write_output(out, page);
   const double seconds = seconds_since(start);
-  fmt::print("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
+  print_text("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
              run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
              1e-6 * static_cast<double>(page.size()), seconds);
-  for (const MissingTest& m : run.missing) fmt::print("{}: missing: {}\n", m.name, m.reason);
+  for (const MissingTest& m : run.missing) print_text("{}: missing: {}\n", m.name, m.reason);
 }
 
 }  // namespace

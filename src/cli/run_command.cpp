@@ -17,6 +17,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/load.hpp"
+#include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "report/page.hpp"
@@ -81,6 +82,8 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   return made;
 }
 
+std::string page_of(const std::string& folder) { return (fs::path(folder) / "report.html").string(); }
+
 /// One page for the whole run, from the folders of its specimens.
 void write_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
@@ -91,7 +94,7 @@ void write_report(const std::string& folder, const std::vector<TestResult>& resu
     else
       run.tests.push_back(read_result(place.string()));
   }
-  write_file((fs::path(folder) / "report.html").string(), report_page(run));
+  write_output(page_of(folder), report_page(run));
 }
 
 /// Names and colours of the curves on the terminal.
@@ -131,6 +134,7 @@ struct RecipeRun {
 /// after their files.
 std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   std::vector<RecipeRun> jobs;
+  std::vector<std::string> pages;
   std::vector<Problem> problems;
   for (const std::string& path : args.recipes) {
     const bool several = args.recipes.size() > 1;
@@ -144,13 +148,21 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   if (!problems.empty()) throw InputError(std::move(problems));
   for (RecipeRun& job : jobs) {
     job.recipe = read_recipe(job.path);
-    if (args.replace) continue;
+    pages.push_back(page_of(job.folder));
+    for (const std::string& name : specimen_names(job.recipe))
+      check_result_place((fs::path(job.folder) / folder_name(name)).string());
+    if (args.replace) {
+      for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe))
+        check_result_place(folder);
+      continue;
+    }
     for (Problem& p :
          problems_of_others(job.folder, job.recipe, job.path,
                             "use another --out, or --replace to remove them when the run begins"))
       problems.push_back(std::move(p));
   }
   if (!problems.empty()) throw InputError(std::move(problems));
+  check_outputs(pages);
   return jobs;
 }
 
@@ -183,7 +195,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
   if (any) write_report(job.folder, results);
-  fmt::print("\n{}\n", press_table(results, width));
+  print_text("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = seconds_since(start);
@@ -238,16 +250,24 @@ void add_specimen_command(CLI::App& app, Session& session) {
   verb->callback([path, out, &session] {
     session.exit_code = 0;
     const Recipe recipe = read_recipe(*path);
-    if (!out->empty()) check_writable(*out);
+    const fs::path folder(*out);
+    const std::string discs = (folder / "discs.csv").string();
+    const auto contacts = [&](const std::string& name) {
+      return (folder / ("contacts_" + folder_name(name) + ".csv")).string();
+    };
+    if (!out->empty()) {
+      std::vector<std::string> files = {discs};
+      for (const std::string& name : specimen_names(recipe)) files.push_back(contacts(name));
+      check_outputs(files);
+      check_writable(*out);
+    }
     const Made made = make_all(recipe, false, session.terminal_width);
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {
-      const fs::path folder(*out);
-      write_file((folder / "discs.csv").string(), discs_csv(*made.packing));
-      for (const auto& s : made.specimens)
-        write_file((folder / ("contacts_" + folder_name(s->name) + ".csv")).string(), contacts_csv(*s));
-      fmt::print("discs and contacts in {}\n", *out);
+      write_output(discs, discs_csv(*made.packing));
+      for (const auto& s : made.specimens) write_output(contacts(s->name), contacts_csv(*s));
+      print_text("discs and contacts in {}\n", *out);
     }
   });
 }

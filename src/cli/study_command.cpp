@@ -9,12 +9,15 @@
 #include <set>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
+#include "io/store.hpp"
 #include "study/effects.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
@@ -120,7 +123,7 @@ std::size_t print_failures(const Plan& plan, const StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
-    if (n++ == 0) fmt::print("\nwithout a peak, or not to be trusted:\n");
+    if (n++ == 0) print_text("\nwithout a peak, or not to be trusted:\n");
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
@@ -170,11 +173,26 @@ StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const 
   return {report, desk.progress().n_new, desk.progress().n_guest};
 }
 
+std::string in(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+void check_effects(const std::string& folder) {
+  check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
+}
+
+/// The tables of a whole store, and its page.
+void check_tables(const std::string& folder, const std::string& option) {
+  check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
+                 in(folder, "report.html")},
+                option);
+}
+
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
 void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
-  write_file((fs::path(folder) / "responses.csv").string(), responses_csv(plan, rows));
-  write_file((fs::path(folder) / "effects.csv").string(), effects_csv(plan, rows));
-  fmt::print("{}", effects_text(plan, rows, width));
+  write_output(in(folder, "responses.csv"), responses_csv(plan, rows));
+  write_output(in(folder, "effects.csv"), effects_csv(plan, rows));
+  print_text("{}", effects_text(plan, rows, width));
 }
 
 std::ptrdiff_t n_finished(const StudyRows& rows) {
@@ -183,9 +201,9 @@ std::ptrdiff_t n_finished(const StudyRows& rows) {
 
 /// The tables of a whole store.
 void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
-  write_file((fs::path(folder) / "results.csv").string(), study_csv(plan, rows));
+  write_output(in(folder, "results.csv"), study_csv(plan, rows));
   tell_effects(plan, rows, folder, width);
-  fmt::print("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
+  print_text("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
 
@@ -200,10 +218,10 @@ int finish_study(const Plan& plan, const Store& store, const std::string& folder
                 "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle);
-  if (run.n_guest > 0) fmt::print("{} of them on other ranks\n", run.n_guest);
-  fmt::print("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
-  if (n_left > 0) fmt::print("{} specimens are left: phyllite study resume {}\n", n_left, folder);
-  if (shard.n > 1) fmt::print("when all parts are done: phyllite study merge {}\n", folder);
+  if (run.n_guest > 0) print_text("{} of them on other ranks\n", run.n_guest);
+  print_text("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  if (n_left > 0) print_text("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
+  if (shard.n > 1) print_text("when all parts are done: phyllite study merge {}\n", sh_word(folder));
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
@@ -254,14 +272,27 @@ void refuse_unmerged(const std::string& folder) {
   for (const std::string& part : parts) {
     const std::vector<std::string> keys = Store(part, Sharing::alone).keys();
     if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
-      throw IoError(
-          fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole, folder));
+      throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
+                                sh_word(folder)));
   }
 }
 
-int run_study(const Study& study, const StudyArguments& args, const std::string& folder,
-              const Session& session) {
+/// The files that say what a study is; none for one that goes on where they are.
+using StudyFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// Before the folder is looked at: what it holds of an earlier run is no input.
+void check_study_outputs(const StudyFiles& files, const std::string& folder, const Shard& shard) {
+  std::vector<std::string> fresh;
+  for (const auto& [name, content] : files)
+    if (!holds(in(folder, name), content)) fresh.push_back(in(folder, name));
+  check_outputs(fresh);
+  if (shard.n == 1) check_tables(folder, files.empty() ? "" : "--out");
+}
+
+int run_study(const Study& study, const StudyFiles& files, const StudyArguments& args,
+              const std::string& folder, const Session& session) {
   const Shard shard = parse_shard(args.shard);
+  if (!args.dry_run) check_study_outputs(files, folder, shard);
   refuse_other_study(study, folder);
   if (shard.n == 1) refuse_unmerged(folder);
   std::optional<Ranks> ranks;
@@ -277,9 +308,8 @@ int run_study(const Study& study, const StudyArguments& args, const std::string&
     return 0;
   }
   check_writable(folder);
-  for (const auto& [name, content] : study_files(study))
-    write_file((fs::path(folder) / name).string(), content);
-  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);
+  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);  // first: it may be somebody else's
+  for (const auto& [name, content] : files) write_output(in(folder, name), content);
   print_plan(plan, rows_of(plan, store), session);
   std::fflush(stdout);
   const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
@@ -291,7 +321,7 @@ Store store_in(const std::string& folder) {
   const std::string file = store_file(folder, {});
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
-                              shards_in(folder).empty() ? "resume" : "merge", folder));
+                              shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
   return Store(file);
 }
 
@@ -302,29 +332,32 @@ int status_of(const StudyArguments& args, const Session& session) {
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
-  fmt::print("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
+  print_text("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
              plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
 
 int export_study(const StudyArguments& args) {
   const Plan plan = make_plan(study_in(args.folder));
+  if (!args.csv.empty()) check_outputs({args.csv}, "--csv");
   const std::string text = study_csv(plan, rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
-    fmt::print("{}", text);
+    print_text("{}", text);
   else
-    write_file(args.csv, text);
+    write_output(args.csv, text);
   return 0;
 }
 
 int effects_of_study(const StudyArguments& args, const Session& session) {
+  const std::string folder = args.out.empty() ? args.folder : args.out;
+  check_effects(folder);
   const Plan plan = make_plan(study_in(args.folder));
   StudyRows rows = rows_of(plan, store_in(args.folder));
   if (args.with_untrusted) rows = with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
-                             "`phyllite study resume " + args.folder + "`"});
-  tell_effects(plan, rows, args.out.empty() ? args.folder : args.out, session.terminal_width);
+                             "`phyllite study resume " + sh_word(args.folder) + "`"});
+  tell_effects(plan, rows, folder, session.terminal_width);
   return 0;
 }
 
@@ -336,15 +369,16 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   std::sort(stores.begin(), stores.end());
   if (stores.empty())
     throw IoError(args.folder + ": holds no shard-*.sqlite; name the stores behind the folder");
+  check_tables(args.folder, "");
   for (const std::string& name : stores)  // before the store is made
     if (!fs::exists(name)) throw IoError(name + ": cannot be read: no such file; check the name");
   Store store(store_file(args.folder, {}));
   std::size_t n_different = 0;
   for (const std::string& name : stores) {
     const MergeReport report = store.merge(name);
-    fmt::print("{}: {} added, {} known\n", name, report.n_added, report.n_known);
+    print_text("{}: {} added, {} known\n", name, report.n_added, report.n_known);
     for (const std::string& key : report.different)
-      fmt::print("  {} differs from the row that is there, which stays\n", key);
+      print_text("  {} differs from the row that is there, which stays\n", key);
     n_different += report.different.size();
   }
   StudyRows rows = store.rows(store.keys());
@@ -353,24 +387,29 @@ int merge_stores(const StudyArguments& args, const Session& session) {
     rows = rows_of(plan, store);
     write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
-      fmt::print("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
-                 args.folder);
+      print_text("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
+                 sh_word(args.folder));
   }
-  fmt::print("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  print_text("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
   return n_different > 0 ? 1 : 0;
 }
 
-std::string slurm_script(const StudyArguments& args, const std::string& folder, const std::string& name,
-                         int threads) {
+/// sbatch splits its #SBATCH lines at blanks: the name of the job is that of a folder.
+std::string slurm_script(const StudyArguments& args, const std::string& folder, int threads) {
+  for (const std::string& name : {args.study, folder})
+    if (!is_plain(name))
+      throw InputError(Problem{"command line", "--slurm", name, "names in UTF-8 without control characters",
+                               "rename the file or choose another --out"});
   return fmt::format(
       "#!/bin/sh\n"
       "# Job array for Slurm: sbatch this file; when all parts are done: phyllite study merge {1}\n"
       "# A part that was cancelled or has run out of time goes on where it was when it is submitted again.\n"
       "#SBATCH --job-name={3}\n#SBATCH --array=1-{2}\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task={4}\n"
       "#SBATCH --time=02:00:00\n"
-      "exec phyllite --threads \"$SLURM_CPUS_PER_TASK\" study \"{0}\" --out \"{1}\" "
+      "exec phyllite --threads \"$SLURM_CPUS_PER_TASK\" study {0} --out {1} "
       "--shard \"$SLURM_ARRAY_TASK_ID/{2}\"\n",
-      args.study, folder, args.slurm, name, threads > 0 ? threads : 4);
+      sh_word(args.study), sh_word(folder), args.slurm, folder_name(fs::path(args.study).stem().string()),
+      threads > 0 ? threads : 4);
 }
 
 std::string reference() {
@@ -389,7 +428,7 @@ std::string reference() {
 
 int study_verb(const StudyArguments& args, const Session& session) {
   if (args.reference) {
-    fmt::print("{}", reference());
+    print_text("{}", reference());
     return 0;
   }
   if (args.study.empty())
@@ -399,10 +438,10 @@ int study_verb(const StudyArguments& args, const Session& session) {
   const std::string folder =
       args.out.empty() ? (fs::path("results") / fs::path(args.study).stem()).string() : args.out;
   if (args.slurm > 0) {
-    fmt::print("{}", slurm_script(args, folder, fs::path(args.study).stem().string(), session.threads));
+    print_text("{}", slurm_script(args, folder, session.threads));
     return 0;
   }
-  return run_study(study, args, folder, session);
+  return run_study(study, study_files(study), args, folder, session);
 }
 
 }  // namespace
@@ -466,7 +505,7 @@ void add_study_command(CLI::App& app, Session& session) {
     for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
     stop_on_interrupt();
     session.exit_code = *status    ? status_of(*args, session)
-                        : *resume  ? run_study(study_in(args->folder), *args, args->folder, session)
+                        : *resume  ? run_study(study_in(args->folder), {}, *args, args->folder, session)
                         : *csv     ? export_study(*args)
                         : *effects ? effects_of_study(*args, session)
                         : *merge   ? merge_stores(*args, session)

@@ -9,9 +9,12 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
+#include "io/output.hpp"
 
 namespace phy {
 
@@ -83,21 +86,33 @@ std::string beside(const std::string& path, const char* what) {
   return path + "." + what + "-" + std::to_string(::gettid());
 }
 
-/// An older folder that publishing may replace: one with the mark, or an empty one.
-void refuse_foreign(const std::string& folder, const std::string& mark, const std::string& kind) {
-  std::error_code none;
-  if (!fs::exists(fs::symlink_status(folder, none))) return;
-  if (!fs::is_directory(folder, none)) fail(folder, "be replaced", ENOTDIR);
-  if (fs::exists(fs::path(folder) / mark, none) || fs::is_empty(folder, none)) return;
-  throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
-                "); move it, or use another --out");
-}
+/// Files that have been read, by device, number and time: a file that is gone leaves its number to another
+/// one.
+class FilesRead {
+ public:
+  void add(const struct stat& s) {
+    const std::lock_guard lock(mutex_);
+    files_.insert(key(s));
+  }
+  bool has(const struct stat& s) {
+    const std::lock_guard lock(mutex_);
+    return files_.contains(key(s));
+  }
+
+ private:
+  using Key = std::tuple<dev_t, ino_t, time_t, long>;
+  static Key key(const struct stat& s) { return {s.st_dev, s.st_ino, s.st_mtim.tv_sec, s.st_mtim.tv_nsec}; }
+  std::mutex mutex_;
+  std::set<Key> files_;
+} files_read;
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) fail(path, "be read", errno);
+  struct stat about {};
+  if (::fstat(fd, &about) == 0 && S_ISREG(about.st_mode)) files_read.add(about);
   std::string content;
   char block[1U << 16U];
   int error = 0;
@@ -114,6 +129,11 @@ std::string read_file(const std::string& path) {
   ::close(fd);
   if (error != 0) fail(path, "be read", error);
   return content;
+}
+
+bool was_read(const std::string& path) {
+  struct stat about {};
+  return ::stat(path.c_str(), &about) == 0 && files_read.has(about);
 }
 
 std::vector<std::string> list_folder(const std::string& path) {
@@ -160,6 +180,25 @@ void check_writable(const std::string& folder) {
   ::unlink(probe.c_str());
 }
 
+void check_place(const std::string& folder, const std::string& mark, const std::string& kind) {
+  std::error_code none;
+  if (!fs::exists(fs::symlink_status(folder, none))) return;
+  if (!fs::is_directory(folder, none)) fail(folder, "be replaced", ENOTDIR);
+  if (fs::is_empty(folder, none)) return;
+  if (!fs::exists(fs::path(folder) / mark, none))
+    throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
+                  "); move it, or use another --out");
+  if (!fs::exists(fs::path(folder) / written_list, none)) return;  // made before there were lists
+  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
+    const std::string name = entry->path().lexically_relative(folder).string();
+    if (name != written_list && (entry->is_symlink(none) || !entry->is_directory(none)) &&
+        !is_as_written(folder, name))
+      throw IoError(entry->path().string() + ": stands in a " + kind +
+                    " that would be replaced, and is not as this program left it; move it away, or use "
+                    "another --out");
+  }
+}
+
 void remove_folder(const std::string& path) {
   const std::string old = beside(path, "old");
   std::error_code error;
@@ -173,7 +212,7 @@ NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
   while (folder_.size() > 1 && folder_.back() == '/')
     folder_.pop_back();  // the part lies beside x/, not in it
   part_ = beside(folder_, "part");
-  refuse_foreign(folder_, mark_, kind_);
+  check_place(folder_, mark_, kind_);
   std::error_code ignored;
   fs::remove_all(part_, ignored);
   make_folder(parent_of(folder_));
@@ -190,11 +229,13 @@ void NewFolder::add(const std::string& name, const std::string& content) {
   make_folder(parent_of(real));
   write_synced(real, (fs::path(folder_) / name).string(), content);
   folders_.insert(parent_of(real));
+  list_ += list_line(name, content);
 }
 
 void NewFolder::publish() {
+  write_synced((fs::path(part_) / written_list).string(), (fs::path(folder_) / written_list).string(), list_);
   for (const std::string& name : folders_) sync_folder(name);
-  refuse_foreign(folder_, mark_, kind_);
+  check_place(folder_, mark_, kind_);
   // An exchange leaves no moment without a result; the older one then has the temporary name and is removed.
   if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) {
     const bool older = errno != ENOENT;  // some file systems cannot exchange: step aside, then move in

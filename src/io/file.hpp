@@ -11,6 +11,9 @@ namespace phy {
 /// The content of a file of at most 256 MB.
 std::string read_file(const std::string& path);
 
+/// Whether this process has read the file so, under whatever name: a link to it is the same file.
+bool was_read(const std::string& path);
+
 /// What a folder holds: paths, sorted.
 std::vector<std::string> list_folder(const std::string& path);
 
@@ -29,6 +32,11 @@ void make_folder(const std::string& path);
 /// Makes the folder if needed and tries to write into it, before hours of work are lost.
 void check_writable(const std::string& folder);
 
+/// Throws IoError where something else than an older folder of a kind stands in its place, or something in it
+/// that the program did not write (io/output.hpp). `mark` is a file that every folder of this kind holds,
+/// `kind` its name in messages ("result").
+void check_place(const std::string& folder, const std::string& mark, const std::string& kind);
+
 /// Removes a folder, in one step for whoever looks.
 void remove_folder(const std::string& path);
 
@@ -37,8 +45,7 @@ void remove_folder(const std::string& path);
 /// behind.
 class NewFolder {
  public:
-  /// `mark` is a file that every folder of this kind holds: an older folder without it is somebody else's,
-  /// and is neither replaced nor removed. `kind` names the kind in messages ("result").
+  /// As check_place().
   NewFolder(std::string folder, std::string mark, std::string kind);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
@@ -51,6 +58,7 @@ class NewFolder {
  private:
   std::string folder_, part_, mark_, kind_;
   std::set<std::string> folders_;  // to be synced
+  std::string list_;               // of its files, io/output.hpp
 };
 
 }  // namespace phy

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
 #include "io/scene.hpp"
@@ -66,8 +67,23 @@ Recipe recipe_in(const Json& j, const std::string& where) {
   return parse_recipe(j.at("recipe").get<std::string>(), where + ": recipe");
 }
 
+/// Throws InputError where texts hold control characters: no result of this program has them, and a terminal
+/// would obey them. The recipe, a text of many lines, is looked at where it is read.
+void refuse_control_characters(const Json& j, const std::string& where) {
+  std::vector<Problem> problems;
+  const Json flat = j.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    if (path == "/recipe" || (is_plain(path) && is_plain(text))) continue;
+    problems.push_back(
+        {where, path.substr(1), text, "text without control characters", "run the recipe again"});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
 TestRecord parse_result(const std::string& text, const std::string& where) {
   const Json j = parse_format(text);
+  refuse_control_characters(j, where);
   TestRecord record;
   record.program = j.at("program");
   record.recipe = recipe_in(j, where);

@@ -13,6 +13,7 @@
 
 #include "base/check.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 
 extern char** environ;
 
@@ -98,6 +99,7 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
 void make_file(const std::string& path, const std::function<void(const std::string& temporary)>& make) {
   const fs::path place(path);
   if (is_stream(path)) throw IoError(path + ": is no place for a picture; name a file with --out");
+  check_outputs({path});
   check_writable(place.has_parent_path() ? place.parent_path().string() : ".");
   const std::string part = (place.parent_path() / ("." + place.stem().string() + ".part-" +
                                                    std::to_string(::getpid()) + place.extension().string()))
@@ -105,6 +107,7 @@ void make_file(const std::string& path, const std::function<void(const std::stri
   std::error_code ignored;
   try {
     make(part);
+    list_written(path, part);
   } catch (...) {
     fs::remove(part, ignored);
     throw;

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "base/quote.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/rock_table.hpp"
@@ -60,6 +61,9 @@ class RockReader {
     for (const auto& [path, entry] : entries_)
       if (!known().contains(path)) unknown(entry);
     rock_.name = this->text("name", std::filesystem::path(path_).stem().string());
+    if (entry("name") == nullptr && !is_plain(rock_.name))
+      problems_.push_back({path_, "name", rock_.name, "a name in UTF-8 without control characters",
+                           "the file has none: write name = \"...\""});
     const std::size_t n_before = problems_.size();
     read_recipe_file();
     read_size();

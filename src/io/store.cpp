@@ -144,6 +144,8 @@ std::string result_json(const TestRecord& record) {
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+void check_result_place(const std::string& folder) { check_place(folder, "result.json", "result"); }
+
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result) {
   NewFolder place(folder, "result.json", "result");

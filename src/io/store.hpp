@@ -22,6 +22,10 @@ std::string folder_name(const std::string& name);
 /// The text of a result.json.
 std::string result_json(const TestRecord& record);
 
+/// Throws IoError where the folder of a result cannot be put, as check_place(): before hours of work are
+/// lost.
+void check_result_place(const std::string& folder);
+
 /// Writes a result folder: result.json, history.csv, cracks.csv, recipe.toml, snapshots for ParaView, scene.
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result);

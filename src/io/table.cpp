@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/quote.hpp"
+
 namespace phy {
 namespace {
 
@@ -28,6 +30,13 @@ bool split(std::string_view line, char delimiter, std::vector<std::string>& cell
   }
   cells.push_back(trimmed(cell));
   return !quoted;
+}
+
+/// Text and tabs; a line may end as in Windows.
+bool is_text(std::string line) {
+  if (line.ends_with('\r')) line.pop_back();
+  std::replace(line.begin(), line.end(), '\t', ' ');
+  return is_plain(line);
 }
 
 bool has_outside_quotes(std::string_view line, char wanted) {
@@ -76,7 +85,7 @@ class Reader {
       take_line(text_.substr(0, end), number);
       text_.remove_prefix(std::min(end + 1, text_.size()));
     }
-    if (table_.header_line == 0)
+    if (table_.header_line == 0 && table_.problems.empty())
       table_.problems.push_back({where_, "", "", "a header line and at least one row", "the file is empty"});
     else if (table_.rows.empty() && table_.problems.empty())
       table_.problems.push_back({where_, "", "", "at least one row below the header", ""});
@@ -92,7 +101,14 @@ class Reader {
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   void take_line(std::string_view line, int number) {
-    if (const std::string text = trimmed(line); text.empty() || text.front() == '#') return;
+    const std::string text = trimmed(line);
+    if (text.empty() || text.front() == '#') return;
+    if (!is_text(std::string(line))) {
+      table_.problems.push_back({at(number), "", "", "text in UTF-8 without control characters",
+                                 "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
+      if (table_.header_line == 0) text_ = {};  // the rows would be held against another header
+      return;
+    }
     if (table_.header_line == 0) {
       table_.header_line = number;
       choose_delimiter(line);

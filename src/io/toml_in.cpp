@@ -19,6 +19,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/quote.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
 #include "io/toml_tree.hpp"
@@ -68,6 +69,18 @@ class Lexer {
   }
 };
 
+/// Lines in another encoding, one problem a line.
+void find_other_encodings(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  std::size_t line = 1, told = 0;
+  for (std::size_t i = 0; i < text.size() && problems.size() < max_told;) {
+    const std::size_t n = utf8_length(text.substr(i));
+    if (n == 0 && told != line)
+      problems.push_back({at_line(where, told = line), "", "", "text in UTF-8", "save the file as UTF-8"});
+    line += text[i] == '\n' ? 1 : 0;
+    i += std::max<std::size_t>(1, n);
+  }
+}
+
 /// Control characters anywhere, other than ASCII outside strings and comments, and overlong lines: one
 /// problem a line.
 void scan(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
@@ -75,6 +88,8 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
     problems.push_back({where, "", "", "a recipe of at most 1 MB", "this is some other file"});
     return;
   }
+  find_other_encodings(text, where, problems);
+  if (!problems.empty()) return;
   Lexer lexer;
   std::size_t line = 1, begin = 0, told = 0;
   const auto tell = [&](const std::string& expected, const std::string& remedy) {
@@ -120,6 +135,21 @@ TomlValue tree_of(const toml::node& node) {
     }
   }
   return v;
+}
+
+/// Texts with control characters, written as escapes or over several lines: a name that other programs,
+/// terminals and scripts would take for more than a name.
+void find_control_characters(const toml::node& node, const std::string& path, const std::string& where,
+                             std::vector<Problem>& problems) {
+  if (const auto* s = node.as_string(); s != nullptr && !is_plain(s->get()))
+    problems.push_back({at_line(where, node.source().begin.line), path, as_written(tree_of(node)),
+                        "text without line breaks and other control characters", "write it on one line"});
+  if (const auto* list = node.as_array())
+    for (const toml::node& item : *list) find_control_characters(item, path, where, problems);
+  if (const auto* table = node.as_table())
+    for (const auto& [key, item] : *table)
+      find_control_characters(item, path + (path.empty() ? "" : ".") + std::string(key.str()), where,
+                              problems);
 }
 
 /// Walks the parsed table along the schema.
@@ -387,6 +417,7 @@ toml::table parse_checked(std::string_view text, const std::string& where, std::
   if (!problems.empty()) throw InputError(std::move(problems));
   toml::parse_result result = parse_all(std::string(text), where, problems);
   if (!result) throw InputError(std::move(problems));
+  find_control_characters(result.table(), "", where, problems);
   return std::move(result).table();
 }
 
@@ -417,6 +448,9 @@ Recipe read_recipe(const std::string& path) {
   if (recipe.packing.file.empty()) return recipe;
   const auto folder = std::filesystem::absolute(path).parent_path();
   recipe.packing.file = (folder / recipe.packing.file).lexically_normal().string();
+  if (!is_plain(recipe.packing.file))  // the name of a folder above it
+    throw InputError(Problem{path, "packing.file", recipe.packing.file,
+                             "a place whose name is UTF-8 without control characters", "rename the folder"});
   std::vector<Problem> problems = disc_problems(recipe, path);
   if (!problems.empty()) throw InputError(std::move(problems));
   return recipe;
@@ -430,7 +464,7 @@ const TomlValue* TomlValue::find(std::string_view key) const {
 
 std::string as_written(const TomlValue& v) {
   switch (v.kind) {
-    case TomlValue::Kind::text: return '"' + v.text + '"';
+    case TomlValue::Kind::text: return toml_string(v.text);
     case TomlValue::Kind::integer: return v.text;
     case TomlValue::Kind::number: return print_number(v.number);
     case TomlValue::Kind::boolean: return v.number != 0.0 ? "true" : "false";

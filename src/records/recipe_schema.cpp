@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/exact_math.hpp"
+#include "base/quote.hpp"
 
 namespace phy {
 namespace {
@@ -269,22 +270,6 @@ std::string bound(const Field& f, double value) {
                                       : print_quantity(value, f.dimension);
 }
 
-/// A TOML basic string: quotes, backslashes and control characters escaped.
-std::string quoted(const std::string& s) {
-  static const char* digit = "0123456789abcdef";
-  std::string q = "\"";
-  for (const char c : s) {
-    const auto u = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      (q += '\\') += c;
-    else if (u < 32 || u == 127)
-      (((q += "\\u00") += digit[u >> 4U]) += digit[u & 15U]);
-    else
-      q += c;
-  }
-  return q + "\"";
-}
-
 }  // namespace
 
 const std::vector<Field>& recipe_fields() {
@@ -320,18 +305,18 @@ std::string range_text(const Field& f) {
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
   switch (f.kind) {
-    case FieldKind::text: return quoted(f.get_text(recipe));
+    case FieldKind::text: return toml_string(f.get_text(recipe));
     case FieldKind::boolean: return f.get(recipe, index) != 0.0 ? "true" : "false";
-    case FieldKind::choice: return quoted(f.choices[static_cast<std::size_t>(f.get(recipe, index))]);
+    case FieldKind::choice: return toml_string(f.choices[static_cast<std::size_t>(f.get(recipe, index))]);
     case FieldKind::integer: return std::to_string(static_cast<std::int64_t>(f.get(recipe, index)));
     case FieldKind::number: return print_number(f.get(recipe, index));
-    case FieldKind::quantity: return quoted(print_quantity(f.get(recipe, index), f.dimension));
+    case FieldKind::quantity: return toml_string(print_quantity(f.get(recipe, index), f.dimension));
     case FieldKind::quantities: {
       Recipe copy = recipe;
       std::string s;
       for (const double v : f.list(copy))
         s += (s.empty() ? "" : ", ") +
-             (f.dimension == Dimension::none ? print_number(v) : quoted(print_quantity(v, f.dimension)));
+             (f.dimension == Dimension::none ? print_number(v) : toml_string(print_quantity(v, f.dimension)));
       return "[" + s + "]";
     }
   }

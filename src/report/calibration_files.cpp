@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/quote.hpp"
+
 namespace phy {
 namespace {
 
@@ -108,7 +110,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
                {"of_these_coarse", c.n_coarse_tests},
                {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
-  return j.dump(2) + "\n";
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string pfc_commands(const Recipe& r) {
@@ -122,7 +124,7 @@ std::string pfc_commands(const Recipe& r) {
       "; --- matrix: linear contacts and parallel bonds\n"
       "contact model linearpbond range contact type 'ball-ball'\n"
       "contact method bond gap {:.8g} range contact type 'ball-ball'   ; {:g} of the mean radius\n",
-      r.name, r.packing.radius_min * 1e3, r.packing.radius_max * 1e3, r.specimen.width * 1e3,
+      comment_text(r.name), r.packing.radius_min * 1e3, r.packing.radius_max * 1e3, r.specimen.width * 1e3,
       r.specimen.height * 1e3, m.density, r.engine.damping,
       m.bond_gap * 0.5 * (r.packing.radius_min + r.packing.radius_max), m.bond_gap);
   text += pfc5
@@ -160,6 +162,7 @@ std::string yade_script(const Recipe& r) {
   const bool jointed = !r.bedding.empty();
   const BeddingRecipe b = jointed ? r.bedding.front() : BeddingRecipe{};
   return fmt::format(
+             "# -*- coding: utf-8 -*-\n"
              "# {} - written by phyllite calibrate, for Yade's JCFpm model. SI units.\n"
              "# Starting values, to be checked there: JCFpm joins spheres (bond area pi Rmin^2, no bond "
              "moments, friction\n"
@@ -169,7 +172,8 @@ std::string yade_script(const Recipe& r) {
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
-             r.name, m.density, 0.5 * pi * (m.E_c + m.E_b), m.ks_over_kn, m.mu, m.sigma_c, m.tau_c) +
+             comment_text(r.name), m.density, 0.5 * pi * (m.E_c + m.E_b), m.ks_over_kn, m.mu, m.sigma_c,
+             m.tau_c) +
          fmt::format(
              "                  jointNormalStiffness={:.8g}, jointShearStiffness={:.8g}, "
              "jointTensileStrength={:.8g},\n"

@@ -140,10 +140,6 @@ TEST(Figures, SizesAreThoseOfJournals) {
   EXPECT_THAT(script_of("fig4", data, 90.0), HasSubstr(fmt::format("size {:.0f},", 90.0 / 25.4 * 96.0)));
 }
 
-TEST(GnuplotScript, TextIsQuotedAndCannotEnd) {
-  EXPECT_EQ(GnuplotScript::quoted("it's\n`rm` \"x\""), "'it''s`rm` \"x\"'");
-}
-
 TEST(Canvas, ADiscCoversItsArea) {
   Canvas canvas(64, 64, 0xffffff);
   canvas.disc(31.3, 32.1, 20.0, 0x000000);

@@ -111,7 +111,7 @@ std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
   else
     add({"-vf", labels(), "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-deadline",
          "good", "-cpu-used", "4", "-pix_fmt", "yuv420p"});
-  arguments.push_back(out);
+  arguments.push_back("file:" + out);  // else "tcp://..." is a place on the network
   return arguments;
 }
 

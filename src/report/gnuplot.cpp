@@ -1,18 +1,11 @@
 #include "report/gnuplot.hpp"
 
 #include <cmath>
+#include <filesystem>
+
+#include "base/quote.hpp"
 
 namespace phy {
-
-std::string GnuplotScript::quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text)
-    if (c == '\'')
-      out += "''";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  return out + "'";
-}
 
 std::string GnuplotScript::block(const std::vector<Row>& rows) {
   std::string name = "$d" + std::to_string(n_blocks_++);
@@ -47,6 +40,7 @@ void GnuplotScript::picture(const Canvas& canvas, double x0, double y0, double x
 // in pixels of 1/450 inch with letters of 1/72 at 72 per inch.
 std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out) {
   const double w = width / 25.4, h = height / 25.4;
+  const std::string file = (std::filesystem::path(".") / out).string();  // "|" in front would be a command
   std::string terminal;
   if (format == FigureFormat::pdf)
     terminal = fmt::format(
@@ -60,7 +54,7 @@ std::string gnuplot_head(FigureFormat format, double width, double height, const
     terminal = fmt::format(
         "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,10.7' lw 1.1 rounded background 'white'", w * 96.0,
         h * 96.0);
-  return "set encoding utf8\nset terminal " + terminal + "\nset output " + GnuplotScript::quoted(out) +
+  return "set encoding utf8\nset terminal " + terminal + "\nset output " + gnuplot_string(file) +
          "\nset border 3 lw 0.8\nset tics nomirror out scale 0.5 font ',7'\n"
          "set key samplen 1.6 spacing 0.95 width -1 font ',7' noopaque\n";
 }

@@ -1,5 +1,5 @@
-// A gnuplot script in the making: data blocks, commands, pictures. Texts of the user are quoted, never
-// markup.
+// A gnuplot script in the making: data blocks, commands, pictures. Texts of the user go through
+// base/quote.hpp.
 #pragma once
 #include <fmt/format.h>
 
@@ -25,9 +25,6 @@ class GnuplotScript {
   void picture(const Canvas& canvas, double x0, double y0, double x1, double y1,
                const std::vector<std::string>& over);
   std::string text() const { return data_ + commands_; }
-
-  /// In single quotes, where only the quote itself has a meaning.
-  static std::string quoted(const std::string& text);
 
  private:
   std::string data_, commands_;

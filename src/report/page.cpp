@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "base/units.hpp"
 #include "io/base64.hpp"
 #include "io/scene.hpp"
@@ -136,14 +137,6 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   return j;
 }
 
-/// JSON inside a script element: no "<" may stand there as such.
-std::string for_script(const Json& j) {
-  std::string text;
-  for (const char c : j.dump(-1, ' ', false, Json::error_handler_t::replace))
-    c == '<' ? text += "\\u003c" : text += c;
-  return text;
-}
-
 }  // namespace
 
 std::string report_page(const RunRecord& run, const PageExtras& extras) {
@@ -152,8 +145,8 @@ std::string report_page(const RunRecord& run, const PageExtras& extras) {
   const std::size_t at = page.find(place);
   PHY_CHECK(at != page.npos, "the page has a place for the data");
   std::string text(page.substr(0, at));
-  text += "<script type=\"application/json\" id=\"report-data\">" + for_script(report_json(run, extras)) +
-          "</script>\n";
+  const std::string data = report_json(run, extras).dump(-1, ' ', false, Json::error_handler_t::replace);
+  text += "<script type=\"application/json\" id=\"report-data\">" + json_in_script(data) + "</script>\n";
   for (std::size_t i = 0; i < run.tests.size(); ++i)
     if (!run.tests[i].scene.frames.empty())
       text += "<script type=\"text/plain\" id=\"scene-" + std::to_string(i) + "\">" +

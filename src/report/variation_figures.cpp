@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 
@@ -23,7 +24,7 @@ constexpr std::array<Color, 7> value_colors = {0xe0a100, 0xd06a1b, 0xb23a48, 0x8
                                                0x5b2a86, 0x31348c, 0x0b2545};
 constexpr std::array<int, 7> symbols = {7, 5, 9, 11, 13, 15, 6};
 
-/// As in the paper; other keys as they stand in the recipe.
+/// As in the paper; other keys as they stand in the recipe. With markup.
 std::string symbol_of(const std::string& key) {
   static const std::map<std::string, std::string> known = {
       {"bedding.k_n", "{/:Italic k}_n"},    {"bedding.k_s", "{/:Italic k}_s"},
@@ -31,9 +32,7 @@ std::string symbol_of(const std::string& key) {
       {"bedding.cohesion", "{/:Italic C}"}, {"bedding.zone_thickness", "{/:Italic d}"},
       {"bedding.spacing", "{/:Italic δ}"}};
   if (const auto it = known.find(key); it != known.end()) return it->second;
-  std::string text;
-  for (const char c : key) text += (c == '_' ? "\\_" : std::string(1, c));
-  return text;
+  return gnuplot_plain(key);
 }
 
 Row bar(double x, const Summary& s, double factor) {
@@ -71,8 +70,7 @@ void stiffness_panel(GnuplotScript& s, const std::vector<Variation>& variations,
       const std::string look = fmt::format("lc rgb '{}'", hex_color(line_colors[i % 8]));
       add_points(s, parts, rows,
                  fmt::format("with linespoints lw 1.4 pt {} ps 0.55 {} title {}", symbols[i % 7], look,
-                             sweeps ? GnuplotScript::quoted(v.name) + " noenhanced"
-                                    : GnuplotScript::quoted(symbol_of(p.key))),
+                             gnuplot_string(sweeps ? gnuplot_plain(v.name) : symbol_of(p.key))),
                  look);
       for (const Row& row : rows) low = std::min(low, row[1]), high = std::max(high, row[1]);
     }
@@ -132,11 +130,11 @@ void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, doubl
     if (!line.empty()) parts.push_back(fmt::format("{} with lines lw 1.2 {} notitle", s.block(line), look));
     const std::string name =
         setting.text.substr(0, setting.text.size() - unit) + (setting.base ? " (base)" : "");
-    add_points(s, parts, rows,
-               fmt::format("with {} pt {} ps 0.5 lw {} {} title {} noenhanced",
-                           line.empty() ? "linespoints" : "points", symbols[i % 7], setting.base ? 2.0 : 1.2,
-                           look, GnuplotScript::quoted(name)),
-               look);
+    add_points(
+        s, parts, rows,
+        fmt::format("with {} pt {} ps 0.5 lw {} {} title {}", line.empty() ? "linespoints" : "points",
+                    symbols[i % 7], setting.base ? 2.0 : 1.2, look, gnuplot_string(gnuplot_plain(name))),
+        look);
   }
   s.plot(parts);
 }
@@ -187,8 +185,8 @@ double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>&
   for (const VariedParameter* p : parameters) {
     const std::string unit = common_unit(*p);
     const std::string which = parameters.size() > 1 ? fmt::format("({}) ", letter++) : "";
-    s.add("set title '{}{}{}' offset 0,-0.6", which, symbol_of(p->key),
-          unit.empty() ? "" : " [" + unit.substr(1) + "]");
+    const std::string in_unit = unit.empty() ? "" : " [" + gnuplot_plain(unit.substr(1)) + "]";
+    s.add("set title {} offset 0,-0.6", gnuplot_string(which + symbol_of(p->key) + in_unit));
     angle_panel(s, *p, modulus, E_intact);
   }
   s.add("unset multiplot");

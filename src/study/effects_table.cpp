@@ -181,8 +181,8 @@ std::string effects_csv(const Plan& plan, const StudyRows& rows) {
   for (const Response& r : all_responses(plan, rows))
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
       for (const Effect& e : effects_of(plan, r, k))
-        text += fmt::format("{},{},{},{},{},{}\n", r.number, csv_cell(r.specimen),
-                            plan.study.vary[k].key.path(), e.name, e.unit, cells(e.value));
+        text += fmt::format("{},{},{},{},{},{}\n", csv_cell(r.number), csv_cell(r.specimen),
+                            plan.study.vary[k].key.path(), e.name, csv_cell(e.unit), cells(e.value));
   return text;
 }
 
@@ -192,7 +192,7 @@ std::string responses_csv(const Plan& plan, const StudyRows& rows) {
   text += ",replicates,mean,sd,half width of 95 %\n";
   for (const Response& r : all_responses(plan, rows))
     for (std::size_t p = 0; p < plan.points.size(); ++p) {
-      text += fmt::format("{},{},{},{}", r.number, r.unit, csv_cell(r.specimen), p);
+      text += fmt::format("{},{},{},{}", csv_cell(r.number), csv_cell(r.unit), csv_cell(r.specimen), p);
       for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
         text += "," + csv_cell(plan.study.vary[k].key, plan.points[p].values[k]);
       text += "," + cells(r.at(p)) + "\n";

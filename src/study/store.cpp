@@ -184,16 +184,6 @@ Store::~Store() {
 
 void Store::make_tables(Sharing sharing) {
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
-  // Changing to WAL needs the file for oneself for a moment; SQLite does not wait for that by itself.
-  for (int i = 0;; ++i) {
-    try {
-      database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
-      break;
-    } catch (const IoError& e) {
-      if (i == 100 || std::string(e.what()).find("locked") == std::string::npos) throw;
-      ::usleep(50000);
-    }
-  }
   database_.transaction([&] {
     Statement version(database_, "PRAGMA user_version");
     version.step();
@@ -208,6 +198,17 @@ void Store::make_tables(Sharing sharing) {
     if (empty)
       database_.execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(store_format));
   });
+  // Last, as somebody else's database is not changed. Changing to WAL needs the file for oneself for a
+  // moment; SQLite does not wait for that by itself.
+  for (int i = 0;; ++i) {
+    try {
+      database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+      break;
+    } catch (const IoError& e) {
+      if (i == 100 || std::string(e.what()).find("locked") == std::string::npos) throw;
+      ::usleep(50000);
+    }
+  }
 }
 
 Claim Store::claim(const std::string& key) {

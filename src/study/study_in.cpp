@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
@@ -68,6 +69,9 @@ class Reader {
   Study read() {
     check_keys(root_, "", "");
     study_.name = text("name", std::filesystem::path(path_).stem().string());
+    if (root_.find("name") == nullptr && !is_plain(study_.name))
+      problems.push_back({path_, "name", study_.name, "a name in UTF-8 without control characters",
+                          "the file has none: write name = \"...\""});
     read_base();
     read_design();
     if (base_ok_) read_set();
@@ -413,7 +417,7 @@ std::string points_csv(const Study& study) {
 
 std::string value_text(const RecipeKey& key, double value) {
   const bool quoted = key.field->dimension != Dimension::none || key.field->kind == FieldKind::choice;
-  return quoted ? "\"" + key.print(value) + "\"" : key.print(value);
+  return quoted ? toml_string(key.print(value)) : key.print(value);
 }
 
 template <class T, class Print>
@@ -464,10 +468,7 @@ Study read_study(const std::string& path) {
 
 std::vector<std::pair<std::string, std::string>> study_files(const Study& study) {
   const auto whole = [](std::int64_t n) { return std::to_string(n); };
-  Recipe named;
-  named.name = study.name;
-  const std::string name = write_recipe(named);  // for its quoting
-  std::string text = name.substr(0, name.find('\n') + 1);
+  std::string text = "name = " + toml_string(study.name) + "\n";
   text += "recipe = \"recipe.toml\"\ndesign = \"" + std::string(to_string(study.design)) + "\"\n";
   text += "samples = " + whole(study.samples) + "\nseed = " + whole(study.seed) + "\n";
   if (study.base.packing.file.empty()) text += "packings = " + list_text(study.packings, whole) + "\n";
@@ -478,7 +479,7 @@ std::vector<std::pair<std::string, std::string>> study_files(const Study& study)
     text += "file = \"points.csv\"\n";
   } else {
     for (const Factor& f : study.vary) {
-      text += "\n[[vary]]\nkey = \"" + f.key.path() + "\"\n";
+      text += "\n[[vary]]\nkey = " + toml_string(f.key.path()) + "\n";
       const auto print = [&](double v) { return value_text(f.key, v); };
       if (!f.levels.empty())
         text += "values = " + list_text(f.levels, print) + "\n";

@@ -31,13 +31,6 @@ std::string quality_cells(const TestResult& result) {
 
 }  // namespace
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string csv_cell(double v) { return std::isfinite(v) ? print_number(v) : ""; }
 
 std::string csv_head(const RecipeKey& key) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/quote.hpp"
 #include "study/plan.hpp"
 #include "study/store.hpp"
 
@@ -13,8 +14,7 @@ namespace phy {
 /// specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows` belong to plan.tests.
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows);
 
-/// Cells of such tables: quoted where needed; NaN is an empty cell.
-std::string csv_cell(const std::string& text);
+/// Cells of such tables, as csv_cell() of a text; NaN is an empty cell.
 std::string csv_cell(double value);
 std::string csv_cell(const RecipeKey& key, double value);
 std::string csv_head(const RecipeKey& key);  ///< "bedding.k_n [Pa/m]"

@@ -1,0 +1,99 @@
+#include "io/output.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "base/check.hpp"
+#include "base/hash.hpp"
+#include "base/quote.hpp"
+#include "io/file.hpp"
+
+namespace phy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Nothing for what is no file or cannot be read. No input of the program: read_file() would note it as one.
+std::optional<std::string> content_of(const fs::path& file) {
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(in), {}};
+  return in.good() || in.eof() ? std::optional(std::move(content)) : std::nullopt;
+}
+
+std::string folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+bool is_free(const std::string& file) {
+  std::error_code none;
+  return is_stream(file) || !fs::exists(fs::symlink_status(file, none));
+}
+
+std::optional<Problem> problem_with(const std::string& file, const std::string& option) {
+  if (is_free(file)) return std::nullopt;
+  const auto problem = [&](const char* expected) {
+    const std::string other = option.empty() ? "" : ", or use another " + option;
+    return Problem{option.empty() ? "" : "command line", option.empty() ? file : option,
+                   option.empty() ? "" : file, expected, "move it away" + other};
+  };
+  if (was_read(file)) return problem("another file than those that are read");
+  if (is_as_written(folder_of(file), fs::path(file).filename().string())) return std::nullopt;
+  return problem("a name that is free, or a file as this program left it");
+}
+
+void add_to_list(const std::string& file, std::string_view content) {
+  const std::string list = (fs::path(folder_of(file)) / written_list).string(),
+                    line = list_line(fs::path(file).filename().string(), content);
+  if (const auto known = content_of(list); known && ("\n" + *known).find("\n" + line) != known->npos) return;
+  const int fd = ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (fd < 0) return;
+  write_all(fd, line);
+  ::close(fd);
+}
+
+}  // namespace
+
+std::string list_line(const std::string& name, std::string_view content) {
+  Hash hash;
+  hash.bytes(content.data(), content.size());
+  return hash.text() + " " + comment_text(name) + "\n";
+}
+
+bool is_as_written(const std::string& folder, const std::string& name) {
+  const auto list = content_of(fs::path(folder) / written_list),
+             content = content_of(fs::path(folder) / name);
+  return list && content && ("\n" + *list).find("\n" + list_line(name, *content)) != list->npos;
+}
+
+void list_written(const std::string& file, const std::string& part) {
+  if (const auto content = content_of(part)) add_to_list(file, *content);
+}
+
+bool holds(const std::string& file, const std::string& content) { return content_of(file) == content; }
+
+void check_outputs(const std::vector<std::string>& files, const std::string& option) {
+  std::vector<Problem> problems;
+  for (const std::string& file : files)
+    if (auto problem = problem_with(file, option)) problems.push_back(std::move(*problem));
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void write_output(const std::string& file, const std::string& content) {
+  if (is_stream(file)) return write_file(file, content);
+  if (holds(file, content)) return;
+  if (!is_free(file) && !is_as_written(folder_of(file), fs::path(file).filename().string()))
+    throw IoError(file + ": is not as this program left it, and was not replaced; move it away");
+  make_folder(folder_of(file));
+  add_to_list(file, content);
+  write_file(file, content);
+}
+
+}  // namespace phy

@@ -1,0 +1,269 @@
+// A text of the user stays a text in every language that the program writes: Python, PFC, gnuplot, sh, HTML,
+// CSV, TOML, and on the terminal. The languages themselves are asked, with texts that want to be more.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "../program.hpp"
+#include "base/quote.hpp"
+#include "report/calibration_files.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// In one language or another each part makes a file of the name `marker`.
+const std::string attack =
+    "ü'; system('touch marker') #\"; system(\"touch marker\") # `touch marker` $(touch marker) ''' \"\"\" "
+    "@marker {/:Bold b}_^~& \\101 \\ </script><img src=x><!-- <b> ;|touch marker";
+
+class Attack : public ProgramTest {
+ protected:
+  void TearDown() override {
+    EXPECT_FALSE(fs::exists(folder / "marker")) << "a text was run";
+    ProgramTest::TearDown();
+  }
+  /// In the folder where the marker would appear.
+  int here(const std::string& line) { return run_line("cd " + folder.string() + " && " + line); }
+  int phyllite(const std::string& line) { return here(PHY_PROGRAM " " + line); }
+  std::string named_recipe(const std::string& more = "") const {
+    return write("named.toml",
+                 "name = " + phy::toml_string(attack) + "\n" + more +
+                     "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = "
+                     "330\n[[bedding]]\nspacing = \"2 mm\"\n[test]\nplaten_speed = \"0.2 m/s\"\n"
+                     "angles = [\"0 deg\", \"45 deg\", \"90 deg\"]\nmax_strain = 0.03\n");
+  }
+  /// Every text that a picture shows.
+  std::string texts_of(const std::string& svg) {
+    const std::string script = write("svg.py",
+                                     "import sys, xml.etree.ElementTree as t\n"
+                                     "for e in t.parse(sys.argv[1]).iter():\n"
+                                     "    if e.tag.endswith('}text'): print(''.join(e.itertext()))\n");
+    EXPECT_EQ(here("python3 " + script + " " + svg), 0) << output;
+    return output;
+  }
+};
+
+struct Odd {
+  const char* name;
+  const char* file;  ///< its ending says what reads it
+  std::string text;
+  const char* says;
+};
+void PrintTo(const Odd& o, std::ostream* out) { *out << o.name; }
+
+class OddText : public Attack, public testing::WithParamInterface<Odd> {};
+
+TEST_P(OddText, IsRefusedWithFileLineAndKey) {
+  write("table.csv", "theta [deg],E [GPa]\n0,20\n45,22\n90,30\n");
+  small_recipe();
+  const Odd& odd = GetParam();
+  write(odd.file, odd.text);
+  const std::string verb = std::string(odd.file).starts_with("study") ? "study --dry-run study.toml"
+                           : std::string(odd.file) == "recipe.toml"   ? "recipe recipe.toml"
+                                                                      : "rock check rock.toml";
+  if (odd.file == std::string("odd.csv")) write("rock.toml", "data = \"odd.csv\"\n");
+  ASSERT_EQ(phyllite(verb), 2) << output;
+  EXPECT_THAT(output, HasSubstr(odd.says));
+  EXPECT_THAT(output, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\nimport"))));
+  EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << "one problem: " << output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, OddText,
+    testing::Values(
+        Odd{"recipe", "recipe.toml", "name = \"a\\nimport os\"\n",
+            "recipe.toml:1: name = \"a\\u000aimport os\""},
+        Odd{"lines", "recipe.toml", "\nname = \"\"\"a\nimport os\"\"\"\n", "recipe.toml:2: name"},
+        Odd{"packing_file", "recipe.toml", "[packing]\nfile = \"a\\u001b[2J\"\n",
+            "recipe.toml:2: packing.file"},
+        Odd{"rock", "rock.toml", "data = \"table.csv\"\nname = \"a\\nimport os\"\n", "rock.toml:2: name"},
+        Odd{"eighth_bit", "rock.toml", "data = \"table.csv\"\nname = \"a\\u009b2J\"\n", "rock.toml:2: name"},
+        Odd{"study", "study.toml",
+            "recipe = \"small.toml\"\nname = \"a\\tb\"\n[[vary]]\nkey = \"matrix.mu\"\ntimes "
+            "= [1, 2]\n",
+            "study.toml:2: name"},
+        Odd{"latin_1", "recipe.toml", "# M\xFCller\nname = \"a\"\n", "recipe.toml:1: expected text in UTF-8"},
+        Odd{"header", "odd.csv", "theta [deg],E [GPa],\x1b]0;x\a\n0,20,\n45,22,\n90,30,\n",
+            "odd.csv:1: expected text in UTF-8 without control characters"},
+        Odd{"cell", "odd.csv", "theta [deg],E [GPa],who\n0,20,M\xFCller\n45,22,\n90,30,\n",
+            "odd.csv:2: expected text in UTF-8 without control characters"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+TEST_F(Attack, NamesOfFilesThatAreNoNamesAreNotTaken) {
+  write("table.csv", "theta [deg],E [GPa]\n0,20\n45,22\n90,30\n");
+  write("a\nimport os.toml", "data = \"table.csv\"\n");
+  ASSERT_EQ(phyllite("rock check 'a\nimport os.toml'"), 2);
+  EXPECT_THAT(output, HasSubstr("expected a name in UTF-8 without control characters"));
+}
+
+TEST_F(Attack, NamesInEveryAlphabetStay) {
+  write("r.toml", "name = \"Schiefer Müller, θ = 30°, 片岩\"\n");
+  ASSERT_EQ(phyllite("recipe r.toml"), 0) << output;
+  EXPECT_THAT(output, HasSubstr("name = \"Schiefer Müller, θ = 30°, 片岩\"\n"));
+}
+
+// What Python takes an encoding from, utf-7 and unicode_escape, would make line breaks of harmless letters.
+TEST_F(Attack, PythonAndPfcSeeAComment) {
+  if (!has("python3")) GTEST_SKIP() << "no python3 here";
+  fs::create_directories(folder / "yade");
+  write("yade/__init__.py", "utils = None\n");
+  write("run.py",
+        "import builtins, sys\n"
+        "class O: materials = []\n"
+        "builtins.O, builtins.JCFpmMat, builtins.Vector3 = O, lambda **k: k, lambda *a: a\n"
+        "exec(compile(open(sys.argv[1], 'rb').read(), 'script', 'exec'), {})\n"
+        "assert len(O.materials) == 1\n");
+  const std::string run = "import os; os.system('touch marker')";
+  for (const std::string& name :
+       {attack, "a\n" + run + "\n#", "a\r" + run + "\r#", "coding: utf-7 +AAo-" + run + "+AAo-#",
+        "coding: unicode_escape \\x0a" + run + "\\x0a#", std::string("coding: latin-1 \xFC")}) {
+    phy::Recipe recipe;
+    recipe.name = name;
+    recipe.bedding.resize(1);
+    write("script.py", phy::yade_script(recipe));
+    EXPECT_EQ(here("python3 run.py script.py"), 0) << output;
+    EXPECT_THAT(read(at("script.py")), HasSubstr("\n# " + phy::comment_text(name) + " - written by"));
+    const std::string pfc = phy::pfc_commands(recipe);
+    EXPECT_TRUE(pfc.starts_with("; " + phy::comment_text(name) + " - written by")) << pfc.substr(0, 200);
+  }
+}
+
+TEST_F(Attack, ACalibrationOfAnyNameIsOneOfThatName) {
+  named_recipe();
+  write("table.csv", "theta [deg],E [GPa]\n0,17.5\n45,18\n90,48\n");
+  write("rock.toml",
+        "name = " + phy::toml_string(attack) + "\ndata = \"table.csv\"\nrecipe = \"named.toml\"\n");
+  ASSERT_THAT(phyllite("calibrate rock.toml --elastic --threads 2 --out out"), testing::AnyOf(0, 1))
+      << output;
+  EXPECT_THAT(output, HasSubstr(attack));
+  ASSERT_EQ(phyllite("recipe out/calibrated.toml"), 0) << output;
+  EXPECT_THAT(output, HasSubstr(phy::toml_string(attack + ", moduli calibrated, strengths given")));
+  if (!has("python3")) GTEST_SKIP() << "no python3 here";
+  EXPECT_EQ(here("python3 -m py_compile out/calibrated-yade.py"), 0) << output;
+}
+
+TEST_F(Attack, GnuplotShowsHeadersAndCellsOfATable) {
+  if (!has("gnuplot") || !has("python3")) GTEST_SKIP() << "no gnuplot or python3 here";
+  fs::create_directories(folder / "foreign");
+  named_recipe();
+  fs::copy(at("named.toml"), folder / "foreign/recipe.toml");
+  const std::string key = "a.b'`touch${IFS}marker`\"@x{_^";
+  std::string table = "point,packing,bond_seed,theta [deg],intact," + phy::csv_cell(key + " [Pa]") +
+                      ",E_tangent [Pa],ucs [Pa],status\n";
+  const std::string quotes = "''';system('touch marker');#''";
+  for (const std::string& cell : {std::string("1"), attack, quotes})
+    for (const int theta : {0, 45, 90})
+      table += "0,1,1," + std::to_string(theta) + ",0," + phy::csv_cell(cell) + ",2e10,1e8,peaked\n";
+  write("foreign/results.csv", table);
+  for (const char* kind : {"modulus", "strength"}) {
+    ASSERT_EQ(phyllite(std::string("figure foreign --kind ") + kind + " --out a.svg"), 0) << output;
+    EXPECT_THAT(texts_of("a.svg"), AllOf(HasSubstr(key), HasSubstr(attack), HasSubstr(quotes))) << kind;
+  }
+}
+
+TEST_F(Attack, ASweepOfAnyNameIsDrawnAndRead) {
+  if (!has("gnuplot") || !has("python3")) GTEST_SKIP() << "no gnuplot or python3 here";
+  named_recipe();
+  std::ofstream(at("named.toml"), std::ios::app) << "[sweep]\nfactors = [0.5, 1, 2]\n";
+  ASSERT_EQ(phyllite("elastic named.toml --out out"), 0) << output;
+  ASSERT_EQ(phyllite("figure out --kind stiffness --out a.svg"), 0) << output;
+  EXPECT_THAT(texts_of("a.svg"), HasSubstr(attack + ", zone rule"));
+  const std::string script = write("read.py",
+                                   "import csv, sys\n"
+                                   "for name in ('lines', 'fig4', 'moduli'):\n"
+                                   "    rows = list(csv.reader(open('out/' + name + '.csv', newline='')))\n"
+                                   "    assert all(len(r) == len(rows[0]) for r in rows), name\n"
+                                   "    assert {r[0] for r in rows[1:]} == {open('attack').read()}, name\n");
+  write("attack", attack);
+  EXPECT_EQ(here("python3 " + script), 0) << output;
+}
+
+TEST_F(Attack, APlaceForAPictureIsAPlace) {
+  named_recipe("");
+  ASSERT_EQ(phyllite("run named.toml --out out"), 0) << output;
+  if (has("gnuplot")) {
+    ASSERT_EQ(phyllite("figure out --kind rose --out '|touch marker; echo it'\\''s `touch marker`/a.svg'"), 0)
+        << output;
+    EXPECT_TRUE(fs::exists(folder / "|touch marker; echo it's `touch marker`/a.svg"));
+    EXPECT_EQ(phyllite("figure out --kind rose --out 'a\nb.svg'"), 2) << output;
+  }
+  if (has("ffmpeg")) {
+    ASSERT_EQ(phyllite("film out --seconds 0.5 --width 320 --out concat:a/film.gif"), 0) << output;
+    EXPECT_TRUE(fs::exists(folder / "concat:a/film.gif"));
+  }
+}
+
+TEST_F(Attack, AReportIsOneScriptOfData) {
+  if (!has("python3")) GTEST_SKIP() << "no python3 here";
+  named_recipe("");
+  ASSERT_EQ(phyllite("run named.toml --out out"), 0) << output;
+  write("attack", attack);
+  write("page.py",
+        "import html.parser, json\n"
+        "class Page(html.parser.HTMLParser):\n"
+        "    data, tags, inside = '', [], False\n"
+        "    def handle_starttag(self, tag, attributes):\n"
+        "        self.tags.append(tag)\n"
+        "        self.inside = ('id', 'report-data') in attributes\n"
+        "    def handle_endtag(self, tag): self.inside = False\n"
+        "    def handle_data(self, text):\n"
+        "        if self.inside: self.data += text\n"
+        "page = Page()\n"
+        "page.feed(open('out/report.html', encoding='utf-8').read())\n"
+        "assert 'img' not in page.tags\n"
+        "assert json.loads(page.data)['name'] == open('attack', encoding='utf-8').read()\n");
+  EXPECT_EQ(here("python3 page.py"), 0) << output;
+}
+
+TEST_F(Attack, TheJobScriptRunsTheStudyOfThatName) {
+  if (!has("bash")) GTEST_SKIP() << "no bash here";
+  small_recipe();
+  const std::string name = "s $(touch marker) `touch marker`\"; touch marker; it's --wrap=touch.toml";
+  write(name, "recipe = \"small.toml\"\n[[vary]]\nkey = \"matrix.mu\"\ntimes = [1, 2]\n");
+  ASSERT_EQ(phyllite("study " + phy::sh_word(name) + " --slurm 2 --out " + phy::sh_word("o $(touch marker)")),
+            0)
+      << output;
+  write("job.sh", output);
+  EXPECT_THAT(output, testing::ContainsRegex("#SBATCH --job-name=[A-Za-z0-9_.-]+\n"));
+  fs::create_directories(folder / "bin");
+  write("bin/phyllite", "#!/bin/sh\nfor word in \"$@\"; do printf '%s\\n' \"$word\"; done\n");
+  fs::permissions(folder / "bin/phyllite", fs::perms::owner_all);
+  EXPECT_EQ(here("bash -n job.sh"), 0) << output;
+  ASSERT_EQ(here("SLURM_CPUS_PER_TASK=3 SLURM_ARRAY_TASK_ID=1 PATH=\"$PWD/bin:$PATH\" bash job.sh"), 0)
+      << output;
+  EXPECT_EQ(output, "--threads\n3\nstudy\n" + name + "\n--out\no $(touch marker)\n--shard\n1/2\n");
+  // The command in the comment is meant to be copied.
+  const std::string script = read(at("job.sh")), from = "done: ";
+  const std::size_t at_command = script.find(from) + from.size();
+  ASSERT_EQ(here("PATH=\"$PWD/bin:$PATH\"; " +
+                 script.substr(at_command, script.find('\n', at_command) - at_command)),
+            0);
+  EXPECT_EQ(output, "study\nmerge\no $(touch marker)\n");
+}
+
+TEST_F(Attack, TheTerminalObeysNoResult) {
+  ASSERT_EQ(phyllite("run " + small_recipe() + " --out out"), 0) << output;
+  const std::string file = at("out/intact/result.json"), whole = read(file);
+  for (const char* key :
+       {"\"reason\": \"", "\"unit\": \"", "\"definition\": \"", "\"specimen\": \"", "\"program\": \""}) {
+    std::string changed = whole;
+    changed.insert(changed.find(key) + std::string(key).size(), "\\u001b]0;stolen\\u0007\\u009b2J");
+    write("out/intact/result.json", changed);
+    for (const char* verb :
+         {"show out", "show out/intact", "report out", "report out/intact --out page.html"}) {
+      EXPECT_NE(phyllite(verb), 4) << output;
+      EXPECT_THAT(output, AllOf(HasSubstr("expected text without control characters"), Not(HasSubstr("\x1b")),
+                                Not(HasSubstr("\xC2\x9B"))))
+          << key << verb;
+    }
+  }
+  EXPECT_EQ(phyllite("show \"$(printf '\\033[31mred')\""), 3);
+  EXPECT_THAT(output, AllOf(HasSubstr("\\x1b[31mred"), Not(HasSubstr("\x1b"))));
+}
+
+}  // namespace
