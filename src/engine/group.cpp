@@ -238,8 +238,7 @@ GroupView<T> Group<T>::view() {
   v.grain = grain_.get(), v.contact = contact_.get();
   v.lane = lane_table_.get(), v.joint = joint_table_.get();
   v.n_tools = static_cast<int>(n_tools_), v.n_grains = static_cast<int>(n_grains());
-  v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(),
-  v.load_force = load_force_.get();
+  v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(), v.load_force = load_force_.get();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
   v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
   v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data(),

@@ -135,11 +135,11 @@ struct GroupView {
   const GripPoint* grip = nullptr;
   const std::int32_t* load = nullptr;  ///< grains that the jacket presses in some lane, sorted
   const T* load_force = nullptr;       ///< on each of them along x, a lane vector
-  const T* touch_gap = nullptr;  ///< per tool and grain: closure needed before the tool acts
-  T* touch_shear = nullptr;      ///< per tool and grain: shear force
-  T* tool_u = nullptr;           ///< per step, tool, component: displacement
-  T* tool_v = nullptr;           ///< per step, tool, component: velocity
-  T* tool_force = nullptr;       ///< per step, tool, component: force on the specimen
+  const T* touch_gap = nullptr;        ///< per tool and grain: closure needed before the tool acts
+  T* touch_shear = nullptr;            ///< per tool and grain: shear force
+  T* tool_u = nullptr;                 ///< per step, tool, component: displacement
+  T* tool_v = nullptr;                 ///< per step, tool, component: velocity
+  T* tool_force = nullptr;             ///< per step, tool, component: force on the specimen
   int n_balanced = 0;
   const BalancePoint* balanced = nullptr;
   const std::int32_t* balanced_touch = nullptr;  ///< places in `touch`
