@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/rng.hpp"
+#include "engine/jacket.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/layout.hpp"
 #include "engine/stable_step.hpp"
@@ -173,6 +174,93 @@ Tool pusher(std::uint32_t n, double direction) {
   Tool t;
   for (std::uint32_t i = 0; i < n; ++i) t.touches.push_back({i, {direction, 0.0}, 0.0});
   return t;
+}
+
+/// Two loose discs of radius R side by side, `gap` apart, in a group without damping at a fiftieth of the
+/// stable step, where a collision keeps its energy within 5e-3. The tool that gives the step its stiffness is
+/// placed with `jacket` only.
+struct TwoDiscs {
+  static constexpr double R = 3e-4, skin = 0.25 * R;
+  MatrixRecipe m;
+  double mass = m.density * pi * R * R, block = 0.0;
+  std::unique_ptr<LaneGroup> group;
+
+  TwoDiscs(double gap, bool jacket, Precision precision) {
+    const auto s = std::make_shared<const Specimen>(assembly({{R, R, R}, {3.0 * R + gap, R, R}}, m));
+    GroupOptions options;
+    options.isa = native_isa();
+    options.precision = precision;
+    options.lanes = 4;
+    options.interval = 400;
+    group = make_group(s->packing, options);
+    Rig rig;
+    rig.tools = {pusher(2, 1.0)};
+    for (Touch& t : rig.tools[0].touches) t.gap = 0.5 * R;  // counts for the step, is never reached
+    rig.jacket = jacket;
+    LaneSetup setup;
+    setup.damping = 0.0, setup.step_safety = 0.02;
+    setup.rig = std::make_shared<const Rig>(rig);
+    group->load(0, s, setup);
+    if (jacket) group->place_rig(0);
+    block = group->time_step(0) * options.interval;
+  }
+  double moved(std::size_t disc) const { return group->grains(0)[disc].ux; }
+};
+
+// A grain that goes farther in a block of cycles than the list of near pairs reaches meets what lies in its
+// way all the same. Head on with its like it comes to rest, and the other goes on as fast.
+TEST(NearPairs, ReachAsFarAsAFastGrainFlies) {
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    const double gap = 1.5 * TwoDiscs::skin;
+    TwoDiscs t(gap, false, precision);
+    const double v = 2.0 * TwoDiscs::skin / t.block, kinetic = 0.5 * t.mass * v * v;
+    t.group->set_motion(0, 0, {}, {v, 0.0}, 0.0);
+    for (int i = 0; i < 3; ++i) {
+      t.group->advance();
+      const HistoryRow& r = t.group->row(0);
+      EXPECT_NEAR((r.kinetic + r.strain_linear) / kinetic, 1.0, 5e-3) << "after block " << i + 1;
+    }
+    EXPECT_LT(t.moved(0), 1.5 * gap);
+    EXPECT_GT(t.moved(1), 3.0 * TwoDiscs::skin);
+  }
+}
+
+// Two loose discs under a jacket run into each other: p 2R on each, work = p times the area swept, also
+// where the list of near pairs knew nothing of the other when it was made.
+TEST(Jacket, WorkIsPressureTimesTheAreaSwept) {
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    TwoDiscs t(3.0 * TwoDiscs::skin, true, precision);
+    const double drift = 2.0 * TwoDiscs::skin;  // in the first block
+    const double force = 2.0 * drift * t.mass / (t.block * t.block);
+    const double p = force / (2.0 * TwoDiscs::R);
+    t.group->press(0, p);
+    double most = 0.0;  // they bounce and give work back
+    for (int i = 0; i < 6; ++i) {
+      t.group->advance();
+      const HistoryRow& r = t.group->row(0);
+      const double closer = t.moved(0) - t.moved(1);
+      EXPECT_NEAR(r.boundary_work / (force * closer), 1.0, 1e-5) << "after block " << i + 1;
+      most = std::max(most, r.boundary_work);
+      EXPECT_NEAR(r.kinetic + r.strain_linear, r.boundary_work, 5e-3 * most) << "after block " << i + 1;
+      EXPECT_NEAR(t.moved(0) + t.moved(1), 0.0, 1e-3 * drift);
+      EXPECT_NEAR(r.lateral_stress / p, 1.0, 1e-12);
+    }
+    EXPECT_LT(t.moved(0), 1.6 * TwoDiscs::skin) << "they do not pass through each other";
+  }
+}
+
+// Three discs of a side, the middle one behind the others: as much of it is pressed as shows between them.
+TEST(Jacket, PressesOnWhatShows) {
+  const std::vector<double> r(4, 1.0);
+  const auto heights = [&](double lower, double upper) {
+    const std::vector<Vec2> x = {{1.0, lower}, {3.0, 3.0}, {1.0, upper}, {5.0, 3.0}};
+    return jacket_heights(x, r, 6.0, 0.01);
+  };
+  const std::vector<double> apart = heights(1.0, 5.0), close = heights(1.6, 4.5), shut = heights(2.0, 4.0);
+  EXPECT_NEAR(apart[1], 2.0, 0.02);
+  EXPECT_NEAR(close[1], 3.5 - 2.6, 0.02);
+  EXPECT_EQ(shut[1], 0.0);
+  for (const std::vector<double>& h : {apart, close, shut}) EXPECT_NEAR(h[3], -2.0, 0.02);
 }
 
 // A tool in balance has no mass: a disc that it pushes with a constant force is accelerated by force / mass

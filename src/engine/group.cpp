@@ -223,7 +223,7 @@ void Group<T>::fill_lane_table() {
         put(l_wall_inv_ks, 1.0 / (m.ks_over_kn * k_wall));
     put(l_wall_mu, lane.setup.tool_friction);
     if (!lane.specimen) continue;
-    put(l_grips, lane.placed ? 1.0 : 0.0), put(l_pressure, lane.placed ? lane.pressure : 0.0);
+    put(l_grips, lane.placed ? 1.0 : 0.0);
     put(l_dt, lane.dt), put(l_accel, lane.dt / m.density), put(l_damping, lane.setup.damping);
   }
 }
@@ -238,7 +238,7 @@ GroupView<T> Group<T>::view() {
   v.grain = grain_.get(), v.contact = contact_.get();
   v.lane = lane_table_.get(), v.joint = joint_table_.get();
   v.n_tools = static_cast<int>(n_tools_), v.n_grains = static_cast<int>(n_grains());
-  v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data();
+  v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(), v.load_force = load_force_.get();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
   v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
   v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data(),
@@ -252,6 +252,7 @@ GroupView<T> Group<T>::view() {
 
 template <class T>
 void Group<T>::advance() {
+  fit_jackets();
   if (dirty_) rebuild();
   fill_lane_table();
   plan_tools();

@@ -4,6 +4,7 @@
 //   group_list.cpp   near pairs, contacts, births, time step
 //   group_move.cpp   a specimen on its way to another group
 //   group_rig.cpp    tools: placing, driving, the points where they act
+//   group_jacket.cpp the grains that a jacket presses on
 //   group_books.cpp  energy books, cracks, history row, watchdog
 #pragma once
 #include <algorithm>
@@ -80,8 +81,10 @@ struct Lane {
   double dt = 0.0, time = 0.0;
   std::int64_t step = 0;
   std::vector<ToolMotion> tools;
-  double pressure = 0.0, jacket = 0.0;  // of the loads; their displacement sum(length . u)
-  double jacket_base = 0.0;
+  double pressure = 0.0, swept = 0.0;  // of the jacket; the area it has swept since it was placed [m^2]
+  std::vector<double> pressed;         // height of each sorted grain that the jacket presses on, as it fits
+  std::vector<double> pressed_way;     // what it may push each in a block, of which the list knows
+  double swept_from = 0.0;             // sum of height times displacement, when it was fitted
   double work = 0.0, slip = 0.0, damping = 0.0, released = 0.0;
   double base_energy = 0.0, base_axial = 0.0, base_lateral = 0.0;
   double zero_axial = 0.0, zero_lateral = 0.0;  // approach of the tools where strains count from
@@ -164,7 +167,9 @@ class Group final : public LaneGroup {
   std::vector<std::int32_t> row_touch_, row_grip_, row_load_;
   std::vector<TouchPoint<T>> touch_;
   std::vector<GripPoint> grip_;
-  std::vector<LoadPoint<T>> load_;
+  bool jacket_ = false;
+  std::vector<std::int32_t> load_;  // grains that a jacket presses in some lane
+  Buffer<T> load_force_;
   std::vector<RawCrack> raw_cracks_;
   std::vector<Vec2> built_at_;  // per grain and lane: displacement when the list was built
   bool dirty_ = true;
@@ -244,12 +249,16 @@ class Group final : public LaneGroup {
   void adopt_rig(const Rig& rig);
   void place_tool(std::size_t tool, std::size_t lane);
   void list_touches();
-  void list_grips_and_loads(const Rig& rig);
+  void list_grips(const Rig& rig);
   void plan_tools();
   void plan_balance();
   void read_balance();
   Vec2 block_velocity(Lane& lane, ToolMotion& tool) const;
-  double jacket_of(std::size_t lane) const;
+  // jacket
+  void fit_jackets();
+  void fit_jacket(std::size_t lane);
+  double pushed_way(std::size_t grain, std::size_t lane) const;
+  double area_swept(std::size_t lane) const;
   // books
   void keep_books(std::size_t lane);
   void book_tools(std::size_t lane);

@@ -24,10 +24,10 @@ void Group<T>::book_tools(std::size_t l) {
       state.mean_force = state.mean_force + (1.0 / options_.interval) * force;
     }
   }
-  if (load_.empty() || !lane.placed) return;
-  const double jacket = jacket_of(l);
-  lane.work += lane.pressure * (jacket - lane.jacket);
-  lane.jacket = jacket;
+  if (!jacket_ || !lane.placed) return;
+  const double swept = area_swept(l) - lane.swept_from;
+  lane.work += lane.pressure * swept;
+  lane.swept += swept;
 }
 
 template <class T>
@@ -101,9 +101,8 @@ void Group<T>::write_load(const Lane& lane, HistoryRow& r) const {
         lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_lateral;
     r.lateral_stress = 0.5 * dot(state(axis.lo).force - state(axis.hi).force, axis.direction) / axis.area;
   }
-  if (!load_.empty()) {
-    r.lateral_strain =
-        (lane.jacket - lane.jacket_base) / (packing_->width * packing_->height) - lane.zero_lateral;
+  if (jacket_) {
+    r.lateral_strain = lane.swept / (packing_->width * packing_->height) - lane.zero_lateral;
     r.lateral_stress = lane.pressure;
   }
   r.deviatoric_stress = r.axial_stress - r.lateral_stress;

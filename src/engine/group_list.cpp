@@ -4,6 +4,7 @@ namespace phy::group {
 namespace {
 
 constexpr double birth_factor = 0.02;  // a pair meets below a gap of birth_factor * r_min
+constexpr double flight_margin = 2.0;  // over what a fast grain does in a block at its present speed
 
 /// A union of lists of pairs. The lanes agree on nearly all of them, so a pair is looked for among the few of
 /// its upper grain; sorting all lists together takes ten times as long.
@@ -29,16 +30,25 @@ class PairUnion {
 
 }  // namespace
 
+/// Pairs that may touch before the list is renewed: within the skin, and as much farther as a grain may go in
+/// the next block that is too fast for half the skin, or that a jacket drives.
 template <class T>
 void Group<T>::search(std::size_t l) {
   Lane& lane = lanes_[l];
   lane.near.clear();
   std::vector<Vec2> x(n_grains());
+  std::vector<double> reach = radius_;
+  const double block = lane.dt * options_.interval;
+  if (jacket_) lane.pressed_way.assign(n_grains(), 0.0);
   for (std::size_t g = 0; g < n_grains(); ++g) {
     built_at_[g * W_ + l] = displacement(g, l);
     x[g] = x0_[g] + built_at_[g * W_ + l];
+    const double flight = block * norm(Vec2{grain(g, g_vx, l), grain(g, g_vy, l)});
+    reach[g] += std::max(0.0, flight_margin * flight - 0.5 * skin_);
+    if (const double push = pushed_way(g, l); push > 0.0)
+      reach[g] += lane.pressed_way[g] = push + 0.5 * skin_;
   }
-  near_pairs(x, radius_, skin_, lane.near);
+  near_pairs(x, reach, skin_, lane.near);
   if (lane.fresh)
     for (const Contact& c : lane.specimen->contacts)
       lane.near.push_back(pair_key(static_cast<std::uint32_t>(layout_.rank[c.a]),
@@ -50,10 +60,11 @@ void Group<T>::search(std::size_t l) {
 template <class T>
 std::vector<PairKey> Group<T>::collect_pairs() {
   PairUnion all(n_grains());
-  const std::vector<double> moved = farthest().moved;
+  const Farthest most = farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
-    if (!lanes_[l].searched || 4.0 * moved[l] >= skin_) search(l);
+    const double block = lanes_[l].dt * options_.interval;
+    if (!lanes_[l].searched || 4.0 * (most.moved[l] + most.speed[l] * block) >= skin_) search(l);
     for (const PairKey key : lanes_[l].near) all.add(key);
   }
   for (std::size_t c = 0; c < pairs_.size(); ++c)
@@ -297,6 +308,7 @@ typename Group<T>::Farthest Group<T>::farthest() const {
 
 // A list is renewed before anything outside it can touch: when twice the largest motion since it was built,
 // plus what the fastest grain can do in the next block, exceeds the skin; for tools their own motion counts.
+// Where one grain alone outruns the skin, the list is renewed in every block and reaches farther (search).
 template <class T>
 void Group<T>::watch_motion() {
   if (dirty_) return;
@@ -310,7 +322,7 @@ void Group<T>::watch_motion() {
     for (const ToolMotion& t : lane.tools)
       tools = std::max(
           tools, norm(t.state.displacement - t.listed_at) + fastest_tool(t.drive, most.speed[l]) * block);
-    dirty_ = 2.0 * grains > skin_ || grains + tools > skin_;
+    dirty_ = 2.0 * grains > skin_ - birth_factor * r_min_ || grains + tools > skin_;
   }
 }
 

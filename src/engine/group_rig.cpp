@@ -21,11 +21,12 @@ double servo_step(const Servo& servo, double mean_force, double displacement, do
 /// Lanes of a group share the geometry of their rig: it follows from the packing and the kind of test.
 template <class T>
 void Group<T>::adopt_rig(const Rig& rig) {
-  if (rig.tools.empty() && rig.loads.empty()) return;
-  if (n_tools_ > 0 || !load_.empty()) {
-    PHY_CHECK(rig.tools.size() == n_tools_ && rig.loads.size() == load_.size(), "lanes share one rig");
+  if (rig.tools.empty() && !rig.jacket) return;
+  if (n_tools_ > 0 || jacket_) {
+    PHY_CHECK(rig.tools.size() == n_tools_ && rig.jacket == jacket_, "lanes share one rig");
     return;
   }
+  jacket_ = rig.jacket;
   n_tools_ = rig.tools.size();
   const std::size_t per_step = n_steps() * n_tools_ * 2 * W_;
   tool_u_.assign(per_step), tool_v_.assign(per_step), tool_force_.assign(per_step), tool_du_.assign(per_step);
@@ -36,29 +37,22 @@ void Group<T>::adopt_rig(const Rig& rig) {
   touch_normal_.assign(n_tools_ * n_grains(), Vec2{});
   for (std::size_t t = 0; t < n_tools_; ++t)
     for (const Touch& p : rig.tools[t].touches) touch_normal_[t * n_grains() + sorted_id(p.grain)] = p.normal;
-  list_grips_and_loads(rig);
+  list_grips(rig);
 }
 
 template <class T>
-void Group<T>::list_grips_and_loads(const Rig& rig) {
+void Group<T>::list_grips(const Rig& rig) {
   for (std::size_t t = 0; t < n_tools_; ++t)
     for (const Grip& p : rig.tools[t].grips)
       grip_.push_back({static_cast<std::int32_t>(sorted_id(p.grain)), static_cast<std::int32_t>(t), p.x, p.y,
                        p.rotation});
-  for (const GrainLoad& p : rig.loads)
-    load_.push_back({static_cast<std::int32_t>(sorted_id(p.grain)), T(p.length.x), T(p.length.y)});
-  const auto by_grain = [](const auto& p, const auto& q) { return p.grain < q.grain; };
-  std::stable_sort(grip_.begin(), grip_.end(), by_grain);
-  std::stable_sort(load_.begin(), load_.end(), by_grain);
-  const auto rows = [this](const auto& points, std::vector<std::int32_t>& first) {
-    for (std::size_t row = 0; row < first.size(); ++row)
-      first[row] = static_cast<std::int32_t>(
-          std::partition_point(points.begin(), points.end(),
-                               [&](const auto& p) { return p.grain < layout_.row_grain[row]; }) -
-          points.begin());
-  };
-  rows(grip_, row_grip_);
-  rows(load_, row_load_);
+  std::stable_sort(grip_.begin(), grip_.end(),
+                   [](const GripPoint& p, const GripPoint& q) { return p.grain < q.grain; });
+  for (std::size_t row = 0; row < row_grip_.size(); ++row)
+    row_grip_[row] = static_cast<std::int32_t>(
+        std::partition_point(grip_.begin(), grip_.end(),
+                             [&](const GripPoint& p) { return p.grain < layout_.row_grain[row]; }) -
+        grip_.begin());
 }
 
 template <class T>
@@ -103,7 +97,7 @@ void Group<T>::place_rig(int lane) {
   info.base_axial = r.axial_strain_gauge;
   info.base_lateral = r.lateral_strain_gauge;
   info.zero_axial = info.zero_lateral = 0.0;
-  info.jacket_base = info.jacket = jacket_of(l);
+  info.swept = 0.0;
   info.cracks.clear();
   info.row = HistoryRow{};
   dirty_ = true;
@@ -118,16 +112,6 @@ void Group<T>::zero_strains(int lane) {
   info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
   r.axial_strain = r.lateral_strain = r.volumetric_strain = 0.0;
   r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
-}
-
-/// Displacement of the loads, weighted with the length of boundary each stands for [m^2].
-template <class T>
-double Group<T>::jacket_of(std::size_t l) const {
-  double sum = 0.0;
-  for (const LoadPoint<T>& p : load_)
-    sum += dot(Vec2{static_cast<double>(p.x), static_cast<double>(p.y)},
-               displacement(static_cast<std::size_t>(p.grain), l));
-  return sum;
 }
 
 template <class T>

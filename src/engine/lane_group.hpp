@@ -63,7 +63,7 @@ class LaneGroup {
   virtual void hold_bonds(int lane, bool hold) = 0;
   /// How a tool moves from now on.
   virtual void drive(int lane, int tool, const Drive& drive) = 0;
-  /// Pressure of the loads on grains from now on [Pa].
+  /// Pressure of the jacket from now on [Pa].
   virtual void press(int lane, double pressure) = 0;
   /// Gives all grains a velocity [m/s] by their place; its energy enters the books as work.
   virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;

@@ -1,10 +1,10 @@
-// The rig of a test: the rigid tools around a specimen, and the loads on single grains.
+// The rig of a test: the rigid tools around a specimen, and the pressure on its sides.
 //
 // Every boundary of the laboratory is one of three things, so that the engine knows no test by name:
 //   touch   a tool pushes grains like a wall: linear law without tension, a normal of its own for every grain
 //           (a flat platen has the same everywhere, a curved jaw has not)
 //   grip    a tool holds grains: chosen components of their motion are those of the tool
-//   load    a force on a grain, proportional to one pressure (flexible jacket)
+//   jacket  a pressure on the grains that are the surface of the sides (engine/jacket.hpp)
 // A tool translates and does not turn. Each of its two components moves at a velocity, under a servo or in
 // balance. Force and displacement of every tool are kept step by step; their product is the work in the
 // energy books.
@@ -52,12 +52,6 @@ struct Tool {
   bool rough = false;  ///< has the lane's tool friction, else none
 };
 
-/// Force on a grain per unit of pressure: the length of boundary it stands for, pointing inwards [m].
-struct GrainLoad {
-  std::uint32_t grain = 0;
-  Vec2 length;
-};
-
 /// Two opposite tools and what their motion and force mean. Positive: they approach, they push.
 struct LoadAxis {
   int lo = -1, hi = -1;  ///< tools; -1: no such axis
@@ -69,7 +63,7 @@ struct LoadAxis {
 
 struct Rig {
   std::vector<Tool> tools;
-  std::vector<GrainLoad> loads;
+  bool jacket = false;
   LoadAxis axial, lateral;
 };
 

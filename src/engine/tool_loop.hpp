@@ -1,4 +1,4 @@
-// The rig in the hot loop: tools that touch or hold grains, and loads on grains, row by row (rig.hpp).
+// The rig in the hot loop: tools that touch or hold grains, and the jacket, row by row (rig.hpp).
 //
 // Holding works without a second kind of motion: before a row moves, the force on a held component goes to
 // the tool and its velocity becomes the tool's; the ordinary motion then carries it along. The force of step
@@ -43,7 +43,7 @@ class ToolLoop {
       i = each_of_tool(i, row, step, [](const GripPoint&, T*, MaskOf<R>) {});
   }
 
-  /// Forces of tools and loads on the grains of a row; returns the slip work.
+  /// Forces of tools and jacket on the grains of a row; returns the slip work.
   template <bool sample>
   R press(int row, int step) {
     R slip(0);
@@ -58,11 +58,8 @@ class ToolLoop {
       slip += sums.slip;
       if constexpr (sample) add_sample(v.sample, s_strain_wall, sums.energy);
     }
-    for (std::int32_t i = v.row_load[row]; i < v.row_load[row + 1]; ++i) {
-      const LoadPoint<T>& p = v.load[i];
-      add_to(grain_at(p.grain), g_fx, lane[l_pressure] * R(p.x));
-      add_to(grain_at(p.grain), g_fy, lane[l_pressure] * R(p.y));
-    }
+    for (std::int32_t i = v.row_load[row]; i < v.row_load[row + 1]; ++i)
+      add_to(grain_at(v.load[i]), g_fx, load<R>(v.load_force, static_cast<std::size_t>(i)));
     return slip;
   }
 

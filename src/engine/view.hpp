@@ -44,8 +44,7 @@ enum LaneField {
   l_wall_ks,
   l_wall_inv_ks,
   l_wall_mu,
-  l_grips,     // 1 where the rig's grips hold, else 0
-  l_pressure,  // of the loads on grains
+  l_grips,  // 1 where the rig's grips hold, else 0
   n_lane_fields
 };
 
@@ -104,13 +103,6 @@ struct GripPoint {
   bool x, y, rotation;
 };
 
-/// Force per unit of pressure on a grain. Sorted by row.
-template <class T>
-struct LoadPoint {
-  std::int32_t grain;
-  T x, y;
-};
-
 /// A component of a tool that is in balance in some lane (rig.hpp).
 struct BalancePoint {
   std::int32_t tool, component;  ///< 0: x, 1: y
@@ -141,12 +133,13 @@ struct GroupView {
   int n_tools = 0, n_grains = 0;
   const TouchPoint<T>* touch = nullptr;
   const GripPoint* grip = nullptr;
-  const LoadPoint<T>* load = nullptr;
-  const T* touch_gap = nullptr;  ///< per tool and grain: closure needed before the tool acts
-  T* touch_shear = nullptr;      ///< per tool and grain: shear force
-  T* tool_u = nullptr;           ///< per step, tool, component: displacement
-  T* tool_v = nullptr;           ///< per step, tool, component: velocity
-  T* tool_force = nullptr;       ///< per step, tool, component: force on the specimen
+  const std::int32_t* load = nullptr;  ///< grains that the jacket presses in some lane, sorted
+  const T* load_force = nullptr;       ///< on each of them along x, a lane vector
+  const T* touch_gap = nullptr;        ///< per tool and grain: closure needed before the tool acts
+  T* touch_shear = nullptr;            ///< per tool and grain: shear force
+  T* tool_u = nullptr;                 ///< per step, tool, component: displacement
+  T* tool_v = nullptr;                 ///< per step, tool, component: velocity
+  T* tool_force = nullptr;             ///< per step, tool, component: force on the specimen
   int n_balanced = 0;
   const BalancePoint* balanced = nullptr;
   const std::int32_t* balanced_touch = nullptr;  ///< places in `touch`

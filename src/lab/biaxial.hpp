@@ -7,8 +7,9 @@
 //
 // Sides (test.confinement): "walls", two frictionless rigid walls without mass, each in balance with the
 // confining stress in every step (engine/rig.hpp, docs/decisions/0007), as in a press with side platens;
-// "jacket", a pressure on the grains that a horizontal ray from outside meets first, as a rubber jacket:
-// sides may bulge. Without confining stress there are no sides: the uniaxial press.
+// "jacket", a pressure on the grains that are the surface of the sides at the time (engine/jacket.hpp,
+// docs/decisions/0008), as a rubber jacket: sides may bulge. Without confining stress there are no sides:
+// the uniaxial press.
 //
 // History: axial stress is the mean platen force over the initial width, lateral stress that of the walls
 // over the initial height, both of the instant, or the jacket's pressure.

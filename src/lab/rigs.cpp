@@ -141,18 +141,7 @@ Rig confined_platens(const Packing& packing, const TestRecipe& test) {
     rig.lateral = {2, 3, {1.0, 0.0}, packing.width, packing.height};
     return rig;
   }
-  const int n = static_cast<int>(std::ceil(packing.height / (ray_spacing * smallest_radius(packing))));
-  for (const double side : {1.0, -1.0}) {
-    std::vector<double> share(packing.discs.size(), 0.0);
-    for (int k = 0; k < n; ++k) {
-      const double y = packing.height * (k + 0.5) / n;
-      const double outside = side > 0.0 ? -packing.width : 2.0 * packing.width;
-      const std::int64_t g = first_grain(packing, {outside, y}, {side, 0.0});
-      if (g >= 0) share[static_cast<std::size_t>(g)] += packing.height / n;
-    }
-    for (std::uint32_t g = 0; g < share.size(); ++g)
-      if (share[g] > 0.0) rig.loads.push_back({g, {side * share[g], 0.0}});
-  }
+  rig.jacket = true;
   return rig;
 }
 

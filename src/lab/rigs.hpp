@@ -31,7 +31,7 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
 /// centre (analysis/brazilian.hpp); axial strain: approach over `diameter` [m].
 Rig jaws(const Packing& packing, double diameter, double angle);
 
-/// The press with sides: walls (tools 2 left, 3 right) or a jacket (loads); none without confining stress.
+/// The press with sides: walls (tools 2 left, 3 right) or a jacket; none without confining stress.
 Rig confined_platens(const Packing& packing, const TestRecipe& test);
 
 /// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
