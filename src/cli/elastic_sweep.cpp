@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "base/check.hpp"
@@ -74,9 +73,9 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
         const std::int64_t seed = r.packing.seed + static_cast<std::int64_t>(i);
         variant.packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
         const SweptPacking& p = variant.packings.back();
-        fmt::print("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
+        print_out("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
                    to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
-        std::fflush(stdout);
+        flush_out();
       }
       if (!variant.packings.empty()) variants.push_back(std::move(variant));
     }
@@ -169,7 +168,7 @@ void print_lines(const Variant& v, int width) {
   std::string refused;
   const Columns normal = line_columns(v, SweptStiffness::normal, refused),
                 shear = line_columns(v, SweptStiffness::shear, refused);
-  fmt::print("{}", text_table(label, {normal, shear}, width));
+  write_out(text_table(label, {normal, shear}, width));
   print_wrapped(width, 2, "{}", refused);
 }
 
@@ -307,7 +306,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
   if (variants.empty())
-    return fmt::print("stopped before any packing was finished; nothing was written\n"), 1;
+    return print_out("stopped before any packing was finished; nothing was written\n"), 1;
   write_tables(variants, recipe.sweep.factors, out);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);
@@ -325,7 +324,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
         width, 0,
         "\nstopped: the tables hold the packings above; run the same command again for all of them\n");
   write_report(out);
-  fmt::print("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
+  print_out("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
   return solved && !stopped ? 0 : 1;
 }
 

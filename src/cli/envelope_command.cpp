@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -125,7 +124,7 @@ void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int w
     }
     strengths.push_back(std::move(c));
   }
-  fmt::print("\nsigma_1 [MPa] at the peak\n{}",
+  print_out("\nsigma_1 [MPa] at the peak\n{}",
              text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
@@ -142,7 +141,7 @@ void print_fits(const Envelope& envelope, int width) {
                               of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
                               of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
   const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
-  fmt::print("\n{}",
+  print_out("\n{}",
              text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
@@ -256,7 +255,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
-  std::fflush(stdout);
+  flush_out();
   const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const Envelope envelope = fit_envelope(tests);
   write_file((out / "envelope.csv").string(), strengths_csv(tests));

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/machine.hpp"
+#include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/program.hpp"
@@ -67,7 +68,7 @@ void draw(FigureArguments args) {
     const std::string script = figure_script(kind, data, formats.at(format), args.width, temporary);
     run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
-  fmt::print("{}\n", args.out);
+  print_out("{}\n", args.out);
 }
 
 std::string kinds_text() {

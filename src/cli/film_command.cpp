@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "cli/machine.hpp"
+#include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
 #include "report/film.hpp"
@@ -29,7 +30,7 @@ void make_film(const FilmArguments& args) {
       }
     });
   });
-  fmt::print("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
+  print_out("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
              1e-6 * static_cast<double>(std::filesystem::file_size(args.out)));
 }
 

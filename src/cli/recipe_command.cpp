@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
@@ -95,7 +96,7 @@ void add_recipe_command(CLI::App& app, Session& session) {
       throw InputError(Problem{"command line", "recipe", "",
                                "a file, --explain KEY, --reference or --template",
                                "for example `phyllite recipe --explain theta`"});
-    fmt::print("{}", text);
+    write_out(text);
   });
 }
 

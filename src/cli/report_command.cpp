@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
@@ -76,10 +77,10 @@ void report(const ReportArguments& args) {
   const std::string page = report_page(run, extras);
   write_file(out, page);
   const double seconds = seconds_since(start);
-  fmt::print("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
+  print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
              run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
              1e-6 * static_cast<double>(page.size()), seconds);
-  for (const MissingTest& m : run.missing) fmt::print("{}: missing: {}\n", m.name, m.reason);
+  for (const MissingTest& m : run.missing) print_out("{}: missing: {}\n", m.name, m.reason);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 
 #include "base/check.hpp"
@@ -183,7 +182,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
   if (any) write_report(job.folder, results);
-  fmt::print("\n{}\n", press_table(results, width));
+  print_out("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = seconds_since(start);
@@ -202,7 +201,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
   const Made made = make_all(job.recipe, args.no_cache, width);
   const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
-  std::fflush(stdout);
+  flush_out();
   if (args.replace)
     for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe)) remove_folder(folder);
   return finish(job, press(job, made, machine), start, width);
@@ -247,7 +246,7 @@ void add_specimen_command(CLI::App& app, Session& session) {
       write_file((folder / "discs.csv").string(), discs_csv(*made.packing));
       for (const auto& s : made.specimens)
         write_file((folder / ("contacts_" + folder_name(s->name) + ".csv")).string(), contacts_csv(*s));
-      fmt::print("discs and contacts in {}\n", *out);
+      print_out("discs and contacts in {}\n", *out);
     }
   });
 }
