@@ -19,6 +19,7 @@
 #include "io/file.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "lab/load_path.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
 #include "study/table.hpp"
@@ -252,6 +253,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : make_specimens(packing, confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  check_load_path(*specimens.front(), confined_recipe(recipe, confining.front()));
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");

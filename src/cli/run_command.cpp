@@ -18,6 +18,7 @@
 #include "io/load.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "lab/load_path.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
 #include "study/experiment.hpp"
@@ -200,6 +201,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
   const Made made = make_all(job.recipe, args.no_cache, width);
+  check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
   const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)

@@ -48,8 +48,7 @@ class LabTest {
 
  protected:
   /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
-  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
-          Rig rig);
+  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
   /// Loads the specimen into the lane; also used to start over.
   void begin();
   /// The rig is in place: prepare, or call start_loading.
@@ -89,6 +88,7 @@ class LabTest {
   Frame frame() const;
   void keep_pictures();
   bool check_stop();
+  bool end_unstable(const LaneHealth& health);
   /// For a test without a peak: `usual`, unless most grains of the packing carry nothing.
   std::string advice_to_go_on(const std::string& usual) const;
 
