@@ -258,9 +258,9 @@ bool print_press(const ElasticStudy& study, const MachineOptions& machine, int w
   print_wrapped(width, 0, "\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
                 press_check_strain);
   write_out(text_table(names_of(study),
-                              {direct_columns(study), press_columns(study, "E held", held),
-                               press_columns(study, "E press", free), slip},
-                              width));
+                       {direct_columns(study), press_columns(study, "E held", held),
+                        press_columns(study, "E press", free), slip},
+                       width));
   bool all_ended = true;
   for (const auto* moduli : {&held, &free})
     for (std::size_t i = 0; i < moduli->size(); ++i)

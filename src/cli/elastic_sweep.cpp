@@ -74,7 +74,7 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
         variant.packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
         const SweptPacking& p = variant.packings.back();
         print_out("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
-                   to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
+                  to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
         flush_out();
       }
       if (!variant.packings.empty()) variants.push_back(std::move(variant));
@@ -305,8 +305,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
-  if (variants.empty())
-    return print_out("stopped before any packing was finished; nothing was written\n"), 1;
+  if (variants.empty()) return print_out("stopped before any packing was finished; nothing was written\n"), 1;
   write_tables(variants, recipe.sweep.factors, out);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);

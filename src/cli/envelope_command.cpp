@@ -126,7 +126,7 @@ void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int w
     strengths.push_back(std::move(c));
   }
   print_out("\nsigma_1 [MPa] at the peak\n{}",
-             text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+            text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
 void print_fits(const Envelope& envelope, int width) {
@@ -143,7 +143,7 @@ void print_fits(const Envelope& envelope, int width) {
                               of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
   const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
   print_out("\n{}",
-             text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
+            text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");

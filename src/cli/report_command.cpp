@@ -78,8 +78,8 @@ void report(const ReportArguments& args) {
   write_file(out, page);
   const double seconds = seconds_since(start);
   print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
-             run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
-             1e-6 * static_cast<double>(page.size()), seconds);
+            run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
+            1e-6 * static_cast<double>(page.size()), seconds);
   for (const MissingTest& m : run.missing) print_out("{}: missing: {}\n", m.name, m.reason);
 }
 

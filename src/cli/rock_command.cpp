@@ -42,7 +42,7 @@ int rock_new(const std::string& name) {
     throw;
   }
   print_out("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
-             toml.string());
+            toml.string());
   return 0;
 }
 
@@ -83,7 +83,7 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
   const std::size_t n = options.angles.size();
   for (std::size_t i = 0; i < n; ++i)
     print_out("{:>6g} {:>10.3f} {:>8.4f} {:>10.2f}\n", options.angles[i], response[i].mean * 1e-9,
-               response[n + i].mean, response[2 * n + i].mean * 1e-6);
+              response[n + i].mean, response[2 * n + i].mean * 1e-6);
   print_out("the noise-free response; with noise in {}.csv\n", name);
   return 0;
 }

@@ -302,7 +302,7 @@ int status_of(const StudyArguments& args, const Session& session) {
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
   print_out("status    {} of {} finished, {} in flight, {} without a peak; hash {}\n", n_finished(rows),
-             plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
+            plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
 
@@ -351,8 +351,7 @@ int merge_stores(const StudyArguments& args, const Session& session) {
     rows = rows_of(plan, store);
     write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
-      print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
-                 args.folder);
+      print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left, args.folder);
   }
   print_out("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
   return n_different > 0 ? 1 : 0;

@@ -23,7 +23,7 @@ void print_check(const Check& k, int width) {
   }
   print_wrapped(width, 10, "     {} {}\n", verdict, k.what);
   print_out("{0:10}expected  {1:< .9e}\n{0:10}measured  {2:< .9e}\n{0:10}tolerance  {3:.0e}\n", "",
-             k.expected, k.measured, k.tolerance);
+            k.expected, k.measured, k.tolerance);
 }
 
 void print_plain(const VerificationCase& c, const std::vector<Check>& checks, int width) {
@@ -36,7 +36,7 @@ void print_markdown(const VerificationCase& c, const std::vector<Check>& checks)
   print_out("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
   for (const Check& k : checks)
     print_out("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
-               k.passed() ? "ok" : "FAIL");
+              k.passed() ? "ok" : "FAIL");
 }
 
 std::string names_of_cases() {
@@ -75,8 +75,7 @@ void add_verify_command(CLI::App& app, Session& session) {
     }
     if (n_checks == 0)
       throw InputError(Problem{"command line", "case", *only, "one of " + names_of_cases(), ""});
-    if (only->empty())
-      print_out("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
+    if (only->empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
     print_out("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
     session.exit_code = n_failed == 0 ? 0 : 1;
   });

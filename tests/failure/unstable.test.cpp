@@ -60,9 +60,9 @@ TEST_F(Unstable, ATestThatBlowsUpRuinsNothing) {
 
 TEST_F(Unstable, AStudyKeepsItLikeAnyOtherResult) {
   blown_up();
-  const std::string study = write("study.toml", "recipe = \"blown.toml\"\npackings = [1, 2]\n");
+  const std::string study = write("study.toml", "recipe = \"blown.toml\"\npackings = [1]\n");
   EXPECT_EQ(run("study " + study + " --out " + out()), 1) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("no numbers any more"), HasSubstr("4 finished with hash")));
+  EXPECT_THAT(output, AllOf(HasSubstr("no numbers any more"), HasSubstr("2 finished with hash")));
   EXPECT_EQ(run("study status " + out()), 1) << output;
   EXPECT_TRUE(is_finite_table(out() + "/results.csv"));
 }
