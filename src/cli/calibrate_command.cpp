@@ -1,7 +1,6 @@
 // `phyllite calibrate ROCK`: laboratory data in, a verified set of micro-parameters out.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 
 #include "base/hash.hpp"
@@ -122,8 +121,8 @@ int run_calibration(const Arguments& args, const Session& session) {
   machine.store = store_in(args, rock);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  print_text("\n{}\n", target_table(targets_of(rock), width));
-  std::fflush(stdout);
+  print_out("\n{}\n", target_table(targets_of(rock), width));
+  flush_out();
   ProgressLine line;
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
   CalibrationOptions options;
@@ -134,7 +133,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
-  print_text("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
+  print_out("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
   if (interrupted) {
     print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --resume\n", sh_word(args.rock),
                   sh_word(args.out));

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "base/check.hpp"
@@ -209,11 +208,11 @@ void contact(const ContactArguments& args, int width) {
   PHY_CHECK(exact.size() == rows.size(), "every law of the list has a closed form");
   const std::string text = table(rows, exact);
   if (args.out.empty())
-    print_text("{}", text);
+    write_out(text);
   else
     write_output(args.out, text);
-  std::fflush(stdout);
-  fmt::print(stderr, "{}", summary(rows, exact));
+  flush_out();
+  write_err(summary(rows, exact));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "base/clock.hpp"
 #include "cli/elastic_sweep.hpp"
@@ -94,7 +93,7 @@ void print_moduli(const ElasticStudy& study, int width) {
                             of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
                             of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
                             of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
-  print_text("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
+  print_out("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
   print_wrapped(width, 0,
                 "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
                 "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
@@ -167,7 +166,7 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
                          })};
   print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
                 modulus_loss ? "modulus" : "compliance", spacing * 1e3);
-  print_text("{}", text_table(label, {normal, shear, shape}, width));
+  print_out("{}", text_table(label, {normal, shear, shape}, width));
   for (const NamedFit& f : fits)
     if (!f.fit.ok()) print_wrapped(width, 2, "{}: no fit: {}\n", f.name, f.fit.reason);
 }
@@ -193,7 +192,7 @@ void print_sensitivities(const ElasticStudy& study, int width) {
                                  const Sensitivity& s = r.sensitivities[row];
                                  return fixed(modulus ? s.dE * s.value / r.E_gauge : s.dnu * s.value, 4);
                                }));
-    print_text(
+    print_out(
         "\n{}\n{}",
         modulus ? "change of E in % per % of the parameter" : "change of nu in 0.01 per % of the parameter",
         text_table(label, {columns}, width));
@@ -224,7 +223,7 @@ void print_packing(const ElasticStudy& study, int width) {
       of("off the plane", "% of joints",
          [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); }),
       of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); })};
-  print_text("\n{}", text_table(theta, {bedding}, width));
+  print_out("\n{}", text_table(theta, {bedding}, width));
 }
 
 Columns direct_columns(const ElasticStudy& study) {
@@ -258,10 +257,10 @@ bool print_press(const ElasticStudy& study, const MachineOptions& machine, int w
       column("slip", "%", free.size(), [&](std::size_t i) { return fixed(100.0 * free[i].slip_share, 3); })};
   print_wrapped(width, 0, "\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
                 press_check_strain);
-  print_text("{}", text_table(names_of(study),
-                              {direct_columns(study), press_columns(study, "E held", held),
-                               press_columns(study, "E press", free), slip},
-                              width));
+  print_out("{}", text_table(names_of(study),
+                             {direct_columns(study), press_columns(study, "E held", held),
+                              press_columns(study, "E press", free), slip},
+                             width));
   bool all_ended = true;
   for (const auto* moduli : {&held, &free})
     for (std::size_t i = 0; i < moduli->size(); ++i)
@@ -288,7 +287,7 @@ int elastic(const ElasticArguments& args, const Session& session) {
   print_fits(study, args.modulus_loss, width);
   print_sensitivities(study, width);
   if (args.press) all_solved = print_press(study, machine_of(session), width) && all_solved;
-  print_text("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
+  print_out("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
   return all_solved ? 0 : 1;
 }
 

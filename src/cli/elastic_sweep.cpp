@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "base/check.hpp"
@@ -76,9 +75,9 @@ std::vector<Variant> sweep_all(const std::vector<Recipe>& recipes, int threads) 
         const std::int64_t seed = r.packing.seed + static_cast<std::int64_t>(i);
         variant.packings.push_back(sweep_stiffness(packings[i], seed, r, rule, threads));
         const SweptPacking& p = variant.packings.back();
-        print_text("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
-                   to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
-        std::fflush(stdout);
+        print_out("swept   {}, seed {}, {} rule: {} sets at {} angles in {:.1f} s\n", r.name, seed,
+                  to_string(rule), p.sets.size(), p.angles.size(), seconds_since(start));
+        flush_out();
       }
       if (!variant.packings.empty()) variants.push_back(std::move(variant));
     }
@@ -171,7 +170,7 @@ void print_lines(const Variant& v, int width) {
   std::string refused;
   const Columns normal = line_columns(v, SweptStiffness::normal, refused),
                 shear = line_columns(v, SweptStiffness::shear, refused);
-  print_text("{}", text_table(label, {normal, shear}, width));
+  print_out("{}", text_table(label, {normal, shear}, width));
   print_wrapped(width, 2, "{}", refused);
 }
 
@@ -313,8 +312,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
   check_writable(out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Variant> variants = sweep_all(recipes, threads);
-  if (variants.empty())
-    return print_text("stopped before any packing was finished; nothing was written\n"), 1;
+  if (variants.empty()) return print_out("stopped before any packing was finished; nothing was written\n"), 1;
   write_tables(variants, recipe.sweep.factors, files);  // before anything is printed: the output may be full
   for (const Variant& v : variants) {
     print_variant(v, width);
@@ -332,7 +330,7 @@ int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::
         width, 0,
         "\nstopped: the tables hold the packings above; run the same command again for all of them\n");
   write_report(out);
-  print_text("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
+  print_out("{:.1f} s in all; all readings in {}\n", seconds_since(start), out);
   return solved && !stopped ? 0 : 1;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -21,6 +20,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "lab/load_path.hpp"
 #include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
@@ -128,8 +128,8 @@ void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int w
     }
     strengths.push_back(std::move(c));
   }
-  print_text("\nsigma_1 [MPa] at the peak\n{}",
-             text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+  print_out("\nsigma_1 [MPa] at the peak\n{}",
+            text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
 void print_fits(const Envelope& envelope, int width) {
@@ -145,8 +145,8 @@ void print_fits(const Envelope& envelope, int width) {
                               of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
                               of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
   const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
-  print_text("\n{}",
-             text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
+  print_out("\n{}",
+            text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");
@@ -270,10 +270,11 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : make_specimens(packing, confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  check_load_path(*specimens.front(), confined_recipe(recipe, confining.front()));
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
-  std::fflush(stdout);
+  flush_out();
   const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const Envelope envelope = fit_envelope(args.with_untrusted ? with_untrusted(tests) : tests);
   write_output(strengths, strengths_csv(tests));

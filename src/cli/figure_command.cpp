@@ -72,7 +72,7 @@ void draw(FigureArguments args) {
     const std::string script = figure_script(kind, data, formats.at(format), args.width, temporary);
     run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
-  print_text("{}\n", args.out);
+  print_out("{}\n", args.out);
 }
 
 std::string kinds_text() {

@@ -30,8 +30,8 @@ void make_film(const FilmArguments& args) {
       }
     });
   });
-  print_text("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
-             1e-6 * static_cast<double>(std::filesystem::file_size(args.out)));
+  print_out("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
+            1e-6 * static_cast<double>(std::filesystem::file_size(args.out)));
 }
 
 }  // namespace

@@ -12,9 +12,23 @@ namespace phy {
 namespace {
 
 std::atomic<bool> stop_requested{false};
-void on_interrupt(int) {
-  stop_requested = true;
-  std::signal(SIGINT, SIG_DFL);
+
+/// The second one ends the program, as it would have without this.
+void on_signal(int signal) {
+  if (!stop_requested.exchange(true)) return;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// Ctrl-C, what batch systems and `kill` send, a terminal that has closed. Under nohup SIGHUP comes ignored,
+/// and stays so.
+bool catch_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    ::sigaction(signal, nullptr, &action);
+    if (signal != SIGHUP || action.sa_handler != SIG_IGN) std::signal(signal, on_signal);
+  }
+  return true;
 }
 
 int available_cores() {
@@ -36,8 +50,8 @@ MachineOptions machine_of(const Session& session) {
 }
 
 const std::atomic<bool>* stop_on_interrupt() {
-  static const auto before = std::signal(SIGINT, on_interrupt);  // once
-  static_cast<void>(before);
+  static const bool once = catch_signals();
+  static_cast<void>(once);
   return &stop_requested;
 }
 
@@ -45,9 +59,12 @@ void make_file_or_stop(const std::string& path,
                        const std::function<void(const std::string& temporary)>& make) {
   stop_on_interrupt();
   try {
-    make_file(path, make);
+    make_file(path, [&](const std::string& temporary) {
+      make(temporary);
+      if (stop_requested) throw IoError("stopped");
+    });
   } catch (const IoError&) {
-    if (!stop_requested) throw;  // else the other program has ended with this one's Ctrl-C
+    if (!stop_requested) throw;  // else the other program has ended with this one's signal
     throw IoError(path + ": interrupted, nothing was written");
   }
 }

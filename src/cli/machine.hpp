@@ -1,4 +1,4 @@
-// What the verbs that run tests share: threads, instruction set, Ctrl-C.
+// What the verbs that run tests share: threads, instruction set, Ctrl-C and its like.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -15,8 +15,8 @@ int n_threads(const Session& session);
 /// Those threads with the widest instructions of this processor.
 MachineOptions machine_of(const Session& session);
 
-/// From the first call on, the first Ctrl-C sets the flag that is returned and a second one ends at once:
-/// what is finished is on disk already. Verbs call it before anything else.
+/// From the first call on, the first Ctrl-C, SIGTERM or SIGHUP sets the flag that is returned and a second
+/// one ends at once: what is finished is on disk already. Verbs call it before anything else.
 const std::atomic<bool>* stop_on_interrupt();
 
 /// make_file of io/program.hpp; a Ctrl-C leaves nothing behind, and is told as an IoError.

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -96,31 +95,34 @@ int run(int argc, char** argv) {
     app.exit(e);  // --help, --version
     std::cout.flush();
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw std::system_error(errno, std::generic_category());
+  if (const int error = phy::lost_output(); error != 0) {
+    phy::write_err(fmt::format("standard output cannot be written: {}\n", std::strerror(error)));
+    return 3;
+  }
   return session.exit_code;
+}
+
+/// Says what went wrong, without asking for memory; the exit code.
+int say(int exit_code, const char* begin, const char* what) {
+  for (const char* part : {begin, what, "\n"}) phy::write_err(part);
+  return exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  phy::guard_standard_streams();
   try {
     return run(argc, argv);
   } catch (const phy::InputError& e) {
-    fmt::print(stderr, "{}\n", phy::terminal_text(e.what()));
-    return 2;
+    return say(2, "", phy::terminal_text(e.what()).c_str());
   } catch (const phy::IoError& e) {
-    fmt::print(stderr, "{}\n", phy::terminal_text(e.what()));
-    return 3;
+    return say(3, "", phy::terminal_text(e.what()).c_str());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "not enough memory; use fewer grains, or fewer lanes (--lanes)\n");
-    return 4;
-  } catch (const std::system_error& e) {  // a full disk behind a redirected output
-    fmt::print(stderr, "{}: {}\n", std::ferror(stdout) != 0 ? "standard output cannot be written" : "system",
-               e.what());
-    return 3;
+    return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
+  } catch (const std::system_error& e) {
+    return say(3, "system: ", e.what());
   } catch (const std::exception& e) {
-    fmt::print(stderr, "internal error, please report it: {}\n", e.what());
-    return 4;
+    return say(4, "internal error, please report it: ", e.what());
   }
 }

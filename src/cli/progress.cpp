@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "base/clock.hpp"
 #include "cli/terminal.hpp"
@@ -43,24 +42,23 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
     text.resize(std::min(text.size(), room()));
     clear();
     draw_lines();
-    fmt::print(stderr, "{}", text);
+    write_err(text);
   } else {
-    fmt::print(stderr, "{}\n", text);
+    write_err(text + "\n");
   }
-  std::fflush(stderr);
 }
 
 void ProgressLine::clear() {
   if (!terminal_) return;
-  if (n_drawn_ > 0) fmt::print(stderr, "\033[{}A", n_drawn_);
-  fmt::print(stderr, "\r\033[J");
+  if (n_drawn_ > 0) write_err(fmt::format("\033[{}A", n_drawn_));
+  write_err("\r\033[J");
   n_drawn_ = 0;
 }
 
 void ProgressLine::draw_lines() {
   if (!terminal_ || !lines_) return;
   for (const std::string& line : lines_()) {
-    fmt::print(stderr, "{}\n", line);
+    write_err(line + "\n");
     ++n_drawn_;
   }
 }
@@ -68,7 +66,7 @@ void ProgressLine::draw_lines() {
 void ProgressLine::note(const std::string& text) {
   clear();
   const std::string safe = terminal_text(text);
-  fmt::print(stderr, "{}\n", terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe);
+  write_err((terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
 }
 
 void ProgressLine::finish() {

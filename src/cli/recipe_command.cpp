@@ -96,7 +96,7 @@ void add_recipe_command(CLI::App& app, Session& session) {
       throw InputError(Problem{"command line", "recipe", "",
                                "a file, --explain KEY, --reference or --template",
                                "for example `phyllite recipe --explain theta`"});
-    print_text("{}", text);
+    write_out(text);
   });
 }
 

@@ -79,10 +79,10 @@ void report(const ReportArguments& args) {
   const std::string page = report_page(run, extras);
   write_output(out, page);
   const double seconds = seconds_since(start);
-  print_text("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
-             run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
-             1e-6 * static_cast<double>(page.size()), seconds);
-  for (const MissingTest& m : run.missing) print_text("{}: missing: {}\n", m.name, m.reason);
+  print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
+            run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
+            1e-6 * static_cast<double>(page.size()), seconds);
+  for (const MissingTest& m : run.missing) print_out("{}: missing: {}\n", m.name, m.reason);
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ int rock_new(const std::string& name) {
     std::filesystem::remove(csv);  // both or none: the next try wants free names
     throw;
   }
-  print_text("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
-             sh_word(toml.string()));
+  print_out("{} and {}: fill in the table, then\n  phyllite rock check {}\n", toml.string(), csv.string(),
+            sh_word(toml.string()));
   return 0;
 }
 
@@ -49,7 +49,7 @@ int rock_check(const std::string& path, int width) {
   const Rock rock = read_rock(path);
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  print_text("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
+  print_out("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
   for (const std::string& line : advice(rock)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
@@ -71,19 +71,19 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
     response = twin_response(truth, options.angles, options.seeds, *simulator);
   } catch (const Stopped&) {  // in the middle of elastic solutions; the flag tells the same elsewhere
   }
-  if (simulator->stopped()) return print_text("stopped, nothing was written\n"), 1;
+  if (simulator->stopped()) return print_out("stopped, nothing was written\n"), 1;
   const std::string about = fmt::format(
       "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
       comment_text(recipe_file), options.seeds.size(), options.seeds.front(), options.seeds.back(),
       options.n_specimens, options.noise);
   write_file(name + ".csv", about + readings_csv(twin_readings(response, options), !truth.bedding.empty()));
-  print_text("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
+  print_out("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
   const std::size_t n = options.angles.size();
   for (std::size_t i = 0; i < n; ++i)
-    print_text("{:>6g} {:>10.3f} {:>8.4f} {:>10.2f}\n", options.angles[i], response[i].mean * 1e-9,
-               response[n + i].mean, response[2 * n + i].mean * 1e-6);
-  print_text("the noise-free response; with noise in {}.csv\n", name);
+    print_out("{:>6g} {:>10.3f} {:>8.4f} {:>10.2f}\n", options.angles[i], response[i].mean * 1e-9,
+              response[n + i].mean, response[2 * n + i].mean * 1e-6);
+  print_out("the noise-free response; with noise in {}.csv\n", name);
   return 0;
 }
 

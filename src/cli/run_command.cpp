@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 
 #include "base/check.hpp"
@@ -20,6 +19,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "lab/load_path.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
 #include "study/experiment.hpp"
@@ -195,7 +195,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
   if (any) write_report(job.folder, results);
-  print_text("\n{}\n", press_table(results, width));
+  print_out("\n{}\n", press_table(results, width));
   const std::string trouble = outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = seconds_since(start);
@@ -213,8 +213,9 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
   const Made made = make_all(job.recipe, args.no_cache, width);
+  check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
   const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
-  std::fflush(stdout);
+  flush_out();
   if (args.replace)
     for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe)) remove_folder(folder);
   return finish(job, press(job, made, machine), start, width);
@@ -267,7 +268,7 @@ void add_specimen_command(CLI::App& app, Session& session) {
     if (!out->empty()) {
       write_output(discs, discs_csv(*made.packing));
       for (const auto& s : made.specimens) write_output(contacts(s->name), contacts_csv(*s));
-      print_text("discs and contacts in {}\n", *out);
+      print_out("discs and contacts in {}\n", *out);
     }
   });
 }

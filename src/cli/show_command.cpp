@@ -22,7 +22,7 @@ int show(const std::string& path, const Session& session) {
   print_wrapped(width, 10, "recipe    {} ({})\n", first.recipe.name, first.program);
   print_wrapped(width, 10, "packing   {} discs, porosity {:.4f}, coordination {:.3f}\n\n", first.n_grains,
                 first.packing.porosity, first.packing.coordination);
-  print_text("{}\n", press_table(results, width));
+  print_out("{}\n", press_table(results, width));
   print_wrapped(width, 2, "{}", outcome_lines(results));
   for (const MissingTest& m : run.missing) print_wrapped(width, 2, "{}: missing: {}\n", m.name, m.reason);
   return all_peaked ? 0 : 1;

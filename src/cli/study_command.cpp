@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -123,7 +122,7 @@ std::size_t print_failures(const Plan& plan, const StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
-    if (n++ == 0) print_text("\nwithout a peak, or not to be trusted:\n");
+    if (n++ == 0) print_out("\nwithout a peak, or not to be trusted:\n");
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
@@ -192,7 +191,7 @@ void check_tables(const std::string& folder, const std::string& option) {
 void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
   write_output(in(folder, "responses.csv"), responses_csv(plan, rows));
   write_output(in(folder, "effects.csv"), effects_csv(plan, rows));
-  print_text("{}", effects_text(plan, rows, width));
+  print_out("{}", effects_text(plan, rows, width));
 }
 
 std::ptrdiff_t n_finished(const StudyRows& rows) {
@@ -203,7 +202,7 @@ std::ptrdiff_t n_finished(const StudyRows& rows) {
 void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
   write_output(in(folder, "results.csv"), study_csv(plan, rows));
   tell_effects(plan, rows, folder, width);
-  print_text("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
+  print_out("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
 
@@ -218,17 +217,17 @@ int finish_study(const Plan& plan, const Store& store, const std::string& folder
                 "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle);
-  if (run.n_guest > 0) print_text("{} of them on other ranks\n", run.n_guest);
-  print_text("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
-  if (n_left > 0) print_text("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
-  if (shard.n > 1) print_text("when all parts are done: phyllite study merge {}\n", sh_word(folder));
+  if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
+  print_out("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
+  if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", sh_word(folder));
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
 /// All but rank 0: work for rank 0's store, write and print nothing.
 int run_as_guest(const Plan& plan, const Ranks& ranks, const MachineOptions& machine) {
   ranks.sum(machine.threads);
-  work_as_guest(ranks, plan, machine);
+  work_as_guest(ranks, plan, machine, *stop_on_interrupt());
   return 0;
 }
 
@@ -311,7 +310,7 @@ int run_study(const Study& study, const StudyFiles& files, const StudyArguments&
   Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);  // first: it may be somebody else's
   for (const auto& [name, content] : files) write_output(in(folder, name), content);
   print_plan(plan, rows_of(plan, store), session);
-  std::fflush(stdout);
+  flush_out();
   const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
   return finish_study(plan, store, folder, shard, run, session);
 }
@@ -332,8 +331,8 @@ int status_of(const StudyArguments& args, const Session& session) {
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
-  print_text("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
-             plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
+  print_out("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
+            plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
 
@@ -342,7 +341,7 @@ int export_study(const StudyArguments& args) {
   if (!args.csv.empty()) check_outputs({args.csv}, "--csv");
   const std::string text = study_csv(plan, rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
-    print_text("{}", text);
+    write_out(text);
   else
     write_output(args.csv, text);
   return 0;
@@ -376,9 +375,9 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   std::size_t n_different = 0;
   for (const std::string& name : stores) {
     const MergeReport report = store.merge(name);
-    print_text("{}: {} added, {} known\n", name, report.n_added, report.n_known);
+    print_out("{}: {} added, {} known\n", name, report.n_added, report.n_known);
     for (const std::string& key : report.different)
-      print_text("  {} differs from the row that is there, which stays\n", key);
+      print_out("  {} differs from the row that is there, which stays\n", key);
     n_different += report.different.size();
   }
   StudyRows rows = store.rows(store.keys());
@@ -387,10 +386,10 @@ int merge_stores(const StudyArguments& args, const Session& session) {
     rows = rows_of(plan, store);
     write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
-      print_text("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
-                 sh_word(args.folder));
+      print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
+                sh_word(args.folder));
   }
-  print_text("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  print_out("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
   return n_different > 0 ? 1 : 0;
 }
 
@@ -428,7 +427,7 @@ std::string reference() {
 
 int study_verb(const StudyArguments& args, const Session& session) {
   if (args.reference) {
-    print_text("{}", reference());
+    print_out("{}", reference());
     return 0;
   }
   if (args.study.empty())
@@ -438,7 +437,7 @@ int study_verb(const StudyArguments& args, const Session& session) {
   const std::string folder =
       args.out.empty() ? (fs::path("results") / fs::path(args.study).stem()).string() : args.out;
   if (args.slurm > 0) {
-    print_text("{}", slurm_script(args, folder, session.threads));
+    print_out("{}", slurm_script(args, folder, session.threads));
     return 0;
   }
   return run_study(study, study_files(study), args, folder, session);

@@ -1,10 +1,14 @@
-// The terminal behind standard output or standard error.
+// The terminal behind standard output and standard error, and the only place that writes to them.
+//
+// Nothing here throws: an output that is full or closed ends no test. What standard output could not take is
+// remembered, and main() tells it by the exit code; standard error carries progress and messages, which are
+// dropped where nobody can read them.
 #pragma once
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
-#include "base/quote.hpp"
 #include "report/text_table.hpp"
 
 namespace phy {
@@ -15,18 +19,31 @@ struct TerminalSize {
 };
 TerminalSize terminal_size(int file_descriptor);
 
-/// Prints to standard output. Every verb prints through here: names and messages of others cannot act on the
-/// terminal.
+/// Before anything else is opened. Gives descriptors 0, 1 and 2 that came closed to nobody: the next file
+/// would get their number, and be printed into. A closed pipe is an error of writing from here on, no signal.
+void guard_standard_streams();
+
+/// Text to standard output: names and messages of others in it cannot act on the terminal (base/quote.hpp).
+void write_out(std::string_view text);
+/// Text to standard error as it is, with the control sequences of progress: what others wrote goes through
+/// terminal_text first.
+void write_err(std::string_view text);
+/// What is printed stands where the user looks, from here on.
+void flush_out();
+/// Flushes. The errno of the first text that standard output could not take; 0: it took all.
+int lost_output();
+
+/// Prints to standard output.
 template <class... Values>
-void print_text(fmt::format_string<Values...> format, Values&&... values) {
-  fmt::print("{}", terminal_text(fmt::format(format, std::forward<Values>(values)...)));
+void print_out(fmt::format_string<Values...> format, Values&&... values) {
+  write_out(fmt::vformat(format, fmt::make_format_args(values...)));
 }
 
 /// Prints one line or several, broken at spaces where the terminal is narrower (0: no limit).
 template <class... Values>
 void print_wrapped(int terminal_width, std::size_t indent, fmt::format_string<Values...> format,
                    Values&&... values) {
-  print_text("{}", wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
+  write_out(wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
 }
 
 }  // namespace phy

@@ -18,12 +18,12 @@ void print_check(const Check& k, int width) {
       fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", verdict,
                   k.expected, k.measured, k.tolerance, k.what);
   if (width <= 0 || line.size() <= static_cast<std::size_t>(width) + 1) {
-    print_text("{}", line);
+    print_out("{}", line);
     return;
   }
   print_wrapped(width, 10, "     {} {}\n", verdict, k.what);
-  print_text("{0:10}expected  {1:< .9e}\n{0:10}measured  {2:< .9e}\n{0:10}tolerance  {3:.0e}\n", "",
-             k.expected, k.measured, k.tolerance);
+  print_out("{0:10}expected  {1:< .9e}\n{0:10}measured  {2:< .9e}\n{0:10}tolerance  {3:.0e}\n", "",
+            k.expected, k.measured, k.tolerance);
 }
 
 void print_plain(const VerificationCase& c, const std::vector<Check>& checks, int width) {
@@ -32,11 +32,11 @@ void print_plain(const VerificationCase& c, const std::vector<Check>& checks, in
 }
 
 void print_markdown(const VerificationCase& c, const std::vector<Check>& checks) {
-  print_text("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
-  print_text("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
+  print_out("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
+  print_out("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
   for (const Check& k : checks)
-    print_text("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
-               k.passed() ? "ok" : "FAIL");
+    print_out("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
+              k.passed() ? "ok" : "FAIL");
 }
 
 std::string names_of_cases() {
@@ -60,7 +60,7 @@ void add_verify_command(CLI::App& app, Session& session) {
   verb->callback([markdown, only, &session] {
     int n_failed = 0, n_checks = 0;
     if (*markdown)
-      print_text(
+      print_out(
           "# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
           "program that users run.\nA tolerance is relative; where the expected value is 0 it is "
           "absolute.\n");
@@ -75,9 +75,8 @@ void add_verify_command(CLI::App& app, Session& session) {
     }
     if (n_checks == 0)
       throw InputError(Problem{"command line", "case", *only, "one of " + names_of_cases(), ""});
-    if (only->empty())
-      print_text("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
-    print_text("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
+    if (only->empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
+    print_out("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
     session.exit_code = n_failed == 0 ? 0 : 1;
   });
 }

@@ -272,8 +272,9 @@ void Group<T>::advance() {
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
     keep_books(l);
+    const HistoryRow before = lanes_[l].row;
     write_row(l);
-    watch(l);
+    watch(l, before);
   }
   raw_cracks_.resize(pairs_.size() * W_);
   births();

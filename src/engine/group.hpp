@@ -265,7 +265,8 @@ class Group final : public LaneGroup {
   CrackEvent crack_event(const RawCrack& raw, std::size_t lane) const;
   void write_load(const Lane& lane, HistoryRow& row) const;
   void write_row(std::size_t lane);
-  void watch(std::size_t lane);
+  void watch(std::size_t lane, const HistoryRow& before);
+  std::string deepest_overlap(std::size_t lane) const;
   ContactState contact_state(std::size_t c, std::size_t lane) const;
 };
 

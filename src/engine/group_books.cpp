@@ -1,11 +1,21 @@
 #include "engine/group.hpp"
 
+#include <fmt/format.h>
+
 namespace phy::group {
 namespace {
 
 constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
 constexpr double worst_energy = 0.2;   // of the boundary work: beyond it the step was unstable
 constexpr double loaded = 1e-4;        // strain from which the balance means something
+
+/// Of all columns that any kind of test writes.
+bool all_numbers(const HistoryRow& row) {
+  for (const TestKind kind : all_kinds)
+    for (const HistoryColumn& c : history_columns(kind))
+      if (!std::isfinite(row.*c.value)) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -141,22 +151,44 @@ void Group<T>::write_row(std::size_t l) {
       force > 0.0 ? sample(s_unbalanced, l) / static_cast<double>(n_grains()) / (force / contacts) : 0.0;
 }
 
+/// The pair that the watchdog has met, in words. Joints do not count: their grains may slide into each other.
 template <class T>
-void Group<T>::watch(std::size_t l) {
+std::string Group<T>::deepest_overlap(std::size_t l) const {
+  double deepest = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < pairs_.size(); ++c) {
+    const ContactConst<T>& k = contact_const_[c];
+    const auto a = static_cast<std::size_t>(k.a), b = static_cast<std::size_t>(k.b);
+    const Vec2 d0 = x0_[b] - x0_[a], d = d0 + displacement(b, l) - displacement(a, l);
+    const double overlap =
+        (norm(d0) - norm(d) - static_cast<double>(k.gap)) * static_cast<double>(k.inv_rmin);
+    if (contact(c, c_side, l) == 0.0 && overlap > deepest) deepest = overlap, worst = c;
+  }
+  const std::uint32_t a = packing_id(contact_const_[worst].a), b = packing_id(contact_const_[worst].b);
+  const char* bond = tag_[worst * W_ + l] == 0             ? "not bonded"
+                     : contact(worst, c_capacity, l) > 0.0 ? "bonded"
+                                                           : "their bond broken";
+  return fmt::format("grains {} and {} ({}) overlap by {:.2g} of the smaller radius", std::min(a, b),
+                     std::max(a, b), bond, deepest);
+}
+
+template <class T>
+void Group<T>::watch(std::size_t l, const HistoryRow& before) {
   Lane& lane = lanes_[l];
-  const HistoryRow& r = lane.row;
-  const double sum =
-      r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.axial_stress + r.damping;
+  HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
-  const std::string when = "at step " + std::to_string(lane.step) + " ";
-  if (!std::isfinite(sum))
-    lane.health = {false, when + "the energy or the platen force is no longer a number"};
-  else if (!(overlap < worst_overlap))
-    lane.health = {false,
-                   when + "two grains overlap by " + std::to_string(overlap) + " of the smaller radius"};
+  if (!all_numbers(r) || !std::isfinite(overlap))
+    lane.health.reason = "energies or forces are no numbers any more";
+  else if (overlap >= worst_overlap)
+    lane.health.reason = deepest_overlap(l);
   else if (lane.placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
-    lane.health = {false,
-                   when + "the energy balance is off by " + std::to_string(r.energy_error) + " of the work"};
+    lane.health.reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
+  else
+    return;
+  lane.health = {false, fmt::format("at step {} {}", lane.step, lane.health.reason)};
+  const double step = r.step, time = r.time;
+  r = before;
+  r.step = step, r.time = time;
 }
 
 template <class T>

@@ -39,7 +39,7 @@ struct LaneSetup {
 /// What the watchdog saw at the end of a block.
 struct LaneHealth {
   bool ok = true;
-  std::string reason;
+  std::string reason;  ///< which of its checks has fired, with numbers
 };
 
 class LaneGroup {
@@ -78,7 +78,9 @@ class LaneGroup {
   /// One block of `interval` cycles for all lanes.
   virtual void advance() = 0;
 
-  virtual const HistoryRow& row(int lane) const = 0;  ///< state at the end of the block
+  /// State at the end of the block. Where the watchdog has fired only step and time are of now: the rest is
+  /// the last row that had passed it.
+  virtual const HistoryRow& row(int lane) const = 0;
   virtual const ToolState& tool(int lane, int tool) const = 0;
   virtual const LaneHealth& health(int lane) const = 0;
   virtual std::vector<CrackEvent>& cracks(int lane) = 0;  ///< all so far, ordered within each block

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "base/check.hpp"
@@ -78,11 +80,54 @@ std::string discs_csv(const Packing& packing) {
   return text;
 }
 
-DiscFile parse_discs(std::string_view text, const std::string& where) {
-  constexpr std::size_t told = 20;
-  DiscFile file;
+namespace {
+
+constexpr std::size_t told = 20;  // bad lines in full; the rest is counted
+
+/// Problems of a table of discs, the first ones in full.
+struct BadLines {
   std::vector<Problem> problems;
-  std::size_t n_bad = 0;
+  std::size_t n = 0;
+  void add(Problem p) {
+    if (++n <= told) problems.push_back(std::move(p));
+  }
+};
+
+/// Discs whose centre lies on that of an earlier one: the branch between them has no direction. Positions of
+/// a file are rounded; below a thousandth of the smaller radius the direction is that of the rounding.
+void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& line, const std::string& where,
+                     BadLines& bad) {
+  constexpr double close = 1e-3;
+  double r_max = 0.0;
+  for (const Disc& d : discs) r_max = std::max(r_max, d.r);
+  const double cell = close * r_max;
+  std::map<std::pair<double, double>, std::vector<std::size_t>> cells;  // of discs with a place of their own
+  const auto earlier = [&](std::size_t i) -> std::optional<std::size_t> {
+    const double cx = std::floor(discs[i].x / cell), cy = std::floor(discs[i].y / cell);
+    for (const double x : {cx - 1.0, cx, cx + 1.0})
+      for (const double y : {cy - 1.0, cy, cy + 1.0}) {
+        const auto found = cells.find({x, y});
+        if (found == cells.end()) continue;
+        for (const std::size_t k : found->second)
+          if (norm(Vec2{discs[k].x - discs[i].x, discs[k].y - discs[i].y}) <
+              close * std::min(discs[i].r, discs[k].r))
+            return k;
+      }
+    cells[{cx, cy}].push_back(i);
+    return {};
+  };
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    if (const auto k = earlier(i))
+      bad.add({where + ":" + std::to_string(line[i]), "disc", "", "a centre of its own",
+               "it lies on that of line " + std::to_string(line[*k]) + ": remove one of the two"});
+}
+
+}  // namespace
+
+DiscFile parse_discs(std::string_view text, const std::string& where) {
+  DiscFile file;
+  BadLines bad;
+  std::vector<int> lines;  // of the discs
   bool header = false;
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -102,14 +147,16 @@ DiscFile parse_discs(std::string_view text, const std::string& where) {
     Disc d;
     std::string_view rest = line;
     if (take(rest, ',', d.x) && take(rest, ',', d.y) && take(rest, 0, d.r) && d.r > 0.0)
-      file.discs.push_back(d);
-    else if (++n_bad <= told)
-      problems.push_back({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
+      file.discs.push_back(d), lines.push_back(number);
+    else
+      bad.add({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
   }
-  if (n_bad > told) problems.push_back({where, "", "", "", std::to_string(n_bad - told) + " more bad lines"});
-  if (file.discs.empty() && problems.empty())
-    problems.push_back({where, "disc", "", "at least one line of x,y,r below the header", ""});
-  if (!problems.empty()) throw InputError(std::move(problems));
+  find_coincident(file.discs, lines, where, bad);
+  if (bad.n > told)
+    bad.problems.push_back({where, "", "", "", std::to_string(bad.n - told) + " more bad lines"});
+  if (file.discs.empty() && bad.n == 0)
+    bad.problems.push_back({where, "disc", "", "at least one line of x,y,r below the header", ""});
+  if (!bad.problems.empty()) throw InputError(std::move(bad.problems));
   return file;
 }
 

@@ -27,7 +27,7 @@ TEST(DiscFiles, ReadBackToTheSameBits) {
   p.width = 1.0 / 3.0, p.height = 2.0 / 3.0;
   for (std::uint32_t i = 0; i < 1000; ++i)
     p.discs.push_back({uniform(1, Stream::test, i), -uniform(2, Stream::test, i) * 1e-7,
-                       uniform(3, Stream::test, i) * 1e-3});
+                       uniform(3, Stream::test, i) * 1e-6});
   const DiscFile back = parse_discs(discs_csv(p), "d.csv");
   EXPECT_EQ(back.width, p.width);
   EXPECT_EQ(back.height, p.height);
@@ -49,7 +49,7 @@ TEST(DiscFiles, OfOtherProgramsMayHaveBlanksCommentsAndNoBox) {
 }
 
 TEST(DiscFiles, BadLinesAreToldAllAtOnce) {
-  const std::string p = problems_of(header + "1,2,3\n1,2\n1,2,-3\n1,two,3\n1,2,3,4\n1,2,nan\n1,2,3\n");
+  const std::string p = problems_of(header + "1,2,3\n1,2\n1,2,-3\n1,two,3\n1,2,3,4\n1,2,nan\n9,2,3\n");
   for (const char* line : {"d.csv:3", "d.csv:4", "d.csv:5", "d.csv:6", "d.csv:7"})
     EXPECT_THAT(p, HasSubstr(line));
   EXPECT_THAT(p, testing::Not(HasSubstr("d.csv:8")));
@@ -103,6 +103,21 @@ TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
   s.bedding[0].theta = 90.0;
   EXPECT_THAT(cells_of(s), testing::ElementsAre("0", "1", "joint", "0", "1", "0", "0", "6.72e+12", "1.92e+12",
                                                 testing::_, testing::_));
+}
+
+TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {
+  const auto told = [](const std::string& rows) { return problems_of(header + rows); };
+  const std::string two = told("0.01,0.01,1e-3\n0.02,0.01,1e-3\n0.01,0.01,5e-4\n");
+  EXPECT_NE(two.find("d.csv:4"), two.npos) << two;
+  EXPECT_NE(two.find("that of line 2"), two.npos) << two;
+  EXPECT_EQ(told("0.01,0.01,1e-3\n0.01,0.0100002,1e-3\n").substr(0, 7), "d.csv:3");  // 2e-4 of the radius
+  EXPECT_EQ(told("0.01,0.01,1e-3\n0.01,0.010002,1e-3\n"), "no error");               // 2e-3: an overlap
+  EXPECT_EQ(told("-1e300,0,1e-3\n1e300,0,1e-3\n"), "no error");                      // far apart
+  std::string many;
+  for (int i = 0; i < 60; ++i) many += "0.01,0.01,1e-3\n";
+  const std::string all = told(many);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 20) << all;
+  EXPECT_NE(all.find("39 more bad lines"), all.npos) << all;
 }
 
 }  // namespace

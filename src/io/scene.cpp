@@ -18,6 +18,7 @@ constexpr double finest = 0.25e-6;       // [m]: far below a grain, also when dr
 constexpr double largest_steps = 32000;  // displacements stay within 16 bits
 constexpr double size_steps = 65000;
 constexpr double force_steps = 127;
+constexpr double farthest = 10.0;  // displacement over the larger side: beyond it a test has blown up
 
 std::uint32_t zigzag(std::int32_t v) {
   return (static_cast<std::uint32_t>(v) << 1U) ^ static_cast<std::uint32_t>(v >> 31);
@@ -27,6 +28,7 @@ std::int32_t unzigzag(std::uint32_t v) { return static_cast<std::int32_t>((v >> 
 /// Appends sections of numbers as byte planes and lists them as [count, planes].
 struct Writer {
   std::string bytes;
+  std::int64_t n_lost = 0;  // displacements and forces that no picture can show
   Json sections = Json::array();
   void add(const Numbers& numbers) {
     std::uint32_t all = 0;
@@ -73,7 +75,12 @@ void add_discs(Writer& w, const Scene& scene, double quantum) {
   }
 }
 
-/// Second differences over the frames, all x then all y.
+/// Of a test that has blown up displacements may be no numbers, or too large to leave room for the others.
+bool is_shown(const Scene& scene, float u) {
+  return std::abs(static_cast<double>(u)) <= farthest * std::max(scene.width, scene.height);  // not so NaN
+}
+
+/// Second differences over the frames, all x then all y. What is lost stays where it was in the frame before.
 void add_frames(Writer& w, const Scene& scene, double quantum) {
   const std::size_t n = scene.discs.size();
   Numbers before(2 * n, 0), change(2 * n, 0);
@@ -81,7 +88,10 @@ void add_frames(Writer& w, const Scene& scene, double quantum) {
     PHY_CHECK(frame.u.size() == n, "a displacement for every disc");
     Numbers second(2 * n);
     for (std::size_t i = 0; i < 2 * n; ++i) {
-      const std::int32_t now = steps(static_cast<double>(frame.u[i % n][i / n]), quantum);
+      const float u = frame.u[i % n][i / n];
+      const bool shown = is_shown(scene, u);
+      w.n_lost += shown ? 0 : 1;
+      const std::int32_t now = shown ? steps(static_cast<double>(u), quantum) : before[i];
       second[i] = now - before[i] - change[i];
       change[i] = now - before[i];
       before[i] = now;
@@ -104,7 +114,8 @@ void add_links(Writer& w, const std::vector<SceneLink>& links) {
 
 double largest_of(const std::vector<float>& values) {
   double largest = 0.0;
-  for (const float v : values) largest = std::max(largest, std::abs(static_cast<double>(v)));
+  for (const float v : values)
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(static_cast<double>(v)));
   return largest;
 }
 
@@ -112,7 +123,9 @@ void add_forces(Writer& w, const ForceField& field) {
   const double largest = largest_of(field.F_n);
   Numbers numbers;
   for (const float f : field.F_n) {
-    const double part = largest > 0.0 ? std::sqrt(std::abs(static_cast<double>(f)) / largest) : 0.0;
+    const bool shown = std::isfinite(f);
+    w.n_lost += shown ? 0 : 1;
+    const double part = shown && largest > 0.0 ? std::sqrt(std::abs(static_cast<double>(f)) / largest) : 0.0;
     numbers.push_back(static_cast<std::int32_t>(std::lround(std::copysign(force_steps * part, f))));
   }
   w.add(numbers);
@@ -122,7 +135,8 @@ double displacement_quantum(const Scene& scene) {
   double largest = 0.0;
   for (const Frame& frame : scene.frames)
     for (const auto& u : frame.u)
-      largest = std::max({largest, std::abs(static_cast<double>(u[0])), std::abs(static_cast<double>(u[1]))});
+      for (const float part : u)
+        if (is_shown(scene, part)) largest = std::max(largest, std::abs(static_cast<double>(part)));
   return std::max(finest, largest / largest_steps);
 }
 
@@ -212,17 +226,18 @@ std::string pack_scene(const Scene& scene) {
     forces.push_back(moment_json(field));
     forces.back()["F_max [N/m]"] = largest_of(field.F_n);
   }
-  const Json head = {{"format", scene_format},
-                     {"width [m]", scene.width},
-                     {"height [m]", scene.height},
-                     {"n_discs", scene.discs.size()},
-                     {"n_links", scene.links.size()},
-                     {"disc_quantum [m]", size_quantum},
-                     {"displacement_quantum [m]", quantum},
-                     {"frames", frames},
-                     {"forces", forces},
-                     {"sections", w.sections},
-                     {"size", w.bytes.size()}};
+  Json head = {{"format", scene_format},
+               {"width [m]", scene.width},
+               {"height [m]", scene.height},
+               {"n_discs", scene.discs.size()},
+               {"n_links", scene.links.size()},
+               {"disc_quantum [m]", size_quantum},
+               {"displacement_quantum [m]", quantum},
+               {"frames", frames},
+               {"forces", forces},
+               {"sections", w.sections},
+               {"size", w.bytes.size()}};
+  if (w.n_lost > 0) head["lost"] = w.n_lost;
   return head.dump() + "\n" + deflated(w.bytes);
 }
 

@@ -1,5 +1,6 @@
 #include "io/vtk.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -65,12 +66,15 @@ std::vector<std::int64_t> counting(std::size_t n) {
   return all;
 }
 
+/// What a test that has blown up holds instead of a number counts as nothing: ParaView has no place for it.
+double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
+
 std::vector<double> grain_points(const Packing& packing, const Snapshot& shot) {
   PHY_CHECK(shot.grains.size() == packing.discs.size(), "a snapshot holds every grain of its packing");
   std::vector<double> xyz;
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
-    xyz.push_back(packing.discs[i].x + shot.grains[i].ux);
-    xyz.push_back(packing.discs[i].y + shot.grains[i].uy);
+    xyz.push_back(packing.discs[i].x + or_zero(shot.grains[i].ux));
+    xyz.push_back(packing.discs[i].y + or_zero(shot.grains[i].uy));
     xyz.push_back(0.0);
   }
   return xyz;
@@ -83,8 +87,8 @@ std::string grains_vtp(const Packing& packing, const Snapshot& shot) {
   std::vector<double> radius, displacement, rotation;
   for (std::size_t i = 0; i < n; ++i) {
     radius.push_back(packing.discs[i].r);
-    displacement.insert(displacement.end(), {shot.grains[i].ux, shot.grains[i].uy, 0.0});
-    rotation.push_back(shot.grains[i].rotation);
+    displacement.insert(displacement.end(), {or_zero(shot.grains[i].ux), or_zero(shot.grains[i].uy), 0.0});
+    rotation.push_back(or_zero(shot.grains[i].rotation));
   }
   PolyData file(n, 0, n);
   const std::string points = file.array("points", 3, grain_points(packing, shot));
@@ -102,7 +106,7 @@ std::string contacts_vtp(const Packing& packing, const Snapshot& shot) {
   for (const ContactState& c : shot.contacts) {
     ends.push_back(c.a), ends.push_back(c.b);
     kind.push_back(static_cast<std::int64_t>(c.kind)), broken.push_back(c.broken ? 1 : 0);
-    F_n.push_back(c.F_n), F_s.push_back(c.F_s);
+    F_n.push_back(or_zero(c.F_n)), F_s.push_back(or_zero(c.F_s));
   }
   PolyData file(packing.discs.size(), shot.contacts.size());
   const std::string points = file.array("points", 3, grain_points(packing, shot));

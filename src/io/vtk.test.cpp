@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <regex>
 
 namespace phy {
@@ -75,6 +77,18 @@ TEST(Vtk, CracksLieAcrossTheirNormal) {
 TEST(Vtk, ACollectionNamesFilesByStrain) {
   EXPECT_THAT(collection_pvd({{0.0, "a.vtp"}, {0.001, "b.vtp"}}),
               testing::HasSubstr("<DataSet timestep=\"0.001\" file=\"b.vtp\"/>"));
+}
+
+// Of a test that has blown up: ParaView has no place for what is no number.
+TEST(Vtk, WhatIsNoNumberIsDrawnAtItsStart) {
+  Snapshot blown = shot();
+  blown.grains[0] = {std::nan(""), -std::numeric_limits<double>::infinity(), std::nan("")};
+  blown.contacts[0].F_n = blown.contacts[0].F_s = std::nan("");
+  const std::string grains = grains_vtp(two_discs(), blown), contacts = contacts_vtp(two_discs(), blown);
+  EXPECT_EQ(array_of<double>(grains, "points"), (std::vector<double>{1.0, 2.0, 0.0, 2.9, 3.8, 0.0}));
+  EXPECT_EQ(array_of<double>(grains, "rotation [rad]"), (std::vector<double>{0.0, -0.3}));
+  EXPECT_EQ(array_of<double>(contacts, "F_n [N/m]"), std::vector<double>{0.0});
+  EXPECT_EQ(array_of<double>(contacts, "F_s [N/m]"), std::vector<double>{0.0});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double most_confining_strain = 0.05;  // beyond, the specimen has fail
 
 BiaxialTest::BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                          LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane, confined_platens(*specimen->packing, recipe.test)) {
+    : LabTest(specimen, recipe, group, lane) {
   begin();
 }
 

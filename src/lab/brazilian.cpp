@@ -1,14 +1,12 @@
 #include "lab/brazilian.hpp"
 
 #include "genesis/cut.hpp"
-#include "lab/rigs.hpp"
 
 namespace phy {
 
 BrazilianTest::BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                              LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane,
-              jaws(*specimen->packing, disc_diameter(recipe), recipe.test.loading_angle)) {
+    : LabTest(specimen, recipe, group, lane) {
   begin();
 }
 

@@ -15,8 +15,7 @@ constexpr double servo_speed = 20.0;   // of the boxes: grains that ride up push
 
 DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                  LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane, shear_boxes(*specimen->packing, recipe.test.shear_gap)),
-      stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
+    : LabTest(specimen, recipe, group, lane), stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
   begin();
 }
 

@@ -8,8 +8,7 @@ namespace phy {
 
 DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                      LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane,
-              grips(*specimen->packing, grip_thickness(recipe, *specimen->packing))) {
+    : LabTest(specimen, recipe, group, lane) {
   begin();
 }
 

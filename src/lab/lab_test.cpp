@@ -11,6 +11,8 @@
 #include "lab/brazilian.hpp"
 #include "lab/direct_shear.hpp"
 #include "lab/direct_tension.hpp"
+#include "lab/instability.hpp"
+#include "lab/rigs.hpp"
 #include "lab/uniaxial.hpp"
 #include "records/quality.hpp"
 
@@ -24,14 +26,13 @@ constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are cha
 
 }  // namespace
 
-LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
-                 Rig rig)
+LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane)
     : specimen_(std::move(specimen)),
       recipe_(recipe),
       group_(&group),
       lane_(lane),
       result_(blank_result(*specimen_, recipe.test.kind)),
-      rig_(std::make_shared<const Rig>(std::move(rig))),
+      rig_(std::make_shared<const Rig>(rig_of(*specimen_->packing, recipe))),
       snapshots_(recipe.test.n_snapshots),
       frames_(recipe.test.n_frames) {}
 
@@ -82,6 +83,15 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
   return true;
 }
 
+/// What broke in the block that the watchdog has rejected is as little worth as its row.
+bool LabTest::end_unstable(const LaneHealth& health) {
+  const HistoryRow& row = group_->row(lane_);
+  const double last_good = row.step - static_cast<double>(recipe_.test.history_interval);
+  std::erase_if(group_->cracks(lane_),
+                [&](const CrackEvent& c) { return static_cast<double>(c.step) > last_good; });
+  return end(Status::unstable, health.reason, advice_on_instability(*specimen_, recipe_, row));
+}
+
 bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
   if (!at_target) return false;
   n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
@@ -102,9 +112,7 @@ bool LabTest::load_once_steady(bool at_target, double stress_over_target, double
 bool LabTest::after_block() {
   ++blocks_;
   const HistoryRow& row = group_->row(lane_);
-  if (const LaneHealth& health = group_->health(lane_); !health.ok)
-    return end(Status::unstable, health.reason,
-               "lower engine.step_safety, or look for extreme stiffness ratios");
+  if (const LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
     if (row.unbalanced <= settled) {

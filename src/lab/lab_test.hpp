@@ -48,8 +48,7 @@ class LabTest {
 
  protected:
   /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
-  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane,
-          Rig rig);
+  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
   /// Loads the specimen into the lane; also used to start over.
   void begin();
   /// The rig is in place: prepare, or call start_loading.
@@ -88,10 +87,11 @@ class LabTest {
   void place_rig();
   Frame frame() const;
   void keep_pictures();
-  /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why it found
-  /// no peak.
+  /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why
+  /// it found no peak.
   void read_numbers();
   bool check_stop();
+  bool end_unstable(const LaneHealth& health);
 
   std::shared_ptr<const Rig> rig_;
   Phase phase_ = Phase::settle;

@@ -159,6 +159,18 @@ Rig shear_boxes(const Packing& packing, double gap) {
   return rig;
 }
 
+Rig rig_of(const Packing& packing, const Recipe& recipe) {
+  const TestRecipe& t = recipe.test;
+  switch (t.kind) {
+    case TestKind::uniaxial: return platens(packing);
+    case TestKind::direct_tension: return grips(packing, grip_thickness(recipe, packing));
+    case TestKind::brazilian: return jaws(packing, disc_diameter(recipe), t.loading_angle);
+    case TestKind::biaxial: return confined_platens(packing, t);
+    case TestKind::direct_shear: return shear_boxes(packing, t.shear_gap);
+  }
+  return {};
+}
+
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
   return std::sqrt(modulus(matrix) * matrix.density) * area / time;
 }

@@ -38,6 +38,9 @@ Rig confined_platens(const Packing& packing, const TestRecipe& test);
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
 Rig shear_boxes(const Packing& packing, double gap);
 
+/// The rig of the recipe's test.
+Rig rig_of(const Packing& packing, const Recipe& recipe);
+
 /// Change of the force on a face of rock of that area [m^2/m] per displacement within a block of `time` [s],
 /// as an elastic wave [N/m per m].
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time);

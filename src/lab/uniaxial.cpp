@@ -1,7 +1,5 @@
 #include "lab/uniaxial.hpp"
 
-#include "lab/rigs.hpp"
-
 namespace phy {
 namespace {
 
@@ -11,8 +9,7 @@ constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine st
 
 UniaxialTest::UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                            LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane, platens(*specimen->packing)),
-      may_jump_(recipe.test.jump_strain > 0.0) {
+    : LabTest(specimen, recipe, group, lane), may_jump_(recipe.test.jump_strain > 0.0) {
   begin();
 }
 

@@ -27,9 +27,13 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
     for (const HistoryRow& row : t.result.history.rows)
       strongest_ = std::max(strongest_, axes_.stress_of(row));
   }
-  if (places_.empty() || !(end_ > 0.0))
+  if (places_.empty())
     throw InputError(Problem{"result", "scene.bin", "", "discs and displacements",
                              "run the recipe again with test.n_frames"});
+  if (!(end_ > 0.0)) {
+    const Outcome& o = places_.front().test->result.outcome;
+    throw InputError(Problem{"result", "", "", "a test that came to be loaded", o.reason + "; " + o.advice});
+  }
   const auto n = static_cast<double>(places_.size());
   const Scene& scene = places_.front().test->scene;
   cell_ = std::min(widest_cell, (options_.width - 2.0 * edge) / n);

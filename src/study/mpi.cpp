@@ -30,7 +30,7 @@ void Ranks::check_same(const Plan&) const {}
 WorkReport work_as_host(const Ranks&, StoreDesk& desk, const Plan& plan, const MachineOptions& machine) {
   return work_at(desk, plan, machine);
 }
-void work_as_guest(const Ranks&, const Plan&, const MachineOptions&) {}
+void work_as_guest(const Ranks&, const Plan&, const MachineOptions&, const std::atomic<bool>&) {}
 
 #else
 
@@ -97,6 +97,8 @@ TestResult unpacked(const json& j) {
 /// The desk of rank 0 as seen from another rank.
 class RemoteDesk : public Desk {
  public:
+  /// `stop`: this rank is to end soon, whatever the others do.
+  explicit RemoteDesk(const std::atomic<bool>& stop) : stop_(stop) {}
   Assignment enter() override {
     const json a = ask({{"ask", "enter"}});
     return {static_cast<Assignment::Kind>(a[0].get<int>()), a[1], a[2]};
@@ -112,13 +114,14 @@ class RemoteDesk : public Desk {
     ask({{"ask", "deliver"}, {"test", test}, {"host", host_name()}, {"result", packed(result)}});
   }
   void count(double work) override { stopped_ = ask({{"ask", "count"}, {"work", work}}).get<bool>(); }
-  bool stopped() override { return stopped_; }  // as of the last block
+  bool stopped() override { return stop_ || stopped_; }  // of rank 0: as of the last block
   void end(const WorkReport& report) {
     ask({{"ask", "end"}, {"cpu", report.cpu_seconds}, {"wall", report.wall_seconds}, {"idle", report.idle}});
   }
 
  private:
   std::mutex mutex_;  // one question of this rank at a time
+  const std::atomic<bool>& stop_;
   std::atomic<bool> stopped_{false};
   static json at_batch(const char* what, std::size_t batch, std::optional<std::size_t> last) {
     json request = {{"ask", what}, {"batch", batch}};
@@ -247,8 +250,9 @@ WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan,
   return report;
 }
 
-void work_as_guest(const Ranks&, const Plan& plan, const MachineOptions& machine) {
-  RemoteDesk desk;
+void work_as_guest(const Ranks&, const Plan& plan, const MachineOptions& machine,
+                   const std::atomic<bool>& stop) {
+  RemoteDesk desk(stop);
   try {
     desk.end(work_at(desk, plan, machine));
   } catch (...) {

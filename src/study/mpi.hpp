@@ -34,7 +34,8 @@ class Ranks {
 
 /// Rank 0: works at the desk and serves the other ranks. The report is about all workers of all ranks.
 WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan, const MachineOptions& machine);
-/// The other ranks.
-void work_as_guest(const Ranks& ranks, const Plan& plan, const MachineOptions& machine);
+/// The other ranks. `stop` ends this one soon: rank 0 goes on without it, its tests are left for a resume.
+void work_as_guest(const Ranks& ranks, const Plan& plan, const MachineOptions& machine,
+                   const std::atomic<bool>& stop);
 
 }  // namespace phy

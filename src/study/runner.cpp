@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "genesis/cut.hpp"
 #include "io/toml_in.hpp"
+#include "lab/load_path.hpp"
 #include "study/experiment.hpp"
 
 namespace phy {
@@ -101,7 +102,9 @@ class Worker {
       last_ = test;
       const Recipe& recipe = plan_.tests[*test].recipe;
       try {
-        return Job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
+        Job job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
+        check_load_path(*job.specimen, recipe);
+        return job;
       } catch (const InputError& e) {
         desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
       }

@@ -1,0 +1,45 @@
+// A scene of a test that has blown up is read back like any other, and shows what is there.
+#include "io/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace phy {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+
+Scene three_discs() {
+  Scene s{0.01, 0.02, {{0.001, 0.001, 0.001}, {0.003, 0.001, 0.001}, {0.005, 0.001, 0.001}}, {}, {}, {}};
+  s.links = {{0, 1, ContactKind::bonded}, {1, 2, ContactKind::touching}};
+  s.frames.push_back({100.0, 0.001, 1e6, {{1e-5F, 2e-5F}, {1e-5F, 0.0F}, {0.0F, 0.0F}}});
+  s.frames.push_back({200.0, 0.002, 2e6, {{2e-5F, 3e-5F}, {2e-5F, 0.0F}, {1e-5F, 0.0F}}});
+  s.forces.push_back({200.0, 0.002, 2e6, {1000.0F, -250.0F}});
+  return s;
+}
+
+TEST(Scene, WhatIsNoNumberStaysWhereItWasAndCarriesNothing) {
+  Scene blown = three_discs();
+  blown.frames[1].u[0] = {nan, inf};
+  blown.frames[1].u[1] = {1e20F, 0.0F};  // finite, but nothing of the specimen
+  blown.forces[0].F_n[0] = -inf;
+  const std::string bytes = pack_scene(blown);
+  EXPECT_NE(bytes.substr(0, bytes.find('\n')).find("\"lost\":4"), std::string::npos);
+  const Scene back = unpack_scene(bytes, "scene.bin"), whole = three_discs();
+  constexpr float quantum = 0.25e-6F;
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(back.frames[1].u[0][i], whole.frames[0].u[0][i], quantum);
+  EXPECT_NEAR(back.frames[1].u[1][0], 1e-5F, quantum);
+  EXPECT_NEAR(back.frames[1].u[2][0], 1e-5F, quantum) << "the others keep their resolution";
+  EXPECT_EQ(back.forces[0].F_n[0], 0.0F);
+  EXPECT_NEAR(back.forces[0].F_n[1], -250.0F, 1.0F);
+}
+
+TEST(Scene, OfAnOrdinaryTestSaysNothingOfLosses) {
+  const std::string bytes = pack_scene(three_discs());
+  EXPECT_EQ(bytes.substr(0, bytes.find('\n')).find("lost"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace phy

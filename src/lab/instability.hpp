@@ -1,0 +1,15 @@
+// Why a test has blown up, as far as its recipe and its last good state tell.
+#pragma once
+#include <string>
+
+#include "records/recipe.hpp"
+#include "records/result.hpp"
+#include "records/specimen.hpp"
+
+namespace phy {
+
+/// What to change, the likeliest first. `last`: the last row that the watchdog has let pass; zeros if there
+/// was none. The time step itself is blamed only where nothing else is out of the ordinary.
+std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last);
+
+}  // namespace phy

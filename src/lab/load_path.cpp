@@ -1,0 +1,72 @@
+#include "lab/load_path.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <vector>
+
+#include "base/check.hpp"
+#include "lab/rigs.hpp"
+
+namespace phy {
+namespace {
+
+/// Grains that hang together, as trees: each grain names another of its cluster, the root itself.
+class Clusters {
+ public:
+  explicit Clusters(std::size_t n) : of_(n) { std::iota(of_.begin(), of_.end(), std::size_t{0}); }
+  std::size_t root(std::size_t i) {
+    while (of_[i] != i) i = of_[i] = of_[of_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { of_[root(a)] = root(b); }
+
+ private:
+  std::vector<std::size_t> of_;
+};
+
+/// What the tool reaches joins the cluster of `hub`. Returns how many grains it reaches.
+std::size_t reach(const Tool& tool, const Packing& packing, std::size_t hub, Clusters& clusters) {
+  std::size_t n = 0;
+  for (const Touch& t : tool.touches)
+    if (t.gap < packing.discs[t.grain].r) clusters.join(t.grain, hub), ++n;
+  for (const Grip& g : tool.grips) clusters.join(g.grain, hub), ++n;
+  return n;
+}
+
+}  // namespace
+
+void check_load_path(const Specimen& specimen, const Recipe& recipe) {
+  const Packing& packing = *specimen.packing;
+  const Rig rig = rig_of(packing, recipe);
+  const std::size_t n = packing.discs.size(), lo = n, hi = n + 1;
+  Clusters clusters(n + 2);  // the grains and the two tools
+  for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
+  std::string lost;
+  for (const auto& [number, hub] : {std::pair(rig.axial.lo, lo), std::pair(rig.axial.hi, hi)}) {
+    const Tool& tool = rig.tools[static_cast<std::size_t>(number)];
+    if (reach(tool, packing, hub, clusters) == 0) lost = "the " + tool.name + " reaches no disc";
+  }
+  if (clusters.root(lo) == clusters.root(hi)) return;
+  if (lost.empty())
+    lost = fmt::format("{} discs have {} contacts, and none of their chains leads across", n,
+                       specimen.contacts.size());
+  const PackingRecipe& p = recipe.packing;
+  const bool imported = !p.file.empty(), counted = p.n_grains > 0;
+  throw InputError(
+      Problem{"",
+              imported  ? "packing.file"
+              : counted ? "packing.n_grains"
+                        : "packing.porosity",
+              imported  ? p.file
+              : counted ? std::to_string(p.n_grains)
+                        : fmt::format("{:g}", p.porosity),
+              fmt::format("discs that touch, in chains from the {} to the {}",
+                          rig.tools[static_cast<std::size_t>(rig.axial.lo)].name,
+                          rig.tools[static_cast<std::size_t>(rig.axial.hi)].name),
+              lost + (imported  ? ": move them closer, or raise matrix.bond_gap, which bonds small gaps"
+                      : counted ? ": raise it, or raise matrix.bond_gap"
+                                : ": lower it, or raise matrix.bond_gap")});
+}
+
+}  // namespace phy

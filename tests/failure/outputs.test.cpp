@@ -1,0 +1,150 @@
+// Outputs that cannot be written and signals that ask for an end: what is finished is kept, whatever happens.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "../program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Outputs : public ProgramTest {
+ protected:
+  static bool is_whole(const std::string& in) {
+    for (const char* name : {"theta_45_deg", "theta_60_deg", "intact"})
+      if (!fs::exists(fs::path(in) / name / "result.json")) return false;
+    return fs::exists(fs::path(in) / "report.html");
+  }
+};
+
+TEST_F(Outputs, ThatCannotBeWrittenLoseNoTest) {
+  const std::string recipe = small_recipe();
+  const std::pair<const char*, int> ways[] = {
+      {"2>/dev/full", 0}, {"2>&-", 0}, {">/dev/full", 3}, {">&-", 3}, {"<&- >&- 2>&-", 3}};
+  for (const auto& [way, code] : ways) {
+    fs::remove_all(out());
+    EXPECT_EQ(run("run " + recipe + " --out " + out() + " " + way), code) << way << output;
+    EXPECT_TRUE(is_whole(out())) << way;
+    EXPECT_THAT(output, Not(HasSubstr("terminate"))) << way;
+  }
+}
+
+TEST_F(Outputs, AReaderThatLeavesLosesNoTest) {
+  run_line("{ " + std::string(PHY_PROGRAM) + " run " + small_recipe() + " --out " + out() +
+           "; echo code $? >&2; } | head -1");
+  EXPECT_THAT(output, AllOf(HasSubstr("recipe    small"), HasSubstr("standard output cannot be written"),
+                            HasSubstr("code 3")));
+  EXPECT_TRUE(is_whole(out()));
+}
+
+TEST_F(Outputs, MessagesThatNobodyReadsKeepTheirExitCode) {
+  const std::string wrong = write("wrong.toml", "[specimen]\nwidht = \"8 mm\"\n");
+  for (const char* way : {"2>/dev/full", "2>&-"}) {
+    EXPECT_EQ(run("run " + wrong + " " + way), 2) << way;
+    EXPECT_EQ(run("show " + at("absent") + " " + way), 3) << way;
+    EXPECT_EQ(run("contact linear " + std::string(way)), 0) << way;
+  }
+  EXPECT_EQ(run("contact linear >&-"), 3);
+}
+
+// A store that gets the number of a closed descriptor would be printed into.
+TEST_F(Outputs, AStoreIsNotPrintedInto) {
+  small_recipe();
+  const std::string study = write("study.toml", "recipe = \"small.toml\"\n");
+  ASSERT_EQ(run("study " + study + " --out " + at("calm")), 0) << output;
+  const std::string calm = hash();
+  EXPECT_EQ(run("study " + study + " --out " + out() + " >&- 2>&-"), 3);
+  EXPECT_EQ(run("study status " + out()), 0) << output;
+  EXPECT_EQ(hash(), calm);
+}
+
+struct Long {
+  const char* name;
+  std::vector<std::string> arguments;
+  int code;
+  const char* says;
+};
+void PrintTo(const Long& l, std::ostream* out) { *out << l.name; }
+
+class Signals : public ProgramTest, public testing::WithParamInterface<Long> {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("slow.toml",
+          "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
+          "spacing = \"2 mm\"\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\nplaten_speed = \"0.001 "
+          "m/s\"\n"
+          "[sweep]\nfactors = [0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5]\nn_packings = 50\n");
+    write("study.toml", "recipe = \"slow.toml\"\npackings = [1, 2, 3]\n");
+    write("table.csv",
+          "theta [deg],E [GPa],nu,UCS [MPa],n\n0,17.5,0.10,105,3\n30,15.6,0.36,60,3\n"
+          "60,21.0,0.5,45,3\n90,48,0.25,128,3\n");
+    write("rock.toml", "data = \"table.csv\"\nrecipe = \"start.toml\"\n");
+    write("start.toml",
+          "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n"
+          "[[bedding]]\nspacing = \"2 mm\"\n");
+  }
+  /// The exit code after the signal, or -1 if it killed.
+  int after(int signal) {
+    std::vector<std::string> arguments = {"--threads", "1"};
+    for (const std::string& word : GetParam().arguments)
+      arguments.push_back(word == "out" || word.ends_with(".toml") ? at(word) : word);
+    const pid_t child = start(arguments, at("log"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    output = read(at("log"));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+};
+
+TEST_P(Signals, EndLikeCtrlC) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    EXPECT_EQ(after(signal), GetParam().code) << strsignal(signal) << "\n" << output;
+    EXPECT_THAT(output, HasSubstr(GetParam().says)) << strsignal(signal);
+    fs::remove_all(out());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Signals,
+    testing::Values(
+        Long{"run", {"run", "slow.toml", "--out", "out"}, 1, "no test was finished, nothing was written"},
+        Long{
+            "study", {"study", "study.toml", "--out", "out"}, 1, "specimens are left: phyllite study resume"},
+        Long{"envelope", {"envelope", "slow.toml", "--out", "out"}, 1, "stopped by the user"},
+        Long{"calibrate", {"calibrate", "rock.toml", "--out", "out"}, 1, "to go on: phyllite calibrate"},
+        Long{"sweep", {"elastic", "slow.toml", "--out", "out"}, 1, "stopped"},
+        Long{"twin", {"rock", "twin", "slow.toml", "out"}, 1, "stopped, nothing was written"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+TEST_F(Outputs, UnderNohupATerminalThatClosesEndsNothing) {
+  small_recipe();
+  const std::string line = "trap '' HUP; " + std::string(PHY_PROGRAM) + " run " + at("small.toml") +
+                           " --out " + out() +
+                           " >/dev/null 2>&1 & child=$!; sleep 0.5; kill -HUP $child; wait $child";
+  EXPECT_EQ(run_line(line), 0) << output;
+  EXPECT_TRUE(is_whole(out()));
+}
+
+TEST_F(Outputs, ASecondSignalEndsAtOnce) {
+  write("many.toml", "[packing]\nn_grains = 20000\n[specimen]\nwidth = \"76 mm\"\nheight = \"152 mm\"\n");
+  const pid_t child = start({"run", at("many.toml"), "--no-cache", "--out", out()}, at("log"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  ::kill(child, SIGTERM);  // in the middle of the packing, which looks at no flag
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ::kill(child, SIGHUP);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGHUP) << read(at("log"));
+}
+
+}  // namespace
