@@ -51,6 +51,9 @@ TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
     EXPECT_EQ(p.n_packings, 5);
   }
   EXPECT_THAT(c.notes, Contains(HasSubstr("-20 %. Where")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("too soft by that much")));
+  press.tangent = 1.2;
+  EXPECT_THAT(calibrated(rock(), press).notes, Contains(HasSubstr("too stiff by that much")));
   press.tangent = 0.97;
   EXPECT_THAT(calibrated(rock(), press).notes, Not(Contains(HasSubstr("small strain"))));
 }
