@@ -77,6 +77,26 @@ TEST(Calibrate, AnAssumedScatterOfNuExcusesNothing) {
   EXPECT_THAT(c.verdict.findings, Contains(testing::StartsWith("nu(")));
 }
 
+// What is called scatter is at least as large as the miss that it excuses.
+TEST(Calibrate, AScatterThatExcusesAMissIsNoSmallerThanIt) {
+  int excused = 0;
+  for (const double factor : {1.1, 1.15, 1.2, 1.25, 1.3, 1.35}) {
+    Rock off = rock();
+    for (RockReading& r : off.readings)
+      if (r.property == Property::E && r.theta == 60.0) r.value *= factor;
+    PaperPress press;
+    press.modulus_scatter = 0.1;
+    for (const std::string& f : calibrated(off, press, true).verdict.findings) {
+      const std::size_t at = f.find("scatter that much (+-"), from = f.find(" GPa, ");
+      if (at == f.npos) continue;
+      const double miss = std::fabs(std::stod(f.substr(from + 6)));
+      EXPECT_LE(miss, std::stod(f.substr(at + 21)) + 0.05) << f;
+      ++excused;
+    }
+  }
+  EXPECT_GE(excused, 1);
+}
+
 TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {
   PaperPress press;
   EXPECT_EQ(calibrated(rock(), press).recipe.name, "shale, calibrated");

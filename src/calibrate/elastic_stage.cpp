@@ -372,12 +372,13 @@ bool tell_modulus(ElasticFit& fit, const Comparison& c) {
   const Target& t = c.target;
   const double noise = t.sd_assumed ? 0.0 : t.standard_error() / t.mean;
   const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
-  const bool by_chance = std::fabs(c.error()) <= z_seven * std::hypot(noise, packings);
+  const double chance = z_seven * std::hypot(noise, packings);
+  const bool by_chance = std::fabs(c.error()) <= chance;
   fit.findings.push_back(fmt::format(
       "E({:g}) = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}{}", t.theta, c.mean * 1e-9,
       100.0 * c.error(), t.mean * 1e-9,
-      by_chance ? fmt::format(": packings of this size scatter that much (+-{:.0f} % on the mean of {})",
-                              100.0 * z_seven * packings, c.n_packings)
+      by_chance ? fmt::format(": {}packings of this size scatter that much (+-{:.1f} % on the means)",
+                              noise > 0.0 ? "laboratory and " : "", 100.0 * chance)
                 : ""));
   return !by_chance;
 }
