@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
+#include "base/lines.hpp"
 #include "calibrate/elastic_stage.hpp"
 #include "calibrate/foresee.hpp"
 #include "calibrate/parameters.hpp"
@@ -78,10 +79,10 @@ void add_identifiability(Calibration& result, const Rock& rock) {
     if (f == nullptr) continue;
     if (e.determined)
       e.rests_on = f->rests_on;
-    else if (!f->next_test.empty())
-      e.next_test = f->next_test;
-    else
+    else if (f->determined)
       e.next_test = met ? "more specimens of: " + f->rests_on : "a table that the model can meet";
+    else
+      e.next_test = f->next_test;
   }
 }
 
@@ -92,13 +93,14 @@ std::vector<Target> strength_targets(const std::vector<Target>& targets) {
   return some;
 }
 
-/// UCS over tension at each angle that has both: the laboratory's and, where the strengths are out of reach,
-/// the nearest that the search found.
+/// UCS over tension at each angle that has both and where they differ: the laboratory's and, where the
+/// strengths are out of reach, the nearest that the search found.
 void tell_ratios(Calibration& result) {
   for (const Comparison& t : result.verification)
     for (const Comparison& u : result.verification)
       if (is_strength(t.target.property) && t.target.property != Property::ucs &&
-          u.target.property == Property::ucs && t.target.theta == u.target.theta)
+          u.target.property == Property::ucs && t.target.theta == u.target.theta &&
+          std::fabs((1.0 + u.error()) / (1.0 + t.error()) - 1.0) > strength_limit)
         result.verdict.findings.push_back(fmt::format(
             "UCS/{}({:g}) = {:.1f} in the laboratory, {:.1f} in the nearest model",
             to_string(t.target.property), t.target.theta, u.target.mean / t.target.mean, u.mean / t.mean));
@@ -108,10 +110,11 @@ void tell_ratios(Calibration& result) {
 void tell_validity(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (c.n_invalid > 0)
-      result.notes.push_back(
-          fmt::format("BTS({:g}): in {} of {} tests on unseen packings the first crack came outside the "
-                      "central third of the disc; peak loads are compared all the same",
-                      c.target.theta, c.n_invalid, c.n_packings));
+      add_line(result.notes, cell_name(c.target),
+               fmt::format(
+                   "in {} of {} tests on unseen packings the first crack came outside the central third of "
+                   "the disc; peak loads are compared all the same",
+                   c.n_invalid, c.n_packings));
 }
 
 /// Remarks on the tests behind the strengths of the verification.
@@ -125,9 +128,9 @@ void tell_quality(Calibration& result) {
 void tell_missing(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
-      result.notes.push_back(fmt::format("{}({:g}): {} of {} tests on unseen packings gave no peak ({})",
-                                         to_string(c.target.property), c.target.theta,
-                                         n_unseen - c.n_packings, n_unseen, c.missing));
+      add_line(result.notes, cell_name(c.target),
+               fmt::format("{} of {} tests on unseen packings gave no peak ({})", n_unseen - c.n_packings,
+                           n_unseen, c.missing));
 }
 
 /// Strengths on unseen packings that miss the table by more than scatter explains: that of the packings and
@@ -140,8 +143,8 @@ void judge_strength(Calibration& result, bool short_search) {
     if (!is_strength(c.target.property)) continue;
     if (!c.answered()) {
       result.verdict.status = VerdictStatus::out_of_reach;
-      result.verdict.findings.push_back(fmt::format("{}({:g}): no test on unseen packings gave a peak ({})",
-                                                    to_string(c.target.property), c.target.theta, c.missing));
+      add_line(result.verdict.findings, cell_name(c.target),
+               fmt::format("no test on unseen packings gave a peak ({})", c.missing));
       continue;
     }
     const Comparison* fitted = row_of(result.fitted, c.target);
@@ -160,7 +163,7 @@ void judge_strength(Calibration& result, bool short_search) {
   if (error > hopeless || (error > strength_limit && beyond > chance_limit)) {
     result.verdict.status = VerdictStatus::out_of_reach;
     result.verdict.findings.push_back(fmt::format(
-        "the strengths as a whole are {:.0f} % off: the nearest reachable ones stand in the table",
+        "the strengths as a whole are {:.0f} % off: the nearest that were found stand in the table",
         100.0 * error));
     tell_ratios(result);
   }
@@ -176,19 +179,17 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
     const Target& t = c.target;
     if (!c.answered() && elastic.comparisons[i].answered()) {
       result.verdict.status = VerdictStatus::out_of_reach;
-      result.verdict.findings.push_back(
-          fmt::format("{}({:g}) has no answer on unseen packings", to_string(t.property), t.theta));
+      add_line(result.verdict.findings, cell_name(t), "no answer on unseen packings");
     }
     if (!misses(c) || misses(elastic.comparisons[i])) continue;  // the fit has told its own limits
     const double mean_sd = c.sd / std::sqrt(static_cast<double>(c.n_packings));
     result.verdict.findings.push_back(
         t.property == Property::E
-            ? fmt::format(
-                  "E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} (by "
-                  "chance of the laboratory: {:.1f} %): packings of this size differ by {:.1f} %, the "
-                  "mean of {} by {:.1f} %",
-                  t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * modulus_limit(t),
-                  100.0 * c.sd / c.mean, c.n_packings, 100.0 * mean_sd / c.mean)
+            ? fmt::format("E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} "
+                          "(tolerated: {:.1f} %): packings of this size differ by {:.1f} %, the mean of {} "
+                          "by {:.1f} %",
+                          t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * modulus_limit(t),
+                          100.0 * c.sd / c.mean, c.n_packings, 100.0 * mean_sd / c.mean)
             : fmt::format(
                   "nu({:g}) = {:.3f} on unseen packings instead of {:.3f}: packings of this size differ "
                   "by {:.3f}, the mean of {} by {:.3f}",
@@ -259,13 +260,11 @@ void add_pressed(Calibration& result, const std::vector<Comparison>& pressed) {
       worst = change, theta = p.target.theta;
   }
   if (std::fabs(worst) > modulus_change)
-    result.notes.push_back(
-        fmt::format("E and nu of the table are read as those at small strain. At 40 - 60 % of UCS, after the "
-                    "first bonds and "
-                    "joints have broken, the press measures other ones (column \"at 50 % UCS\"): E({:g}) "
-                    "{:+.0f} %. Where the "
-                    "laboratory's E is such a tangent, the model is too soft by that much",
-                    theta, 100.0 * worst));
+    result.notes.push_back(fmt::format(
+        "E and nu of the table are read as those at small strain. At 40 - 60 % of UCS the press measures "
+        "other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} %. Where the laboratory's E is such a "
+        "tangent, the model is too {} by that much",
+        theta, 100.0 * worst, worst < 0.0 ? "soft" : "stiff"));
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.

@@ -51,6 +51,9 @@ TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
     EXPECT_EQ(p.n_packings, 5);
   }
   EXPECT_THAT(c.notes, Contains(HasSubstr("-20 %. Where")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("too soft by that much")));
+  press.tangent = 1.2;
+  EXPECT_THAT(calibrated(rock(), press).notes, Contains(HasSubstr("too stiff by that much")));
   press.tangent = 0.97;
   EXPECT_THAT(calibrated(rock(), press).notes, Not(Contains(HasSubstr("small strain"))));
 }
@@ -72,6 +75,26 @@ TEST(Calibrate, AnAssumedScatterOfNuExcusesNothing) {
   ASSERT_GT(worst, 0.03);
   ASSERT_LT(worst, 2.69 * 0.03);  // what three hundredths of assumed scatter would excuse
   EXPECT_THAT(c.verdict.findings, Contains(testing::StartsWith("nu(")));
+}
+
+// What is called scatter is at least as large as the miss that it excuses.
+TEST(Calibrate, AScatterThatExcusesAMissIsNoSmallerThanIt) {
+  int excused = 0;
+  for (const double factor : {1.1, 1.15, 1.2, 1.25, 1.3, 1.35}) {
+    Rock off = rock();
+    for (RockReading& r : off.readings)
+      if (r.property == Property::E && r.theta == 60.0) r.value *= factor;
+    PaperPress press;
+    press.modulus_scatter = 0.1;
+    for (const std::string& f : calibrated(off, press, true).verdict.findings) {
+      const std::size_t at = f.find("scatter that much (+-"), from = f.find(" GPa, ");
+      if (at == f.npos) continue;
+      const double miss = std::fabs(std::stod(f.substr(from + 6)));
+      EXPECT_LE(miss, std::stod(f.substr(at + 21)) + 0.05) << f;
+      ++excused;
+    }
+  }
+  EXPECT_GE(excused, 1);
 }
 
 TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {

@@ -20,10 +20,10 @@
 // differs by 3-20 %, so five packings give it to 0.2 %; and it hardly moves with the parameters. The
 // verification solves the one-sided contacts themselves.
 //
-// Joints do not change nu/E: a rock whose nu'/E' differs from nu/E cannot have both its moduli and its
-// Poisson's ratios in this model. If E misses the table by more than 2 %, and by more than the laboratory's
-// scatter explains, while nu is in the fit, the stage is repeated with nu at a tenth of its weight: moduli
-// matter most to an engineer, and the verdict tells by how much nu gave way.
+// E and nu of a table may belong to no layered elastic body, or to one that joints in an isotropic matrix are
+// not: then no parameters have both (elastic_limits.hpp says which). If E misses the table by more than 2 %,
+// and by more than the laboratory's scatter explains, while nu is in the fit, the stage is repeated with nu
+// at a tenth of its weight: moduli matter most to an engineer, and the verdict tells by how much nu gave way.
 #pragma once
 #include <Eigen/Dense>
 #include <functional>
@@ -51,6 +51,7 @@ struct ElasticFit {
   std::vector<ParameterEstimate> parameters;  ///< elastic_parameters(), those that the rock has
   std::vector<Comparison> comparisons;        ///< in the order of the targets
   bool nu_gave_way = false;
+  double E_before = 0.0;              ///< where it did: largest relative error of E before
   std::vector<std::string> findings;  ///< limits that the fit ran into; empty: within tolerance
   bool out_of_reach = false;
   std::int64_t n_solutions = 0;

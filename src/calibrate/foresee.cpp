@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "calibrate/elastic_limits.hpp"
 #include "calibrate/parameters.hpp"
 #include "theory/eq1_fit.hpp"
 
@@ -61,15 +62,28 @@ Eigen::Vector4d expected_sd(const std::vector<Target>& targets, bool bedded,
   return information.inverse().diagonal().cwiseSqrt();
 }
 
-std::string elastic_test(const std::string& key, bool bedded) {
-  if (!bedded) return key == "matrix.ks_over_kn" ? "Poisson's ratio" : "E";
-  if (key == "matrix.ks_over_kn") return "Poisson's ratio, best at 0 and 90 degrees";
-  if (key == "bedding[0].k_n") return "E at 0 or 15 degrees";
-  if (key == "bedding[0].k_s") return "E between 30 and 60 degrees";
-  return "E at 90 degrees";
+/// The test that tells most of an elastic parameter; more of them, where the table has it.
+std::string elastic_test(const std::string& key, const std::vector<Target>& targets, bool bedded) {
+  struct Test {
+    const char* name;
+    Property property;
+    double from, to;
+  };
+  const Test test = key == "matrix.ks_over_kn"
+                        ? Test{bedded ? "Poisson's ratio, best at 0 and 90 degrees" : "Poisson's ratio",
+                               Property::nu, 0.0, 90.0}
+                    : !bedded                 ? Test{"E", Property::E, 0.0, 90.0}
+                    : key == "bedding[0].k_n" ? Test{"E at 0 or 15 degrees", Property::E, 0.0, 15.0}
+                    : key == "bedding[0].k_s" ? Test{"E between 30 and 60 degrees", Property::E, 30.0, 60.0}
+                                              : Test{"E at 90 degrees", Property::E, 80.0, 90.0};
+  const bool has = std::any_of(targets.begin(), targets.end(), [&](const Target& t) {
+    return t.property == test.property && t.theta >= test.from && t.theta <= test.to;
+  });
+  return has ? fmt::format("more specimens of {}", test.name) : test.name;
 }
 
-/// What the tests say about a strength parameter, by the kind and angle of the tests alone.
+/// What the tests say about a strength parameter, by the kind and angle of the tests alone. Friction shows in
+/// what no table holds, strength under confinement: it has no next test.
 struct Rule {
   bool held;
   std::string tests, next_test;
@@ -79,7 +93,7 @@ Rule rule_without_bedding(const std::string& key, const std::vector<Target>& tar
                       !of_property(targets, Property::brazilian).empty();
   if (key == "matrix.sigma_c") return {true, "UCS", ""};
   if (key == "tau_c/sigma_c") return {pulled, "UCS against tension", "direct tension, or Brazilian"};
-  return {false, "", "confined compression"};
+  return {false, "", ""};
 }
 Rule rule_with_bedding(const std::string& key, const std::vector<Target>& targets) {
   bool ends = false, oblique = false, tension_0 = false, tension_90 = false;
@@ -98,8 +112,7 @@ Rule rule_with_bedding(const std::string& key, const std::vector<Target>& target
   if (key == "tau_c/sigma_c")
     return {ends && tension_90, "UCS against tension along the bedding",
             "direct tension at 90 degrees, or Brazilian at 0"};
-  if (key == "matrix.mu") return {false, "", "confined compression at 0 or 90 degrees"};
-  return {false, "", "confined compression at 45 to 60 degrees"};
+  return {false, "", ""};
 }
 
 /// The rule in terms of what the table holds: without UCS nothing is fitted, and where the tests of a rule
@@ -112,6 +125,24 @@ void apply_strength_rule(ParameterEstimate& e, const std::vector<Target>& target
   if (!rule.held) e.next_test = rule.next_test;
   if (!fitted && e.next_test.find("UCS") == std::string::npos)
     e.next_test = e.next_test.empty() ? "UCS" : "UCS, and " + e.next_test;
+}
+
+/// What is taken for the scatter of a property that the table tells little of; empty: it tells.
+std::string assumed_scatter(const std::vector<Target>& targets, Property property) {
+  double least = 0.0, most = 0.0;
+  std::size_t n = 0;
+  const std::vector<Target> some = of_property(targets, property);
+  for (const Target& t : some) {
+    if (!t.sd_assumed) continue;
+    const double sd = property == Property::nu ? t.sd : 100.0 * t.sd / t.mean;
+    least = n == 0 ? sd : std::min(least, sd), most = std::max(most, sd), ++n;
+  }
+  if (n == 0) return "";
+  const std::string from = fmt::format("{:.2g}", least), to = fmt::format("{:.2g}", most);
+  return fmt::format(
+      "{}: the table tells little of the scatter of {} of {} cells; {}{} is taken for single specimens",
+      to_string(property), n, some.size(), from == to ? from : from + " to " + to,
+      property == Property::nu ? "" : " %");
 }
 
 }  // namespace
@@ -137,7 +168,7 @@ std::vector<ParameterEstimate> foresee(const Rock& rock) {
     e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
     e.determined = modulus && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);
     if (modulus) e.rests_on = i == 1 && has_nu ? "nu" : "E";
-    if (!e.determined) e.next_test = elastic_test(p.key, rock.bedded);
+    if (!e.determined) e.next_test = elastic_test(p.key, targets, rock.bedded);
     estimates.push_back(e);
   }
   for (const Parameter& p : strength_parameters()) {
@@ -154,19 +185,9 @@ std::vector<ParameterEstimate> foresee(const Rock& rock) {
 std::vector<std::string> advice(const Rock& rock) {
   const std::vector<Target> targets = targets_of(rock);
   std::vector<std::string> lines;
-  for (int i = 0; i < n_properties; ++i) {
-    const auto property = static_cast<Property>(i);
-    const std::vector<Target> some = of_property(targets, property);
-    if (some.empty()) continue;
-    const auto assumed = [](const Target& t) { return t.sd_assumed; };
-    const auto first = std::find_if(some.begin(), some.end(), assumed);
-    if (first != some.end())
-      lines.push_back(fmt::format(
-          "{}: the table tells little of the scatter of {} of {} cells; {} is taken for single specimens",
-          to_string(property), std::count_if(some.begin(), some.end(), assumed), some.size(),
-          property == Property::nu ? fmt::format("{:.2g}", first->sd)
-                                   : fmt::format("{:.2g} %", 100.0 * first->sd / first->mean)));
-  }
+  for (int i = 0; i < n_properties; ++i)
+    if (std::string line = assumed_scatter(targets, static_cast<Property>(i)); !line.empty())
+      lines.push_back(std::move(line));
   const auto has = [&](Property p) { return !of_property(targets, p).empty(); };
   if (!has(Property::E))
     lines.emplace_back("no E: the elastic parameters stay those of the recipe");
@@ -175,11 +196,9 @@ std::vector<std::string> advice(const Rock& rock) {
         "expected intervals count the scatter of the laboratory alone; what packings of the model differ by "
         "comes on top");
   if (!has(Property::ucs)) lines.emplace_back("no UCS: no strength is fitted, they stay those of the recipe");
-  const std::vector<Target> E = of_property(targets, Property::E);
-  if (rock.bedded && E.size() >= 2 && E.front().mean > E.back().mean && E.front().theta < E.back().theta)
-    lines.emplace_back(
-        "E falls from the lowest to the highest angle: joints can only soften a rock across its bedding; "
-        "check the convention (theta or beta)");
+  if (!rock.bedded) return lines;
+  for (const std::string& line : {elastic_limit(targets), exchanged_angles(targets)})
+    if (!line.empty()) lines.push_back(line);
   return lines;
 }
 

@@ -96,6 +96,66 @@ TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
   EXPECT_TRUE(foreseen(rock, "tau_c/sigma_c").determined);
 }
 
+/// What each parameter of a table would need.
+std::vector<std::string> next_tests(const Rock& rock) {
+  std::vector<std::string> all;
+  for (const ParameterEstimate& e : foresee(rock)) all.push_back(e.next_test);
+  return all;
+}
+
+// The table's strengths under confinement are kept, not fitted.
+TEST(Foresee, NoTestIsAdvisedThatNoTableCanHold) {
+  Rock rock = layered_rock();
+  EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
+  EXPECT_EQ(foreseen(rock, "matrix.mu").next_test, "UCS");  // without any nothing is fitted
+  rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
+  EXPECT_EQ(foreseen(rock, "matrix.mu").next_test, "");
+  EXPECT_EQ(foreseen(rock, "bedding[0].mu").next_test, "");
+  EXPECT_THAT(foreseen(rock, "C_sj/tau_c").next_test, testing::HasSubstr("UCS at 45"));
+  rock.bedded = false;
+  EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
+}
+
+TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
+  Rock rock;
+  rock.model.bedding.resize(1);
+  const JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
+  for (const double theta : {0.0, 45.0, 90.0})
+    rock.readings.push_back(reading(Property::E, theta, goodman_E(stiff, theta)));
+  EXPECT_EQ(foreseen(rock, "bedding[0].k_n").next_test, "more specimens of E at 0 or 15 degrees");
+  EXPECT_EQ(foreseen(rock, "matrix.ks_over_kn").next_test, "Poisson's ratio, best at 0 and 90 degrees");
+  std::erase_if(rock.readings, [](const RockReading& r) { return r.theta == 0.0; });
+  EXPECT_EQ(foreseen(rock, "bedding[0].k_n").next_test, "E at 0 or 15 degrees");
+}
+
+TEST(Foresee, OneTensorIsNoConflictAndFallingModuliAreNoError) {
+  EXPECT_THAT(advice(layered_rock()), testing::Not(testing::Contains(testing::HasSubstr("layered"))));
+  Rock falling;  // by less than its errors
+  falling.model.bedding.resize(1);
+  for (const double theta : {0.0, 45.0, 90.0})
+    falling.readings.push_back(reading(Property::E, theta, (40.0 - 0.01 * theta) * 1e9));
+  EXPECT_THAT(advice(falling), testing::Not(testing::Contains(testing::HasSubstr("theta or beta"))));
+  Rock exchanged = layered_rock();
+  for (RockReading& r : exchanged.readings) r.theta = 90.0 - r.theta;
+  EXPECT_THAT(advice(exchanged), testing::Contains(testing::HasSubstr("theta or beta")));
+  EXPECT_THAT(advice(exchanged), testing::Not(testing::Contains(testing::HasSubstr("can only soften"))));
+}
+
+TEST(Foresee, AssumedScatterIsToldAsItIsTaken) {
+  Rock rock;
+  rock.bedded = false;
+  rock.readings = {reading(Property::E, 0.0, 40e9)};
+  rock.readings[0].sd = std::nan("");
+  EXPECT_THAT(advice(rock), testing::Contains(testing::HasSubstr("1 of 1 cells; 5 % is taken")));
+  rock.bedded = true;
+  rock.model.bedding.resize(1);
+  rock.readings = {reading(Property::E, 0.0, 40e9), reading(Property::E, 0.0, 30e9),
+                   reading(Property::E, 90.0, 50e9)};
+  for (RockReading& r : rock.readings) r.sd = std::nan(""), r.n = 1;
+  EXPECT_THAT(advice(rock),
+              testing::Contains(testing::ContainsRegex("2 of 2 cells; [0-9.]+ to [0-9.]+ % is taken")));
+}
+
 TEST(Foresee, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
   Rock rock;
   rock.bedded = false;

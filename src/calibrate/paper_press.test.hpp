@@ -16,8 +16,9 @@ namespace phy {
 class PaperPress : public Simulator {
  public:
   double packing_scatter = 0.03, run_scatter = 0.02;
-  double first_crack = 0.1;   ///< place in the disc, over the diameter
-  double coarse_bias = 0.06;  ///< of the logarithm, for packings of less than 5,000 grains
+  double first_crack = 0.1;      ///< place in the disc, over the diameter
+  double modulus_scatter = 0.0;  ///< of the packings
+  double coarse_bias = 0.06;     ///< of the logarithm, for packings of less than 5,000 grains
   std::function<bool(const Recipe&)> peaks = [](const Recipe&) { return true; };
   bool carries_load = true;      ///< false: the direct solution has no answer
   double tangent = 1.0;          ///< E of the press at half of the strength over that at small strain
@@ -30,7 +31,8 @@ class PaperPress : public Simulator {
     std::vector<ElasticResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
       const JointedRock rock = rock_of(recipes[i]);
-      results[i].E_gauge = goodman_E(rock, theta_of(recipes[i]));
+      results[i].E_gauge =
+          goodman_E(rock, theta_of(recipes[i])) * std::exp(modulus_scatter * draw(recipes[i], 0));
       results[i].nu_gauge = goodman_nu(rock, theta_of(recipes[i]));
       if (!carries_load) results[i].E_gauge = results[i].nu_gauge = std::nan("");
     }

@@ -59,7 +59,6 @@ bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const s
   const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
-  std::size_t failed = 0;
   for (std::size_t k = 0; k < results.size(); ++k) {
     const VectorXd& x = points[k / posterior.n_targets()];
     const double strength = strength_of(results[k], posterior.targets()[k % posterior.n_targets()].property);
@@ -69,14 +68,11 @@ bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const s
                          static_cast<int>(packing_of_point(first + k / posterior.n_targets(), seeds.size())),
                          is_coarse, std::log(strength) - x[0]});
     else
-      ++failed;
+      ++fit.n_without_peak;
   }
   fit.n_tests += static_cast<std::int64_t>(results.size());
   fit.n_tension += static_cast<std::int64_t>(points.size() * posterior.n_tension());
   if (is_coarse) fit.n_coarse += static_cast<std::int64_t>(results.size());
-  if (failed > 0)
-    fit.notes.push_back(
-        fmt::format("{} of {} tests of a batch gave no peak and were left out", failed, results.size()));
   return true;
 }
 
@@ -177,6 +173,13 @@ void report(const StrengthPosterior& posterior, const std::vector<VectorXd>& dra
   }
 }
 
+/// Says once how many tests of all batches came to nothing.
+void tell_without_peak(StrengthFit& fit) {
+  if (fit.n_without_peak > 0)
+    fit.notes.push_back(fmt::format("{} of {} tests of the search gave no peak and were left out",
+                                    fit.n_without_peak, fit.n_tests));
+}
+
 /// All tests to come, the verification included, at the middle of the box.
 void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               const std::vector<Batch>& batches, const Recipe& recipe, const std::vector<std::int64_t>& seeds,
@@ -229,12 +232,14 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
         fit.findings.emplace_back("no test of some angle gave a peak: strengths were not fitted");
+      tell_without_peak(fit);
       return fit;
     }
     n_points += points.size();
     draw(b + 1);
   }
   report(posterior, draws, packings_behind(n_points, seeds.size()), fit);
+  tell_without_peak(fit);
   return fit;
 }
 

@@ -1,4 +1,4 @@
-// A twin: a laboratory table made by the model itself from known parameters, to try the calibration on.
+// A twin: a synthetic table made by the model itself from known parameters, to try the calibration on.
 //
 // Response: E and nu by the direct solution (one-sided contacts), UCS by the press, mean over packings that
 // the calibration never uses. A specimen of the laboratory is that response times 1 + noise, independent for

@@ -90,7 +90,8 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
 }  // namespace
 
 void add_rock_command(CLI::App& app, Session& session) {
-  CLI::App* rock = app.add_subcommand("rock", "laboratory tables: write a template, or check one");
+  CLI::App* rock =
+      app.add_subcommand("rock", "laboratory tables: write a template, check one, or make a synthetic one");
   rock->require_subcommand(1);
   auto name = std::make_shared<std::string>("rock");
   CLI::App* fresh = rock->add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
@@ -101,8 +102,8 @@ void add_rock_command(CLI::App& app, Session& session) {
   check->add_option("rock", *path, "rock file (TOML)")->required();
   check->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
   auto recipe = std::make_shared<std::string>();
-  CLI::App* twin =
-      rock->add_subcommand("twin", "write NAME.csv: a table made by the model itself, with 5 % noise");
+  CLI::App* twin = rock->add_subcommand(
+      "twin", "write NAME.csv: a synthetic table made by the model itself, with 5 % noise");
   twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required();
   twin->add_option("name", *name, "name of the table")->required();
   twin->callback([recipe, name, &session] {

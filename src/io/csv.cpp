@@ -209,14 +209,14 @@ bool take_number(std::string_view& text, T& value) {
 
 std::string history_header(TestKind kind) {
   std::string text;
-  for (const HistoryColumn& c : history_columns(kind))
-    text += (text.empty() ? "" : ",") + std::string(c.name) + " [" + c.unit + "]";
+  for (const HistoryColumn& c : history_columns(kind)) text += (text.empty() ? "" : ",") + heading(c);
   return text;
 }
 
-constexpr const char* crack_header =
-    "step [1],time [s],axial_strain [1],grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],"
-    "energy [J/m]";
+std::string crack_header(TestKind kind) {
+  return "step [1],time [s]," + heading(loading_column(kind)) +
+         ",grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],energy [J/m]";
+}
 
 }  // namespace
 
@@ -233,8 +233,8 @@ std::string history_csv(const History& history) {
   return text;
 }
 
-std::string cracks_csv(const std::vector<CrackEvent>& cracks) {
-  std::string text = std::string(crack_header) + "\n";
+std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind) {
+  std::string text = crack_header(kind) + "\n";
   for (const CrackEvent& c : cracks) {
     text += std::to_string(c.step) + "," + print_number(c.time) + "," + print_number(c.strain) + "," +
             std::to_string(c.a) + "," + std::to_string(c.b) + "," +
@@ -264,7 +264,9 @@ History parse_history(std::string_view text, const std::string& where) {
 
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
   std::vector<CrackEvent> cracks;
-  each_line(text, where, crack_header, [&](std::string_view line) {
+  const std::string shear = crack_header(TestKind::direct_shear);
+  const bool sheared = text.substr(0, text.find('\n')) == shear;  // folders of before have the other head too
+  each_line(text, where, sheared ? shear : crack_header(TestKind::uniaxial), [&](std::string_view line) {
     CrackEvent c;
     bool ok = take_number(line, c.step) && take_number(line, c.time) && take_number(line, c.strain) &&
               take_number(line, c.a) && take_number(line, c.b);

@@ -29,7 +29,7 @@ std::string contacts_csv(const Specimen& specimen);
 
 /// One line per row, one column per entry of history_columns(), the unit in the header.
 std::string history_csv(const History& history);
-std::string cracks_csv(const std::vector<CrackEvent>& cracks);
+std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind);
 /// Read what the two above have written, to the same bits (width and height of a history are not in the
 /// table). Throw IoError with the line that does not fit.
 History parse_history(std::string_view text, const std::string& where);

@@ -72,6 +72,29 @@ TEST(DiscFiles, OtherColumnsAreRefused) {
   EXPECT_THROW(read_discs("/nonexistent.csv"), IoError);
 }
 
+TEST(CrackFiles, NameWhatCracksAreFiledUnder) {
+  CrackEvent crack;
+  crack.step = 300, crack.strain = 4e-5, crack.b = 1;
+  for (const TestKind kind : all_kinds) {
+    const std::string text = cracks_csv({crack}, kind);
+    const bool shear = kind == TestKind::direct_shear;
+    EXPECT_EQ(text.find("strain") == text.npos, shear) << to_string(kind);
+    EXPECT_THAT(text, HasSubstr(shear ? "time [s],shear_displacement [m],grain_a"
+                                      : "time [s],axial_strain [1],grain_a"));
+    const std::vector<CrackEvent> back = parse_cracks(text, "c.csv");
+    ASSERT_EQ(back.size(), 1U);
+    EXPECT_EQ(back[0].strain, 4e-5);
+  }
+}
+
+TEST(CrackFiles, OfDirectShearAreReadUnderTheOlderHeadToo) {
+  std::string text = cracks_csv({CrackEvent{}}, TestKind::direct_shear);
+  const std::string head = "shear_displacement [m]";
+  text.replace(text.find(head), head.size(), "axial_strain [1]");
+  EXPECT_EQ(parse_cracks(text, "c.csv").size(), 1U);
+  EXPECT_THROW(parse_cracks("step [1],time [s],shear_displacement [1]\n", "c.csv"), IoError);
+}
+
 /// The cells of the one contact of two touching discs of radius 1 and 1.
 std::vector<std::string> cells_of(const Specimen& s) {
   std::istringstream lines(contacts_csv(s));

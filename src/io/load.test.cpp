@@ -101,7 +101,7 @@ TEST_F(Load, EveryNumberComesBackToTheSameBits) {
 TEST_F(Load, TheSceneComesBackWithinItsRounding) {
   const Specimen s = lattice();
   const Scene sent = scene_of(*s.packing, moving(s));
-  const Scene back = unpack_scene(pack_scene(sent), "here");
+  const Scene back = unpack_scene(pack_scene(sent, TestKind::uniaxial), "here");
   ASSERT_EQ(back.discs.size(), sent.discs.size());
   for (std::size_t i = 0; i < sent.discs.size(); ++i) {
     EXPECT_NEAR(back.discs[i].x, sent.discs[i].x, sent.height / 65000 * 0.51);
@@ -123,19 +123,35 @@ TEST_F(Load, TheSceneComesBackWithinItsRounding) {
   }
 }
 
+TEST_F(Load, ScenesOfDirectShearAreFiledUnderADisplacementAndOlderOnesUnderAStrain) {
+  const Specimen s = lattice();
+  const Scene sent = scene_of(*s.packing, moving(s));
+  for (const TestKind kind : {TestKind::direct_shear, TestKind::uniaxial}) {
+    const std::string bytes = pack_scene(sent, kind);
+    const bool shear = kind == TestKind::direct_shear;
+    EXPECT_EQ(bytes.find("\"axial_strain\"") == bytes.npos, shear);
+    EXPECT_EQ(bytes.find("\"shear_displacement [m]\"") != bytes.npos, shear);
+    const Scene back = unpack_scene(bytes, "here");
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_EQ(back.frames[k].axial_strain, sent.frames[k].axial_strain);
+      EXPECT_EQ(back.frames[k].axial_stress, sent.frames[k].axial_stress);
+    }
+  }
+}
+
 TEST_F(Load, ADisplacementBeyondSixteenBitsKeepsItsRelativeRounding) {
   Scene scene;
   scene.width = scene.height = 1.0;
   scene.discs.resize(2);
   scene.frames = {{0, 0, 0, {{0.0F, 0.0F}, {-5.0F, 4.0F}}}, {1, 0, 0, {{1.0F, 0.5F}, {5.0F, -5.0F}}}};
-  const Scene back = unpack_scene(pack_scene(scene), "here");
+  const Scene back = unpack_scene(pack_scene(scene, TestKind::uniaxial), "here");
   EXPECT_NEAR(back.frames[1].u[1][0], 5.0, 1e-3);
   EXPECT_NEAR(back.frames[0].u[1][0], -5.0, 1e-3);
 }
 
 TEST_F(Load, DamagedScenesAreRefusedAndNeverCrash) {
   const Specimen s = lattice();
-  const std::string good = pack_scene(scene_of(*s.packing, moving(s)));
+  const std::string good = pack_scene(scene_of(*s.packing, moving(s)), TestKind::uniaxial);
   EXPECT_THROW(unpack_scene("", "x"), InputError);
   EXPECT_THROW(unpack_scene("{}\n", "x"), InputError);
   EXPECT_THROW(unpack_scene(good.substr(0, good.size() / 2), "x"), InputError);

@@ -140,16 +140,27 @@ double displacement_quantum(const Scene& scene) {
   return std::max(finest, largest / largest_steps);
 }
 
+/// A strain stands under its bare name, whatever the test; a displacement with its unit.
+std::string loading_key(TestKind kind) {
+  return kind == TestKind::direct_shear ? heading(loading_column(kind)) : "axial_strain";
+}
+/// Of the stress.
+std::string stress_key(TestKind kind) {
+  return kind == TestKind::direct_shear ? "shear_stress [Pa]" : "axial_stress [Pa]";
+}
+
 template <class Moment>
-Json moment_json(const Moment& m) {
-  return {{"step", m.step}, {"axial_strain", m.axial_strain}, {"axial_stress [Pa]", m.axial_stress}};
+Json moment_json(const Moment& m, TestKind kind) {
+  return {{"step", m.step}, {loading_key(kind), m.axial_strain}, {stress_key(kind), m.axial_stress}};
 }
 
 template <class Moment>
 void read_moment(const Json& j, Moment& m) {
   j.at("step").get_to(m.step);
-  j.at("axial_strain").get_to(m.axial_strain);
-  j.at("axial_stress [Pa]").get_to(m.axial_stress);
+  const bool strain = j.contains("axial_strain");  // so in every scene of before
+  const TestKind kind = strain ? TestKind::uniaxial : TestKind::direct_shear;
+  j.at(loading_key(kind)).get_to(m.axial_strain);
+  j.at(stress_key(kind)).get_to(m.axial_stress);
 }
 
 void read_frames(Reader& r, Scene& scene, double quantum) {
@@ -212,7 +223,7 @@ Scene read_scene(std::string_view bytes) {
 
 }  // namespace
 
-std::string pack_scene(const Scene& scene) {
+std::string pack_scene(const Scene& scene, TestKind kind) {
   const double size_quantum = std::max({scene.width, scene.height, 1e-9}) / size_steps;
   const double quantum = displacement_quantum(scene);
   Writer w;
@@ -220,10 +231,10 @@ std::string pack_scene(const Scene& scene) {
   add_frames(w, scene, quantum);
   add_links(w, scene.links);
   Json frames = Json::array(), forces = Json::array();
-  for (const Frame& frame : scene.frames) frames.push_back(moment_json(frame));
+  for (const Frame& frame : scene.frames) frames.push_back(moment_json(frame, kind));
   for (const ForceField& field : scene.forces) {
     add_forces(w, field);
-    forces.push_back(moment_json(field));
+    forces.push_back(moment_json(field, kind));
     forces.back()["F_max [N/m]"] = largest_of(field.F_n);
   }
   Json head = {{"format", scene_format},

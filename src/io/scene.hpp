@@ -13,7 +13,8 @@
 
 namespace phy {
 
-std::string pack_scene(const Scene& scene);
+/// The kind of test says what frames and forces are filed under (loading_column).
+std::string pack_scene(const Scene& scene, TestKind kind);
 /// Throws InputError, naming `where`, when the bytes are no scene.
 Scene unpack_scene(std::string_view bytes, const std::string& where);
 

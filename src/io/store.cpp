@@ -100,7 +100,7 @@ void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& 
     folder.add(grains.back().second, grains_vtp(packing, shot));
     folder.add(contacts.back().second, contacts_vtp(packing, shot));
   }
-  folder.add("snapshots/cracks.vtp", cracks_vtp(result.cracks));
+  folder.add("snapshots/cracks.vtp", cracks_vtp(result.cracks, result.history.kind));
   folder.add("grains.pvd", collection_pvd(grains));
   folder.add("contacts.pvd", collection_pvd(contacts));
 }
@@ -151,10 +151,10 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   NewFolder place(folder, "result.json", "result");
   place.add("recipe.toml", write_recipe(recipe));
   place.add("history.csv", history_csv(result.history));
-  place.add("cracks.csv", cracks_csv(result.cracks));
+  place.add("cracks.csv", cracks_csv(result.cracks, result.history.kind));
   add_snapshots(place, *specimen.packing, result);
   const TestRecord record = record_of(recipe, version, specimen, result);
-  place.add("scene.bin", pack_scene(record.scene));
+  place.add("scene.bin", pack_scene(record.scene, result.history.kind));
   place.add("result.json", result_json(record));
   place.publish();
 }

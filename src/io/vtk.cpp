@@ -117,7 +117,7 @@ std::string contacts_vtp(const Packing& packing, const Snapshot& shot) {
   return file.render(points, verts, lines, "", data);
 }
 
-std::string cracks_vtp(const std::vector<CrackEvent>& cracks) {
+std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind) {
   std::vector<double> xyz, strain, energy;
   std::vector<std::int64_t> mode, place;
   for (const CrackEvent& c : cracks) {
@@ -130,8 +130,10 @@ std::string cracks_vtp(const std::vector<CrackEvent>& cracks) {
   const std::string points = file.array("points", 3, xyz);
   const std::string verts = cells(file, 0, 1, {});
   const std::string lines = cells(file, cracks.size(), 2, counting(2 * cracks.size()));
-  const std::string data = file.array("mode", 1, mode) + file.array("place", 1, place) +
-                           file.array("strain", 1, strain) + file.array("energy [J per m]", 1, energy);
+  const std::string data =
+      file.array("mode", 1, mode) + file.array("place", 1, place) +
+      file.array(kind == TestKind::direct_shear ? heading(loading_column(kind)) : "strain", 1, strain) +
+      file.array("energy [J per m]", 1, energy);
   return file.render(points, verts, lines, "", data);
 }
 

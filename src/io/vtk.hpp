@@ -15,9 +15,9 @@ namespace phy {
 std::string grains_vtp(const Packing& packing, const Snapshot& shot);
 /// Contacts as lines between centres: F_n, F_s, kind, broken.
 std::string contacts_vtp(const Packing& packing, const Snapshot& shot);
-/// Cracks as segments across their normal: mode, place, strain, energy.
-std::string cracks_vtp(const std::vector<CrackEvent>& cracks);
-/// Collection of files over axial strain.
+/// Cracks as segments across their normal: mode, place, strain (direct shear: displacement), energy.
+std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind);
+/// Collection of files over axial strain (direct shear: displacement).
 std::string collection_pvd(const std::vector<std::pair<double, std::string>>& files);
 
 }  // namespace phy

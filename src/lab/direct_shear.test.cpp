@@ -26,6 +26,9 @@ Recipe box() {
 TEST(DirectShear, ConstantNormalLoadAndDilation) {
   const TestResult r = run_alone(box());
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
+  EXPECT_THAT(r.outcome.reason,
+              testing::AllOf(testing::HasSubstr("a shear displacement of"),
+                             testing::HasSubstr("of the width"), testing::Not(testing::HasSubstr("strain"))));
   EXPECT_NEAR(number(r, "sigma_n").value, 4e6, 0.02 * 4e6);
   EXPECT_GT(number(r, "tau_peak").value, number(r, "tau_residual").value);
   EXPECT_NEAR(number(r, "mu_residual").value, 0.5, 0.01);

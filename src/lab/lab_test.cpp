@@ -24,6 +24,14 @@ constexpr std::int64_t settle_cycles = 40000;  // give up after
 constexpr std::int64_t steady_blocks = 10;     // in a row, before a prepared stress counts as reached
 constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
 
+/// "strain 0.1234 %"; of direct shear the displacement, over the width.
+std::string strain_text(TestKind kind, double strain, int digits) {
+  const double percent = 100.0 * strain;
+  return kind == TestKind::direct_shear
+             ? fmt::format("a shear displacement of {:.{}f} % of the width", percent, digits)
+             : fmt::format("strain {:.{}f} %", percent, digits);
+}
+
 }  // namespace
 
 LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane)
@@ -135,7 +143,8 @@ bool LabTest::after_block() {
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
-  const char* const stress = stress_name(recipe_.test.kind);
+  const TestKind kind = recipe_.test.kind;
+  const char* const stress = stress_name(kind);
   // Nothing fails before something has broken: what falls earlier is the first stress wave.
   const bool may_stop = ends_after_peak() && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
@@ -152,13 +161,13 @@ bool LabTest::check_stop() {
         "");
   if (now.strain >= max_strain() && !ends_after_peak() && peak_.strain < now.strain)
     return end(Status::peaked,
-               fmt::format("peak {} {:.2f} MPa at {:.4f} %, {:.2f} MPa at the end", stress,
-                           peak_.stress * 1e-6, peak_.strain * 100.0, now.stress * 1e-6),
+               fmt::format("peak {} {:.2f} MPa at {}, {:.2f} MPa at the end", stress, peak_.stress * 1e-6,
+                           strain_text(kind, peak_.strain, 4), now.stress * 1e-6),
                "");
   if (now.strain >= max_strain() && !ends_after_peak())
     return end(Status::not_peaked,
-               fmt::format("the {} still rises at the end, strain {:.3f} %: {:.2f} MPa", stress,
-                           now.strain * 100.0, now.stress * 1e-6),
+               fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress,
+                           strain_text(kind, now.strain, 3), now.stress * 1e-6),
                "raise test.max_strain");
   if (now.strain >= max_strain())
     return end(Status::not_peaked,
@@ -185,7 +194,8 @@ void LabTest::keep_pictures() {
 void LabTest::interrupt() {
   if (phase_ != Phase::over)
     end(Status::interrupted,
-        fmt::format("stopped by the user at strain {:.4f} %", reading(group_->row(lane_)).strain * 100.0),
+        fmt::format("stopped by the user at {}",
+                    strain_text(recipe_.test.kind, reading(group_->row(lane_)).strain, 4)),
         "run the same recipe again");
 }
 

@@ -1,5 +1,7 @@
 #include "records/calibration.hpp"
 
+#include <fmt/format.h>
+
 namespace phy {
 
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
@@ -7,6 +9,24 @@ const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
     if (c.target.property == t.property && c.target.theta == t.theta && c.target.diameter == t.diameter)
       return &c;
   return nullptr;
+}
+
+std::string cell_name(const Target& t) {
+  return fmt::format("{}({:g}{})", to_string(t.property), t.theta,
+                     t.diameter > 0.0 ? fmt::format(", {:g} mm", t.diameter * 1e3) : "");
+}
+
+double interpolated(const std::vector<Comparison>& rows, const Target& t) {
+  const Target *below = nullptr, *above = nullptr;
+  for (const Comparison& c : rows) {
+    const Target& other = c.target;
+    if (other.property != t.property || other.diameter != t.diameter) continue;
+    if (other.theta < t.theta && (below == nullptr || other.theta > below->theta)) below = &other;
+    if (other.theta > t.theta && (above == nullptr || other.theta < above->theta)) above = &other;
+  }
+  if (below == nullptr || above == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  const double part = (t.theta - below->theta) / (above->theta - below->theta);
+  return below->mean + part * (above->mean - below->mean);
 }
 
 const char* to_string(VerdictStatus status) {

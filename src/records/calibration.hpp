@@ -52,6 +52,13 @@ struct Verdict {
 /// The row of a target; nullptr if there is none.
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t);
 
+/// "E(30)", "BTS(45, 54 mm)" where discs have sizes of their own.
+std::string cell_name(const Target& t);
+
+/// What the table itself says of a row by a straight line between its neighbours in theta, the same property
+/// (and disc) at the next lower and the next higher angle of `rows`; NaN at the ends.
+double interpolated(const std::vector<Comparison>& rows, const Target& t);
+
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;

@@ -192,7 +192,8 @@ void add_test(List& l) {
   l.boolean("test", "intact", "also a specimen without bedding", part, &T::intact);
   l.quantity("test", "platen_speed", Dimension::speed, 1e-6, 10, "", "speed of each platen", part,
              &T::platen_speed);
-  l.number("test", "ramp_strain", 0, 0.01, "", "axial strain while the speed rises from 0", part,
+  l.number("test", "ramp_strain", 0, 0.01, "",
+           "axial strain while the speed rises from 0 (direct_shear: displacement over width)", part,
            &T::ramp_strain);
   l.number("test", "platen_friction", 0, 10, "wall fric", "friction coefficient of the platens", part,
            &T::platen_friction);
@@ -201,7 +202,8 @@ void add_test(List& l) {
   l.number("test", "post_peak", 0, 10, "",
            "the test ends when the strain exceeds that of the peak by this fraction; 0: no such limit", part,
            &T::post_peak);
-  l.number("test", "max_strain", 1e-5, 0.2, "", "the test ends at this axial strain at the latest", part,
+  l.number("test", "max_strain", 1e-5, 0.2, "",
+           "the test ends at this axial strain at the latest (direct_shear: displacement over width)", part,
            &T::max_strain);
   l.integer("test", "history_interval", 10, 10000, "steps between history rows, and between all checks", part,
             &T::history_interval);

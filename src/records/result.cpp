@@ -1,5 +1,7 @@
 #include "records/result.hpp"
 
+#include <algorithm>
+
 #include "base/hash.hpp"
 
 namespace phy {
@@ -116,6 +118,16 @@ const std::vector<HistoryColumn>& history_columns(TestKind kind) {
     case TestKind::direct_shear: return shear;
   }
   return press;
+}
+
+const HistoryColumn& loading_column(TestKind kind) {
+  const std::vector<HistoryColumn>& columns = history_columns(kind);
+  return *std::find_if(columns.begin(), columns.end(),
+                       [](const HistoryColumn& c) { return c.value == &Row::axial_strain; });
+}
+
+std::string heading(const HistoryColumn& column) {
+  return std::string(column.name) + " [" + column.unit + "]";
 }
 
 const char* stress_name(TestKind kind) {

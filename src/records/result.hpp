@@ -20,7 +20,7 @@ enum class CrackPlace : std::uint8_t { matrix, bedding };
 struct CrackEvent {
   std::int64_t step = 0;
   double time = 0.0;           ///< [s]
-  double strain = 0.0;         ///< axial platen strain
+  double strain = 0.0;         ///< axial_strain of the history (loading_column)
   std::uint32_t a = 0, b = 0;  ///< grains
   CrackMode mode = CrackMode::tension;
   CrackPlace place = CrackPlace::matrix;
@@ -69,6 +69,11 @@ struct HistoryColumn {
   double HistoryRow::*value;
 };
 const std::vector<HistoryColumn>& history_columns(TestKind kind = TestKind::uniaxial);
+/// The column that grows while the test loads, HistoryRow::axial_strain: what cracks, snapshots and frames
+/// are filed under. In direct shear it is no strain but a displacement [m].
+const HistoryColumn& loading_column(TestKind kind);
+/// "axial_strain [1]": a column in the head of a table.
+std::string heading(const HistoryColumn& column);
 /// What the stress of a kind of test is that its strength is read on: "axial stress", "deviatoric stress".
 const char* stress_name(TestKind kind);
 /// The recipe's word for a kind of test.

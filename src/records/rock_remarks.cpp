@@ -47,8 +47,8 @@ void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vec
     if (t.property == Property::ucs && (t.mean < least_ucs || t.mean > most_ucs))
       strengths.push_back(fmt::format("{} = {:.3g} MPa", name_at(rock, "UCS", t.theta), t.mean * 1e-6));
   }
-  tell(remarks, moduli, "rocks have 0.1 to 200 GPa; check the unit in the header");
-  tell(remarks, strengths, "rocks have 0.25 to 600 MPa; check the unit in the header");
+  tell(remarks, moduli, "hardly any rock lies outside 0.1 to 200 GPa; check the unit in the header");
+  tell(remarks, strengths, "hardly any rock lies outside 0.25 to 600 MPa; check the unit in the header");
 }
 
 void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& remarks) {
@@ -67,7 +67,7 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vec
   tell(remarks, moduli,
        "most rocks have 200 to 500 (Deere & Miller 1966), hardly any less than 80 or more than 2000; check "
        "units and columns");
-  tell(remarks, tension, "rocks in tension have about a tenth of UCS; check units and columns");
+  tell(remarks, tension, "most rocks have about a tenth of UCS in tension; check units and columns");
 }
 
 void doubt_replicates(const Rock& rock, std::vector<std::string>& remarks) {
@@ -115,9 +115,11 @@ void tell_conversion(const Rock& rock, const std::vector<Target>& targets,
 
 std::vector<std::string> remarks_on(const Rock& rock) {
   const std::vector<Target> targets = targets_of(rock);
+  Rock as_written = rock;  // a conversion is not the table's doing
+  as_written.reading = ElasticReading::plane_stress;
   std::vector<std::string> remarks;
-  doubt_values(rock, targets, remarks);
-  doubt_ratios(rock, targets, remarks);
+  doubt_values(rock, targets_of(as_written), remarks);
+  doubt_ratios(rock, targets_of(as_written), remarks);
   doubt_replicates(rock, remarks);
   const bool moduli = !of_property(targets, Property::E).empty(),
              nu = !of_property(targets, Property::nu).empty();

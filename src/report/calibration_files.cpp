@@ -104,6 +104,8 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["fitted"] = rows_json(c.fitted);
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
+  for (std::size_t i = 0; i < c.left_out.size(); ++i)
+    j["left_out"][i]["interpolated"] = interpolated(c.left_out, c.left_out[i].target);
   j["pressed"] = rows_json(c.pressed);
   j["notes"] = c.notes;
   j["runs"] = {{"strength_tests", c.n_strength_tests},

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/lines.hpp"
 #include "report/text_table.hpp"
 
 namespace phy {
@@ -44,6 +45,24 @@ std::string rms(const std::vector<Comparison>& rows, Property property) {
 
 const char* unit_head(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "" : "MPa"; }
 
+/// What the strengths left out are off by, beside what straight lines between their neighbours in the table
+/// are off by: those that have two.
+std::string left_out_text(const std::vector<Comparison>& left_out, Property p) {
+  if (rms(left_out, p) == "-") return "";
+  std::vector<Comparison> inside, lines;
+  for (const Comparison& c : left_out) {
+    const double line = interpolated(left_out, c.target);
+    if (!std::isfinite(line)) continue;
+    inside.push_back(c), lines.push_back(c);
+    lines.back().mean = line;
+  }
+  const std::string text = ", " + rms(left_out, p) + " at angles left out";
+  if (rms(inside, p) == "-") return text;
+  return fmt::format(
+      "{} ({} at those with neighbours on both sides, where straight lines between these give {})", text,
+      rms(inside, p), rms(lines, p));
+}
+
 std::string rms_text(const Calibration& c) {
   std::string text;
   for (int i = 0; i < n_properties; ++i) {
@@ -52,7 +71,7 @@ std::string rms_text(const Calibration& c) {
     text +=
         fmt::format("RMSE {}: {} fitted, {} on {} unseen packings{}\n", to_string(p), rms(c.fitted, p),
                     rms(c.verification, p), c.verification.empty() ? 0 : c.verification.front().n_packings,
-                    rms(c.left_out, p) == "-" ? "" : ", " + rms(c.left_out, p) + " at angles left out");
+                    left_out_text(c.left_out, p));
   }
   return text;
 }
@@ -95,14 +114,16 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
 
 std::string foresight_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
   Column symbol{"parameter", "", {}, true}, determined{"determined", "", {}, true},
-      interval{"expected interval", "", {}, true}, why{"rests on / what would pin it", "", {}, true};
+      interval{"expected interval", "", {}, true}, why{"rests on / what would tell more", "", {}, true};
   for (const ParameterEstimate& e : estimates) {
     const std::string range =
         std::isfinite(e.low) ? fmt::format("x {:.2f} ... {:.2f}", e.low, e.high) : "known after the fit";
     symbol.cells.push_back(e.symbol);
     determined.cells.emplace_back(e.determined ? "yes" : "no");
     interval.cells.push_back(e.determined || !std::isfinite(e.low) ? range : "wide");
-    why.cells.push_back(e.determined ? e.rests_on : "would need: " + e.next_test);
+    why.cells.push_back(e.determined          ? e.rests_on
+                        : e.next_test.empty() ? "no test that a table holds tells much"
+                                              : "would tell more: " + e.next_test);
   }
   return wrapped(text_table(symbol, {{determined, interval}, {why}}, terminal_width), terminal_width,
                  symbol.width() + 2);
@@ -195,9 +216,13 @@ std::string macro_table(const Calibration& c, int terminal_width) {
 std::string verdict_text(const Calibration& c, int terminal_width) {
   std::string text = fmt::format("verdict: {}\n", to_string(c.verdict.status));
   for (const std::string& finding : c.verdict.findings) text += "- " + finding + "\n";
+  std::vector<std::string> open;
   for (const ParameterEstimate& e : c.parameters)
     if (!e.determined)
-      text += fmt::format("- {} is left open by the data; it would take {}\n", e.symbol, e.next_test);
+      add_line(open, e.symbol,
+               e.next_test.empty() ? "left open by the data; no test that a table holds tells much of it"
+                                   : "left open by the data; would tell more: " + e.next_test);
+  for (const std::string& line : open) text += "- " + line + "\n";
   for (const std::string& note : c.notes) text += "- " + note + "\n";
   return wrapped(text, terminal_width, 2);
 }

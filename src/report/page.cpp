@@ -150,7 +150,7 @@ std::string report_page(const RunRecord& run, const PageExtras& extras) {
   for (std::size_t i = 0; i < run.tests.size(); ++i)
     if (!run.tests[i].scene.frames.empty())
       text += "<script type=\"text/plain\" id=\"scene-" + std::to_string(i) + "\">" +
-              base64(pack_scene(run.tests[i].scene)) + "</script>\n";
+              base64(pack_scene(run.tests[i].scene, run.tests[i].result.history.kind)) + "</script>\n";
   return text.append(page.substr(at + place.size()));
 }
 

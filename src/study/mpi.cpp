@@ -70,7 +70,7 @@ json packed(const TestResult& r) {
           {"outcome", {static_cast<int>(r.outcome.status), r.outcome.reason, r.outcome.advice}},
           {"numbers", numbers},
           {"history", history_csv(r.history)},
-          {"cracks", cracks_csv(r.cracks)},
+          {"cracks", cracks_csv(r.cracks, r.history.kind)},
           {"dt", r.dt},
           {"counts", {r.n_steps, r.n_contacts, r.n_grains}},
           {"seconds", r.seconds},

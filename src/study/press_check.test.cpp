@@ -56,6 +56,20 @@ INSTANTIATE_TEST_SUITE_P(Rules, PressCheck, testing::Values(BeddingRule::zone, B
                            return rule.param == BeddingRule::zone ? "zone" : "crossing";
                          });
 
+// The direct solution is that of the uniaxial press, whatever test a recipe names.
+TEST(PressCheckAsTheRecipeHasIt, IsOfTheUniaxialPress) {
+  Recipe r = small_recipe();
+  r.test.angles = {0.0};
+  r.test.intact = false;
+  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = make_specimens(packing, r);
+  const std::vector<PressModuli> uniaxial = press_moduli(specimens, r, machine(), true);
+  r.test.kind = TestKind::direct_tension;
+  const std::vector<PressModuli> other = press_moduli(specimens, r, machine(), true);
+  EXPECT_EQ(other[0].outcome, "");
+  EXPECT_EQ(other[0].E, uniaxial[0].E);
+}
+
 TEST(PressCheckAsTheRecipeHasIt, WeakJointsBreakAndSoften) {
   Recipe r = small_recipe();
   r.test.angles = {0.0, 45.0};

@@ -141,7 +141,7 @@ void write_specimen(Database& database, const std::string& key, const std::strin
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
   s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind("phyllite " PHY_VERSION).bind(utc_now());
-  s.bind_blob(deflated(history_csv(t.history))).bind_blob(deflated(cracks_csv(t.cracks)));
+  s.bind_blob(deflated(history_csv(t.history))).bind_blob(deflated(cracks_csv(t.cracks, t.history.kind)));
   s.run();
   if (database.n_changed() == 0) return;
   Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");

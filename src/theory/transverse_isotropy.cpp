@@ -98,6 +98,14 @@ PlaneCompliance rotated(const PlaneCompliance& S, double theta) {
   return {fixed[0][0], fixed[1][1], fixed[0][1], fixed[0][2], fixed[1][2], fixed[2][2]};
 }
 
+PlaneConstants seen_at(const PlaneCompliance& S, double theta) {
+  const SinCos a = sin_cos_degrees(theta);
+  const double c2 = a.cos * a.cos, s2 = a.sin * a.sin, s2c2 = s2 * c2;
+  const double axial = S.S_yy * c2 * c2 + S.S_xx * s2 * s2 + (S.S_ss + 2.0 * S.S_xy) * s2c2;
+  const double lateral = S.S_xy * (c2 * c2 + s2 * s2) + (S.S_xx + S.S_yy - S.S_ss) * s2c2;
+  return {1.0 / axial, -lateral / axial};
+}
+
 PlaneConstants seen_in_plane_strain(const PlaneConstants& body) {
   return {body.E / (1.0 - body.nu * body.nu), body.nu / (1.0 - body.nu)};
 }

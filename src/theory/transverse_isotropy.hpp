@@ -80,13 +80,21 @@ PlaneCompliance plane_compliance(const TransverseIsotropy& m, PlaneState state);
 /// matrix Q that takes fixed-axes stresses to body-axes stresses.
 PlaneCompliance rotated(const PlaneCompliance& S, double theta);
 
-/// Isotropic constants [Pa, -].
+/// What a uniaxial test in the plane shows [Pa, -].
 struct PlaneConstants {
   double E = 0.0;
   double nu = 0.0;
 };
 
-/// What a body (E, nu) shows in a two-dimensional test under plane strain: E/(1-nu^2), nu/(1-nu).
+/// E(theta) and nu(theta) of a body without S_xs and S_ys in the axes of its bedding, linear in its
+/// compliances:
+///   1/E(theta)         = S_yy cos^4 + S_xx sin^4 + (S_ss + 2 S_xy) sin^2 cos^2
+///   nu(theta)/E(theta) = -S_xy (cos^4 + sin^4) - (S_xx + S_yy - S_ss) sin^2 cos^2
+/// Hence nu(0)/E(0) = nu(90)/E(90) = -S_xy, and (1 - nu)/E = (S_yy + S_xy) cos^2 + (S_xx + S_xy) sin^2: what
+/// two tests at 0 and 90 degrees say of nu at every other angle, given E there.
+PlaneConstants seen_at(const PlaneCompliance& body, double theta);
+
+/// What an isotropic body (E, nu) shows in a two-dimensional test under plane strain: E/(1-nu^2), nu/(1-nu).
 PlaneConstants seen_in_plane_strain(const PlaneConstants& body);
 
 /// The body whose plane-strain test shows (E_2D, nu_2D): nu = nu_2D/(1+nu_2D), E = E_2D (1-nu^2).

@@ -31,7 +31,7 @@ TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock)
     if (row.target.property == Property::ucs) ucs = row.mean;
     if (row.target.property == Property::brazilian) bts = row.mean;
   }
-  // docs/theory/ucs-to-tension.md: 2.2 to 5.8 with direct tension
+  // docs/theory/ucs-to-tension.md: 2.2 to 5.8 with direct tension, moment contribution 1 and SD 10 %
   EXPECT_GT(ucs / bts, 2.5);
   EXPECT_LT(ucs / bts, 9.0);
 }

@@ -45,6 +45,7 @@ export interface Comparison {
   n_packings: number;
   low: number | null;
   high: number | null;
+  interpolated?: number | null; // of left_out: straight line between the neighbours; null at the ends
 }
 
 export interface Calibration {
@@ -257,6 +258,14 @@ export interface Scene {
   forces: Int8Array; // all fields, one after the other
 }
 
+/** Filed under a strain; of direct shear under a displacement. */
+interface Moment {
+  axial_strain?: number;
+  "shear_displacement [m]"?: number;
+}
+
+const filedUnder = (m: Moment) => m.axial_strain ?? m["shear_displacement [m]"] ?? 0;
+
 interface SceneHead {
   "width [m]": number;
   "height [m]": number;
@@ -264,8 +273,8 @@ interface SceneHead {
   n_links: number;
   "disc_quantum [m]": number;
   "displacement_quantum [m]": number;
-  frames: { axial_strain: number }[];
-  forces: { axial_strain: number; "F_max [N/m]": number }[];
+  frames: Moment[];
+  forces: (Moment & { "F_max [N/m]": number })[];
   sections: [number, number][];
 }
 
@@ -322,11 +331,11 @@ export async function readScene(id: string, sign: number): Promise<Scene> {
     height: head["height [m]"],
     discs,
     quantum: head["displacement_quantum [m]"],
-    strains: head.frames.map((f) => sign * f.axial_strain),
+    strains: head.frames.map((f) => sign * filedUnder(f)),
     frames,
     links,
     kinds: Uint8Array.from(kind),
-    forceStrains: head.forces.map((f) => sign * f.axial_strain),
+    forceStrains: head.forces.map((f) => sign * filedUnder(f)),
     forceMax: head.forces.map((f) => f["F_max [N/m]"]),
     forces,
   };

@@ -321,7 +321,7 @@ function specimens() {
   const legend = h("span", { class: "legend" });
   const place = h("div", { class: "viewer" }, canvas, overlay);
   const mode = choice(
-    [["strain", "at equal strain"], ["part", "at equal part of each test"]],
+    [["strain", `at equal ${report.axes.strain}`], ["part", "at equal part of each test"]],
     (value) => {
       equalStrain = value === "strain";
       update();
@@ -375,7 +375,7 @@ function curves() {
     }),
     h("li", {}, `▲ σci  ■ σcd  ★ ${peakLabel(report.axes)}`),
   );
-  const all = chart("Stress and strain", "Dots follow the slider.", (width, place) => {
+  const all = chart(`${report.axes.stress[0].toUpperCase()}${report.axes.stress.slice(1)} and ${report.axes.strain}`, "Dots follow the slider.", (width, place) => {
     overviewPlace = place;
     overview = stressStrain(report, width, selected);
     if (dots.length === 0)
@@ -546,15 +546,16 @@ function table(label: string, heads: string[], rows: Child[][], caption: string 
 
 function comparisonTable(rows: Comparison[], caption: string): Child {
   if (rows.length === 0) return null;
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error"];
+  const lines = rows.some((r) => typeof r.interpolated === "number");
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...(lines ? ["error of a straight line between neighbours"] : [])];
   return table(
     caption,
     heads,
     rows.map((r) => {
       const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
-      const error = r.model === null ? "–" : r.property === "nu" ? (r.model - mean).toFixed(3) : `${(100 * (r.model / mean - 1)).toFixed(1)} %`;
-      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error];
+      const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
+      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...(lines ? [error(r.interpolated)] : [])];
     }),
     caption,
   );
@@ -597,8 +598,8 @@ function calibration() {
     h("h3", {}, "What the data determine"),
     table(
       "Parameters",
-      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would need"],
-      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : `would need ${p.next_test}`]),
+      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would tell more"],
+      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
       null,
       [5],
     ),

@@ -1,0 +1,188 @@
+#include "calibrate/elastic_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "theory/jaeger_fit.hpp"
+#include "theory/layered_fit.hpp"
+
+namespace phy {
+namespace {
+
+constexpr std::size_t most_named = 4;
+constexpr double far_off = 2.0;  // standard errors, from which a cell is named beside the farthest
+constexpr double clearly =
+    9.21;                     // difference of chi-square that two more free numbers gain once in a hundred
+constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
+
+/// E and nu; angles as they are or their complements.
+std::vector<LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
+  std::vector<LayeredReading> readings;
+  for (const Target& t : targets) {
+    if (is_strength(t.property)) continue;
+    const bool modulus = t.property == Property::E;
+    readings.push_back({exchanged ? 90.0 - t.theta : t.theta, modulus, t.mean,
+                        std::max(t.standard_error(), modulus ? least_error_E * t.mean : least_error_nu)});
+  }
+  return readings;
+}
+
+bool has_modulus(const std::vector<LayeredReading>& readings) {
+  return std::any_of(readings.begin(), readings.end(), [](const LayeredReading& r) { return r.is_modulus; });
+}
+
+std::string number(const LayeredReading& r, double value) {
+  return r.is_modulus ? fmt::format("{:.3g}", value * 1e-9) : fmt::format("{:.3f}", value);
+}
+
+/// A cell and the value that it should have.
+struct Misfit {
+  LayeredReading cell;
+  double wanted = 0.0;
+  double errors() const { return std::fabs(wanted - cell.value) / cell.error; }
+  std::string text(const char* of_wanted) const {
+    return fmt::format("{}({:g}) = {}{} ({} {}, {:.1f} standard errors)", cell.is_modulus ? "E" : "nu",
+                       cell.theta, number(cell, cell.value), cell.is_modulus ? " GPa" : "", of_wanted,
+                       number(cell, wanted), errors());
+  }
+};
+
+double seen(const LayeredFit& fit, const LayeredReading& cell) {
+  const PlaneConstants c = fit.at(cell.theta);
+  return cell.is_modulus ? c.E : c.nu;
+}
+
+/// "a, b, c" of the first few.
+std::string list_of(const std::vector<Misfit>& cells, const char* of_wanted) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(cells.size(), most_named); ++i)
+    text += (i > 0 ? ", " : "") + cells[i].text(of_wanted);
+  return text;
+}
+
+/// Cells without which the others are those of a body, with the value that it has there; the nearest first.
+std::vector<Misfit> each_alone(const std::vector<LayeredReading>& readings) {
+  std::vector<Misfit> cells;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    std::vector<LayeredReading> others = readings;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!has_modulus(others)) continue;
+    const LayeredFit fit = fit_layered(others, LayeredBody::any);
+    if (fit.met()) cells.push_back({readings[i], seen(fit, readings[i])});
+  }
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const Misfit& a, const Misfit& b) { return a.errors() < b.errors(); });
+  return cells;
+}
+
+/// Cells beyond `far_off` of a fit, the farthest in any case; it comes first.
+std::vector<Misfit> farthest(const std::vector<LayeredReading>& readings, const LayeredFit& fit) {
+  std::vector<Misfit> cells;
+  for (const LayeredReading& r : readings) cells.push_back({r, seen(fit, r)});
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const Misfit& a, const Misfit& b) { return a.errors() > b.errors(); });
+  const auto near = [](const Misfit& m) { return m.errors() < far_off; };
+  cells.erase(std::find_if(cells.begin() + 1, cells.end(), near), cells.end());
+  return cells;
+}
+
+/// Misfits of one kind of data, angles as they are and exchanged.
+struct BothWays {
+  bool ok = false;
+  double chi_square = 0.0, exchanged_chi_square = 0.0;
+  double error = 0.0, exchanged_error = 0.0;  // root mean square, relative
+  bool nearer() const { return ok && exchanged_chi_square + clearly < chi_square; }
+  bool farther() const { return ok && chi_square + clearly < exchanged_chi_square; }
+};
+
+/// E alone, by planes in an isotropic rock.
+BothWays moduli_both_ways(const std::vector<Target>& targets) {
+  BothWays both;
+  const std::vector<Target> E = of_property(targets, Property::E);
+  if (E.empty()) return both;
+  double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0};
+  for (const bool exchanged : {false, true}) {
+    const std::vector<LayeredReading> readings = readings_of(E, exchanged);
+    const LayeredFit fit = fit_layered(readings, LayeredBody::planes_in_isotropic_rock);
+    chi_square[exchanged] = fit.chi_square;
+    for (const LayeredReading& r : readings)
+      error[exchanged] += std::pow(seen(fit, r) / r.value - 1.0, 2.0) / static_cast<double>(readings.size());
+  }
+  both.ok = true;
+  both.chi_square = chi_square[0], both.exchanged_chi_square = chi_square[1];
+  both.error = std::sqrt(error[0]), both.exchanged_error = std::sqrt(error[1]);
+  return both;
+}
+
+/// Slip on a plane, capped by the strongest angle.
+BothWays strengths_both_ways(const std::vector<Target>& targets) {
+  BothWays both;
+  const std::vector<Target> ucs = of_property(targets, Property::ucs);
+  double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0}, matrix = 0.0;
+  for (const Target& t : ucs) matrix = std::max(matrix, t.mean);
+  for (const bool exchanged : {false, true}) {
+    std::vector<StrengthReading> readings;
+    for (const Target& t : ucs) readings.push_back({exchanged ? 90.0 - t.theta : t.theta, t.mean, 0.0});
+    const JaegerFit fit = fit_jaeger(readings, matrix);
+    if (!fit.ok) return both;
+    for (std::size_t i = 0; i < ucs.size(); ++i) {
+      const double d = jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
+      error[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
+      chi_square[exchanged] += std::pow(d / ucs[i].standard_error(), 2.0);
+    }
+  }
+  const double least = std::min(error[0], error[1]), most = std::max(error[0], error[1]);
+  both.ok = std::sqrt(least) < half * std::sqrt(most);
+  both.chi_square = chi_square[0], both.exchanged_chi_square = chi_square[1];
+  both.error = std::sqrt(error[0]), both.exchanged_error = std::sqrt(error[1]);
+  return both;
+}
+
+std::string misfits(const BothWays& both, const char* of) {
+  return fmt::format("{} by {:.1f} % instead of {:.1f} %", of, 100.0 * both.exchanged_error,
+                     100.0 * both.error);
+}
+
+}  // namespace
+
+std::string elastic_limit(const std::vector<Target>& targets) {
+  const std::vector<LayeredReading> readings = readings_of(targets, false);
+  if (!has_modulus(readings)) return "";
+  const LayeredFit any = fit_layered(readings, LayeredBody::any);
+  if (!any.met()) {
+    const std::string text = fmt::format(
+        "no layered elastic body has the E and nu of this table within their errors (chi-square {:.0f}; "
+        "chance stays "
+        "below {:.0f} in 99 of 100 tables): ",
+        any.chi_square, any.limit());
+    const std::vector<Misfit> alone = each_alone(readings);
+    if (alone.empty()) return text + "farthest off " + list_of(farthest(readings, any), "nearest body");
+    return text + (alone.size() > 1 ? "the odd one out may be any of " : "the odd one out is ") +
+           list_of(alone, "the others want");
+  }
+  const LayeredFit planes = fit_layered(readings, LayeredBody::planes_in_isotropic_rock);
+  if (planes.met()) return "";
+  return "a layered elastic body has the E and nu of this table within their errors, but an isotropic rock "
+         "to which "
+         "planes add compliance has not: " +
+         list_of(farthest(readings, planes), "nearest") +
+         "; joints that take the place of bonds may come nearer";
+}
+
+std::string exchanged_angles(const std::vector<Target>& targets) {
+  const BothWays moduli = moduli_both_ways(targets), strengths = strengths_both_ways(targets);
+  if (!(moduli.nearer() || strengths.nearer()) || moduli.farther() || strengths.farther()) return "";
+  std::string text =
+      "does the table mean theta or beta? With every angle read as its complement to 90 degrees, ";
+  if (moduli.nearer()) text += misfits(moduli, "planes in an isotropic rock miss E");
+  if (moduli.nearer() && strengths.nearer()) text += ", and ";
+  if (strengths.nearer()) text += misfits(strengths, "slip on a plane (Jaeger) misses UCS");
+  return text +
+         " (root mean square). theta is the inclination of the bedding under a vertical load, beta = 90 - "
+         "theta "
+         "the angle between load and bedding";
+}
+
+}  // namespace phy

@@ -1,0 +1,25 @@
+// What a table's E(theta) and nu(theta) say by themselves, before and beside any model of discs: whether a
+// layered elastic body has them (theory/layered_fit.hpp), whether planes in an isotropic rock have them, and
+// which way its angles are read better.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/rock.hpp"
+
+namespace phy {
+
+/// Least errors with which E (relative) and nu of a table are taken.
+constexpr double least_error_E = 0.005, least_error_nu = 0.005;
+
+/// What the E and nu of a bedded rock cannot be, with the cells that do not fit; empty: nothing of the kind.
+/// Cells without which the others are those of a body are named with the value that these want; where there
+/// is none, those farthest from the nearest body.
+std::string elastic_limit(const std::vector<Target>& targets);
+
+/// A hint that theta and its complement were exchanged, with the misfits of both readings: of E and nu by
+/// planes in an isotropic rock, of UCS by slip on a plane (Jaeger). Empty unless one of the two is clearly
+/// nearer when the angles are read the other way, and the other is not clearly farther.
+std::string exchanged_angles(const std::vector<Target>& targets);
+
+}  // namespace phy

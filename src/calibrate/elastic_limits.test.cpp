@@ -1,0 +1,137 @@
+// What a table of E and nu says by itself. Tables made from one tensor must pass without a word, whatever
+// their anisotropy; one changed value must be named.
+#include "calibrate/elastic_limits.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "theory/goodman.hpp"
+#include "theory/jaeger.hpp"
+#include "theory/transverse_isotropy.hpp"
+
+namespace phy {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::vector<double> angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
+
+/// E and nu of a body at seven angles, known to 2 % and 0.01.
+std::vector<Target> table_of(const TransverseIsotropy& m) {
+  std::vector<Target> targets;
+  for (const Property p : {Property::E, Property::nu})
+    for (const double theta : angles) {
+      const bool modulus = p == Property::E;
+      const double value = modulus ? ti_E(m, theta) : ti_nu(m, theta);
+      targets.push_back({p, theta, value, modulus ? 0.02 * value : 0.01, 1, false});
+    }
+  return targets;
+}
+
+/// K_n far from K_s: nu/E differs much between 0 and 45 degrees.
+const TransverseIsotropy jointed = ti_from_goodman({60e9, 40e9, 12e9, 0.25});
+/// Stiffer across its bedding than along it.
+const TransverseIsotropy reversed{22e9, 40e9, 0.2, 0.22, 11e9};
+
+TEST(ElasticLimit, TablesOfOneTensorPassWithoutAWord) {
+  ASSERT_GT(std::fabs(ti_nu(jointed, 45.0) / ti_E(jointed, 45.0) / (0.25 / 60e9) - 1.0), 0.5);
+  EXPECT_EQ(elastic_limit(table_of(jointed)), "");
+  std::vector<Target> noisy = table_of(jointed);
+  double sign = 1.0;
+  for (Target& t : noisy) t.mean += 0.8 * sign * t.sd, sign = -sign;
+  EXPECT_EQ(elastic_limit(noisy), "");
+  noisy.resize(1);
+  EXPECT_EQ(elastic_limit(noisy), "");
+  EXPECT_EQ(elastic_limit({}), "");
+}
+
+TEST(ElasticLimit, TheOneCellThatBelongsToNoBodyIsNamedWithWhatTheOthersWant) {
+  std::vector<Target> targets = table_of(jointed);
+  Target& changed = targets[7];  // nu(0)
+  ASSERT_EQ(changed.property, Property::nu);
+  const double right = changed.mean;
+  changed.mean *= 0.4;
+  EXPECT_THAT(elastic_limit(targets),
+              AllOf(HasSubstr("no layered elastic body"), HasSubstr("nu(0) = "),
+                    HasSubstr(std::to_string(right).substr(0, 5)), HasSubstr("standard errors"),
+                    Not(HasSubstr("nu(45)")), Not(HasSubstr("E(45)"))));
+}
+
+TEST(ElasticLimit, SeveralCellsThatBelongToNoBodyAreNamedByTheNearest) {
+  std::vector<Target> targets = table_of(jointed);
+  targets[7].mean *= 0.4, targets[10].mean *= 0.4, targets[3].mean *= 1.4;
+  EXPECT_THAT(elastic_limit(targets), AllOf(HasSubstr("no layered elastic body"), HasSubstr("nearest body")));
+}
+
+// In four cells any one may be the wrong one.
+TEST(ElasticLimit, EndsThatContradictEachOtherAreAllNamed) {
+  const std::vector<Target> ends = {{Property::E, 0.0, 20e9, 0.4e9, 1, false},
+                                    {Property::E, 90.0, 40e9, 0.8e9, 1, false},
+                                    {Property::nu, 0.0, 0.15, 0.01, 1, false},
+                                    {Property::nu, 90.0, 0.15, 0.01, 1, false}};
+  const std::string text = elastic_limit(ends);
+  EXPECT_THAT(text, AllOf(HasSubstr("E(0) = 20"), HasSubstr("E(90) = 40"),
+                          HasSubstr("nu(0) = 0.150 (the others want 0.075"),
+                          HasSubstr("nu(90) = 0.150 (the others want 0.300")));
+}
+
+TEST(ElasticLimit, ALayeredBodyThatNoPlanesMakeIsToldApart) {
+  EXPECT_THAT(elastic_limit(table_of(reversed)),
+              AllOf(HasSubstr("a layered elastic body has the E and nu"), HasSubstr("planes add compliance"),
+                    HasSubstr("E(0) = 40 GPa"), Not(HasSubstr("no layered"))));
+}
+
+void add_ucs(std::vector<Target>& targets, bool exchanged) {
+  for (const double theta : angles) {
+    const double ucs = jaeger_sigma_1({20e6, 25.0}, 150e6, exchanged ? 90.0 - theta : theta, 0.0);
+    targets.push_back({Property::ucs, theta, ucs, 0.05 * ucs, 3, false});
+  }
+}
+
+std::vector<Target> exchanged_table(const TransverseIsotropy& m) {
+  std::vector<Target> targets = table_of(m);
+  for (Target& t : targets) t.theta = 90.0 - t.theta;
+  return targets;
+}
+
+TEST(ExchangedAngles, AreToldWithTheMisfitsOfBothReadings) {
+  const std::string by_E = exchanged_angles(exchanged_table(jointed));
+  EXPECT_THAT(by_E, AllOf(HasSubstr("theta or beta"), HasSubstr("miss E by 0.0 % instead of"),
+                          Not(HasSubstr("UCS"))));
+  std::vector<Target> both = exchanged_table(jointed);
+  add_ucs(both, true);
+  EXPECT_THAT(exchanged_angles(both), AllOf(HasSubstr("miss E by 0.0 %"), HasSubstr("misses UCS by")));
+  std::vector<Target> ucs;
+  add_ucs(ucs, true);
+  EXPECT_THAT(exchanged_angles(ucs), AllOf(HasSubstr("misses UCS by"), Not(HasSubstr("miss E"))));
+}
+
+TEST(ExchangedAngles, AreNotSuspectedWhereTheDataDoNotDecide) {
+  std::vector<Target> usual = table_of(jointed);
+  add_ucs(usual, false);
+  EXPECT_EQ(exchanged_angles(usual), "");
+  // E falls from 0 to 90, but UCS is least at 57 degrees: the bedding lies as it is said to
+  std::vector<Target> stiff_across = table_of(reversed);
+  add_ucs(stiff_across, false);
+  EXPECT_EQ(exchanged_angles(stiff_across), "");
+  // E falls by less than its errors
+  std::vector<Target> flat;
+  for (const double theta : angles)
+    flat.push_back({Property::E, theta, (40.0 - 0.01 * theta) * 1e9, 1e9, 1, false});
+  EXPECT_EQ(exchanged_angles(flat), "");
+  // equal strengths at all angles, and strengths that are least at 45 degrees
+  std::vector<Target> strengths;
+  for (const double theta : angles) strengths.push_back({Property::ucs, theta, 100e6, 5e6, 3, false});
+  EXPECT_EQ(exchanged_angles(strengths), "");
+  for (Target& t : strengths) t.mean = (60.0 + std::fabs(t.theta - 45.0)) * 1e6;
+  EXPECT_EQ(exchanged_angles(strengths), "");
+  EXPECT_EQ(exchanged_angles({}), "");
+}
+
+}  // namespace
+}  // namespace phy

@@ -1,0 +1,91 @@
+// What a calibration says in words: true for the case at hand, and once.
+#include "report/calibration_tables.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/calibration_files.hpp"
+
+namespace phy {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Comparison ucs(double theta, double laboratory, double model) {
+  Comparison c;
+  c.target = {Property::ucs, theta, laboratory, 1e6, 3, false};
+  c.mean = model;
+  return c;
+}
+
+/// The straight line between 100 at 0 and 90 at 90 degrees is 95 at 45, where the table has 60 MPa.
+Calibration with_left_out() {
+  Calibration c;
+  c.left_out = {ucs(0, 100e6, 130e6), ucs(45, 60e6, 66e6), ucs(90, 90e6, 60e6)};
+  c.fitted = {ucs(0, 100e6, 100e6), ucs(45, 60e6, 60e6), ucs(90, 90e6, 90e6)};
+  return c;
+}
+
+TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbours) {
+  // by hand: root mean square of 30, 10 and 33.3 % is 26.5 %; inside 10 %; the line gives 95 for 60, 58.3 %
+  EXPECT_THAT(
+      macro_table(with_left_out(), 0),
+      HasSubstr(
+          "26.5 % at angles left out (10.0 % at those with neighbours on both sides, where straight lines "
+          "between these give 58.3 %)"));
+  const auto j = nlohmann::json::parse(calibration_json(with_left_out(), "1"));
+  EXPECT_TRUE(j["left_out"][0]["interpolated"].is_null());
+  EXPECT_NEAR(j["left_out"][1]["interpolated"].get<double>(), 95e6, 1.0);
+  EXPECT_TRUE(j["left_out"][2]["interpolated"].is_null());
+  EXPECT_FALSE(j["fitted"][1].contains("interpolated"));
+}
+
+// Neighbours in theta need not lie at equal distances, nor be of the same test or disc.
+TEST(CalibrationTables, NeighboursAreOfTheSameTest) {
+  std::vector<Comparison> rows = {ucs(0, 100e6, 1.0), ucs(30, 60e6, 1.0), ucs(90, 40e6, 1.0)};
+  rows.push_back(ucs(45, 1e6, 1.0));
+  rows.back().target.property = Property::brazilian;
+  rows.push_back(ucs(20, 2e6, 1.0));
+  rows.back().target.property = Property::brazilian, rows.back().target.diameter = 0.05;
+  EXPECT_NEAR(interpolated(rows, rows[1].target), 80e6, 1.0);
+  EXPECT_FALSE(std::isfinite(interpolated(rows, rows[3].target)));
+}
+
+TEST(CalibrationTables, OnlyEndsLeftOutHaveNoLine) {
+  Calibration c = with_left_out();
+  c.left_out.erase(c.left_out.begin() + 1);
+  EXPECT_THAT(macro_table(c, 0), Not(HasSubstr("straight lines")));
+  EXPECT_THAT(macro_table(c, 0), HasSubstr("at angles left out"));
+}
+
+ParameterEstimate open(const std::string& symbol, const std::string& next_test) {
+  ParameterEstimate e;
+  e.symbol = symbol, e.next_test = next_test;
+  return e;
+}
+
+TEST(CalibrationTables, ParametersOpenForTheSameReasonAreOneLine) {
+  Calibration c;
+  c.parameters = {open("tau_c", "direct tension at 90 degrees"), open("C_sj", "direct tension at 90 degrees"),
+                  open("mu", ""), open("E_c", "x")};
+  c.parameters.back().determined = true;
+  const std::string text = verdict_text(c, 0);
+  EXPECT_THAT(
+      text,
+      HasSubstr("- tau_c, C_sj: left open by the data; would tell more: direct tension at 90 degrees\n"));
+  EXPECT_THAT(text, HasSubstr("- mu: left open by the data; no test that a table holds tells much of it\n"));
+  EXPECT_THAT(text, Not(HasSubstr("E_c")));
+}
+
+TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {
+  const std::string text = foresight_table({open("mu", ""), open("k_n", "E at 0 or 15 degrees")}, 0);
+  EXPECT_THAT(text, HasSubstr("no test that a table holds tells much"));
+  EXPECT_THAT(text, HasSubstr("would tell more: E at 0 or 15 degrees"));
+  EXPECT_THAT(text, Not(HasSubstr("would tell more: \n")));
+}
+
+}  // namespace
+}  // namespace phy

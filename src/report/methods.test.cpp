@@ -1,0 +1,96 @@
+// The methods text says what was done to these specimens, not what is usual.
+#include "report/methods.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "records/assembly.hpp"
+
+namespace phy {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Stress over strain, straight lines, in MPa; signs and columns of the kind.
+TestRecord test_of(const Recipe& recipe, const std::string& name, Outcome outcome,
+                   const std::vector<std::pair<double, double>>& curve) {
+  const Specimen s = assembly(hexagonal(5, 8, 0.001), MatrixRecipe{});
+  TestResult r;
+  r.name = name, r.kind = r.history.kind = recipe.test.kind, r.outcome = std::move(outcome);
+  const double sign = recipe.test.kind == TestKind::direct_tension ? -1.0 : 1.0;
+  for (const auto& [strain, stress] : curve) {
+    HistoryRow row;
+    row.axial_strain = sign * strain;
+    row.axial_stress = row.deviatoric_stress = sign * stress * 1e6;
+    if (recipe.test.kind == TestKind::biaxial) row.axial_stress += recipe.test.confining_stress;
+    r.history.rows.push_back(row);
+  }
+  return record_of(recipe, "9.9", s, r);
+}
+
+std::string methods(const std::vector<TestRecord>& tests) {
+  RunRecord run;
+  run.tests = tests;
+  return fmt::format("{}", fmt::join(methods_text(run), "\n"));
+}
+
+const Outcome peaked{Status::peaked, "", ""};
+
+TEST(Methods, EveryTestEndsAsItDid) {
+  Recipe r;
+  r.test.stop_at = 0.6, r.test.post_peak = 1.0;
+  const std::string text = methods(
+      {test_of(r, "theta = 0 deg", peaked, {{1e-3, 50}, {2e-3, 100}, {2.5e-3, 59}}),
+       test_of(r, "theta = 30 deg", peaked, {{1e-3, 50}, {2e-3, 100}, {4.1e-3, 90}}),
+       test_of(r, "theta = 60 deg",
+               {Status::not_peaked, "no drop to 60 % of the largest axial stress", "raise"}, {{1e-2, 50}}),
+       test_of(r, "theta = 90 deg", peaked, {{1e-3, 50}, {2e-3, 80}, {2.5e-3, 40}}),
+       test_of(r, "intact", {Status::unstable, "a grain flew off", ""}, {})});
+  EXPECT_THAT(
+      text,
+      AllOf(HasSubstr("theta = 0 deg, theta = 90 deg: the axial stress had fallen below 60 % of its peak"),
+            HasSubstr("theta = 30 deg: the axial strain exceeded that of the peak by 100 %"),
+            HasSubstr("theta = 60 deg: not peaked, no drop to 60 %"),
+            HasSubstr("intact: unstable, a grain flew off")));
+  EXPECT_THAT(text, AllOf(HasSubstr("free sides"), Not(HasSubstr("confining"))));
+}
+
+TEST(Methods, AConfinedTestNamesStressAndSides) {
+  Recipe r;
+  r.test.kind = TestKind::biaxial, r.test.confining_stress = 12e6, r.test.stop_at = 0.8;
+  const auto one = [&] {
+    return methods({test_of(r, "intact", peaked, {{1e-3, 90}, {2e-3, 100}, {2.5e-3, 79}})});
+  };
+  EXPECT_THAT(one(), AllOf(HasSubstr("confining stress of 12 MPa"), HasSubstr("rigid walls without friction"),
+                           HasSubstr("intact: the deviatoric stress had fallen below 80 %")));
+  r.test.confinement = Confinement::jacket;
+  EXPECT_THAT(one(), AllOf(HasSubstr("jacket"), Not(HasSubstr("walls"))));
+  r.test.confining_stress = 0.0;
+  EXPECT_THAT(one(), AllOf(HasSubstr("The sides were free"), Not(HasSubstr("jacket"))));
+}
+
+TEST(Methods, OtherTestsAreDescribedByTheirOwnToolsAndEnds) {
+  Recipe r;
+  r.bedding.resize(1);
+  r.test.kind = TestKind::direct_shear, r.test.normal_stress = 4e6;
+  const auto one = [&] { return methods({test_of(r, "s", peaked, {{1e-4, 3}, {2e-4, 2}})}); };
+  EXPECT_THAT(one(), AllOf(HasSubstr("normal stress of 4 MPa, kept constant"),
+                           HasSubstr("at the full shear displacement of 0.2 mm"),
+                           Not(HasSubstr("load along the height")), Not(HasSubstr("load being vertical")),
+                           Not(HasSubstr("strain"))));
+  r.test.normal_stiffness = 1e12;
+  EXPECT_THAT(one(), AllOf(HasSubstr("grew with dilation"), Not(HasSubstr("kept constant"))));
+  r.test.kind = TestKind::brazilian;
+  EXPECT_THAT(one(), AllOf(HasSubstr("Discs of 38 mm"), HasSubstr("arc of 10 deg")));
+  r.test.loading_angle = 0.0;
+  EXPECT_THAT(one(), HasSubstr("two flat platens"));
+  r.test.kind = TestKind::direct_tension;
+  EXPECT_THAT(one(), AllOf(HasSubstr("Grips"), HasSubstr("the elongation exceeded"),
+                           HasSubstr("load being vertical")));
+}
+
+}  // namespace
+}  // namespace phy
