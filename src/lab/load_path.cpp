@@ -49,7 +49,7 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   }
   if (clusters.root(lo) == clusters.root(hi)) return;
   if (lost.empty())
-    lost = fmt::format("{} discs have {} contacts, and none of their chains leads across", n,
+    lost = fmt::format("{} discs have {} contact(s), and none of their chains leads across", n,
                        specimen.contacts.size());
   const PackingRecipe& p = recipe.packing;
   const bool imported = !p.file.empty(), counted = p.n_grains > 0;

@@ -136,7 +136,8 @@ TEST_F(Outputs, UnderNohupATerminalThatClosesEndsNothing) {
 }
 
 TEST_F(Outputs, ASecondSignalEndsAtOnce) {
-  write("many.toml", "[packing]\nn_grains = 20000\n[specimen]\nwidth = \"76 mm\"\nheight = \"152 mm\"\n");
+  write("many.toml",
+        "[packing]\nn_grains = 0\nporosity = 0.16\n[specimen]\nwidth = \"152 mm\"\nheight = \"304 mm\"\n");
   const pid_t child = start({"run", at("many.toml"), "--no-cache", "--out", out()}, at("log"));
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   ::kill(child, SIGTERM);  // in the middle of the packing, which looks at no flag

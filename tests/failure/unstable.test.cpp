@@ -108,7 +108,7 @@ TEST_F(Unstable, HalvesThatDoNotMeetAreTold) {
                      test);
   };
   EXPECT_EQ(run("run " + recipe("") + " --out " + out()), 2) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("200 discs have 360 contacts"), HasSubstr("move them closer")));
+  EXPECT_THAT(output, AllOf(HasSubstr("200 discs have 360 contact(s)"), HasSubstr("move them closer")));
   for (const char* test : {"kind = \"direct_tension\"\n", "kind = \"direct_shear\"\n",
                            "kind = \"biaxial\"\nconfining_stress = \"5 MPa\"\nconfinement = \"jacket\"\n"}) {
     EXPECT_EQ(run("run " + recipe(test) + " --out " + out()), 2) << output;
