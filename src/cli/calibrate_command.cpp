@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/hash.hpp"
+#include "base/quote.hpp"
 #include "calibrate/calibration.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"

@@ -9,6 +9,7 @@
 
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "base/units.hpp"
 #include "cli/machine.hpp"
 #include "cli/other_results.hpp"

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/check.hpp"
+#include "base/quote.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "records/recipe_schema.hpp"

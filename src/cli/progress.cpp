@@ -1,4 +1,5 @@
 #include "cli/progress.hpp"
+#include "base/quote.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
