@@ -121,7 +121,7 @@ void tell_validity(Calibration& result) {
 void tell_quality(Calibration& result) {
   QualityTally tally;
   for (const Comparison& c : result.verification) tally.add(c.quality);
-  if (tally.n_marked > 0) result.notes.push_back("on unseen packings " + tally.text());
+  if (!tally.text().empty()) result.notes.push_back("on unseen packings " + tally.text());
 }
 
 /// Strengths of which not every unseen packing has one.

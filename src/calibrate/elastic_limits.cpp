@@ -59,6 +59,7 @@ std::string list_of(const std::vector<Misfit>& cells, const char* of_wanted) {
   std::string text;
   for (std::size_t i = 0; i < std::min(cells.size(), most_named); ++i)
     text += (i > 0 ? ", " : "") + cells[i].text(of_wanted);
+  if (cells.size() > most_named) text += fmt::format(", and {} more", cells.size() - most_named);
   return text;
 }
 

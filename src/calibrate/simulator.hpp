@@ -40,9 +40,9 @@ struct TestProgress {
 struct SimulatorOptions {
   int threads = 1;
   std::string store;  ///< SQLite file of finished tests (study/store.hpp); empty: kept until the end only
-  bool with_untrusted = false;  ///< tests that are not to be trusted count like the others
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const TestProgress&)> on_progress;  ///< from a worker, one at a time
+  bool with_untrusted = false;  ///< tests that are not to be trusted count like the others
 };
 
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.

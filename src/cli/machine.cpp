@@ -13,9 +13,10 @@ namespace {
 
 std::atomic<bool> stop_requested{false};
 
-/// The second one ends the program, as it would have without this.
+/// The second one ends the program, as it would have without this. Not SIGHUP: of a terminal that closes,
+/// kernel and shell both tell.
 void on_signal(int signal) {
-  if (!stop_requested.exchange(true)) return;
+  if (!stop_requested.exchange(true) || signal == SIGHUP) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

@@ -94,6 +94,8 @@ struct Lane {
   std::vector<CrackEvent> cracks;
   std::int64_t n_contacts = 0;
   std::vector<PairKey> near;  // of this lane's last search
+  std::vector<double>
+      range;  // per sorted grain: how far it may go until the list could miss a contact of it [m]
   bool searched = false;
 
   const Rig& rig() const { return *setup.rig; }
@@ -259,6 +261,7 @@ class Group final : public LaneGroup {
   void fit_jacket(std::size_t lane);
   double pushed_way(std::size_t grain, std::size_t lane) const;
   double area_swept(std::size_t lane) const;
+  std::size_t outrunner(std::size_t lane) const;
   // books
   void keep_books(std::size_t lane);
   void book_tools(std::size_t lane);

@@ -177,15 +177,24 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before) {
   Lane& lane = lanes_[l];
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
+  const std::size_t fast = outrunner(l);
+  std::string& reason = lane.health.reason;
   if (!all_numbers(r) || !std::isfinite(overlap))
-    lane.health.reason = "energies or forces are no numbers any more";
+    reason = "energies or forces are no numbers any more";
+  else if (fast < n_grains())
+    reason =
+        fmt::format("grain {} has gone {:.2g} mm since contacts were looked for, up to {:.2g} mm from it",
+                    packing_id(static_cast<std::int32_t>(fast)),
+                    1e3 * norm(displacement(fast, l) - built_at_[fast * W_ + l]), 1e3 * lane.range[fast]);
   else if (overlap >= worst_overlap)
-    lane.health.reason = deepest_overlap(l);
+    reason = deepest_overlap(l);
   else if (lane.placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
-    lane.health.reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
+    reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
   else
     return;
-  lane.health = {false, fmt::format("at step {} {}", lane.step, lane.health.reason)};
+  lane.health.outran = fast < n_grains();
+  lane.health.ok = false;
+  lane.health.reason = fmt::format("at step {} {}", lane.step, lane.health.reason);
   const double step = r.step, time = r.time;
   r = before;
   r.step = step, r.time = time;

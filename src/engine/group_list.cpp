@@ -3,8 +3,9 @@
 namespace phy::group {
 namespace {
 
-constexpr double birth_factor = 0.02;  // a pair meets below a gap of birth_factor * r_min
-constexpr double flight_margin = 2.0;  // over what a fast grain does in a block at its present speed
+constexpr double birth_factor = 0.02;   // a pair meets below a gap of birth_factor * r_min
+constexpr double flight_margin = 2.0;   // over what a fast grain does in a block at its present speed
+constexpr double farthest_reach = 8.0;  // of r_min: the cells of the search grow with it
 
 /// A union of lists of pairs. The lanes agree on nearly all of them, so a pair is looked for among the few of
 /// its upper grain; sorting all lists together takes ten times as long.
@@ -31,22 +32,26 @@ class PairUnion {
 }  // namespace
 
 /// Pairs that may touch before the list is renewed: within the skin, and as much farther as a grain may go in
-/// the next block that is too fast for half the skin, or that a jacket drives.
+/// the next block that is too fast for half the skin, or that a jacket drives. A grain that goes farther all
+/// the same, hit within the block, ends the test (outrunner): whether the list then holds what it meets
+/// depends on lane mates.
 template <class T>
 void Group<T>::search(std::size_t l) {
   Lane& lane = lanes_[l];
   lane.near.clear();
   std::vector<Vec2> x(n_grains());
   std::vector<double> reach = radius_;
+  lane.range.assign(n_grains(), 0.5 * skin_);
   const double block = lane.dt * options_.interval;
   if (jacket_) lane.pressed_way.assign(n_grains(), 0.0);
   for (std::size_t g = 0; g < n_grains(); ++g) {
     built_at_[g * W_ + l] = displacement(g, l);
     x[g] = x0_[g] + built_at_[g * W_ + l];
     const double flight = block * norm(Vec2{grain(g, g_vx, l), grain(g, g_vy, l)});
-    reach[g] += std::max(0.0, flight_margin * flight - 0.5 * skin_);
-    if (const double push = pushed_way(g, l); push > 0.0)
-      reach[g] += lane.pressed_way[g] = push + 0.5 * skin_;
+    double more = std::max(0.0, flight_margin * flight - 0.5 * skin_);
+    if (const double push = pushed_way(g, l); push > 0.0) more += lane.pressed_way[g] = push + 0.5 * skin_;
+    more = std::min(more, farthest_reach * r_min_);
+    reach[g] += more, lane.range[g] += more;
   }
   near_pairs(x, reach, skin_, lane.near);
   if (lane.fresh)
@@ -54,6 +59,17 @@ void Group<T>::search(std::size_t l) {
       lane.near.push_back(pair_key(static_cast<std::uint32_t>(layout_.rank[c.a]),
                                    static_cast<std::uint32_t>(layout_.rank[c.b])));
   lane.searched = true;
+}
+
+/// A grain that has gone farther since the search than its list reaches; n_grains(): none.
+template <class T>
+std::size_t Group<T>::outrunner(std::size_t l) const {
+  const std::vector<double>& range = lanes_[l].range;
+  for (std::size_t g = 0; g < range.size(); ++g) {
+    const Vec2 way = displacement(g, l) - built_at_[g * W_ + l];
+    if (dot(way, way) > range[g] * range[g]) return g;
+  }
+  return n_grains();
 }
 
 /// Searches lanes that have moved far enough that their list would not last; the others keep theirs.

@@ -126,7 +126,8 @@ void Group<T>::list_touches() {
       const Lane& lane = lanes_[l];
       if (!lane.specimen || !lane.placed) continue;
       const double gap = static_cast<double>(touch_gap_[(tool * n_grains() + g) * W_ + l]);
-      if (dot(n, lane.tools[tool].state.displacement - displacement(g, l)) - gap > -skin_) return true;
+      const double reach = 0.5 * skin_ + lane.range[g];
+      if (dot(n, lane.tools[tool].state.displacement - displacement(g, l)) - gap > -reach) return true;
     }
     return false;
   };

@@ -39,7 +39,8 @@ struct LaneSetup {
 /// What the watchdog saw at the end of a block.
 struct LaneHealth {
   bool ok = true;
-  std::string reason;  ///< which of its checks has fired, with numbers
+  std::string reason;   ///< which of its checks has fired, with numbers
+  bool outran = false;  ///< a grain went farther within a block than its contacts were looked for
 };
 
 class LaneGroup {

@@ -20,7 +20,7 @@ double modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E
 
 class Suspects {
  public:
-  Suspects(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last)
+  Suspects(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last, bool outran)
       : packing_(*specimen.packing), matrix_(specimen.matrix), bedding_(specimen.bedding), recipe_(recipe) {
     overlaps();
     boundary_stress();
@@ -28,6 +28,9 @@ class Suspects {
     if (recipe.engine.damping < undamped)
       add("raise engine.damping ({:g}): nothing takes vibrations away", recipe.engine.damping);
     stiffnesses();
+    if (found_.empty() && outran)
+      add("lower test.history_interval ({}): contacts are looked for that often",
+          recipe.test.history_interval);
     if (found_.empty())
       add("lower engine.step_safety ({:g}){}", recipe.engine.step_safety,
           recipe.engine.precision == Precision::single_precision ? ", or use engine.precision = \"double\""
@@ -92,8 +95,9 @@ class Suspects {
 
 }  // namespace
 
-std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last) {
-  return Suspects(specimen, recipe, last).text();
+std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last,
+                                  bool outran) {
+  return Suspects(specimen, recipe, last, outran).text();
 }
 
 }  // namespace phy

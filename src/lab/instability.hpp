@@ -9,7 +9,9 @@
 namespace phy {
 
 /// What to change, the likeliest first. `last`: the last row that the watchdog has let pass; zeros if there
-/// was none. The time step itself is blamed only where nothing else is out of the ordinary.
-std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last);
+/// was none. A grain that `outran` its list of near pairs blames the interval at which that is made anew, and
+/// the time step is blamed, only where nothing else is out of the ordinary.
+std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last,
+                                  bool outran = false);
 
 }  // namespace phy

@@ -28,6 +28,17 @@ TEST(Instability, AnOrdinaryRecipeIsToldToLowerTheStep) {
   EXPECT_TRUE(names(advice(r), "engine.precision = \"double\""));
 }
 
+TEST(Instability, AGrainThatOutranItsListAsksForAShorterInterval) {
+  Specimen s;
+  s.packing = std::make_shared<Packing>();
+  Recipe r;
+  EXPECT_EQ(advice_on_instability(s, r, {}, true),
+            "lower test.history_interval (100): contacts are looked for that often");
+  r.engine.damping = 0.0;
+  EXPECT_TRUE(names(advice_on_instability(s, r, {}, true), "raise engine.damping"));
+  EXPECT_FALSE(names(advice_on_instability(s, r, {}, true), "history_interval"));
+}
+
 TEST(Instability, EveryCauseIsNamedByItsKey) {
   const auto of = [](auto change) {
     Recipe r;

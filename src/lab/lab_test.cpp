@@ -97,7 +97,7 @@ bool LabTest::end_unstable(const LaneHealth& health) {
   const double last_good = row.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
                 [&](const CrackEvent& c) { return static_cast<double>(c.step) > last_good; });
-  return end(Status::unstable, health.reason, advice_on_instability(*specimen_, recipe_, row));
+  return end(Status::unstable, health.reason, advice_on_instability(*specimen_, recipe_, row, health.outran));
 }
 
 bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
@@ -145,8 +145,10 @@ bool LabTest::check_stop() {
   const Reading now = reading(row);
   const TestKind kind = recipe_.test.kind;
   const char* const stress = stress_name(kind);
-  // Nothing fails before something has broken: what falls earlier is the first stress wave.
-  const bool may_stop = ends_after_peak() && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
+  // Nothing fails before it has carried something and something has broken: what falls earlier is the first
+  // stress wave.
+  const bool may_stop = ends_after_peak() && peak_.stress > 0.0 && now.strain > first_stop_strain() &&
+                        row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", stress,
@@ -215,14 +217,14 @@ double LabTest::progress() const {
 
 void LabTest::read_numbers() {
   AnalysisOptions options = analysis();
-  options.density = specimen_->matrix.density;
+  options.density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   options.length = packing().height;
   result_.numbers = analyse(result_.history, result_.cracks, options);
   for (Number& n : specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
   if (grade_of(result_.numbers) != Grade::untrusted) return;
-  if (outcome.status != Status::peaked && outcome.status != Status::not_peaked) return;
+  if (outcome.status == Status::unstable || outcome.status == Status::interrupted) return;
   if (outcome.status == Status::peaked) outcome.status = Status::untrusted;
   outcome.reason = marks.front().text() + "; it ended with " + outcome.reason;
   outcome.advice = marks.front().limit->advice;

@@ -43,14 +43,23 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   Clusters clusters(n + 2);  // the grains and the two tools
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
   std::string lost;
+  bool no_reach = false;
   for (const auto& [number, hub] : {std::pair(rig.axial.lo, lo), std::pair(rig.axial.hi, hi)}) {
     const Tool& tool = rig.tools[static_cast<std::size_t>(number)];
-    if (reach(tool, packing, hub, clusters) == 0) lost = "the " + tool.name + " reaches no disc";
+    if (reach(tool, packing, hub, clusters) == 0)
+      no_reach = true, lost = "the " + tool.name + " reaches no disc";
   }
   if (clusters.root(lo) == clusters.root(hi)) return;
   if (lost.empty())
     lost = fmt::format("{} discs have {} contact(s), and none of their chains leads across", n,
                        specimen.contacts.size());
+  if (const TestKind kind = recipe.test.kind; no_reach && kind == TestKind::direct_tension)
+    throw InputError(
+        Problem{"", "test.grip_thickness", fmt::format("{:g} mm", 1e3 * recipe.test.grip_thickness),
+                "grips that reach discs", lost + ": raise it, or leave it out (four largest radii)"});
+  else if (no_reach && kind == TestKind::direct_shear)
+    throw InputError(Problem{"", "test.shear_gap", fmt::format("{:g} mm", 1e3 * recipe.test.shear_gap),
+                             "boxes that hold discs", lost + ": lower it"});
   const PackingRecipe& p = recipe.packing;
   const bool imported = !p.file.empty(), counted = p.n_grains > 0;
   throw InputError(

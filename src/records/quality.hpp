@@ -37,9 +37,9 @@ struct QualityMark {
   double value = 0.0;
   Grade grade = Grade::remark;
   double bound() const { return grade == Grade::untrusted ? limit->untrusted : limit->remark; }
-  /// "kinetic_ratio above 0.02"
+  /// "kinetic_ratio above 0.01"
   std::string name() const;
-  /// "kinetic_ratio 0.08, above 0.02: the specimen is in motion, not in equilibrium"
+  /// "kinetic_ratio 0.08, above 0.01: the specimen is in motion, not in equilibrium"
   std::string text() const;
 };
 
@@ -52,8 +52,8 @@ Grade grade_of(const std::vector<Number>& numbers);
 
 /// How many of many results carry which mark.
 struct QualityTally {
-  std::size_t n_results = 0, n_marked = 0;
-  std::map<std::string, std::size_t> measures;  ///< results beyond a limit, by measure
+  std::size_t n_results = 0, n_marked = 0, n_unknown = 0;  ///< all; with a mark; without measures
+  std::map<std::string, std::size_t> measures;             ///< results beyond a limit, by measure
   void add(const std::vector<Number>& numbers);
   void add(const QualityTally& more);
   /// "3 of 35 tests carry a remark: energy_error (1), kinetic_ratio (2)"; empty where none does.

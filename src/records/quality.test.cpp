@@ -83,6 +83,9 @@ TEST(Quality, ATallyCountsResultsAndMeasures) {
   more.add(sound_but("rattlers", 0.2));
   tally.add(more);
   EXPECT_EQ(tally.text(), "3 of 4 tests carry a remark: energy_error (2), rattlers (1)");
+  QualityTally old;
+  old.add({measured("ucs", 50e6)});
+  EXPECT_EQ(old.text(), "1 of 1 tests are of an older version, which did not assess them");
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ std::string left_out_text(const StudyRows& rows) {
   if (n_untrusted > 0)
     text +=
         fmt::format("\nleft out: {} of {} specimens, which are not to be trusted\n", n_untrusted, n_finished);
-  return text + (tally.n_marked > 0 ? "\n" + tally.text() + "\n" : "");
+  return text + (tally.text().empty() ? "" : "\n" + tally.text() + "\n");
 }
 
 std::string cells(const Summary& s) {

@@ -182,12 +182,16 @@ TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
       plan("design = \"full_factorial\"\n[[vary]]\nkey = \"test.max_strain\"\nvalues = [0.0005, 0.05]\n");
   Store store(at("s.sqlite"));
   const StudyProgress now = progress_after(p, store);
-  EXPECT_EQ(now.n_failed, 3u);
   EXPECT_EQ(now.n_done, 6u);
-  std::size_t n_advised = 0;
-  for (const StoredResult& row : store.rows())
-    if (row.result.outcome.status == Status::not_peaked) n_advised += !row.result.outcome.advice.empty();
-  EXPECT_EQ(n_advised, 3u);
+  std::size_t n_short = 0, n_failed = 0;
+  for (const StoredResult& row : store.rows()) {
+    n_short += row.result.outcome.status == Status::not_peaked ? 1 : 0;
+    if (row.result.outcome.status == Status::peaked) continue;
+    ++n_failed;
+    EXPECT_FALSE(row.result.outcome.advice.empty()) << row.result.name;
+  }
+  EXPECT_EQ(n_short, 3u);
+  EXPECT_EQ(now.n_failed, n_failed);  // untrusted ones are among them: the platens are fast here
 }
 
 // Of discs cut from a packing that is given by its porosity.

@@ -320,7 +320,7 @@ TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
   int n_told = 0;
   for (std::size_t at = 0; (at = tests.find("eaked,", at)) != tests.npos; ++at) ++n_told;  // and not peaked
   EXPECT_EQ(n_told, n_finished);
-  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,\n"));
+  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,,\n"));
   EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
 }
 
