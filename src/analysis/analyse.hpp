@@ -12,7 +12,7 @@
 //   confined.hpp   q_max in the place of ucs, sigma_1 sigma_3 confinement_error       (biaxial)
 //   shear.hpp      tau_peak u_peak tau_residual sigma_n K_s mu_residual dilation ...  (direct_shear)
 //   energy.hpp     energy_<column>, and the same with _at_peak; energy_error kinetic_ratio platen_difference
-//                  rows_to_peak wave_transits
+//                  rows_to_peak wave_transits peak_confirmed
 #pragma once
 #include <string>
 #include <vector>

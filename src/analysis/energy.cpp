@@ -68,6 +68,28 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
   out.push_back(all), out.push_back(most);
 }
 
+/// How far the test has gone on behind its peak: a stress that falls by a fifth, or half as much strain again
+/// without a new largest stress, is enough.
+Number peak_confirmed(const LoadingBranch& branch, const History& history) {
+  Number n{
+      "peak_confirmed", nan, "1",
+      fmt::format(
+          "the larger of the fall of stress behind {0} / 20 % of {0} and the strain behind it / 50 % of its "
+          "strain",
+          branch.strength),
+      branch_note(branch)};
+  if (!branch.peaked) return n;
+  double least = branch.largest, farthest = branch.strain;
+  for (const HistoryRow& r : std::span(history.rows)
+                                 .subspan(static_cast<std::size_t>(branch.rows.data() + branch.rows.size() -
+                                                                   history.rows.data()))) {
+    if (std::isfinite(r.axial_stress)) least = std::min(least, r.axial_stress);
+    if (std::isfinite(r.axial_strain)) farthest = std::max(farthest, r.axial_strain);
+  }
+  n.value = std::max((1.0 - least / branch.largest) / 0.2, (farthest / branch.strain - 1.0) / 0.5);
+  return n;
+}
+
 /// Time in which the strain of the peak is reached at the strain rate of the second half of the way [s]: the
 /// way before may have been jumped over, or run through in a ramp.
 double rise_time(const LoadingBranch& branch) {
@@ -131,6 +153,7 @@ std::vector<Number> run_checks(const LoadingBranch& branch, const History& histo
   out.push_back({"rows_to_peak", branch.peaked ? static_cast<double>(branch.rows.size()) : nan, "1",
                  fmt::format("rows of the history up to {}", branch.strength), branch_note(branch)});
   out.push_back(wave_transits(branch, path));
+  out.push_back(peak_confirmed(branch, history));
   return out;
 }
 

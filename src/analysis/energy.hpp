@@ -27,6 +27,7 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
 ///                        below 1e-2
 ///   platen_difference    largest |top - bottom platen stress| / ucs before the peak; and _95: not exceeded
 ///                        by 95 % of rows
+///   peak_confirmed       fall of stress behind the peak / 20 %, or strain behind it / 50 %, the larger
 ///   rows_to_peak         rows of the history up to the peak
 ///   wave_transits        how often a wave crosses the specimen while the stress rises to its peak
 std::vector<Number> run_checks(const LoadingBranch& branch, const History& history, const WavePath& path);

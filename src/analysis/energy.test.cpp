@@ -38,7 +38,9 @@ TEST(Energy, ALaboratoryCurveHasNone) {
   for (HistoryRow& r : h.rows) r.boundary_work = r.strain_bond = 0.0;
   for (const auto& numbers : {budget(h), checked(h)}) {
     for (const Number& n : numbers) {
-      if (n.name.starts_with("platen") || n.name == "rows_to_peak" || n.name == "wave_transits") continue;
+      if (n.name.starts_with("platen") || n.name == "rows_to_peak" || n.name == "wave_transits" ||
+          n.name == "peak_confirmed")
+        continue;
       EXPECT_TRUE(std::isnan(n.value)) << n.name;
       EXPECT_EQ(n.note, "the history holds no energies") << n.name;
     }
@@ -90,6 +92,19 @@ TEST(RunChecks, RowsAndWaveTransitsToThePeak) {
   EXPECT_NEAR(value(checked(h, {2000.0, 0.1}), "wave_transits"), 1000.0, 1e-6);
   EXPECT_NEAR(value(checked(h, {2000.0, 0.1, 4.0}), "wave_transits"), 2000.0, 1e-6);  // E four times as large
   EXPECT_TRUE(std::isnan(value(checked(h), "wave_transits")));
+}
+
+TEST(RunChecks, APeakIsConfirmedByAFallOrByStrainBehindIt) {
+  // Marble falls by 1 % of its strength with every second row behind the 200th; its last row is at half of
+  // it.
+  EXPECT_NEAR(value(checked(marble()), "peak_confirmed"), 0.5 / 0.2, 1e-12);
+  History h = marble();
+  h.rows.resize(211);  // 11 rows on: 5.5 % lower, 5.5 % more strain
+  EXPECT_NEAR(value(checked(h), "peak_confirmed"), 0.055 / 0.2, 1e-9);
+  for (std::size_t i = 200; i < h.rows.size(); ++i) h.rows[i].axial_stress = 99e6;
+  h.rows.back().axial_strain = 0.0035;  // 75 % more strain, at 99 % of the peak
+  EXPECT_NEAR(value(checked(h), "peak_confirmed"), 0.75 / 0.5, 1e-9);
+  EXPECT_TRUE(std::isnan(value(checked(unfinished()), "peak_confirmed")));
 }
 
 TEST(RunChecks, WaveTransitsCountByTheSpeedOfTheEnd) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "base/lines.hpp"
 #include "cli/elastic_sweep.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
@@ -167,8 +168,10 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
                 modulus_loss ? "modulus" : "compliance", spacing * 1e3);
   print_out("{}", text_table(label, {normal, shear, shape}, width));
+  std::vector<std::string> missing;
   for (const NamedFit& f : fits)
-    if (!f.fit.ok()) print_wrapped(width, 2, "{}: no fit: {}\n", f.name, f.fit.reason);
+    if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
+  for (const std::string& line : missing) print_wrapped(width, 2, "{}\n", line);
 }
 
 /// Parameters down, specimens across; the intact specimen has no joints, and so a shorter list.
@@ -286,6 +289,7 @@ int elastic(const ElasticArguments& args, const Session& session) {
   bool all_solved = print_outcomes(study, width);
   print_fits(study, args.modulus_loss, width);
   print_sensitivities(study, width);
+  flush_out();  // the press takes long, and may be ended
   if (args.press) all_solved = print_press(study, machine_of(session), width) && all_solved;
   print_out("\n{:.2f} s for {} solutions\n", study.seconds, 2 * study.specimens.size());
   return all_solved ? 0 : 1;

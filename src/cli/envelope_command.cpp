@@ -282,9 +282,12 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   write_output(fits, fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
-  print_fits(envelope, width);
+  if (stop_on_interrupt()->load())
+    print_wrapped(width, 2, "\nstopped: no envelope is fitted; what was finished is in {}\n", args.out);
+  else
+    print_fits(envelope, width);
   print_wrapped(width, 2,
-                "results in {}: envelope.csv, fits.csv, a folder per stress with one per specimen\n",
+                "tests in {}: envelope.csv, fits.csv, a folder per stress with one per finished specimen\n",
                 args.out);
   for (const auto& of_stress : tests.results)
     for (const TestResult& r : of_stress)

@@ -261,7 +261,7 @@ class Group final : public LaneGroup {
   void fit_jacket(std::size_t lane);
   double pushed_way(std::size_t grain, std::size_t lane) const;
   double area_swept(std::size_t lane) const;
-  std::size_t outrunner(std::size_t lane) const;
+  std::optional<PairKey> missed_pair(std::size_t lane) const;
   // books
   void keep_books(std::size_t lane);
   void book_tools(std::size_t lane);

@@ -177,22 +177,22 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before) {
   Lane& lane = lanes_[l];
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
-  const std::size_t fast = outrunner(l);
+  const std::optional<PairKey> missed = all_numbers(r) ? missed_pair(l) : std::nullopt;
   std::string& reason = lane.health.reason;
   if (!all_numbers(r) || !std::isfinite(overlap))
     reason = "energies or forces are no numbers any more";
-  else if (fast < n_grains())
-    reason =
-        fmt::format("grain {} has gone {:.2g} mm since contacts were looked for, up to {:.2g} mm from it",
-                    packing_id(static_cast<std::int32_t>(fast)),
-                    1e3 * norm(displacement(fast, l) - built_at_[fast * W_ + l]), 1e3 * lane.range[fast]);
+  else if (missed)
+    reason = fmt::format(
+        "grains {} and {} have met unseen: one has flown farther within a block than contacts are "
+        "looked for",
+        packing_id(key_a(*missed)), packing_id(key_b(*missed)));
   else if (overlap >= worst_overlap)
     reason = deepest_overlap(l);
   else if (lane.placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
     reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
   else
     return;
-  lane.health.outran = fast < n_grains();
+  lane.health.outran = missed.has_value();
   lane.health.ok = false;
   lane.health.reason = fmt::format("at step {} {}", lane.step, lane.health.reason);
   const double step = r.step, time = r.time;

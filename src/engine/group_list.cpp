@@ -32,9 +32,8 @@ class PairUnion {
 }  // namespace
 
 /// Pairs that may touch before the list is renewed: within the skin, and as much farther as a grain may go in
-/// the next block that is too fast for half the skin, or that a jacket drives. A grain that goes farther all
-/// the same, hit within the block, ends the test (outrunner): whether the list then holds what it meets
-/// depends on lane mates.
+/// the next block that is too fast for half the skin, or that a jacket drives. A grain at rest that is hit
+/// within the block may go farther all the same: what it then meets unseen ends the test (missed_pair).
 template <class T>
 void Group<T>::search(std::size_t l) {
   Lane& lane = lanes_[l];
@@ -61,15 +60,29 @@ void Group<T>::search(std::size_t l) {
   lane.searched = true;
 }
 
-/// A grain that has gone farther since the search than its list reaches; n_grains(): none.
+/// Two grains that overlap though this lane's list does not hold them: one of them has gone farther than it
+/// reaches. Nothing: all contacts are known. The few fast grains are held against all.
 template <class T>
-std::size_t Group<T>::outrunner(std::size_t l) const {
-  const std::vector<double>& range = lanes_[l].range;
-  for (std::size_t g = 0; g < range.size(); ++g) {
+std::optional<PairKey> Group<T>::missed_pair(std::size_t l) const {
+  const Lane& lane = lanes_[l];
+  const auto listed = [&](PairKey key) {
+    if (std::find(lane.near.begin(), lane.near.end(), key) != lane.near.end()) return true;
+    const auto c =
+        static_cast<std::size_t>(std::lower_bound(pairs_.begin(), pairs_.end(), key) - pairs_.begin());
+    return c < pairs_.size() && pairs_[c] == key && tag_[c * W_ + l] != 0;
+  };
+  for (std::size_t g = 0; g < lane.range.size(); ++g) {
     const Vec2 way = displacement(g, l) - built_at_[g * W_ + l];
-    if (dot(way, way) > range[g] * range[g]) return g;
+    if (dot(way, way) <= lane.range[g] * lane.range[g]) continue;
+    for (std::size_t h = 0; h < n_grains(); ++h) {
+      const Vec2 d = x0_[h] + displacement(h, l) - x0_[g] - displacement(g, l);
+      const double touch = radius_[g] + radius_[h];
+      const PairKey key =
+          pair_key(static_cast<std::uint32_t>(std::min(g, h)), static_cast<std::uint32_t>(std::max(g, h)));
+      if (h != g && dot(d, d) < touch * touch && !listed(key)) return key;
+    }
   }
-  return n_grains();
+  return std::nullopt;
 }
 
 /// Searches lanes that have moved far enough that their list would not last; the others keep theirs.

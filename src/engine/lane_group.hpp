@@ -40,7 +40,7 @@ struct LaneSetup {
 struct LaneHealth {
   bool ok = true;
   std::string reason;   ///< which of its checks has fired, with numbers
-  bool outran = false;  ///< a grain went farther within a block than its contacts were looked for
+  bool outran = false;  ///< two grains met that were not looked for as a contact
 };
 
 class LaneGroup {

@@ -1,5 +1,7 @@
 #include "genesis/packing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -195,9 +197,14 @@ Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, cons
 
 Packing adopt_packing(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix,
                       std::vector<Disc> discs) {
-  const auto problem = [](std::size_t i, const char* what) {
-    const std::string disc = "disc " + std::to_string(i + 1);
-    return InputError(Problem{"", "packing.file", disc, what, "check the units of the file"});
+  const auto problem = [&](std::size_t i, const char* what) {
+    std::string disc = "disc " + std::to_string(i + 1);
+    if (i < discs.size())
+      disc += fmt::format(" at ({:g}, {:g}) mm, radius {:g} mm", 1e3 * discs[i].x, 1e3 * discs[i].y,
+                          1e3 * discs[i].r);
+    return InputError(
+        Problem{"", "packing.file", disc, what,
+                "check the units of the file, and its origin: the lower left corner of the specimen"});
   };
   if (discs.size() < 2) throw problem(discs.size(), "at least 2 discs");
   // Beyond these the cells of the neighbour search are without number, or one disc is the whole specimen.
@@ -207,7 +214,7 @@ Packing adopt_packing(const SpecimenSize& size, const PackingRecipe& recipe, con
     if (!(d.r >= smallest && d.r < largest))
       throw problem(i, "a radius from 1/10000 to less than 1/2 of the smaller side of the specimen");
     if (!(d.x > 0.0 && d.x < size.width && d.y > 0.0 && d.y < size.height))
-      throw problem(i, "a centre inside the specimen");
+      throw problem(i, "a centre inside the specimen, 0 < x < width, 0 < y < height");
   }
   const SettleBox box = box_of(size, recipe, matrix);
   const Equilibrium e = settle(box, discs, 0.0, 0.0, 0);

@@ -13,7 +13,7 @@ constexpr double deep = 0.05;       // mean overlap over the mean radius: ordina
 constexpr double shattering = 0.5;  // stress of one wave from a platen over the strength of the bonds
 constexpr double violent = 0.1;     // kinetic energy over the work
 constexpr double squeezed = 0.02;   // stress on the boundary over the contact modulus: rock fails far below
-constexpr double undamped = 0.1;    // alpha: below it vibrations last
+constexpr double undamped = 0.5;    // alpha: below it vibrations last long
 constexpr double extreme = 100.0;   // ratio of two stiffnesses
 
 double modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E_b; }

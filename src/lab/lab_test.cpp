@@ -171,12 +171,29 @@ bool LabTest::check_stop() {
                fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress,
                            strain_text(kind, now.strain, 3), now.stress * 1e-6),
                "raise test.max_strain");
-  if (now.strain >= max_strain())
-    return end(Status::not_peaked,
-               fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to strain {:.3f} %",
-                           recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, now.strain * 100.0),
-               "raise test.max_strain, or test.stop_at");
-  return false;
+  return now.strain >= max_strain() && end_without_peak(now);
+}
+
+/// The largest strain is reached: why there is no peak, and what to change.
+bool LabTest::end_without_peak(const Reading& now) {
+  const TestKind kind = recipe_.test.kind;
+  const char* const stress = stress_name(kind);
+  const double n_broken = result_.history.rows.back().n_cracks;
+  const std::string at = strain_text(kind, now.strain, 3);
+  if (specimen_->matrix.unbreakable)
+    return end(Status::not_peaked, "nothing can break, up to " + at,
+               "set matrix.unbreakable = false to get a strength");
+  if (now.stress < recipe_.test.stop_at * peak_.stress && n_broken < least_cracks)
+    return end(
+        Status::not_peaked,
+        fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the tools have "
+                    "lost the specimen, or it slips",
+                    stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken),
+        "take smaller grains, of which the tools hold more");
+  return end(Status::not_peaked,
+             fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
+                         recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, at),
+             "raise test.max_strain, or test.stop_at");
 }
 
 Frame LabTest::frame() const {

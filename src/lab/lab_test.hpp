@@ -91,6 +91,7 @@ class LabTest {
   /// it found no peak.
   void read_numbers();
   bool check_stop();
+  bool end_without_peak(const Reading& now);
   bool end_unstable(const LaneHealth& health);
 
   std::shared_ptr<const Rig> rig_;

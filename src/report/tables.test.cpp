@@ -139,10 +139,10 @@ TEST(OutcomeLines, TellARemarkOnceWithTheTestsThatItIsSaidOf) {
     all[i].outcome = {Status::peaked, "", ""};
     all[i].numbers = {{"rattlers", i == 1 ? 0.02 : 0.16 + 0.02 * static_cast<double>(i), "1", "", ""}};
   }
-  EXPECT_EQ(outcome_lines(all),
-            "remark: rattlers above 0.1: this share of the grains can carry nothing; raise "
-            "packing.n_grains, or lower "
-            "packing.porosity (test 0 0.16, test 2 0.2)\n");
+  EXPECT_EQ(
+      outcome_lines(all),
+      "remark: rattlers above 0.1: this share of the grains can carry nothing; put more discs into the box "
+      "(packing.n_grains, packing.porosity or the imported file) (test 0 0.16, test 2 0.2)\n");
   for (TestResult& r : all) r.outcome = {Status::untrusted, "rattlers 0.4", "raise it"};
   EXPECT_EQ(outcome_lines({all[0]}), "test 0: untrusted: rattlers 0.4; raise it\n");
 }

@@ -40,6 +40,8 @@ class Quality : public ProgramTest {
                                       "angles = [\"60 deg\"]",
                                       "platen_speed = \"0.02 m/s\"",
                                       "history_interval = 100",
+                                      "stop_at = 0.6",
+                                      "post_peak = 1",
                                       "n_snapshots = 1",
                                       "n_frames = 2",
                                       "[engine]",
@@ -99,12 +101,14 @@ INSTANTIATE_TEST_SUITE_P(
             {"kind = \"direct_tension\"", "platen_speed = \"1 m/s\"", "history_interval = 10"},
             "wave_transits",
             "lower test.platen_speed"},
-        Bad{"four_hundred_discs_in_the_space_of_254",
-            {"n_grains = 400"},
-            "porosity",
-            "lower packing.n_grains"},
+        Bad{"four_hundred_discs_in_the_space_of_254", {"n_grains = 400"}, "porosity", "put fewer discs"},
         Bad{"planes_that_miss", {"spacing = \"200 mm\"", "offset = \"100 mm\""}, "joints", "bedding.offset"},
-        Bad{"grains_without_load", {"n_grains = 212", "seed = 2"}, "rattlers", "raise packing.n_grains"},
+        Bad{"grains_without_load", {"n_grains = 212", "seed = 2"}, "rattlers", "put more discs"},
+        Bad{"ended_at_the_first_dip", {"stop_at = 0.99"}, "peak_confirmed", "lower test.stop_at"},
+        Bad{"ended_right_behind_the_peak",
+            {"stop_at = 0", "post_peak = 0.02"},
+            "peak_confirmed",
+            "raise test.post_peak"},
         Bad{"three_rows", {"history_interval = 5000"}, "rows_to_peak", "lower test.history_interval"}),
     [](const auto& one) { return std::string(one.param.name); });
 
@@ -135,6 +139,9 @@ TEST_F(Quality, AnEnvelopeLeavesUntrustedTestsOut) {
   const std::string file = rock({"platen_speed = \"2 m/s\""});
   EXPECT_EQ(run("envelope " + file + " --confining '0 MPa,5 MPa,10 MPa' --out " + out()), 1) << output;
   EXPECT_THAT(output, AllOf(HasSubstr("untrusted"), HasSubstr("no Mohr-Coulomb envelope")));
+  EXPECT_EQ(
+      run("envelope " + file + " --confining '0 MPa,5 MPa,10 MPa' --with-untrusted --out " + at("asked")), 1);
+  EXPECT_THAT(output, Not(HasSubstr("no Mohr-Coulomb envelope"))) << output;
 }
 
 }  // namespace
