@@ -220,7 +220,7 @@ test("a page says which specimens failed or are missing", async () => {
   const page = await open(broken);
   assert.deepEqual(page.trouble, []);
   const text = (await page.locator(".notice").allTextContents()).join("\n");
-  assert.match(text, /theta = 45 deg: not peaked.*raise test\.max_strain/);
+  assert.match(text, /theta = 45 deg: not peaked.*lower test\.platen_speed/);
   assert.match(text, /intact: missing/);
   assert.match(text, /theta_0_deg: missing/);
 });
