@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/clusters.hpp"
 
 namespace phy {
 namespace {
@@ -48,30 +49,15 @@ std::vector<char> dangling(const Neighbours& of) {
   return gone;
 }
 
-/// Number of grains of the largest connected part of those not marked.
-std::size_t largest_part(const Neighbours& of, std::vector<char> gone) {
-  std::size_t largest = 0;
-  for (std::uint32_t start = 0; start < of.size(); ++start) {
-    if (gone[start] != 0) continue;
-    std::size_t n = 0;
-    std::vector<std::uint32_t> next = {start};
-    gone[start] = 1;
-    while (!next.empty()) {
-      const std::uint32_t g = next.back();
-      next.pop_back();
-      ++n;
-      for (const std::uint32_t m : of[g])
-        if (gone[m] == 0) gone[m] = 1, next.push_back(m);
-    }
-    largest = std::max(largest, n);
-  }
-  return largest;
-}
-
 double rattlers(const Specimen& s) {
-  const Neighbours of = neighbours_of(s);
-  const auto n = static_cast<double>(of.size());
-  return 1.0 - static_cast<double>(largest_part(of, dangling(of))) / n;
+  const std::vector<char> gone = dangling(neighbours_of(s));
+  Clusters parts(gone.size());
+  for (const Contact& c : s.contacts)
+    if (gone[c.a] == 0 && gone[c.b] == 0) parts.join(c.a, c.b);
+  std::vector<std::size_t> size(gone.size(), 0);
+  for (std::uint32_t g = 0; g < gone.size(); ++g) size[parts.find(g)] += gone[g] == 0 ? 1 : 0;
+  const auto largest = *std::max_element(size.begin(), size.end());
+  return 1.0 - static_cast<double>(largest) / static_cast<double>(gone.size());
 }
 
 double fewest_joints(const Specimen& s) {

@@ -269,16 +269,17 @@ void Group<T>::advance() {
                                               : p.lane < q.lane;
             });
   raw_cracks_.resize(v.n_cracks);
+  const Farthest most = farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
     keep_books(l);
     const HistoryRow before = lanes_[l].row;
     write_row(l);
-    watch(l, before);
+    watch(l, before, most.moved[l]);
   }
   raw_cracks_.resize(pairs_.size() * W_);
   births();
-  watch_motion();
+  watch_motion(most);
 }
 
 template <class T>

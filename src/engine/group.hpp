@@ -94,8 +94,7 @@ struct Lane {
   std::vector<CrackEvent> cracks;
   std::int64_t n_contacts = 0;
   std::vector<PairKey> near;  // of this lane's last search
-  std::vector<double>
-      range;  // per sorted grain: how far it may go until the list could miss a contact of it [m]
+  std::vector<double> range;  // of each sorted grain: the way since that search that the list allows for [m]
   bool searched = false;
 
   const Rig& rig() const { return *setup.rig; }
@@ -243,7 +242,8 @@ class Group final : public LaneGroup {
     std::vector<double> moved, speed;
   };
   Farthest farthest() const;
-  void watch_motion();
+  void watch_motion(const Farthest& most);
+  std::optional<PairKey> missed_pair(std::size_t lane) const;
   // move
   void send_motion(std::size_t lane, Group<T>& to, std::size_t to_lane) const;
   void send_contacts(std::size_t lane, Group<T>& to, std::size_t to_lane) const;
@@ -261,14 +261,13 @@ class Group final : public LaneGroup {
   void fit_jacket(std::size_t lane);
   double pushed_way(std::size_t grain, std::size_t lane) const;
   double area_swept(std::size_t lane) const;
-  std::optional<PairKey> missed_pair(std::size_t lane) const;
   // books
   void keep_books(std::size_t lane);
   void book_tools(std::size_t lane);
   CrackEvent crack_event(const RawCrack& raw, std::size_t lane) const;
   void write_load(const Lane& lane, HistoryRow& row) const;
   void write_row(std::size_t lane);
-  void watch(std::size_t lane, const HistoryRow& before);
+  void watch(std::size_t lane, const HistoryRow& before, double farthest_way);
   std::string deepest_overlap(std::size_t lane) const;
   ContactState contact_state(std::size_t c, std::size_t lane) const;
 };

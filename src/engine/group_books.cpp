@@ -173,13 +173,15 @@ std::string Group<T>::deepest_overlap(std::size_t l) const {
 }
 
 template <class T>
-void Group<T>::watch(std::size_t l, const HistoryRow& before) {
+void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_way) {
   Lane& lane = lanes_[l];
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
-  const std::optional<PairKey> missed = all_numbers(r) ? missed_pair(l) : std::nullopt;
+  const bool numbers = all_numbers(r) && std::isfinite(overlap);
+  const bool beyond = numbers && farthest_way > 0.5 * skin_;  // what any list allows for
+  const std::optional<PairKey> missed = beyond ? missed_pair(l) : std::nullopt;
   std::string& reason = lane.health.reason;
-  if (!all_numbers(r) || !std::isfinite(overlap))
+  if (!numbers)
     reason = "energies or forces are no numbers any more";
   else if (missed)
     reason = fmt::format(

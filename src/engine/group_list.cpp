@@ -339,9 +339,7 @@ typename Group<T>::Farthest Group<T>::farthest() const {
 // plus what the fastest grain can do in the next block, exceeds the skin; for tools their own motion counts.
 // Where one grain alone outruns the skin, the list is renewed in every block and reaches farther (search).
 template <class T>
-void Group<T>::watch_motion() {
-  if (dirty_) return;
-  const Farthest most = farthest();
+void Group<T>::watch_motion(const Farthest& most) {
   for (std::size_t l = 0; l < W_ && !dirty_; ++l) {
     const Lane& lane = lanes_[l];
     if (!lane.specimen) continue;

@@ -2,31 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-#include <vector>
-
 #include "base/check.hpp"
+#include "base/clusters.hpp"
 #include "lab/rigs.hpp"
 
 namespace phy {
 namespace {
 
-/// Grains that hang together, as trees: each grain names another of its cluster, the root itself.
-class Clusters {
- public:
-  explicit Clusters(std::size_t n) : of_(n) { std::iota(of_.begin(), of_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (of_[i] != i) i = of_[i] = of_[of_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { of_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> of_;
-};
-
 /// What the tool reaches joins the cluster of `hub`. Returns how many grains it reaches.
-std::size_t reach(const Tool& tool, const Packing& packing, std::size_t hub, Clusters& clusters) {
+std::size_t reach(const Tool& tool, const Packing& packing, std::uint32_t hub, Clusters& clusters) {
   std::size_t n = 0;
   for (const Touch& t : tool.touches)
     if (t.gap < packing.discs[t.grain].r) clusters.join(t.grain, hub), ++n;
@@ -39,7 +23,7 @@ std::size_t reach(const Tool& tool, const Packing& packing, std::size_t hub, Clu
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
   const Rig rig = rig_of(packing, recipe);
-  const std::size_t n = packing.discs.size(), lo = n, hi = n + 1;
+  const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
   Clusters clusters(n + 2);  // the grains and the two tools
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
   std::string lost;
@@ -49,7 +33,7 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
     if (reach(tool, packing, hub, clusters) == 0)
       no_reach = true, lost = "the " + tool.name + " reaches no disc";
   }
-  if (clusters.root(lo) == clusters.root(hi)) return;
+  if (clusters.find(lo) == clusters.find(hi)) return;
   if (lost.empty())
     lost = fmt::format("{} discs have {} contact(s), and none of their chains leads across", n,
                        specimen.contacts.size());

@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+
+#include "base/clusters.hpp"
 
 namespace phy {
 namespace {
-
-/// Union-find; the lowest member stands for its cluster.
-class Clusters {
- public:
-  explicit Clusters(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 using Row = std::array<double, 3>;  // over a rigid motion (v_x, v_y, spin times length) about the origin of
                                     // the network
