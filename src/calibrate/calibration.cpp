@@ -80,7 +80,7 @@ void add_identifiability(Calibration& result, const Rock& rock) {
     if (e.determined)
       e.rests_on = f->rests_on;
     else if (f->determined)
-      e.next_test = met ? "more specimens of: " + f->rests_on : "a table that the model can meet";
+      e.next_test = met ? "more specimens of " + f->rests_on : "a table that the model can meet";
     else
       e.next_test = f->next_test;
   }
@@ -129,8 +129,8 @@ void tell_missing(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
       add_line(result.notes, cell_name(c.target),
-               fmt::format("{} of {} tests on unseen packings gave no peak ({})", n_unseen - c.n_packings,
-                           n_unseen, c.missing));
+               fmt::format("{} of {} tests on unseen packings gave no usable peak ({})",
+                           n_unseen - c.n_packings, n_unseen, c.missing));
 }
 
 /// Strengths on unseen packings that miss the table by more than scatter explains: that of the packings and
@@ -144,7 +144,7 @@ void judge_strength(Calibration& result, bool short_search) {
     if (!c.answered()) {
       result.verdict.status = VerdictStatus::out_of_reach;
       add_line(result.verdict.findings, cell_name(c.target),
-               fmt::format("no test on unseen packings gave a peak ({})", c.missing));
+               fmt::format("no test on unseen packings gave a usable peak ({})", c.missing));
       continue;
     }
     const Comparison* fitted = row_of(result.fitted, c.target);

@@ -158,10 +158,15 @@ std::string elastic_limit(const std::vector<Target>& targets) {
         "chance stays "
         "below {:.0f} in 99 of 100 tables): ",
         any.chi_square, any.limit());
+    const bool only_E =
+        std::all_of(readings.begin(), readings.end(), [](const LayeredReading& r) { return r.is_modulus; });
+    const char* const how = only_E ? ""
+                                   : ". nu counts as read in the plane of load and dip; a mean over the "
+                                     "circumference is another number";
     const std::vector<Misfit> alone = each_alone(readings);
-    if (alone.empty()) return text + "farthest off " + list_of(farthest(readings, any), "nearest body");
+    if (alone.empty()) return text + "farthest off " + list_of(farthest(readings, any), "nearest body") + how;
     return text + (alone.size() > 1 ? "the odd one out may be any of " : "the odd one out is ") +
-           list_of(alone, "the others want");
+           list_of(alone, "the others want") + how;
   }
   const LayeredFit planes = fit_layered(readings, LayeredBody::planes_in_isotropic_rock);
   if (planes.met()) return "";

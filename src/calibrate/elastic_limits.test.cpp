@@ -80,6 +80,16 @@ TEST(ElasticLimit, EndsThatContradictEachOtherAreAllNamed) {
                           HasSubstr("nu(90) = 0.150 (the others want 0.300")));
 }
 
+// A laboratory that reads nu around the circumference measures another number, and its table may be a body's.
+TEST(ElasticLimit, HowNuIsReadIsSaidWhereNuTakesPart) {
+  std::vector<Target> targets = table_of(jointed);
+  targets[7].mean *= 0.4, targets[3].mean *= 1.4;
+  EXPECT_THAT(elastic_limit(targets), HasSubstr("circumference"));
+  targets.resize(7);  // E alone
+  EXPECT_THAT(elastic_limit(targets),
+              AllOf(HasSubstr("no layered elastic body"), Not(HasSubstr("circumference"))));
+}
+
 TEST(ElasticLimit, ALayeredBodyThatNoPlanesMakeIsToldApart) {
   EXPECT_THAT(elastic_limit(table_of(reversed)),
               AllOf(HasSubstr("a layered elastic body has the E and nu"), HasSubstr("planes add compliance"),

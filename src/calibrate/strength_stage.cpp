@@ -176,7 +176,7 @@ void report(const StrengthPosterior& posterior, const std::vector<VectorXd>& dra
 /// Says once how many tests of all batches came to nothing.
 void tell_without_peak(StrengthFit& fit) {
   if (fit.n_without_peak > 0)
-    fit.notes.push_back(fmt::format("{} of {} tests of the search gave no peak and were left out",
+    fit.notes.push_back(fmt::format("{} of {} tests of the search gave no usable peak and were left out",
                                     fit.n_without_peak, fit.n_tests));
 }
 
@@ -231,7 +231,7 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
         !posterior.has_runs()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
-        fit.findings.emplace_back("no test of some angle gave a peak: strengths were not fitted");
+        fit.findings.emplace_back("no test of some angle gave a usable peak: strengths were not fitted");
       tell_without_peak(fit);
       return fit;
     }

@@ -380,30 +380,32 @@ TEST(StrengthStage, AnAngleWithoutAnyPeakIsOutOfReach) {
 TEST(StrengthStage, AnAngleWithoutAPeakOnUnseenPackingsIsOutOfReach) {
   const Calibration c = found([](const Recipe& r) { return !is_unseen(r) || r.bedding[0].theta != 30.0; });
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
-  EXPECT_THAT(
-      c.verdict.findings,
-      testing::Contains("UCS(30): no test on unseen packings gave a peak (no drop; raise test.max_strain)"));
+  EXPECT_THAT(c.verdict.findings,
+              testing::Contains(
+                  "UCS(30): no test on unseen packings gave a usable peak (no drop; raise test.max_strain)"));
 }
 
 TEST(StrengthStage, WhatIsTheSameAtAllAnglesIsOneLine) {
   const Calibration none = found([](const Recipe& r) { return !is_unseen(r); });
   EXPECT_THAT(
       none.verdict.findings,
-      testing::Contains("UCS(0), UCS(30), UCS(60), UCS(90): no test on unseen packings gave a peak (no drop; "
-                        "raise test.max_strain)"));
+      testing::Contains(
+          "UCS(0), UCS(30), UCS(60), UCS(90): no test on unseen packings gave a usable peak (no drop; "
+          "raise test.max_strain)"));
   const Calibration some = found([](const Recipe& r) { return r.packing.seed != 2; });
   int told = 0;
   for (const std::string& note : some.notes)
-    told += note.find("of the search gave no peak") != note.npos ? 1 : 0;
+    told += note.find("of the search gave no usable peak") != note.npos ? 1 : 0;
   EXPECT_EQ(told, 1) << testing::PrintToString(some.notes);
 }
 
 TEST(StrengthStage, UnseenPackingsWithoutAPeakAreCounted) {
   const Calibration c =
       found([](const Recipe& r) { return r.packing.seed != 7 || r.bedding[0].theta != 30.0; });
-  EXPECT_THAT(c.notes,
-              testing::Contains(
-                  "UCS(30): 1 of 5 tests on unseen packings gave no peak (no drop; raise test.max_strain)"));
+  EXPECT_THAT(
+      c.notes,
+      testing::Contains(
+          "UCS(30): 1 of 5 tests on unseen packings gave no usable peak (no drop; raise test.max_strain)"));
 }
 
 TEST(StrengthStage, AnAssumedScatterExcusesNoSingleValue) {

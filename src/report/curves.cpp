@@ -105,6 +105,7 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
 }  // namespace
 
 double value_of(const TestRecord& test, const std::string& name) {
+  if (test.result.outcome.status == Status::untrusted) return std::numeric_limits<double>::quiet_NaN();
   for (const Number& n : test.result.numbers)
     if (n.name == name) return n.value;
   return std::numeric_limits<double>::quiet_NaN();

@@ -38,7 +38,7 @@ Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact);
 /// seed by itself; where there is no fit, no point.
 std::vector<MacroPoint> macro_points(const Variation& variation, const VariedParameter& parameter);
 
-/// Value of a number, NaN where the result has none.
+/// Value of a number for curves and fits: NaN where the result has none, or is not to be trusted.
 double value_of(const TestRecord& test, const std::string& name);
 
 }  // namespace phy

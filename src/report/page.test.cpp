@@ -178,6 +178,10 @@ TEST(TheoryCurves, GoThroughReadingsThatTheyMade) {
   }
   EXPECT_TRUE(curves.ucs.theta.empty());
   EXPECT_THAT(curves.ucs.note, HasSubstr("No theory curve"));
+  run.tests.push_back(test_at(15.0));  // another E altogether, not to be trusted: nothing moves
+  run.tests.back().result.outcome.status = Status::untrusted;
+  EXPECT_TRUE(std::isnan(value_of(run.tests.back(), "E_tangent")));
+  EXPECT_EQ(theory_curves(run).E.value, curves.E.value);
 }
 
 TEST(CrackRose, CountsCracksByTheirOwnDirection) {

@@ -155,11 +155,12 @@ interface AngleOptions {
 
 /** One number over the inclination: model, theory, laboratory. */
 export function overAngle(report: Report, width: number, o: AngleOptions): SVGSVGElement | HTMLElement {
-  const model = report.tests.flatMap((t) => {
+  const counted = report.tests.filter((t) => t.outcome.status !== "untrusted");
+  const model = counted.flatMap((t) => {
     const v = value(t, o.name);
     return t.theta === null || v === null ? [] : [{ theta: t.theta, value: v * o.factor, color: t.color, name: t.name }];
   });
-  const intact = report.tests.flatMap((t) => {
+  const intact = counted.flatMap((t) => {
     const v = value(t, o.name);
     return t.theta !== null || v === null ? [] : [{ value: v * o.factor }];
   });
