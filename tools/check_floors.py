@@ -12,13 +12,14 @@ import sys
 FLOORS = {
     "base": 0,
     "records": 1, "theory": 1, "laws": 1,
-    "engine": 2, "analysis": 2, "io": 2,
-    "genesis": 3, "lab": 3, "statics": 3,
-    "study": 4, "report": 4,
-    "calibrate": 5, "verification": 5,
-    "cli": 6,
+    "contact": 2,
+    "engine": 3, "analysis": 3, "io": 3,
+    "genesis": 4, "lab": 4, "statics": 4,
+    "study": 5, "report": 5,
+    "calibrate": 6, "verification": 6,
+    "cli": 7,
 }
-MAKES_RESULTS = {"laws", "engine", "analysis", "genesis", "lab", "statics"}
+MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "statics"}
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}
 NEVER |= {(room, "theory") for room in MAKES_RESULTS} | {("theory", room) for room in MAKES_RESULTS}
 MAX_LINE = 110

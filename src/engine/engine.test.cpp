@@ -8,11 +8,11 @@
 
 #include "base/check.hpp"
 #include "base/rng.hpp"
+#include "contact/wall.hpp"
 #include "engine/jacket.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/layout.hpp"
 #include "engine/stable_step.hpp"
-#include "laws/laws.hpp"
 #include "records/assembly.hpp"
 
 namespace phy {
@@ -112,13 +112,13 @@ TEST(FrequencyBound, FullStepIsStable) {
   EXPECT_LT(group->row(0).kinetic + group->row(0).strain_bond, 3.0 * start);
 }
 
-TEST(FrequencyBound, BirthsOnlyRaiseIt) {
+TEST(FrequencyBound, NewContactsOnlyRaiseIt) {
   Specimen s = assembly(hexagonal(6, 6, 3e-4), soft_contact());
   bond_touching(s);
-  FrequencyBound bound(s, initial_stiffnesses(s));
+  FrequencyBound bound(s, initial_stiffnesses(contact::standard_models(), s));
   const double before = bound.omega();
   s.matrix = MatrixRecipe{};
-  bound.add(touching_stiffness(s, 3, 4, {1.0, 0.0}));
+  bound.add(stiffness_of(contact::standard_models(), s, {3, 4, ContactKind::touching}, {1.0, 0.0}));
   EXPECT_GT(bound.omega(), before);
   EXPECT_TRUE(bound.loose());
 }
@@ -283,7 +283,7 @@ TEST(Balance, PushesADiscLikeAConstantForce) {
     Drive drive;
     drive.balance_x = {true, force};
     group->drive(0, 0, drive);
-    const double k = linear::wall_stiffness_factor * m.E_c, mass = m.density * pi * R * R;
+    const double k = contact::wall::normal_stiffness(m), mass = m.density * pi * R * R;
     for (int block = 1; block <= 50; ++block) {
       group->advance();
       EXPECT_NEAR(group->tool(0, 0).force.x, force, 1e-4 * force);
@@ -308,7 +308,7 @@ TEST(Balance, FindsTheGrainsThatCarryTheForce) {
   Rig rig;
   rig.tools = {pusher(4, 1.0)};
   for (std::uint32_t i = 0; i < 4; ++i) rig.tools[0].touches[i].gap = 1e-7 * i;
-  const double k = linear::wall_stiffness_factor * m.E_c;
+  const double k = contact::wall::normal_stiffness(m);
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
     GroupOptions options;
     options.interval = 1;

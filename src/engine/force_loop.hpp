@@ -19,25 +19,31 @@
 // work to `slip`. Contributions of lanes in which a contact does nothing are zero and leave every sum
 // unchanged: a lane's bits do not depend on its neighbours.
 #pragma once
-#include "base/pack.hpp"
-#include "engine/lane_memory.hpp"
+#include "base/lane_memory.hpp"
+#include "contact/step.hpp"
 #include "engine/tool_loop.hpp"
 #include "engine/view.hpp"
-#include "laws/laws.hpp"
 
 namespace phy {
 inline namespace PHY_ISA {
 
-/// The loop over one group, with the lane constants at hand.
-template <class R>
+/// The loop over one group, with the lane constants at hand. Models: a combination of contact models
+/// (contact/models.hpp), folded in at compile time.
+template <class R, class Models>
 class ForceLoop {
  public:
   using T = ScalarOf<R>;
+  using Matrix = typename Models::Matrix;
+  using Interface = typename Models::Interface;
+  using Kinematics = contact::Kinematics<R>;
+  using Push = contact::Push<R>;
   static constexpr std::size_t W = NumberTraits<R>::width;
+  static constexpr std::size_t n_contact_fields = c_fields + Models::n_fields;
   static constexpr T closest = T(1e-4);  // of (distance of two centres / that at the start)^2
 
   explicit ForceLoop(GroupView<T>& view) : v(view) {
     for (std::size_t i = 0; i < n_lane_fields; ++i) lane[i] = load<R>(v.lane, i);
+    for (std::size_t i = 0; i < Matrix::n_parameters; ++i) matrix_constants[i] = load<R>(v.matrix, i);
   }
 
   void advance(int n_steps) {
@@ -62,6 +68,7 @@ class ForceLoop {
  private:
   GroupView<T>& v;
   R lane[n_lane_fields];
+  R matrix_constants[Matrix::n_parameters];
 
   void sweep(int first, int depth) {
     for (int front = 0; front < v.n_rows + depth - 1; ++front) {
@@ -130,15 +137,6 @@ class ForceLoop {
     add_to(v.damping, static_cast<std::size_t>(step), work);
   }
 
-  /// What a contact's two grains do, in the frame of the branch vector.
-  struct Kinematics {
-    R nx, ny;   ///< branch normal a -> b
-    R stretch;  ///< d - d0
-    R vx, vy;   ///< velocity of b against a at the contact point
-    R lever_a, lever_b;
-    R rotation;  ///< of b against a
-  };
-
   T* grain_at(std::int32_t g) const { return v.grain + static_cast<std::size_t>(g) * n_grain_fields * W; }
 
   PHY_HOT Kinematics kinematics(const ContactConst<T>& c) const {
@@ -147,35 +145,26 @@ class ForceLoop {
     const R dux = load<R>(b, g_ux) - load<R>(a, g_ux);
     const R duy = load<R>(b, g_uy) - load<R>(a, g_uy);
     const R q = R(2) * (R(c.X) * dux + R(c.Y) * duy) + (dux * dux + duy * duy);
-    // Joints let grains slide into each other, until their centres meet: there the branch has no direction
-    // (its normal fades to zero) and the joint, which has its own, does not need one.
+    // Interfaces let grains slide into each other, until their centres meet: there the branch has no
+    // direction (its normal fades to zero) and the interface, which has its own, does not need one.
     const R d = sqrt(max(R(c.d0 * c.d0) + q, R(c.d0 * c.d0 * closest)));
     Kinematics k;
     const R inv_d = R(1) / d;
     k.stretch = q / (d + R(c.d0));
     k.nx = (R(c.X) + dux) * inv_d;
     k.ny = (R(c.Y) + duy) * inv_d;
-    k.lever_a = R(c.lever_a) + R(T(0.5)) * k.stretch;
-    k.lever_b = R(c.lever_b) + R(T(0.5)) * k.stretch;
-    const R roll = load<R>(a, g_w) * k.lever_a + load<R>(b, g_w) * k.lever_b;
+    k.lever_1 = R(c.lever_a) + R(T(0.5)) * k.stretch;
+    k.lever_2 = R(c.lever_b) + R(T(0.5)) * k.stretch;
+    const R roll = load<R>(a, g_w) * k.lever_1 + load<R>(b, g_w) * k.lever_2;
     k.vx = load<R>(b, g_vx) - load<R>(a, g_vx) + roll * k.ny;
     k.vy = load<R>(b, g_vy) - load<R>(a, g_vy) - roll * k.nx;
     k.rotation = load<R>(b, g_rot) - load<R>(a, g_rot);
     return k;
   }
 
-  /// Force on grain b and couple on grain b.
-  struct Push {
-    R fx, fy, M;
-  };
-
   /// Sums of one row.
-  struct RowSums {
-    R slip = R(0), linear = R(0), bond = R(0), joint = R(0), force = R(0), contacts = R(0), overlap = R(0);
-    void add(const RowSums& p) {
-      slip += p.slip, linear += p.linear, bond += p.bond, joint += p.joint;
-      overlap = max(overlap, p.overlap);
-    }
+  struct RowSums : contact::Sums<R> {
+    R force = R(0), contacts = R(0);
   };
 
   PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step,
@@ -184,92 +173,49 @@ class ForceLoop {
       const bool tension = NumberTraits<R>::test(in_tension, l);
       const bool shear = NumberTraits<R>::test(in_shear, l);
       if (!tension && !shear) continue;
-      v.cracks[v.n_cracks++] = {step, contact, l, shear ? 1 : 0,
+      if (v.n_cracks < v.max_cracks)
+        v.cracks[v.n_cracks] = {step, contact, l, shear ? 1 : 0,
                                 static_cast<double>(NumberTraits<R>::get(released, l))};
+      ++v.n_cracks;
     }
   }
 
-  /// Linear contact and parallel bond side by side. `everywhere`: in all lanes, so nothing is masked.
-  template <bool sample, bool everywhere>
-  PHY_HOT Push matrix(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i,
-                      int step, RowSums& sums) {
-    const auto only_here = [here](R now, R before) {
-      if constexpr (everywhere) return now;
-      return select(here, now, before);
+  /// What a model does with contact i, in the lanes `here`.
+  template <class Model, bool sample, bool everywhere, class Parameters>
+  PHY_HOT Push ask(const Parameters& p, std::size_t first_number, const Kinematics& k, R side, MaskOf<R> here,
+                   std::int32_t i, int step, contact::Sums<R>& sums) {
+    const auto at = static_cast<std::size_t>(i);
+    const contact::Memory<R, everywhere> memory{v.contact + (at * n_contact_fields + c_fields) * W, here};
+    const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_hold]};
+    const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released) {
+      record_cracks(in_tension & here, in_shear & here, released, step, i);
     };
-    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * lane[l_dt];
-    const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * lane[l_dt]);
-    const linear::Parameters<R> pl{lane[l_k_n] * R(c.f_lin), lane[l_k_s] * R(c.f_lin),
-                                   lane[l_inv_k_s] * R(c.inv_f_lin), lane[l_mu]};
-    linear::State<R> sl{load<R>(s, c_shear)};
-    const Reaction<R> rl =
-        linear::respond(pl, sl, Motion<R>{-(k.stretch + R(c.gap)), d_closure, d_slide, R(0)});
-    const parallel_bond::Parameters<R> pb{lane[l_kb_n] * R(c.f_bond),
-                                          lane[l_kb_s] * R(c.f_bond),
-                                          lane[l_kb_m] * R(c.f_bend),
-                                          lane[l_arm] * R(c.inv_rmin),
-                                          load<R>(s, c_strength),
-                                          lane[l_tan_phi],
-                                          lane[l_hold]};
-    parallel_bond::State<R> sb{load<R>(s, c_bond), load<R>(s, c_capacity)};
-    const Reaction<R> rb =
-        parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
-    store(s, c_shear, only_here(sl.F_s, load<R>(s, c_shear)));
-    store(s, c_bond, only_here(sb.F_s, load<R>(s, c_bond)));
-    if (any(broke(rb) & here)) {
-      store(s, c_capacity, only_here(sb.capacity, load<R>(s, c_capacity)));
-      record_cracks(rb.broke_tension & here, rb.broke_shear & here, rb.released, step, i);
-    }
-    sums.slip += only_here(rl.dissipated, R(0));
-    const R F_n = rl.F_n + rb.F_n;
-    const R F_s = rl.F_s + rb.F_s;
-    if constexpr (sample) {
-      sums.linear += only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
-      sums.bond += only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
-      sums.overlap =
-          max(sums.overlap, only_here(-(k.stretch + R(c.gap)) * R(c.inv_rmin), R(0)));  // not joints
-    }
-    return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
+    return Model::template respond<sample>(p, v.geometry + at * Models::n_geometry + first_number, memory,
+                                           now, sums, broke);
+  }
+
+  template <bool sample, bool everywhere>
+  PHY_HOT Push matrix(const Kinematics& k, MaskOf<R> here, std::int32_t i, int step, contact::Sums<R>& sums) {
+    return ask<Matrix, sample, everywhere>(matrix_constants, 0, k, R(0), here, i, step, sums);
   }
 
   template <bool sample>
-  PHY_HOT Push smooth(const ContactConst<T>& c, T* s, const Kinematics& k, MaskOf<R> here, std::int32_t i,
-                      int step, RowSums& sums) {
-    const T* row = v.joint + static_cast<std::size_t>(c.joint) * n_joint_fields * W;
-    const R side = load<R>(s, c_side);
-    const R nx = side * load<R>(row, j_nx);
-    const R ny = side * load<R>(row, j_ny);
-    const R dt = lane[l_dt];
-    const Motion<R> m{R(0), -((k.vx * nx + k.vy * ny) * dt), (k.vy * nx - k.vx * ny) * dt, R(0)};
-    const R A(c.area);
-    const smooth_joint::Parameters<R> p{
-        load<R>(row, j_k_n) * A, load<R>(row, j_k_s) * A, load<R>(row, j_mu), load<R>(row, j_S_0) * A,
-        load<R>(row, j_tan_phi), load<R>(row, j_tan_psi), lane[l_hold]};
-    // Lanes without a joint here pass as bonded, or their broken bonds would call the law's rare branches.
-    const R capacity = select(here, load<R>(s, c_capacity), R(1));
-    smooth_joint::State<R> st{load<R>(s, c_shear), load<R>(s, c_bond), capacity, load<R>(s, c_strength)};
-    const Reaction<R> r = smooth_joint::respond(p, st, m);
-    store(s, c_shear, select(here, st.F_s, load<R>(s, c_shear)));
-    store(s, c_bond, select(here, st.closure, load<R>(s, c_bond)));
-    store(s, c_strength, select(here, st.dilation, load<R>(s, c_strength)));
-    if (any(broke(r) & here)) {
-      store(s, c_capacity, select(here, st.capacity, load<R>(s, c_capacity)));
-      record_cracks(r.broke_tension & here, r.broke_shear & here, r.released, step, i);
-    }
-    sums.slip += select(here, r.dissipated, R(0));
-    if constexpr (sample) sums.joint += select(here, smooth_joint::strain_energy(p, r.F_n, r.F_s), R(0));
-    return {r.F_n * nx - r.F_s * ny, r.F_n * ny + r.F_s * nx, R(0)};
+  PHY_HOT Push interface(const ContactConst<T>& c, const Kinematics& k, R side, MaskOf<R> here,
+                         std::int32_t i, int step, contact::Sums<R>& sums) {
+    const contact::Row<R> p{v.joint + static_cast<std::size_t>(c.joint) * Interface::n_parameters * W};
+    return ask<Interface, sample, false>(p, Matrix::n_geometry, k, side, here, i, step, sums);
   }
 
-  /// A contact that is a smooth joint in some lanes: both laws, blended lane by lane.
+  /// A contact that is an interface in some lanes: both models, blended lane by lane.
   template <bool sample>
-  PHY_HOT Push mixed(const ContactConst<T>& c, T* s, const Kinematics& k, std::int32_t i, int step,
-                     RowSums& sums) {
-    const auto joint = abs(load<R>(s, c_side)) > R(0);
-    if (!any(!joint)) return smooth<sample>(c, s, k, joint, i, step, sums);
-    const Push m = matrix<sample, false>(c, s, k, !joint, i, step, sums);
-    const Push j = smooth<sample>(c, s, k, joint, i, step, sums);
-    return {select(joint, j.fx, m.fx), select(joint, j.fy, m.fy), select(joint, R(0), m.M)};
+  PHY_HOT Push mixed(const ContactConst<T>& c, const Kinematics& k, std::int32_t i, int step,
+                     contact::Sums<R>& sums) {
+    const R side = load<R>(v.contact, static_cast<std::size_t>(i) * n_contact_fields + c_side);
+    const auto here = abs(side) > R(0);
+    if (!any(!here)) return interface<sample>(c, k, side, here, i, step, sums);
+    const Push m = matrix<sample, false>(k, !here, i, step, sums);
+    const Push j = interface<sample>(c, k, side, here, i, step, sums);
+    return {select(here, j.fx, m.fx), select(here, j.fy, m.fy), select(here, j.M, m.M)};
   }
 
   /// Forces and couples on both grains of a contact.
@@ -282,8 +228,8 @@ class ForceLoop {
     add_to(a, g_fx, -push.fx);
     add_to(a, g_fy, -push.fy);
     const R across = push.fy * k.nx - push.fx * k.ny;
-    add_to(a, g_tq, -(k.lever_a * across + push.M));
-    add_to(b, g_tq, push.M - k.lever_b * across);
+    add_to(a, g_tq, -(k.lever_1 * across + push.M));
+    add_to(b, g_tq, push.M - k.lever_2 * across);
     if constexpr (sample) {
       const R size = sqrt(push.fx * push.fx + push.fy * push.fy);
       sums.force += size;
@@ -305,13 +251,12 @@ class ForceLoop {
       const Kinematics k = ahead;
       ahead = kinematics(v.contact_const[i + 1 < end ? i + 1 : i]);
       const ContactConst<T>& c = v.contact_const[i];
-      T* s = v.contact + static_cast<std::size_t>(i) * n_contact_fields * W;
       if (c.joint < 0) {
-        const Push push = matrix<sample, true>(c, s, k, R(1) > R(0), i, step, sums);
+        const Push push = matrix<sample, true>(k, R(1) > R(0), i, step, sums);
         apply<sample>(c, k, push, sums);
       } else {
-        RowSums part;
-        const Push push = mixed<sample>(c, s, k, i, step, part);
+        contact::Sums<R> part;
+        const Push push = mixed<sample>(c, k, i, step, part);
         apply<sample>(c, k, push, sums);
         sums.add(part);
       }
@@ -363,6 +308,12 @@ class ForceLoop {
     return R(T(0.25)) * (old * old + now * now) * select(scale > R(0), lane[l_dt] / scale, R(0));
   }
 };
+
+/// The loop as a kernel (engine/kernels.hpp).
+template <class R, class Models>
+void advance_block(GroupView<ScalarOf<R>>& view, int n_steps) {
+  ForceLoop<R, Models>(view).advance(n_steps);
+}
 
 }  // namespace PHY_ISA
 }  // namespace phy

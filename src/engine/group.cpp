@@ -1,205 +1,185 @@
 #include "engine/group.hpp"
 
+#include "base/check.hpp"
+#include "contact/wall.hpp"
+
 namespace phy::group {
 namespace {
 
-constexpr double skin_factor = 0.25;  // near pairs are listed up to a gap of skin_factor * r_min
+template <class T>
+AdvanceBlock<T> kernel_of(const ContactPhysics& contacts, const GroupOptions& options) {
+  if constexpr (std::is_same_v<T, double>) return contacts.double_kernel(options.isa, options.lanes);
+  if constexpr (std::is_same_v<T, float>) return contacts.float_kernel(options.isa, options.lanes);
+}
 
 }  // namespace
 
 template <class T>
 Group<T>::Group(std::shared_ptr<const Packing> packing, const GroupOptions& options)
-    : packing_(std::move(packing)),
-      options_(options),
+    : options_(options),
       W_(static_cast<std::size_t>(options.lanes)),
-      kernel_(kernel<T>(options.isa, options.lanes)),
-      lanes_(W_) {
+      kernel_(kernel_of<T>(*options.contacts, options)),
+      lanes_(W_),
+      grains_(std::move(packing), W_),
+      list_(grains_),
+      contacts_(grains_, options.contacts->models),
+      boundary_(grains_, options.interval) {
   PHY_CHECK(kernel_ != nullptr, "no kernel is built for this number of lanes");
-  PHY_CHECK(!packing_->discs.empty(), "a packing has grains");
-  for (const Disc& d : packing_->discs) r_min_ = r_min_ > 0.0 ? std::min(r_min_, d.r) : d.r;
-  skin_ = skin_factor * r_min_;
-  layout_ = make_layout(*packing_, skin_);
-  for (const std::int32_t i : layout_.order) {
-    const Disc& d = packing_->discs[static_cast<std::size_t>(i)];
-    x0_.push_back({d.x, d.y});
-    radius_.push_back(d.r);
-  }
-  allocate();
-}
-
-template <class T>
-void Group<T>::allocate() {
-  grain_.assign(n_grains() * n_grain_fields * W_);
   lane_table_.assign(n_lane_fields * W_);
   sample_.assign(n_sample_fields * W_);
   slip_.assign(n_steps() * W_);
   damping_.assign(n_steps() * W_);
-  built_at_.assign(n_grains() * W_, Vec2{});
-  row_touch_.assign(static_cast<std::size_t>(layout_.n_rows()) + 1, 0);
-  row_grip_ = row_load_ = row_touch_;
-  const GaugeWeights gauge = gauge_weights(*packing_);
-  for (std::size_t g = 0; g < n_grains(); ++g) {
-    const auto i = static_cast<std::size_t>(layout_.order[g]);
-    const double area = pi * radius_[g] * radius_[g];
-    grain_const_.push_back({T(1.0 / area), T(2.0 / (area * radius_[g] * radius_[g])), T(radius_[g]),
-                            T(gauge.x[i]), T(gauge.y[i])});
-  }
 }
 
 template <class T>
-void Group<T>::reset_lane(int lane) {
-  const auto l = static_cast<std::size_t>(lane);
-  at(lane) = Lane{};
-  for (std::size_t g = 0; g < n_grains(); ++g)
-    for (int f = 0; f < n_grain_fields; ++f) grain(g, f, l) = T(0);
-  for (std::size_t p = 0; p < n_tools_ * n_grains(); ++p) {
-    touch_gap_[p * W_ + l] = T(far_away);
-    touch_shear_[p * W_ + l] = T(0);
-  }
-  for (std::size_t c = 0; c < pairs_.size(); ++c) {
-    for (int f = 0; f < n_contact_fields; ++f) contact(c, f, l) = T(0);
-    set_[c * W_ + l] = no_set;
-    tag_[c * W_ + l] = 0;
-  }
+LaneSpecimens Group<T>::specimens() const {
+  LaneSpecimens all;
+  for (const Lane& lane : lanes_) all.push_back(lane.specimen.get());
+  return all;
+}
+
+template <class T>
+void Group<T>::clear(int lane) {
+  const std::size_t l = index(lane);
+  lanes_[l] = Lane{};
+  grains_.clear(l);
+  list_.clear(l);
+  contacts_.clear(l);
+  boundary_.clear(l);
   dirty_ = true;
 }
 
-/// The constants of a contact are those of all lanes (make_constants).
+/// Constants of a contact are those of all lanes.
 template <class T>
-void Group<T>::check_mate(const Specimen& specimen) const {
-  PHY_CHECK(specimen.packing->hash == packing_->hash, "lanes of a group share one packing");
+void Group<T>::check_neighbour(const Specimen& specimen) const {
+  PHY_CHECK(specimen.packing->hash == grains_.packing().hash, "lanes of a group share one packing");
   for (const Lane& l : lanes_)
-    PHY_CHECK(!l.specimen || l.specimen->matrix.stiffness_convention == specimen.matrix.stiffness_convention,
+    PHY_CHECK(!l.specimen || contacts_.models().matrix->same_geometry(l.specimen->matrix, specimen.matrix),
               "lanes of a group share one stiffness convention");
 }
 
 template <class T>
 void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) {
-  reset_lane(lane);
-  check_mate(*specimen);
-  Lane& l = at(lane);
-  l.setup = setup;
-  l.fresh = true;
-  l.hold = specimen->matrix.unbreakable;
-  if (!l.setup.rig) l.setup.rig = std::make_shared<const Rig>();
-  adopt_rig(l.rig());
-  l.tools.resize(n_tools_);
-  l.bound.emplace(*specimen, initial_stiffnesses(*specimen), l.rig());
+  clear(lane);
+  check_neighbour(*specimen);
+  const std::size_t l = index(lane);
+  Lane& info = lanes_[l];
+  info.setup = setup;
+  info.fresh = true;
+  info.hold = specimen->matrix.unbreakable;
+  if (!info.setup.rig) info.setup.rig = std::make_shared<const Rig>();
+  boundary_.adopt(info.rig());
+  LaneBoundary& edge = boundary_.lane(l);
+  edge.rig = info.setup.rig;
+  edge.tools.resize(info.rig().tools.size());
+  edge.damping = setup.damping, edge.density = specimen->matrix.density;
+  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.rig());
   for (const Contact& c : specimen->contacts) {
-    const Disc& a = packing_->discs[c.a];
-    const Disc& b = packing_->discs[c.b];
+    const Disc& a = grains_.packing().discs[c.a];
+    const Disc& b = grains_.packing().discs[c.b];
     const bool touches = norm(Vec2{b.x - a.x, b.y - a.y}) <= a.r + b.r;
-    l.n_contacts += c.kind != ContactKind::touching || touches ? 1 : 0;
+    info.n_contacts += c.kind != ContactKind::touching || touches ? 1 : 0;
   }
-  l.specimen = std::move(specimen);
-  renew_step(l);
+  info.specimen = std::move(specimen);
+  set_step(l);
+}
+
+/// A running specimen changes its group: what belongs to its lane is copied. What both groups derive from
+/// their lanes (lists, tables, constants) is made anew before their next block. A lane's bits never depended
+/// on its group, so none changes.
+template <class T>
+void Group<T>::move_lane(int lane, LaneGroup& target, int to_lane) {
+  auto* const to = dynamic_cast<Group<T>*>(&target);
+  PHY_CHECK(to != nullptr && to != this && to->options_.interval == options_.interval,
+            "a lane moves between groups of one precision and block");
+  PHY_CHECK(at(lane).specimen && !to->at(to_lane).specimen, "a specimen moves into an empty lane");
+  to->check_neighbour(*at(lane).specimen);
+  const std::size_t from = index(lane), into = index(to_lane);
+  to->boundary_.adopt(at(lane).rig());
+  to->at(to_lane) = at(lane);
+  contacts_.copy(from, to->contacts_, into);
+  grains_.copy(from, to->grains_, into);
+  boundary_.copy(from, to->boundary_, into);
+  to->list_.forget(into);
+  to->dirty_ = true;
+  clear(lane);
 }
 
 template <class T>
 void Group<T>::set_motion(int lane, std::uint32_t id, const GrainState& state, Vec2 velocity, double spin) {
-  const std::size_t g = sorted_id(id);
-  const auto l = static_cast<std::size_t>(lane);
-  grain(g, g_ux, l) = T(state.ux);
-  grain(g, g_uy, l) = T(state.uy);
-  grain(g, g_rot, l) = T(state.rotation);
-  grain(g, g_vx, l) = T(velocity.x);
-  grain(g, g_vy, l) = T(velocity.y);
-  grain(g, g_w, l) = T(spin);
+  const std::size_t g = grains_.sorted_id(id), l = index(lane);
+  grains_.set(g, g_ux, l, state.ux);
+  grains_.set(g, g_uy, l, state.uy);
+  grains_.set(g, g_rot, l, state.rotation);
+  grains_.set(g, g_vx, l, velocity.x);
+  grains_.set(g, g_vy, l, velocity.y);
+  grains_.set(g, g_w, l, spin);
 }
 
-/// The field's energy is work of the laboratory: it enters the books as such.
+/// The field's energy is work of the laboratory: it enters the balance as such.
 template <class T>
 void Group<T>::start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) {
-  const auto l = static_cast<std::size_t>(lane);
-  Lane& info = at(lane);
-  for (std::size_t g = 0; g < n_grains(); ++g) {
-    const Vec2 v = velocity(x0_[g]);
-    grain(g, g_vx, l) = T(v.x);
-    grain(g, g_vy, l) = T(v.y);
-    info.work += 0.5 * info.specimen->matrix.density * pi * radius_[g] * radius_[g] * dot(v, v);
+  const std::size_t l = index(lane);
+  Lane& info = lanes_[l];
+  for (std::size_t g = 0; g < grains_.size(); ++g) {
+    const Vec2 v = velocity(grains_.start(g));
+    grains_.set(g, g_vx, l, v.x);
+    grains_.set(g, g_vy, l, v.y);
+    info.energy.work += 0.5 * grains_.mass(g, info.specimen->matrix.density) * dot(v, v);
   }
 }
 
 template <class T>
 void Group<T>::jump(int lane, double axial_strain) {
   if (dirty_) rebuild();
-  const auto l = static_cast<std::size_t>(lane);
-  Lane& info = at(lane);
+  const std::size_t l = index(lane);
+  Lane& info = lanes_[l];
   constexpr double lateral = 0.25;  // Poisson's ratio, a guess; the damped cycles that follow correct it
+  const Packing& packing = grains_.packing();
   const auto field = [&](Vec2 x) {
-    return Vec2{lateral * axial_strain * (x.x - 0.5 * packing_->width),
-                -axial_strain * (x.y - 0.5 * packing_->height)};
+    return Vec2{lateral * axial_strain * (x.x - 0.5 * packing.width),
+                -axial_strain * (x.y - 0.5 * packing.height)};
   };
-  for (std::size_t g = 0; g < n_grains(); ++g) {
-    const Vec2 u = field(x0_[g]);
-    grain(g, g_ux, l) = T(u.x);
-    grain(g, g_uy, l) = T(u.y);
+  for (std::size_t g = 0; g < grains_.size(); ++g) {
+    const Vec2 u = field(grains_.start(g));
+    grains_.set(g, g_ux, l, u.x);
+    grains_.set(g, g_uy, l, u.y);
   }
   const LoadAxis& axis = info.rig().axial;
   const Vec2 closing = 0.5 * axial_strain * axis.length * axis.direction;
-  info.tools[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
-  info.tools[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
-  const MatrixRecipe& m = info.specimen->matrix;
-  for (std::size_t c = 0; c < pairs_.size(); ++c) {
-    const ContactConst<T>& k = contact_const_[c];
-    const Vec2 xa = x0_[static_cast<std::size_t>(k.a)], xb = x0_[static_cast<std::size_t>(k.b)];
-    const Vec2 du = field(xb) - field(xa);
-    if (contact(c, c_side, l) != T(0)) {
-      const BeddingRecipe& set = info.specimen->bedding[set_[c * W_ + l]];
-      const SinCos sc = sin_cos_degrees(set.theta);
-      const double side = static_cast<double>(contact(c, c_side, l));
-      const Vec2 n{-sc.sin * side, sc.cos * side};
-      contact(c, c_shear, l) =
-          T(-set.k_s * set.radius_multiplier * static_cast<double>(k.area) * dot(du, tangent(n)));
-      contact(c, c_bond, l) = T(-dot(du, n));
-      continue;
-    }
-    const Vec2 branch = xb - xa;
-    const Vec2 n = (1.0 / norm(branch)) * branch;
-    const double slide = dot(du, tangent(n));
-    const double closure = -dot(du, n) - static_cast<double>(k.gap);
-    const double k_n = m.E_c * static_cast<double>(k.f_lin);
-    const double limit = (m.unbreakable ? hold_force : m.mu) * k_n * std::max(closure, 0.0);
-    contact(c, c_shear, l) = T(std::clamp(-m.ks_over_kn * k_n * slide, -limit, limit));
-    if (contact(c, c_capacity, l) > T(0)) {
-      const double kb = m.E_b * m.radius_multiplier * static_cast<double>(k.f_bond);
-      contact(c, c_bond, l) = T(-m.bond_ks_over_kn * kb * slide);
-    }
-  }
-  info.settle_books = true;
+  std::vector<ToolMotion>& tools = boundary_.lane(l).tools;
+  tools[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
+  tools[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
+  contacts_.affine_start(l, *info.specimen, field);
+  info.energy.settle();
   dirty_ = true;
 }
 
 template <class T>
 bool Group<T>::at_strength(int lane) const {
-  const auto l = static_cast<std::size_t>(lane);
-  const Lane& info = at(lane);
-  const MatrixRecipe& m = info.specimen->matrix;
-  for (std::size_t c = 0; c < pairs_.size(); ++c) {
-    const double capacity = contact(c, c_capacity, l);
-    if (!(capacity > 0.0)) continue;
-    const ContactConst<T>& k = contact_const_[c];
-    if (contact(c, c_side, l) != 0.0) {
-      const BeddingRecipe& set = info.specimen->bedding[set_[c * W_ + l]];
-      const double A = set.radius_multiplier * static_cast<double>(k.area);
-      const double F_n = set.k_n * A * (contact(c, c_bond, l) + contact(c, c_strength, l));
-      const double S = set.cohesion * A + F_n * tan_degrees(set.phi);
-      if (-F_n >= capacity || std::fabs(contact(c, c_shear, l)) >= S) return true;
-      continue;
-    }
-    const auto a = static_cast<std::size_t>(k.a), b = static_cast<std::size_t>(k.b);
-    const Vec2 d0 = x0_[b] - x0_[a];
-    const Vec2 d = d0 + displacement(b, l) - displacement(a, l);
-    const double F_n = m.E_b * m.radius_multiplier * static_cast<double>(k.f_bond) * (norm(d0) - norm(d));
-    const double lambda3 = m.radius_multiplier * m.radius_multiplier * m.radius_multiplier;
-    const double M =
-        m.E_b * lambda3 * static_cast<double>(k.f_bend) * std::fabs(grain(b, g_rot, l) - grain(a, g_rot, l));
-    const double arm = 3.0 * m.moment_contribution / m.radius_multiplier * static_cast<double>(k.inv_rmin);
-    const double tan_phi = m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi);
-    const double S = contact(c, c_strength, l) + F_n * tan_phi;
-    if (arm * M - F_n >= capacity || std::fabs(contact(c, c_bond, l)) >= S) return true;
-  }
+  const std::size_t l = index(lane);
+  const auto reached = [](const contact::ContactModel& model, const contact::Standing& now) {
+    return model.at_strength(now);
+  };
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    if (contacts_.with(c, l, *lanes_[l].specimen, reached)) return true;
   return false;
+}
+
+template <class T>
+void Group<T>::place_rig(int lane) {
+  const std::size_t l = index(lane);
+  Lane& info = lanes_[l];
+  boundary_.place(l);
+  info.energy.begin(info.row);
+  info.time = 0.0;
+  info.step = 0;
+  info.base_axial = info.row.axial_strain_gauge;
+  info.base_lateral = info.row.lateral_strain_gauge;
+  info.zero_axial = info.zero_lateral = 0.0;
+  info.cracks.clear();
+  info.row = HistoryRow{};
+  dirty_ = true;
 }
 
 template <class T>
@@ -211,100 +191,74 @@ void Group<T>::fill_lane_table() {
     for (int f = 0; f < n_lane_fields; ++f) put(f, 0.0);
     const Lane& lane = lanes_[l];
     const MatrixRecipe m = lane.specimen ? lane.specimen->matrix : MatrixRecipe{};
-    const double lambda = m.radius_multiplier;
-    const double k_wall = linear::wall_stiffness_factor * m.E_c;
-    put(l_k_n, m.E_c), put(l_k_s, m.ks_over_kn * m.E_c), put(l_inv_k_s, 1.0 / (m.ks_over_kn * m.E_c));
-    put(l_mu, m.unbreakable ? hold_force : m.mu);
-    put(l_kb_n, m.E_b * lambda), put(l_kb_s, m.bond_ks_over_kn * m.E_b * lambda);
-    put(l_kb_m, m.E_b * lambda * lambda * lambda), put(l_arm, 3.0 * m.moment_contribution / lambda);
-    put(l_tan_phi, m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi));
-    put(l_hold, lane.hold ? hold_force : 0.0);
-    put(l_wall_kn, k_wall), put(l_wall_ks, m.ks_over_kn * k_wall),
-        put(l_wall_inv_ks, 1.0 / (m.ks_over_kn * k_wall));
-    put(l_wall_mu, lane.setup.tool_friction);
+    double wall[contact::wall::n_parameters];
+    contact::wall::parameters(m, lane.setup.tool_friction, wall);
+    for (int i = 0; i < contact::wall::n_parameters; ++i) put(l_wall + i, wall[i]);
+    put(l_hold, lane.hold ? contact::unlimited : 0.0);
     if (!lane.specimen) continue;
-    put(l_grips, lane.placed ? 1.0 : 0.0);
+    put(l_grips, boundary_.lane(l).placed ? 1.0 : 0.0);
     put(l_dt, lane.dt), put(l_accel, lane.dt / m.density), put(l_damping, lane.setup.damping);
   }
+  contacts_.fill_matrix_parameters(specimens());
 }
 
 template <class T>
 GroupView<T> Group<T>::view() {
   GroupView<T> v;
-  v.n_rows = layout_.n_rows();
-  v.row_grain = layout_.row_grain.data(), v.row_contact = row_contact_.data();
-  v.row_touch = row_touch_.data(), v.row_grip = row_grip_.data(), v.row_load = row_load_.data();
-  v.grain_const = grain_const_.data(), v.contact_const = contact_const_.data();
-  v.grain = grain_.get(), v.contact = contact_.get();
-  v.lane = lane_table_.get(), v.joint = joint_table_.get();
-  v.n_tools = static_cast<int>(n_tools_), v.n_grains = static_cast<int>(n_grains());
-  v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(), v.load_force = load_force_.get();
-  v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
-  v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
-  v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data(),
-  v.balanced_touch = balanced_touch_.data();
-  v.balance_on = balance_on_.get(), v.balance_force = balance_force_.get();
+  v.n_rows = grains_.layout().n_rows();
+  v.n_grains = static_cast<int>(grains_.size());
+  v.row_grain = grains_.layout().row_grain.data();
+  v.grain_const = grains_.constants(), v.grain = grains_.data();
+  contacts_.enter(v);
+  boundary_.enter(v);
+  v.lane = lane_table_.get();
   v.slip = slip_.get(), v.damping = damping_.get(), v.sample = sample_.get();
-  v.cracks = raw_cracks_.data();
-  v.skew = far_rows_ ? 1 : options_.skew;
+  raw_cracks_.resize(contacts_.size() * W_ * contacts_.models().n_cracks());
+  v.cracks = raw_cracks_.data(), v.max_cracks = raw_cracks_.size();
+  v.skew = contacts_.far_rows() ? 1 : options_.skew;
   return v;
 }
 
 template <class T>
 void Group<T>::advance() {
-  fit_jackets();
+  dirty_ = boundary_.fit_jackets(list_) || dirty_;
   if (dirty_) rebuild();
   fill_lane_table();
-  plan_tools();
+  boundary_.plan();
   std::fill_n(sample_.get(), n_sample_fields * W_, 0.0);
   std::fill_n(slip_.get(), n_steps() * W_, T(0));
   std::fill_n(damping_.get(), n_steps() * W_, T(0));
   GroupView<T> v = view();
   kernel_(v, options_.interval);
-  read_balance();
-  std::sort(raw_cracks_.begin(), raw_cracks_.begin() + static_cast<std::ptrdiff_t>(v.n_cracks),
-            [](const RawCrack& p, const RawCrack& q) {
-              return p.step != q.step         ? p.step < q.step
-                     : p.contact != q.contact ? p.contact < q.contact
-                                              : p.lane < q.lane;
-            });
-  raw_cracks_.resize(v.n_cracks);
-  const Farthest most = farthest();
+  boundary_.read_balance();
+  sort_cracks(v);
+  const auto most = list_.farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
-    keep_books(l);
+    keep_energy(l);
     const HistoryRow before = lanes_[l].row;
     write_row(l);
     watch(l, before, most.moved[l]);
   }
-  raw_cracks_.resize(pairs_.size() * W_);
-  births();
-  watch_motion(most);
+  create_contacts();
+  for (std::size_t l = 0; l < W_ && !dirty_; ++l)
+    if (lanes_[l].specimen)
+      dirty_ = list_.outlived(l, most, block(l), boundary_.reach(l, most.speed[l], block(l)));
 }
 
 template <class T>
 Snapshot Group<T>::snapshot(int lane) const {
-  const auto l = static_cast<std::size_t>(lane);
+  const std::size_t l = index(lane);
   Snapshot shot;
-  shot.step = at(lane).row.step;
-  shot.axial_strain = at(lane).row.axial_strain;
-  shot.axial_stress = at(lane).row.axial_stress;
+  shot.step = lanes_[l].row.step;
+  shot.axial_strain = lanes_[l].row.axial_strain;
+  shot.axial_stress = lanes_[l].row.axial_stress;
   shot.grains = grains(lane);
-  for (std::size_t c = 0; c < pairs_.size(); ++c) {
-    const ContactState s = contact_state(c, l);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const ContactState s = contacts_.state(c, l, *lanes_[l].specimen);
     if (s.kind != ContactKind::touching || s.F_n != 0.0) shot.contacts.push_back(s);
   }
   return shot;
-}
-
-template <class T>
-std::vector<GrainState> Group<T>::grains(int lane) const {
-  const auto l = static_cast<std::size_t>(lane);
-  std::vector<GrainState> all(n_grains());
-  for (std::size_t g = 0; g < n_grains(); ++g)
-    all[static_cast<std::size_t>(layout_.order[g])] = {grain(g, g_ux, l), grain(g, g_uy, l),
-                                                       grain(g, g_rot, l)};
-  return all;
 }
 
 template class Group<double>;

@@ -5,12 +5,12 @@
 
 namespace phy {
 
-AdvanceBlock<double> double_kernel_sse2(int lanes);
-AdvanceBlock<float> float_kernel_sse2(int lanes);
-AdvanceBlock<double> double_kernel_avx2(int lanes);
-AdvanceBlock<float> float_kernel_avx2(int lanes);
-AdvanceBlock<double> double_kernel_avx512(int lanes);
-AdvanceBlock<float> float_kernel_avx512(int lanes);
+AdvanceBlock<double> double_kernel_sse2(std::size_t combination, int lanes);
+AdvanceBlock<float> float_kernel_sse2(std::size_t combination, int lanes);
+AdvanceBlock<double> double_kernel_avx2(std::size_t combination, int lanes);
+AdvanceBlock<float> float_kernel_avx2(std::size_t combination, int lanes);
+AdvanceBlock<double> double_kernel_avx512(std::size_t combination, int lanes);
+AdvanceBlock<float> float_kernel_avx512(std::size_t combination, int lanes);
 
 const char* to_string(Isa isa) {
   switch (isa) {
@@ -40,17 +40,30 @@ int native_lanes(Isa isa) {
 template int native_lanes<double>(Isa);
 template int native_lanes<float>(Isa);
 
-template <>
-AdvanceBlock<double> kernel<double>(Isa isa, int lanes) {
-  if (lanes == 1) return double_kernel_sse2(1);  // scalar arithmetic is the same in every set
-  if (isa == Isa::avx512) return double_kernel_avx512(lanes);
-  return isa == Isa::avx2 ? double_kernel_avx2(lanes) : double_kernel_sse2(lanes);
+namespace {
+
+template <std::size_t combination>
+AdvanceBlock<double> double_kernel(Isa isa, int lanes) {
+  if (lanes == 1) return double_kernel_sse2(combination, 1);  // scalar arithmetic is the same in every set
+  if (isa == Isa::avx512) return double_kernel_avx512(combination, lanes);
+  return isa == Isa::avx2 ? double_kernel_avx2(combination, lanes) : double_kernel_sse2(combination, lanes);
 }
 
-template <>
-AdvanceBlock<float> kernel<float>(Isa isa, int lanes) {
-  if (isa == Isa::avx512) return float_kernel_avx512(lanes);
-  return isa == Isa::avx2 ? float_kernel_avx2(lanes) : float_kernel_sse2(lanes);
+template <std::size_t combination>
+AdvanceBlock<float> float_kernel(Isa isa, int lanes) {
+  if (isa == Isa::avx512) return float_kernel_avx512(combination, lanes);
+  return isa == Isa::avx2 ? float_kernel_avx2(combination, lanes) : float_kernel_sse2(combination, lanes);
 }
+
+template <std::size_t combination>
+const ContactPhysics& physics() {
+  static const ContactPhysics of{contact::models<std::tuple_element_t<combination, contact::Combinations>>(),
+                                 double_kernel<combination>, float_kernel<combination>};
+  return of;
+}
+
+}  // namespace
+
+const ContactPhysics& standard_contacts() { return physics<0>(); }
 
 }  // namespace phy

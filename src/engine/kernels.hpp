@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "contact/models.hpp"
 #include "engine/view.hpp"
 
 namespace phy {
@@ -15,8 +16,14 @@ Isa native_isa();
 /// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.
 template <class T>
 int native_lanes(Isa isa);
-/// The kernel, or nullptr when the number of lanes is not built (double: 1, 2, 4, 8; float: 4, 8, 16).
-template <class T>
-AdvanceBlock<T> kernel(Isa isa, int lanes);
+/// Contact models of a group with the force loops that were compiled for them. A loop is nullptr when the
+/// number of lanes is not built (double: 1, 2, 4, 8; float: 4, 8, 16).
+struct ContactPhysics {
+  contact::Models models;
+  AdvanceBlock<double> (*double_kernel)(Isa isa, int lanes);
+  AdvanceBlock<float> (*float_kernel)(Isa isa, int lanes);
+};
+/// The first line of the list (contact/models.hpp).
+const ContactPhysics& standard_contacts();
 
 }  // namespace phy

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
-#include "laws/laws.hpp"
+#include "contact/wall.hpp"
 
 namespace phy {
 namespace {
@@ -43,12 +43,19 @@ Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffne
 }
 
 std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& b,
-                                             const ContactStiffness& k) {
+                                             const ContactStiffness& of) {
+  const Tangent<double>& k = of.k;
   const std::array<double, 3> d = {k.k_n, k.k_s, k.k_m};
   std::array<std::array<double, 3>, 3> m{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t q = 0; q < 3; ++q) m[i][j] += a[q][i] * d[q] * b[q][j];
+  if (!k.coupled()) return m;
+  const auto couple = [&](std::size_t p, std::size_t q, double c) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) m[i][j] += c * (a[p][i] * b[q][j] + a[q][i] * b[p][j]);
+  };
+  couple(0, 1, -k.k_ns), couple(0, 2, -k.k_nm), couple(1, 2, k.k_sm);
   return m;
 }
 
@@ -61,7 +68,7 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 
 /// A tool's contact, on the diagonal block of its grain.
 void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
-  const double k_n = specimen.matrix.E_c * linear::wall_stiffness_factor, ratio = specimen.matrix.ks_over_kn;
+  const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
   block[0] += (xx + ratio * yy) * k_n / mass;
@@ -72,44 +79,31 @@ void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
 
 }  // namespace
 
-ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n) {
-  const MatrixRecipe& m = specimen.matrix;
-  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
-  const double k_n =
-      m.E_c * linear::stiffness_factor(pfc5, specimen.packing->discs[a].r, specimen.packing->discs[b].r);
-  return {a, b, k_n, m.ks_over_kn * k_n, 0.0, n, n, 0.0};
+ContactStiffness stiffness_of(const contact::Models& models, const Specimen& specimen, const Contact& contact,
+                              Vec2 branch, bool unbroken) {
+  const contact::ContactModel& model = models.of(contact.kind);
+  return {contact.a,
+          contact.b,
+          model.stiffness(specimen, contact, unbroken),
+          model.normal(specimen, contact, branch),
+          branch,
+          0.0};
 }
 
-std::vector<ContactStiffness> initial_stiffnesses(const Specimen& specimen) {
+std::vector<ContactStiffness> initial_stiffnesses(const contact::Models& models, const Specimen& specimen) {
   std::vector<ContactStiffness> all;
-  for (const Contact& c : specimen.contacts) all.push_back(initial_stiffness(specimen, c));
+  for (const Contact& c : specimen.contacts) all.push_back(initial_stiffness(models, specimen, c));
   return all;
 }
 
-ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact) {
+ContactStiffness initial_stiffness(const contact::Models& models, const Specimen& specimen,
+                                   const Contact& contact) {
   const Disc& a = specimen.packing->discs[contact.a];
   const Disc& b = specimen.packing->discs[contact.b];
   const Vec2 centres{b.x - a.x, b.y - a.y};
   const double distance = norm(centres);
-  const Vec2 branch = (1.0 / distance) * centres;
-  const double gap = distance - a.r - b.r;
-  if (contact.kind == ContactKind::joint) {
-    const BeddingRecipe& set = specimen.bedding[contact.set];
-    const SinCos sc = sin_cos_degrees(set.theta);
-    const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
-    return {contact.a,   contact.b, set.k_n * A,
-            set.k_s * A, 0.0,       static_cast<double>(contact.side) * Vec2{-sc.sin, sc.cos},
-            branch,      gap};
-  }
-  const MatrixRecipe& m = specimen.matrix;
-  ContactStiffness k = touching_stiffness(specimen, contact.a, contact.b, branch);
-  k.gap = gap;
-  if (contact.kind == ContactKind::bonded) {
-    const parallel_bond::Geometry g = parallel_bond::geometry(m.radius_multiplier, a.r, b.r);
-    k.k_n += m.E_b / g.L * g.A;
-    k.k_s += m.bond_ks_over_kn * m.E_b / g.L * g.A;
-    k.k_m = m.E_b / g.L * g.I;
-  }
+  ContactStiffness k = stiffness_of(models, specimen, contact, (1.0 / distance) * centres);
+  k.gap = distance - a.r - b.r;
   return k;
 }
 
@@ -150,7 +144,8 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
       break;
     }
     bound_ = top;
-    if (iteration + 1 < 100)  // grains far from the hot spot keep a floor, so that later births stay bounded
+    if (iteration + 1 <
+        100)  // grains far from the hot spot keep a floor, so that later contacts stay bounded
       for (std::size_t i = 0; i < n; ++i) x_[i] = std::max(next[i] / largest, 1e-3);
   }
   tight_ = bound_;

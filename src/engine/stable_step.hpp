@@ -10,6 +10,7 @@
 #pragma once
 #include <vector>
 
+#include "contact/models.hpp"
 #include "engine/rig.hpp"
 #include "records/specimen.hpp"
 
@@ -18,18 +19,19 @@ namespace phy {
 /// Stiffness of one contact between grains a and b (packing numbers) in its own frame.
 struct ContactStiffness {
   std::uint32_t a = 0, b = 0;
-  double k_n = 0.0, k_s = 0.0;  ///< along and across `normal` [N/m per m]
-  double k_m = 0.0;             ///< couple per relative rotation [N]
-  Vec2 normal;                  ///< a -> b: branch, or the plane's normal for joints
-  Vec2 branch;                  ///< unit vector from centre a to centre b
-  double gap = 0.0;             ///< between the discs [m]
+  Tangent<double> k{0.0, 0.0, 0.0};  ///< along and across `normal`, and against rotation
+  Vec2 normal;                       ///< a -> b: branch, or the plane's normal
+  Vec2 branch;                       ///< unit vector from centre a to centre b
+  double gap = 0.0;                  ///< between the discs [m]
 };
-/// Stiffness with which a contact starts (linear part closed, bond or joint intact).
-ContactStiffness initial_stiffness(const Specimen& specimen, const Contact& contact);
-/// Stiffness of an unbonded contact between grains a and b with branch normal n.
-ContactStiffness touching_stiffness(const Specimen& specimen, std::uint32_t a, std::uint32_t b, Vec2 n);
+/// Stiffness of a contact as its model states it, for grains that touch with this unit branch vector.
+ContactStiffness stiffness_of(const contact::Models& models, const Specimen& specimen, const Contact& contact,
+                              Vec2 branch, bool unbroken = true);
+/// Stiffness with which a contact starts (linear part closed, bond or interface intact).
+ContactStiffness initial_stiffness(const contact::Models& models, const Specimen& specimen,
+                                   const Contact& contact);
 /// All contacts of a specimen as it starts.
-std::vector<ContactStiffness> initial_stiffnesses(const Specimen& specimen);
+std::vector<ContactStiffness> initial_stiffnesses(const contact::Models& models, const Specimen& specimen);
 
 /// The bound with its witness x, so that new contacts can be added without starting over.
 class FrequencyBound {
@@ -39,7 +41,7 @@ class FrequencyBound {
                  const Rig& rig = {});
   /// Upper bound of omega_max [1/s].
   double omega() const;
-  /// A contact is born: the bound rises by what its row of N can at most become. Breakage only lowers the
+  /// A contact is created: the bound rises by what its row of N can at most become. Breakage only lowers the
   /// frequency and is left in. Both loosen the bound; `loose()` says when it pays to start over.
   void add(const ContactStiffness& k);
   /// The additions have raised the bound by more than 3 %.

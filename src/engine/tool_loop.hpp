@@ -8,9 +8,9 @@
 // that a step or two meet the root. Every lane stops when its own force is met: no lane's bits depend on its
 // mates.
 #pragma once
-#include "engine/lane_memory.hpp"
+#include "base/lane_memory.hpp"
+#include "contact/wall.hpp"
 #include "engine/view.hpp"
-#include "laws/laws.hpp"
 
 namespace phy {
 inline namespace PHY_ISA {
@@ -82,7 +82,7 @@ class ToolLoop {
         off = off & (abs(missing) > R(force_met) * abs(force));
         if (!any(off)) break;
         const R start = select(r.stiffness > R(0), now, now + r.reach);
-        now = select(off, start + missing / max(r.stiffness, lane[l_wall_kn]), now);
+        now = select(off, start + missing / max(r.stiffness, wall()[contact::wall::k_n]), now);
       }
       store(v.tool_u, at + component, now);
       const R speed = (now - before) / lane[l_dt];
@@ -108,7 +108,7 @@ class ToolLoop {
     for (std::int32_t i = p.first; i < p.end; ++i) {
       const TouchPoint<T>& t = v.touch[v.balanced_touch[i]];
       const T along = p.component == 0 ? t.nx : t.ny;
-      const R push = lane[l_wall_kn] * R(along), depth = closure(t, at);
+      const R push = wall()[contact::wall::k_n] * R(along), depth = closure(t, at);
       r.force += push * max0(depth);
       r.stiffness += select(depth > R(0), push * R(along), R(0));
       r.reach = select(depth > r.nearest, R(T(-1) / along) * depth, r.reach);
@@ -121,6 +121,8 @@ class ToolLoop {
     R fx = R(0), fy = R(0), energy = R(0), slip = R(0);
   };
 
+  static_assert(n_lane_fields - l_wall == contact::wall::n_parameters);
+  const R* wall() const { return lane + l_wall; }
   T* grain_at(std::int32_t g) const { return v.grain + static_cast<std::size_t>(g) * n_grain_fields * W; }
   std::size_t tool_at(int step, std::int32_t tool) const {
     return (static_cast<std::size_t>(step) * static_cast<std::size_t>(v.n_tools) +
@@ -167,7 +169,7 @@ class ToolLoop {
     return select(held, force, R(0));
   }
 
-  /// The linear law with the tool as grain 1: n into the specimen, t = n turned anticlockwise.
+  /// The tool is grain 1: n into the specimen, t = n turned anticlockwise.
   template <bool sample>
   void touch(const TouchPoint<T>& p, std::size_t at, Sums& sums) {
     T* grain = grain_at(p.grain);
@@ -176,18 +178,17 @@ class ToolLoop {
     const R vx = load<R>(grain, g_vx) - load<R>(v.tool_v, at);
     const R vy = load<R>(grain, g_vy) - load<R>(v.tool_v, at + 1);
     const R d_slide = (nx * vy - ny * vx - load<R>(grain, g_w) * radius) * lane[l_dt];
-    const linear::Parameters<R> law{lane[l_wall_kn], lane[l_wall_ks], lane[l_wall_inv_ks],
-                                    lane[l_wall_mu] * R(p.rough)};
-    linear::State<R> state{load<R>(v.touch_shear, place)};
-    const Reaction<R> r = linear::respond(law, state, Motion<R>{closure(p, at), R(0), d_slide, R(0)});
-    store(v.touch_shear, place, state.F_s);
+    const auto law = contact::wall::law(wall(), R(p.rough));
+    R shear = load<R>(v.touch_shear, place);
+    const Reaction<R> r = contact::wall::respond(law, shear, closure(p, at), d_slide);
+    store(v.touch_shear, place, shear);
     const R fx = nx * r.F_n - ny * r.F_s, fy = ny * r.F_n + nx * r.F_s;
     add_to(grain, g_fx, fx);
     add_to(grain, g_fy, fy);
     add_to(grain, g_tq, -(radius * r.F_s));
     sums.fx += fx, sums.fy += fy;
     sums.slip += r.dissipated;
-    if constexpr (sample) sums.energy += linear::strain_energy(law, r.F_n, r.F_s);
+    if constexpr (sample) sums.energy += contact::wall::strain_energy(law, r);
   }
 };
 

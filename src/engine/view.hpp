@@ -2,9 +2,9 @@
 // loop can be compiled once per instruction set while everything else is compiled once.
 //
 // Layout. Lane vectors are W numbers side by side, one per specimen. A grain is nine lane vectors, a contact
-// five; what all lanes share (the packing's geometry) is a scalar. Grains are sorted into horizontal rows,
-// and a contact belongs to the row of its upper grain; it joins grains of that row or of the row below
-// (docs/architecture.md, "Life of a step").
+// as many as its model asks for; what all lanes share (the packing's geometry) is a scalar. Grains are sorted
+// into horizontal rows, and a contact belongs to the row of its upper grain; it joins grains of that row or
+// of the row below (docs/architecture.md, "Life of a step").
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,42 +14,23 @@ namespace phy {
 /// Lane vectors of a grain, in this order.
 enum GrainField { g_ux, g_uy, g_rot, g_vx, g_vy, g_w, g_fx, g_fy, g_tq, n_grain_fields };
 
-/// Lane vectors of a contact. One memory for two laws: a contact is a smooth joint in a lane or it is not,
-/// for ever.
+/// Lane vectors of a contact: which of the two models it belongs to, then the fields of that model
+/// (contact/models.hpp).
 enum ContactField {
-  c_shear,     ///< linear shear force | joint shear force
-  c_bond,      ///< bond shear force | joint closure
-  c_capacity,  ///< tensile capacity, 0 = broken or never bonded
-  c_strength,  ///< bond shear capacity S_0 | joint dilation
-  c_side,      ///< 0 = linear + parallel bond; +-1 = smooth joint and the side of its grains
-  n_contact_fields
+  c_side,  ///< 0 = matrix; +-1 = interface, and the side of its grains
+  c_fields
 };
 
-/// Lane constants: micro-parameters and numerics of each specimen.
+/// Lane constants: numerics and walls of each specimen.
 enum LaneField {
-  l_k_n,
-  l_k_s,
-  l_inv_k_s,
-  l_mu,  // linear: k = these times the contact's factor
-  l_kb_n,
-  l_kb_s,
-  l_kb_m,
-  l_arm,
-  l_tan_phi,  // parallel bond
   l_hold,     // added to strengths while breakage is off
-  l_dt,
-  l_accel,    // time step; dt / grain density
+  l_dt,       // time step
+  l_accel,    // time step / grain density
   l_damping,  // local damping coefficient
-  l_wall_kn,
-  l_wall_ks,
-  l_wall_inv_ks,
-  l_wall_mu,
-  l_grips,  // 1 where the rig's grips hold, else 0
-  n_lane_fields
+  l_grips,    // 1 where the rig's grips hold, else 0
+  l_wall,     // the first of the parameters of grains against tools (contact/wall.hpp)
+  n_lane_fields = l_wall + 4
 };
-
-/// Lane constants of a bedding set as seen by the lanes (row of the joint table).
-enum JointField { j_nx, j_ny, j_k_n, j_k_s, j_mu, j_tan_phi, j_tan_psi, j_S_0, n_joint_fields };
 
 /// Sums over the specimen at the end of a block, in double.
 enum SampleField {
@@ -78,15 +59,10 @@ struct GrainConst {
 template <class T>
 struct ContactConst {
   std::int32_t a, b;   ///< sorted grain numbers, row(a) <= row(b)
-  std::int32_t joint;  ///< row of the joint table, -1 when no lane has a joint here
+  std::int32_t joint;  ///< row of the interfaces' parameters, -1 when no lane has an interface here
   T X, Y, d0;          ///< initial branch vector a -> b and its length
-  T gap;               ///< closure needed before the linear part acts
+  T gap;               ///< closure needed before the grains press on each other
   T lever_a, lever_b;  ///< R + initial gap / 2
-  T f_lin, inv_f_lin;  ///< linear stiffness factor
-  T f_bond;            ///< 2 r_min/(R1 + R2): kb_n A = E_b lambda f_bond
-  T f_bend;            ///< (2/3) r_min^3/(R1 + R2): kb_n I = E_b lambda^3 f_bend
-  T inv_rmin;
-  T area;  ///< 2 r_min
 };
 
 /// A grain near a tool. Sorted by row, tool, grain.
@@ -126,10 +102,12 @@ struct GroupView {
   const std::int32_t* row_load = nullptr;     ///< the same in `load`
   const GrainConst<T>* grain_const = nullptr;
   const ContactConst<T>* contact_const = nullptr;
+  const T* geometry = nullptr;  ///< per contact: numbers of the matrix model, then of the interface model
   T* grain = nullptr;
   T* contact = nullptr;
   const T* lane = nullptr;
-  const T* joint = nullptr;
+  const T* matrix = nullptr;  ///< parameters of the matrix model, lane vectors
+  const T* joint = nullptr;   ///< rows of parameters of the interface model
   int n_tools = 0, n_grains = 0;
   const TouchPoint<T>* touch = nullptr;
   const GripPoint* grip = nullptr;
@@ -149,8 +127,9 @@ struct GroupView {
   T* damping = nullptr;              ///< per step: 2/dt times the work of local damping
   double* sample = nullptr;          ///< n_sample_fields lane vectors
   RawCrack* cracks = nullptr;
-  std::size_t n_cracks = 0;
-  int skew = 4;  ///< cycles per sweep; does not change any bit
+  std::size_t n_cracks = 0;    ///< found, also where there was no more room
+  std::size_t max_cracks = 0;  ///< room for
+  int skew = 4;                ///< cycles per sweep; does not change any bit
 };
 
 /// Runs `n_steps` cycles (motion, then forces) and samples at the end.

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/exact_math.hpp"
 #include "base/units.hpp"
+#include "contact/models.hpp"
 #include "io/file.hpp"
-#include "laws/laws.hpp"
 
 namespace phy {
 namespace {
@@ -43,31 +42,13 @@ double box_side(std::string_view line, std::string_view name) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// What a contact is at the start of a test.
-struct ContactProperties {
-  const char* kind;
-  Vec2 normal;
-  double gap, k_n, k_s;  ///< [m], [N/m per m thickness]
-};
-
-ContactProperties properties(const Specimen& s, const Contact& c) {
-  const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
-  const MatrixRecipe& m = s.matrix;
-  const Vec2 d{b.x - a.x, b.y - a.y};
-  const double distance = norm(d), gap = distance - a.r - b.r;
-  if (c.kind == ContactKind::joint) {
-    const BeddingRecipe& set = s.bedding[c.set];
-    const SinCos sc = sin_cos_degrees(set.theta);
-    const double A = smooth_joint::area(set.radius_multiplier, a.r, b.r);
-    return {"joint", static_cast<double>(c.side) * Vec2{-sc.sin, sc.cos}, gap, set.k_n * A, set.k_s * A};
+const char* word(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::touching: return "touching";
+    case ContactKind::bonded: return "bonded";
+    case ContactKind::joint: return "joint";
   }
-  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
-  const double k_n = m.E_c * linear::stiffness_factor(pfc5, a.r, b.r), k_s = m.ks_over_kn * k_n;
-  const Vec2 n = (1.0 / distance) * d;
-  if (c.kind == ContactKind::touching) return {"touching", n, gap, k_n, k_s};
-  const auto g = parallel_bond::geometry(m.radius_multiplier, a.r, b.r);
-  const double k_bond = m.E_b / g.L * g.A;
-  return {"bonded", n, gap, k_n + k_bond, k_s + m.bond_ks_over_kn * k_bond};
+  return "";
 }
 
 }  // namespace
@@ -165,11 +146,19 @@ std::vector<Disc> read_discs(const std::string& path) { return parse_discs(read_
 std::string contacts_csv(const Specimen& s) {
   std::string text =
       "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],"
-      "sigma_c [Pa],tau_c [Pa]\n";
+      "sigma_c [Pa],tau_c [Pa],k_m [N],x [m],y [m]\n";
   for (const Contact& c : s.contacts) {
-    const ContactProperties p = properties(s, c);
-    text += std::to_string(c.a) + "," + std::to_string(c.b) + "," + p.kind + "," + std::to_string(c.set);
-    for (const double v : {p.normal.x, p.normal.y, p.gap, p.k_n, p.k_s, c.sigma_c, c.tau_c})
+    const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
+    const Vec2 d{b.x - a.x, b.y - a.y};
+    const double gap = norm(d) - a.r - b.r;
+    const Vec2 branch = (1.0 / norm(d)) * d, point = Vec2{a.x, a.y} + (a.r + 0.5 * gap) * branch;
+    const contact::ContactModel& model = contact::standard_models().of(c.kind);
+    const Vec2 normal = model.normal(s, c, branch);
+    const Tangent<double> k = model.stiffness(s, c, true);
+    text +=
+        std::to_string(c.a) + "," + std::to_string(c.b) + "," + word(c.kind) + "," + std::to_string(c.set);
+    for (const double v :
+         {normal.x, normal.y, gap, k.k_n, k.k_s, c.sigma_c, c.tau_c, k.k_m, point.x, point.y})
       text += "," + print_number(v);
     text += "\n";
   }

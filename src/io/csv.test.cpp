@@ -113,11 +113,12 @@ Specimen pair() {
   return s;
 }
 
-// By hand, per metre of thickness: linear k_n = E_c; bond k_n = E_b/(R1 + R2) 2 R = E_b; joint k_n = k_n 2 R.
+// By hand, per metre of thickness: linear k_n = E_c; bond k_n = E_b/(R1 + R2) 2 R = E_b,
+// k_m = E_b/(R1 + R2) (2/3) R^3 = E_b/3; joint k_n = k_n 2 R.
 TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
   Specimen s = pair();
   EXPECT_THAT(cells_of(s), testing::ElementsAre("0", "1", "bonded", "0", "1", "0", "0", "7.6e+10", "2.28e+10",
-                                                testing::_, testing::_));
+                                                testing::_, testing::_, "12666666666.666666", "1", "0"));
   s.contacts[0].kind = ContactKind::touching;
   EXPECT_EQ(cells_of(s)[7], "3.8e+10");
   s.contacts[0].kind = ContactKind::joint;
@@ -125,7 +126,7 @@ TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
   s.bedding.resize(1);
   s.bedding[0].theta = 90.0;
   EXPECT_THAT(cells_of(s), testing::ElementsAre("0", "1", "joint", "0", "1", "0", "0", "6.72e+12", "1.92e+12",
-                                                testing::_, testing::_));
+                                                testing::_, testing::_, "0", "1", "0"));
 }
 
 TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {

@@ -185,9 +185,9 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
   for (Contact c : specimen.contacts) {
     if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
-    across += initial_stiffness(specimen, c).k_n;
+    across += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
     if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
-    sound += initial_stiffness(specimen, c).k_n;
+    sound += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
   }
   for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));

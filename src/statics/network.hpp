@@ -4,16 +4,15 @@
 //
 //   d        = (u_b - u_a) - (w_a arm_a + w_b arm_b) tangent(branch)
 //   closure  = -n.d,   slide = t.d,   rotation = w_b - w_a
-//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation          (laws/law.hpp; force on b = F_n n +
-//   F_s t)
+//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation          (laws/law.hpp, which has the
+//   couplings;
+//                                                                        force on b = F_n n + F_s t)
 //
-// with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n is
-// the branch for grains and bonds, the plane's normal for smooth joints. k_n, k_s, k_m are the tangent
-// stiffnesses that the laws themselves state, for closed, sticking, unbroken contacts.
-//
-// Linear parts only push. Which of them push is decided by the caller (uniaxial.hpp); `active` says so per
-// link. Overlaps of the packing count as stress-free: a linear part acts as soon as its grains approach. For
-// a packing with a locked-in stress this is the limit of axial stresses well above it.
+// with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n and
+// the stiffnesses are those that the contact models state (contact/model.hpp), in two parts: what holds in
+// any case, and what only pushes. Which of the pushing parts act is decided by the caller (uniaxial.hpp);
+// `active` says so per link. Overlaps of the packing count as stress-free: a pushing part acts as soon as its
+// grains approach. For a packing with a locked-in stress this is the limit of axial stresses well above it.
 //
 // Platens are bodies like grains, placed after them, with all movements prescribed.
 #pragma once
@@ -23,62 +22,51 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "laws/law.hpp"
+#include "contact/models.hpp"
 #include "records/specimen.hpp"
 
 namespace phy {
 
-/// Springs between two bodies. The factors multiply the moduli of the recipe; 0 = that law is absent.
+/// Springs between two bodies.
 struct Link {
   std::uint32_t a = 0, b = 0;
-  Vec2 branch;              ///< unit vector a -> b
-  Vec2 n;                   ///< normal of the law, from a to b
-  double arm_a = 0.0;       ///< [m]
-  double arm_b = 0.0;       ///< [m]
-  Vec2 shift;               ///< periodic cells: the image of b in contact lies at x_b + shift [m]
-  double linear = 0.0;      ///< k_n / E_c of the linear contact [-]
-  double bond = 0.0;        ///< A / L of the parallel bond [-]: k_n = E_b A / L
-  double bend = 0.0;        ///< I / L of the parallel bond [m^2]: k_m = E_b I / L
-  double joint = 0.0;       ///< area of the smooth joint [m^2 per m]
-  std::uint8_t set = 0;     ///< bedding set of the joint
-  bool unilateral = false;  ///< the linear part only pushes
-  bool smooth = false;      ///< the linear part does not resist sliding (frictionless platen)
+  Vec2 branch;         ///< unit vector a -> b
+  Vec2 n;              ///< normal of the springs, from a to b
+  double arm_a = 0.0;  ///< [m]
+  double arm_b = 0.0;  ///< [m]
+  Vec2 shift;          ///< periodic cells: the image of b in contact lies at x_b + shift [m]
+  contact::ElasticPart k{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  bool unilateral = false;  ///< has a part that only pushes; false: whatever it has also pulls
 };
 
 struct Network {
   std::vector<Vec2> x;  ///< centres: grains first, then platens [m]
   std::size_t n_grains = 0;
-  double length = 1.0;  ///< a typical arm [m]: compares rotations with displacements
-  std::vector<Link> links;
-  MatrixRecipe matrix;
-  std::vector<BeddingRecipe> bedding;
+  double length = 1.0;      ///< a typical arm [m]: compares rotations with displacements
+  std::vector<Link> links;  ///< the contacts in their order, then those of platens
+  std::size_t n_contacts = 0;
+  contact::Models models = contact::standard_models();
 };
-
-/// Gaps up to this fraction of the mean radius count as closed: an axial strain of 1e-6 closes them.
-constexpr double touching_gap = 1e-6;
 
 enum class Platens { frictionless, glued };
 
 /// The contacts of a specimen, in their order. With a period > 0 along x or y a contact joins a to the
 /// nearest image of b.
-Network make_network(const Specimen& specimen, Vec2 period = {});
+Network make_network(const Specimen& specimen, Vec2 period = {},
+                     const contact::Models& models = contact::standard_models());
 
 /// Adds the bottom and the top platen (bodies n_grains and n_grains + 1) and their links to the grains that
 /// touch the lines y = 0 and y = height. Glued: sliding is resisted too and nothing comes off.
 void add_platens(Network& network, const Specimen& specimen, Platens platens);
 
-/// Stiffness of a link. `active`: its linear part acts.
-Tangent<double> stiffness(const Network& network, const Link& link, bool active);
+/// Stiffness of a link. `active`: its pushing part acts.
+Tangent<double> stiffness(const Link& link, bool active);
 
-/// A parameter that E and nu depend on.
-struct Parameter {
-  enum class What { E_c, E_b, ks_over_kn, bond_ks_over_kn, k_n, k_s };
-  What what = What::E_c;
-  std::uint8_t set = 0;  ///< bedding set, for k_n and k_s
-};
-
-/// Derivative of a link's stiffness with respect to a parameter.
-Tangent<double> stiffness_rate(const Network& network, const Link& link, bool active, Parameter parameter);
+/// Derivative of all links' stiffnesses with respect to a parameter of the matrix, or of bedding set `set`;
+/// the specimen is the one that the network was made of.
+std::vector<Tangent<double>> stiffness_rates(const Network& network, const Specimen& specimen,
+                                             const std::vector<char>& active,
+                                             const contact::ElasticParameter& parameter, std::uint8_t set);
 
 /// Movement of body i: u[3 i] = u_x, u[3 i + 1] = u_y [m], u[3 i + 2] = rotation [rad].
 using Movements = std::vector<double>;
@@ -96,7 +84,10 @@ LinkRows rows(const Link& link);
 /// Closure, slide and rotation of a link [m, m, rad].
 std::array<double, 3> strains(const Link& link, std::span<const double> u, const Gradient& gradient = {});
 
-/// Forces F_n, F_s, M of the link's law (signs: laws/law.hpp) [N/m, N/m, N].
+/// What a stiffness answers closure, slide and rotation with: F_n, -F_s, -M [N/m, N/m, N].
+std::array<double, 3> resistance(const Tangent<double>& k, const std::array<double, 3>& strains);
+
+/// Forces F_n, F_s, M of a link (signs: laws/law.hpp) [N/m, N/m, N].
 std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 3>& strains);
 
 /// Stiffness of all links.

@@ -37,11 +37,29 @@ bool leaves_no_motion(std::vector<Row> rows) {
   return true;
 }
 
+/// A stiffness that couples resists what its own rows resist: closure is against n, hence the sign. Rotations
+/// are compared with displacements by the network's length.
+void add_coupled(const Network& net, const Link& l, const Tangent<double>& k,
+                 const std::array<Row, 3>& motion, std::vector<Hold>& holds) {
+  const double h = net.length, size = std::max({k.k_n, k.k_s, k.k_m / (h * h)});
+  const double K[3][3] = {{k.k_n, -k.k_ns, -k.k_nm / h},
+                          {-k.k_ns, k.k_s, k.k_sm / h},
+                          {-k.k_nm / h, k.k_sm / h, k.k_m / (h * h)}};
+  for (const auto& of : K) {
+    Row row{};
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i) row[i] += of[j] / size * motion[j][i];
+    holds.push_back({l.a, l.b, row});
+  }
+}
+
 /// Rows of a link against the rigid motion of b's cluster relative to a's.
 void add_holds(const Network& net, const Link& l, const Tangent<double>& k, std::vector<Hold>& holds) {
   const double scale = 1.0 / net.length;
   const Vec2 at = net.x[l.b] - l.arm_b * l.branch;  // a platen has no place, its grain has
   const auto along = [&](Vec2 axis) { return Row{axis.x, axis.y, cross(at, axis) * scale}; };
+  if (k.coupled())
+    return add_coupled(net, l, k, {along(l.n), along(tangent(l.n)), Row{0.0, 0.0, 1.0}}, holds);
   if (k.k_n > 0.0) holds.push_back({l.a, l.b, along(l.n)});
   if (k.k_s > 0.0) holds.push_back({l.a, l.b, along(tangent(l.n))});
   if (k.k_m > 0.0) holds.push_back({l.a, l.b, {0.0, 0.0, 1.0}});
@@ -82,7 +100,7 @@ std::vector<char> loose_bodies(const Network& net, const std::vector<Tangent<dou
     const Link& l = net.links[i];
     if (l.shift.x != 0.0 || l.shift.y != 0.0)
       holds.push_back({l.a, n, {0.0, 0.0, k[i].k_n > 0.0 ? 1.0 : 0.0}});
-    else if (k[i].k_n > 0.0 && k[i].k_s > 0.0 && k[i].k_m > 0.0)
+    else if (k[i].k_n > 0.0 && k[i].k_s > 0.0 && k[i].k_m > 0.0 && !k[i].coupled())
       clusters.join(l.a, l.b);
     else
       add_holds(net, l, k[i], holds);

@@ -40,6 +40,9 @@ std::vector<std::int32_t> elimination_order(const Network& net, const std::vecto
 }
 
 bool sound(double k) { return k >= 0.0 && std::isfinite(k); }
+bool sound(const Tangent<double>& k) {
+  return sound(k.k_n) && sound(k.k_s) && sound(k.k_m) && std::isfinite(k.k_ns + k.k_nm + k.k_sm);
+}
 
 ElasticOutcome bad(std::string reason, std::vector<std::uint32_t> grains) {
   return {ElasticStatus::bad_stiffness, std::move(reason), "check moduli, stiffness ratios and the discs",
@@ -51,8 +54,7 @@ ElasticOutcome check_stiffness(const Network& net, const std::vector<Tangent<dou
   double largest = 0.0;
   for (std::size_t i = 0; i < k.size(); ++i) {
     const Link& l = net.links[i];
-    const bool fine = sound(k[i].k_n) && sound(k[i].k_s) && sound(k[i].k_m) &&
-                      std::isfinite(dot(l.branch, l.branch)) && std::isfinite(l.arm_a) &&
+    const bool fine = sound(k[i]) && std::isfinite(dot(l.branch, l.branch)) && std::isfinite(l.arm_a) &&
                       std::isfinite(l.arm_b);
     if (!fine)
       return bad("the contact of grains " + std::to_string(l.a) + " and " + std::to_string(l.b) +
@@ -162,9 +164,9 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<Tan
     const LinkRows row = rows(net.links[i]);
     const std::int32_t* slot = &slot_[21 * i];
     for (std::size_t r = 0; r < 6; ++r) {
-      const double n = k[i].k_n * row[0][r], s = k[i].k_s * row[1][r], m = k[i].k_m * row[2][r];
+      const std::array<double, 3> q = resistance(k[i], {row[0][r], row[1][r], row[2][r]});
       for (std::size_t c = 0; c <= r; ++c, ++slot)
-        if (*slot >= 0) K[*slot] += n * row[0][c] + s * row[1][c] + m * row[2][c];
+        if (*slot >= 0) K[*slot] += q[0] * row[0][c] + q[1] * row[1][c] + q[2] * row[2][c];
     }
     stiffest = std::max({stiffest, k[i].k_n, k[i].k_s});
   }
@@ -221,8 +223,7 @@ std::vector<double> inner_forces(const Network& net, const std::vector<Tangent<d
   std::vector<double> f(u.size(), 0.0);
   for (std::size_t i = 0; i < net.links.size(); ++i) {
     const Link& l = net.links[i];
-    const std::array<double, 3> e = strains(l, u, gradient);
-    const std::array<double, 3> q{k[i].k_n * e[0], k[i].k_s * e[1], k[i].k_m * e[2]};
+    const std::array<double, 3> q = resistance(k[i], strains(l, u, gradient));
     const LinkRows row = rows(l);
     const std::array<std::size_t, 6> at = freedoms(l);
     for (std::size_t r = 0; r < 6; ++r) f[at[r]] += row[0][r] * q[0] + row[1][r] * q[1] + row[2][r] * q[2];

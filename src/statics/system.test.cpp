@@ -133,7 +133,8 @@ TEST(Lattice, HexagonalCellWithJointRows) {  // V3
 TEST(Lattice, ForcesUnderUniaxialStress) {  // V13
   const Cell cell = hexagonal_cell(4, 4);
   const Network net = make_network(cell.specimen, cell.period);
-  const double n = K_n(net.matrix), s = K_s(net.matrix), stress = 1e6;
+  const MatrixRecipe& m = cell.specimen.matrix;
+  const double n = K_n(m), s = K_s(m), stress = 1e6;
   const Eigen::Vector3d strain = stiffness_of(cell).inverse() * Eigen::Vector3d(0.0, -stress, 0.0);
   Boundary boundary;
   boundary.movements = {{{0, 0}, 0.0}, {{0, 1}, 0.0}};
@@ -141,7 +142,7 @@ TEST(Lattice, ForcesUnderUniaxialStress) {  // V13
   const LoadCase answer = solve_once(net, boundary);
   ASSERT_TRUE(answer.outcome.ok()) << answer.outcome.reason;
   for (const Link& l : net.links) {
-    const auto q = forces(stiffness(net, l, true), strains(l, answer.u, boundary.gradient));
+    const auto q = forces(stiffness(l, true), strains(l, answer.u, boundary.gradient));
     if (std::fabs(l.n.y) < 0.1) {
       expect_near(q[0], -stress * R * (n - s) / (root3 * (n + s)));
       EXPECT_NEAR(q[1], 0.0, exact * stress * R);
@@ -190,7 +191,7 @@ TEST(Beam, CantileverUnderTipForceAndMoment) {  // V5
   const double N = n;
   const Network net = beam(n);
   const Link& l = net.links[0];
-  const double kn_I = net.matrix.E_b * l.bend, ks_A = net.matrix.bond_ks_over_kn * net.matrix.E_b * l.bond;
+  const double kn_I = l.k.hold.k_m, ks_A = l.k.hold.k_s;
   const std::vector<char> bonds_only(net.links.size(), 0);
   const std::size_t tip = 3 * static_cast<std::size_t>(n);
   Boundary boundary;
@@ -228,15 +229,40 @@ TEST(System, RigidMotionMakesNoForce) {
     for (const double e : strains(l, u)) EXPECT_NEAR(e, 0.0, 1e-14);
 }
 
+// An interface that is broken over a part of its length couples force and moment. As two springs k_1, k_2 at
+// distances h and -h from its middle, under a normal force P through the middle:
+//   k_1 (c + h w) = k_2 (c - h w) = P/2,   so   c = P/4 (1/k_1 + 1/k_2),   w = P/(4 h) (1/k_1 - 1/k_2)
+TEST(System, CoupledStiffnessTurnsWhatItIsPressedOn) {
+  const double k_1 = 5e9, k_2 = 1e9, h = 0.3 * R, P = 1e3;
+  Specimen s = assembly({{0.0, 0.0, R}, {2.0 * R, 0.0, R}}, stiff_matrix());
+  bond_touching(s);
+  Network net = make_network(s);
+  Tangent<double> k{k_1 + k_2, 4e9, (k_1 + k_2) * h * h};
+  k.k_nm = (k_1 - k_2) * h;
+  net.links[0].k = {{0.0, 0.0, 0.0}, k};
+  Boundary boundary;
+  move_with(boundary, net, 0, {});
+  boundary.loads = {{{1, 0}, -P}};
+  const LoadCase answer = solve_once(net, boundary);
+  ASSERT_TRUE(answer.outcome.ok()) << answer.outcome.reason;
+  expect_near(-answer.u[3], P / 4.0 * (1.0 / k_1 + 1.0 / k_2));
+  expect_near(answer.u[5], P / (4.0 * h) * (1.0 / k_1 - 1.0 / k_2));
+  // With one of them broken off the grain turns about the other without resistance.
+  net.links[0].k.hold.k_n = k_1, net.links[0].k.hold.k_m = k_1 * h * h, net.links[0].k.hold.k_nm = k_1 * h;
+  const auto loose = loose_bodies(net, stiffnesses(net, {1}), {{0, 0}, {0, 1}, {0, 2}});
+  EXPECT_EQ(loose, (std::vector<char>{0, 1}));
+}
+
 TEST(System, RefusesStiffnessesThatAreNone) {
   Network net = beam(3);
   Boundary boundary;
   move_with(boundary, net, 0, {});
-  net.matrix.E_b = -1e9;
+  const contact::ElasticPart sound = net.links[0].k;
+  net.links[0].k.hold.k_n = -1e12;
   LoadCase answer = solve_once(net, boundary);
   EXPECT_EQ(answer.outcome.status, ElasticStatus::bad_stiffness);
   EXPECT_EQ(answer.outcome.grains, (std::vector<std::uint32_t>{0, 1}));
-  net.matrix.E_b = 1e9, net.links[1].branch.x = std::nan("");
+  net.links[0].k = sound, net.links[1].branch.x = std::nan("");
   answer = solve_once(net, boundary);
   EXPECT_EQ(answer.outcome.status, ElasticStatus::bad_stiffness);
   EXPECT_EQ(answer.outcome.grains, (std::vector<std::uint32_t>{1, 2}));

@@ -67,9 +67,16 @@ ElasticOutcome check_load_path(const Network& net, const std::vector<Tangent<dou
           std::move(lot)};
 }
 
-/// Both parameters move by the same amount.
-Sensitivity sum(const Sensitivity& a, const Sensitivity& b, std::string name) {
-  return {std::move(name), a.unit, a.value, a.dE + b.dE, a.dnu + b.dnu};
+/// Parameters of one name are also varied by the same amount.
+void add_together(const contact::ElasticParameter& p, const Sensitivity& s,
+                  std::vector<Sensitivity>& together) {
+  for (Sensitivity& sum : together)
+    if (sum.parameter == p.together) {
+      sum.dE += s.dE, sum.dnu += s.dnu;
+      return;
+    }
+  together.push_back(s);
+  together.back().parameter = p.together;
 }
 
 }  // namespace
@@ -148,7 +155,7 @@ UniaxialStatics::Update UniaxialStatics::update(std::vector<std::uint8_t>& chang
   Update update;
   for (std::size_t i = 0; i < network_.links.size(); ++i) {
     const Link& l = network_.links[i];
-    if (!l.unilateral || l.linear == 0.0) continue;
+    if (!l.unilateral) continue;
     const double closure = strains(l, u_)[0];
     const bool closed = closure > 0.0;
     if (closed == (active_[i] != 0) || std::fabs(closure) < undecided * network_.length) continue;
@@ -223,8 +230,8 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
   for (std::size_t i = 0; i < network_.links.size(); ++i) {
     const Link& l = network_.links[i];
     if (l.a >= network_.n_grains) continue;
-    result.n_contacts += l.linear > 0.0 || l.bond > 0.0 || l.joint > 0.0 ? 1 : 0;
-    result.n_open += l.linear > 0.0 && !active_[i] ? 1 : 0;
+    result.n_contacts += l.k.push.k_n > 0.0 || l.k.hold.k_n > 0.0 ? 1 : 0;
+    result.n_open += l.k.push.k_n > 0.0 && !active_[i] ? 1 : 0;
   }
   std::vector<std::uint32_t> loose;
   for (std::uint32_t i = 0; i < network_.n_grains; ++i)
@@ -246,31 +253,34 @@ void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& re
     e.push_back(strains(l, u_));
     e_axial.push_back(strains(l, axial)), e_lateral.push_back(strains(l, lateral));
   }
-  const auto add = [&](std::string name, std::string unit, double value, Parameter p) {
+  const auto sensitivity = [&](const contact::ElasticParameter& p, std::uint8_t set, double value) {
+    const std::vector<Tangent<double>> rates = stiffness_rates(network_, *specimen_, active_, p, set);
     double dF = 0.0, d_axial = 0.0, d_lateral = 0.0;
     for (std::size_t i = 0; i < network_.links.size(); ++i) {
-      const Tangent<double> dk = stiffness_rate(network_, network_.links[i], active_[i] != 0, p);
-      const std::array<double, 3> q{dk.k_n * e[i][0], dk.k_s * e[i][1], dk.k_m * e[i][2]};
+      const std::array<double, 3> q = resistance(rates[i], e[i]);
       for (std::size_t r = 0; r < 3; ++r)
         dF += q[r] * e[i][r], d_axial -= q[r] * e_axial[i][r], d_lateral -= q[r] * e_lateral[i][r];
     }
-    Sensitivity s{std::move(name), std::move(unit), value, 0.0, 0.0};
+    Sensitivity s{p.name, p.unit, value, 0.0, 0.0};
     s.dE = (dF / approach - reading.E * width * d_axial) / (width * reading.axial);
     s.dnu = -(d_lateral + reading.nu * d_axial) / reading.axial;
-    result.sensitivities.push_back(std::move(s));
+    return s;
   };
-  const MatrixRecipe& m = network_.matrix;
-  using What = Parameter::What;
-  add("matrix.E_c", "Pa", m.E_c, {What::E_c, 0});
-  add("matrix.E_b", "Pa", m.E_b, {What::E_b, 0});
-  add("matrix.ks_over_kn", "1", m.ks_over_kn, {What::ks_over_kn, 0});
-  add("matrix.bond_ks_over_kn", "1", m.bond_ks_over_kn, {What::bond_ks_over_kn, 0});
-  result.sensitivities.push_back(sum(result.sensitivities[2], result.sensitivities[3], "ks_over_kn"));
-  for (std::size_t i = 0; i < network_.bedding.size(); ++i) {
-    const std::string set = "bedding[" + std::to_string(i) + "].";
-    add(set + "k_n", "Pa/m", network_.bedding[i].k_n, {What::k_n, static_cast<std::uint8_t>(i)});
-    add(set + "k_s", "Pa/m", network_.bedding[i].k_s, {What::k_s, static_cast<std::uint8_t>(i)});
+  const contact::Models& models = network_.models;
+  std::vector<Sensitivity> together;
+  for (const contact::ElasticParameter& p : models.matrix->elastic_parameters()) {
+    Sensitivity s = sensitivity(p, 0, specimen_->matrix.*p.matrix);
+    if (p.together != nullptr) add_together(p, s, together);
+    s.parameter = "matrix." + s.parameter;
+    result.sensitivities.push_back(std::move(s));
   }
+  std::move(together.begin(), together.end(), std::back_inserter(result.sensitivities));
+  for (std::size_t i = 0; i < specimen_->bedding.size(); ++i)
+    for (const contact::ElasticParameter& p : models.interface->elastic_parameters()) {
+      Sensitivity s = sensitivity(p, static_cast<std::uint8_t>(i), specimen_->bedding[i].*p.bedding);
+      s.parameter = "bedding[" + std::to_string(i) + "]." + s.parameter;
+      result.sensitivities.push_back(std::move(s));
+    }
 }
 
 ElasticResult solve_uniaxial(const Specimen& specimen, const ElasticOptions& options) {

@@ -226,7 +226,7 @@ std::vector<Check> energy_balance() {
 // closed forms.
 std::vector<Check> stable_step() {
   const auto ratio = [](const Specimen& s, double exact) {
-    return FrequencyBound(s, initial_stiffnesses(s)).omega() / exact;
+    return FrequencyBound(s, initial_stiffnesses(contact::standard_models(), s)).omega() / exact;
   };
   Specimen pair = bonded_pair();
   const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;

@@ -120,7 +120,7 @@ std::vector<Check> cantilever() {
   Specimen s = assembly(discs, MatrixRecipe{});
   bond_touching(s);
   const Network net = make_network(s);
-  const Tangent<double> bond = stiffness(net, net.links[0], false);
+  const Tangent<double> bond = stiffness(net.links[0], false);
   const std::vector<char> bonds_only(net.links.size(), 0);
   Boundary boundary;
   move_with(boundary, net, 0, {});
@@ -146,7 +146,7 @@ std::vector<Check> contact_forces() {
   const Movements u = solve_once(net, boundary).u;
   double inclined_n = 0.0, inclined_s = 0.0, level_n = 0.0, couple = 0.0, level = 0.0, inclined = 0.0;
   for (const Link& l : net.links) {
-    const auto q = forces(stiffness(net, l, true), strains(l, u, boundary.gradient));
+    const auto q = forces(stiffness(l, true), strains(l, u, boundary.gradient));
     couple = std::max(couple, std::fabs(q[2]) / (stress * R * R));
     if (std::fabs(l.n.y) < 0.1)
       level_n += q[0], level += 1.0;

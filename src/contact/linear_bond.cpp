@@ -1,0 +1,171 @@
+#include "contact/linear_bond.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/exact_math.hpp"
+
+namespace phy::contact {
+namespace {
+
+double linear_stiffness_factor(const MatrixRecipe& m, double r1, double r2) {
+  return linear::stiffness_factor(m.stiffness_convention == StiffnessConvention::pfc5, r1, r2);
+}
+double tan_phi_of(const MatrixRecipe& m) {
+  return m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi);
+}
+double radius(const Specimen& s, std::uint32_t grain) { return s.packing->discs[grain].r; }
+parallel_bond::Geometry bond_of(const Specimen& s, const Contact& c) {
+  return parallel_bond::geometry(s.matrix.radius_multiplier, radius(s, c.a), radius(s, c.b));
+}
+
+constexpr ElasticParameter elastic_list[] = {
+    {"E_c", "Pa", &MatrixRecipe::E_c},
+    {"E_b", "Pa", &MatrixRecipe::E_b},
+    {"ks_over_kn", "1", &MatrixRecipe::ks_over_kn, nullptr, "ks_over_kn"},
+    {"bond_ks_over_kn", "1", &MatrixRecipe::bond_ks_over_kn, nullptr, "ks_over_kn"},
+};
+
+class LinearBondModel final : public ContactModel {
+  using F = LinearBond;
+
+ public:
+  const char* name() const override { return "linear_bond"; }
+  Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
+
+  bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
+    return one.stiffness_convention == other.stiffness_convention;
+  }
+
+  void geometry(const MatrixRecipe& m, double r1, double r2, double* out) const override {
+    const double r_min = std::min(r1, r2), length = r1 + r2, factor = linear_stiffness_factor(m, r1, r2);
+    out[F::linear_factor] = factor, out[F::inv_linear_factor] = 1.0 / factor;
+    out[F::bond_factor] = 2.0 * r_min / length;
+    out[F::bend_factor] = 2.0 / 3.0 * r_min * r_min * r_min / length;
+    out[F::inv_r_min] = 1.0 / r_min;
+  }
+
+  void parameters(const Specimen& specimen, std::uint8_t, double* out) const override {
+    const MatrixRecipe& m = specimen.matrix;
+    const double lambda = m.radius_multiplier;
+    out[F::k_n] = m.E_c, out[F::k_s] = m.ks_over_kn * m.E_c, out[F::inv_k_s] = 1.0 / (m.ks_over_kn * m.E_c);
+    out[F::mu] = m.unbreakable ? unlimited : m.mu;
+    out[F::kb_n] = m.E_b * lambda, out[F::kb_s] = m.bond_ks_over_kn * m.E_b * lambda;
+    out[F::kb_m] = m.E_b * lambda * lambda * lambda, out[F::arm] = 3.0 * m.moment_contribution / lambda;
+    out[F::tan_phi] = tan_phi_of(m);
+  }
+
+  void idle_parameters(double* out) const override { parameters(Specimen{}, 0, out); }
+
+  void install(const Specimen& s, const Contact& c, double* fields) const override {
+    if (c.kind != ContactKind::bonded) return;
+    const double A = bond_of(s, c).A;
+    fields[F::capacity] = c.sigma_c * A;
+    fields[F::shear_capacity] = c.tau_c * A;
+  }
+
+  void meet(double, double*) const override {}
+
+  Vec2 normal(const Specimen&, const Contact&, Vec2 branch) const override { return branch; }
+
+  Tangent<double> stiffness(const Specimen& s, const Contact& c, bool unbroken) const override {
+    const MatrixRecipe& m = s.matrix;
+    const double k_n = m.E_c * linear_stiffness_factor(m, radius(s, c.a), radius(s, c.b));
+    Tangent<double> k{k_n, m.ks_over_kn * k_n, 0.0};
+    if (c.kind == ContactKind::bonded && unbroken) {
+      const parallel_bond::Geometry g = bond_of(s, c);
+      k.k_n += m.E_b / g.L * g.A;
+      k.k_s += m.bond_ks_over_kn * m.E_b / g.L * g.A;
+      k.k_m = m.E_b / g.L * g.I;
+    }
+    return k;
+  }
+
+  ElasticPart elastic(const Specimen& s, const Contact& c, double gap) const override {
+    const MatrixRecipe& m = s.matrix;
+    const Factors f = factors(s, c, gap);
+    const double k_n = m.E_c * f.linear, kb_n = m.E_b * f.bond;
+    return {{k_n, m.ks_over_kn * k_n, 0.0}, {kb_n, m.bond_ks_over_kn * kb_n, m.E_b * f.bend}};
+  }
+
+  std::span<const ElasticParameter> elastic_parameters() const override { return elastic_list; }
+
+  ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
+                           const ElasticParameter& p) const override {
+    const MatrixRecipe& m = s.matrix;
+    const Factors f = factors(s, c, gap);
+    constexpr Tangent<double> none{0.0, 0.0, 0.0};
+    if (p.matrix == &MatrixRecipe::E_c) return {{f.linear, m.ks_over_kn * f.linear, 0.0}, none};
+    if (p.matrix == &MatrixRecipe::E_b) return {none, {f.bond, m.bond_ks_over_kn * f.bond, f.bend}};
+    if (p.matrix == &MatrixRecipe::ks_over_kn) return {{0.0, m.E_c * f.linear, 0.0}, none};
+    if (p.matrix == &MatrixRecipe::bond_ks_over_kn) return {none, {0.0, m.E_b * f.bond, 0.0}};
+    return {none, none};
+  }
+
+  void affine_start(const Standing& c, Vec2 du, double* fields) const override {
+    const MatrixRecipe& m = c.specimen.matrix;
+    const Vec2 n = (1.0 / norm(c.branch_0)) * c.branch_0;
+    const double slide = dot(du, tangent(n));
+    const double closure = -dot(du, n) - c.gap;
+    const double k_n = m.E_c * c.geometry[F::linear_factor];
+    const double limit = (m.unbreakable ? unlimited : m.mu) * k_n * std::max(closure, 0.0);
+    fields[F::shear] = std::clamp(-m.ks_over_kn * k_n * slide, -limit, limit);
+    if (!unbroken(fields)) return;
+    const double kb = m.E_b * m.radius_multiplier * c.geometry[F::bond_factor];
+    fields[F::bond_shear] = -m.bond_ks_over_kn * kb * slide;
+  }
+
+  bool at_strength(const Standing& c) const override {
+    if (!unbroken(c.fields)) return false;
+    const MatrixRecipe& m = c.specimen.matrix;
+    const double lambda = m.radius_multiplier;
+    const double F_n = m.E_b * lambda * c.geometry[F::bond_factor] * (norm(c.branch_0) - norm(c.branch));
+    const double M = m.E_b * (lambda * lambda * lambda) * c.geometry[F::bend_factor] * std::fabs(c.rotation);
+    const double arm = 3.0 * m.moment_contribution / lambda * c.geometry[F::inv_r_min];
+    const double S = c.fields[F::shear_capacity] + F_n * tan_phi_of(m);
+    return arm * M - F_n >= c.fields[F::capacity] || std::fabs(c.fields[F::bond_shear]) >= S;
+  }
+
+  bool unbroken(const double* fields) const override { return fields[F::capacity] > 0.0; }
+
+  void describe(const Standing& c, ContactState& out) const override {
+    const MatrixRecipe& m = c.specimen.matrix;
+    const double closure = norm(c.branch_0) - norm(c.branch);
+    out.kind = c.original ? ContactKind::bonded : ContactKind::touching;
+    out.broken = c.original && !unbroken(c.fields);
+    out.normal = (1.0 / norm(c.branch)) * c.branch;
+    out.F_n = m.E_c * c.geometry[F::linear_factor] * std::max(closure - c.gap, 0.0);
+    if (unbroken(c.fields)) out.F_n += m.E_b * m.radius_multiplier * c.geometry[F::bond_factor] * closure;
+    out.F_s = c.fields[F::shear] + c.fields[F::bond_shear];
+  }
+
+  void crack(const Standing& c, CrackEvent& out) const override {
+    out.place = CrackPlace::matrix;
+    out.normal = (1.0 / norm(c.branch)) * c.branch;
+    out.size = 2.0 * c.specimen.matrix.radius_multiplier * c.r_min;
+  }
+
+ private:
+  /// Stiffness over modulus: k_n = E_c linear, kb_n A = E_b bond, kb_n I = E_b bend.
+  struct Factors {
+    double linear = 0.0, bond = 0.0, bend = 0.0;
+  };
+  static Factors factors(const Specimen& s, const Contact& c, double gap) {
+    const double r1 = radius(s, c.a), r2 = radius(s, c.b);
+    Factors f;
+    if (gap <= touching_gap * 0.5 * (r1 + r2)) f.linear = linear_stiffness_factor(s.matrix, r1, r2);
+    if (c.kind != ContactKind::bonded) return f;
+    const parallel_bond::Geometry g = bond_of(s, c);
+    f.bond = g.A / g.L, f.bend = g.I / g.L;
+    return f;
+  }
+};
+
+}  // namespace
+
+const ContactModel& LinearBond::model() {
+  static const LinearBondModel model;
+  return model;
+}
+
+}  // namespace phy::contact

@@ -1,0 +1,76 @@
+// The matrix of a bonded-particle model: linear contact and parallel bond side by side, each grain pair
+// having the first, bonded ones both (Potyondy & Cundall 2004). When a bond breaks the linear contact is
+// left. The normal is the branch vector. The laws are in laws/linear and laws/parallel_bond; here is what
+// they get: which closure counts from where, and how moduli of the recipe and radii of the packing become
+// stiffnesses.
+//
+//   linear   k_n = E_c f,          f = 1 (pfc31) or 2 r_min/(R1 + R2) (pfc5);   k_s = ks_over_kn k_n
+//   bond     kb_n A = E_b lambda 2 r_min/(R1 + R2),   kb_n I = E_b lambda^3 (2/3) r_min^3/(R1 + R2)
+//   a unit of thickness throughout; strengths times A = 2 lambda r_min
+#pragma once
+#include "contact/model.hpp"
+#include "contact/step.hpp"
+#include "laws/linear/linear.hpp"
+#include "laws/parallel_bond/parallel_bond.hpp"
+
+namespace phy::contact {
+
+struct LinearBond {
+  enum Field {
+    shear,           ///< of the linear contact [N/m]
+    bond_shear,      ///< [N/m]
+    capacity,        ///< tensile capacity sigma_c A [N/m]; 0 = broken or never bonded
+    shear_capacity,  ///< tau_c A [N/m]
+    n_fields
+  };
+  enum Parameter { k_n, k_s, inv_k_s, mu, kb_n, kb_s, kb_m, arm, tan_phi, n_parameters };
+  enum Geometry {
+    linear_factor,  ///< k_n / E_c
+    inv_linear_factor,
+    bond_factor,  ///< kb_n A / (E_b lambda)
+    bend_factor,  ///< kb_n I / (E_b lambda^3) [m^2]
+    inv_r_min,    ///< [1/m]
+    n_geometry
+  };
+  static const ContactModel& model();
+
+  template <bool sample, class R, class P, class Memory, class Broke>
+  PHY_HOT static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
+                                 Sums<R>& sums, const Broke& broke) {
+    const Kinematics<R>& k = step.motion;
+    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt;
+    const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * step.dt);
+    const linear::Parameters<R> pl{p[k_n] * R(g[linear_factor]), p[k_s] * R(g[linear_factor]),
+                                   p[inv_k_s] * R(g[inv_linear_factor]), p[mu]};
+    linear::State<R> sl{memory.load(shear)};
+    const Reaction<R> rl =
+        linear::respond(pl, sl, Motion<R>{-(k.stretch + R(step.gap)), d_closure, d_slide, R(0)});
+    const parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]),
+                                          p[kb_s] * R(g[bond_factor]),
+                                          p[kb_m] * R(g[bend_factor]),
+                                          p[arm] * R(g[inv_r_min]),
+                                          memory.load(shear_capacity),
+                                          p[tan_phi],
+                                          step.hold};
+    parallel_bond::State<R> sb{memory.load(bond_shear), memory.load(capacity)};
+    const Reaction<R> rb =
+        parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
+    memory.store(shear, sl.F_s);
+    memory.store(bond_shear, sb.F_s);
+    if (any(phy::broke(rb) & memory.here)) {
+      memory.store(capacity, sb.capacity);
+      broke(rb.broke_tension, rb.broke_shear, rb.released);
+    }
+    sums.slip += memory.only_here(rl.dissipated, R(0));
+    const R F_n = rl.F_n + rb.F_n;
+    const R F_s = rl.F_s + rb.F_s;
+    if constexpr (sample) {
+      sums.linear += memory.only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
+      sums.bond += memory.only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
+      sums.overlap = max(sums.overlap, memory.only_here(-(k.stretch + R(step.gap)) * R(g[inv_r_min]), R(0)));
+    }
+    return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
+  }
+};
+
+}  // namespace phy::contact

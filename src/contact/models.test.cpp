@@ -1,0 +1,167 @@
+// Both sides of every model in the list: what the force loop computes from parameters and geometry has to be
+// what stiffnesses, snapshots and the direct solution say.
+#include "contact/models.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact/wall.hpp"
+#include "records/assembly.hpp"
+
+namespace phy::contact {
+namespace {
+
+constexpr double R1 = 3e-4, R2 = 5e-4, tiny = 1e-10;
+
+Specimen two_grains(StiffnessConvention convention) {
+  MatrixRecipe m;
+  m.stiffness_convention = convention;
+  m.radius_multiplier = 0.8, m.bond_ks_over_kn = 0.45, m.E_b = 21e9, m.mu = 0.7;
+  Specimen s = assembly({{0.0, 0.0, R1}, {R1 + R2, 0.0, R2}}, m);
+  bond_touching(s);
+  BeddingRecipe set;
+  set.theta = 90.0;  // the plane's normal is (-1, 0)
+  set.radius_multiplier = 0.9;
+  s.bedding = {set};
+  return s;
+}
+
+/// A contact of the hot side in double, moved by hand.
+template <class Model>
+struct Moved {
+  const Specimen& specimen;
+  Contact contact;
+  double gap = 0.0;
+  std::vector<double> p, g, fields;
+  Kinematics<double> motion{1.0, 0.0, 0.0, 0.0, 0.0, R1, R2, 0.0};
+  Sums<double> sums;
+  int n_broken = 0;
+
+  Moved(const Specimen& s, Contact c)
+      : specimen(s), contact(c), p(Model::n_parameters), g(Model::n_geometry), fields(Model::n_fields) {
+    const ContactModel& model = Model::model();
+    model.parameters(s, c.set, p.data());
+    model.geometry(s.matrix, R1, R2, g.data());
+    model.install(s, c, fields.data());
+  }
+  /// One step of length 1: closer by `closure`, grain 2 sliding along t = (0, 1), and turning.
+  Push<double> step(double closure, double slide, double rotation) {
+    motion.stretch -= closure, motion.rotation += rotation;
+    motion.vx = -closure, motion.vy = slide;
+    const Memory<double, true> memory{fields.data(), true};
+    sums = {};
+    const double side = contact.kind == ContactKind::joint ? -1.0 : 0.0;
+    return Model::template respond<true>(p, g.data(), memory, Step<double>{motion, gap, side, 1.0, 0.0}, sums,
+                                         [&](bool, bool, double) { ++n_broken; });
+  }
+  Standing standing() const {
+    const Vec2 d0{R1 + R2, 0.0};
+    return {specimen,
+            contact.set,
+            contact.kind == ContactKind::joint ? -1.0 : 0.0,
+            true,
+            R1,
+            gap,
+            d0,
+            {d0.x + motion.stretch, 0.0},
+            motion.rotation,
+            g.data(),
+            fields.data()};
+  }
+};
+
+template <class Model>
+void expect_one_model(const Specimen& s, const Contact& c) {
+  Moved<Model> hot(s, c);
+  const Push<double> f = hot.step(1e-8, 2e-10, 3e-7);
+  const Tangent<double> k = Model::model().stiffness(s, c, true);
+  EXPECT_NEAR(f.fx, k.k_n * 1e-8, tiny * std::fabs(f.fx));
+  EXPECT_NEAR(f.fy, -k.k_s * 2e-10, tiny * std::fabs(f.fy));
+  EXPECT_NEAR(f.M, -k.k_m * 3e-7, tiny * k.k_m * 3e-7);
+  const double energy = 0.5 * (k.k_n * 1e-16 + k.k_s * 4e-20 + k.k_m * 9e-14);
+  EXPECT_NEAR(hot.sums.linear + hot.sums.bond + hot.sums.joint, energy, tiny * energy);
+  ContactState told;
+  Model::model().describe(hot.standing(), told);
+  EXPECT_NEAR(told.F_n, f.fx, tiny * std::fabs(f.fx));
+  EXPECT_NEAR(told.F_s, f.fy, tiny * std::fabs(f.fy));
+  EXPECT_FALSE(told.broken);
+  EXPECT_NEAR(told.normal.x, 1.0, 1e-15);
+  const ElasticPart parts = Model::model().elastic(s, c, 0.0);
+  EXPECT_NEAR(parts.push.k_n + parts.hold.k_n, k.k_n, 1e-14 * k.k_n);
+  EXPECT_NEAR(parts.push.k_s + parts.hold.k_s, k.k_s, 1e-14 * k.k_s);
+  EXPECT_NEAR(parts.push.k_m + parts.hold.k_m, k.k_m, 1e-14 * k.k_m);
+  EXPECT_FALSE(Model::model().at_strength(hot.standing()));
+  hot.step(-1.0, 0.0, 0.0);
+  EXPECT_EQ(hot.n_broken, 1);
+  EXPECT_FALSE(Model::model().unbroken(hot.fields.data()));
+}
+
+TEST(Models, LoopAndFilesAgree) {
+  for (const auto convention : {StiffnessConvention::pfc31, StiffnessConvention::pfc5}) {
+    const Specimen s = two_grains(convention);
+    Contact c = s.contacts[0];
+    expect_one_model<LinearBond>(s, c);
+    c.kind = ContactKind::joint, c.side = -1;
+    expect_one_model<SmoothJoint>(s, c);
+  }
+}
+
+// A central difference over each parameter of the recipe that the model says its stiffness depends on.
+TEST(Models, RatesAreDerivativesOfTheirStiffness) {
+  const Specimen s = two_grains(StiffnessConvention::pfc5);
+  const auto total = [](const ElasticPart& p) {
+    return p.push.k_n + 3.0 * p.push.k_s + p.hold.k_n + 2.0 * p.hold.k_s + 1e7 * p.hold.k_m;
+  };
+  for (const ContactKind kind : {ContactKind::touching, ContactKind::bonded, ContactKind::joint}) {
+    Contact c = s.contacts[0];
+    c.kind = kind;
+    const ContactModel& model = standard_models().of(kind);
+    for (const ElasticParameter& p : model.elastic_parameters()) {
+      const auto at = [&](double factor) {
+        Specimen moved = s;
+        (p.matrix != nullptr ? moved.matrix.*p.matrix : moved.bedding[0].*p.bedding) *= factor;
+        return total(model.elastic(moved, c, 0.0));
+      };
+      const double value = p.matrix != nullptr ? s.matrix.*p.matrix : s.bedding[0].*p.bedding;
+      const double rate = total(model.elastic_rate(s, c, 0.0, p)),
+                   slope = (at(1.01) - at(0.99)) / (0.02 * value);
+      EXPECT_NEAR(rate, slope, 1e-9 * std::fabs(slope)) << p.name;
+    }
+  }
+}
+
+// The affine start leaves a contact where steps would have brought it.
+TEST(Models, AffineStartIsWhatOneStepGives) {
+  const Specimen s = two_grains(StiffnessConvention::pfc31);
+  const auto check = [&]<class Model>(Model, Contact c) {
+    Moved<Model> stepped(s, c), placed(s, c);
+    stepped.step(4e-8, 3e-8, 0.0);
+    std::vector<double> fields = placed.fields;
+    Model::model().affine_start(placed.standing(), {-4e-8, 3e-8}, fields.data());
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << Model::model().name() << i;
+  };
+  Contact c = s.contacts[0];
+  check(LinearBond{}, c);
+  c.kind = ContactKind::joint, c.side = -1;
+  check(SmoothJoint{}, c);
+}
+
+TEST(Wall, RatesAreDerivativesOfItsStiffness) {
+  const MatrixRecipe m;
+  for (const bool smooth : {true, false})
+    for (const ElasticParameter& p : LinearBond::model().elastic_parameters()) {
+      MatrixRecipe up = m, down = m;
+      up.*p.matrix *= 1.01, down.*p.matrix *= 0.99;
+      const Tangent<double> rate = wall::elastic_rate(m, smooth, p), a = wall::elastic(up, smooth),
+                            b = wall::elastic(down, smooth);
+      const double step = 0.02 * m.*p.matrix;
+      EXPECT_NEAR(rate.k_n, (a.k_n - b.k_n) / step, 1e-9 * std::fabs(rate.k_n));
+      EXPECT_NEAR(rate.k_s, (a.k_s - b.k_s) / step, 1e-9 * std::fabs(rate.k_s));
+    }
+}
+
+}  // namespace
+}  // namespace phy::contact

@@ -1,0 +1,82 @@
+// The hot side of a contact model: what the force loop hands over for every contact in every step, and what
+// it gets back. Compiled once per instruction set, always inlined.
+//
+// A model of the hot side is a struct of compile-time constants and one function:
+//
+//   enum Field      ..., n_fields       lane vectors of memory that each contact has
+//   enum Parameter  ..., n_parameters   lane vectors of a row of parameters (ContactModel::parameters)
+//   enum Geometry   ..., n_geometry     numbers of each contact, the same in all lanes
+//   (ContactModel::geometry) template <bool sample, class R, class P, class Memory, class Broke> static
+//   Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
+//                          Sums<R>& sums, const Broke& broke);
+//
+// p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a field. `respond` turns the
+// kinematics into the motion of its laws, stores its memory, adds to the sums (energies only where `sample`)
+// and tells what broke: broke(tension, shear, released), at most once per step and ContactModel::Size::cracks
+// times in the life of a contact.
+#pragma once
+#include "base/lane_memory.hpp"
+
+namespace phy::contact {
+inline namespace PHY_ISA {
+
+/// What a contact's two grains 1 and 2 do, in the frame of the branch vector from centre 1 to centre 2.
+template <class R>
+struct Kinematics {
+  R nx, ny;            ///< unit branch vector
+  R stretch;           ///< growth of the distance of the centres since the start [m]
+  R vx, vy;            ///< velocity of 2 against 1 at the contact point [m/s]
+  R lever_1, lever_2;  ///< from the centres to the contact point [m]
+  R rotation;          ///< of 2 against 1 since the start [rad]
+};
+
+template <class R>
+struct Step {
+  Kinematics<R> motion;
+  ScalarOf<R> gap;  ///< approach needed before the grains themselves press on each other [m]
+  R side;  ///< interfaces: +1 where the plane's normal points from 1 to 2, else -1; 0: no interface here
+  R dt;    ///< [s]
+  R hold;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
+};
+
+/// On grain 2; grain 1 gets the opposite force.
+template <class R>
+struct Push {
+  R fx, fy;  ///< [N/m]
+  R M;       ///< couple at the contact point [N]
+};
+
+/// What a specimen sums over its contacts. The energies are the columns of the history that a model adds to.
+template <class R>
+struct Sums {
+  R slip = R(0);                               ///< work of slip in this step [J/m]
+  R linear = R(0), bond = R(0), joint = R(0);  ///< strain energy of grains, cement, interfaces [J/m]
+  R overlap = R(0);                            ///< the largest, of the smaller radius; not across interfaces
+  void add(const Sums& p) {
+    slip += p.slip, linear += p.linear, bond += p.bond, joint += p.joint;
+    overlap = max(overlap, p.overlap);
+  }
+};
+
+/// Memory of a contact in the lanes where a model has its say. `everywhere`: in all, so nothing is masked.
+template <class R, bool everywhere>
+struct Memory {
+  ScalarOf<R>* base;
+  MaskOf<R> here;
+  R load(std::size_t field) const { return phy::load<R>(base, field); }
+  void store(std::size_t field, R now) const { phy::store(base, field, only_here(now, load(field))); }
+  R only_here(R now, R before) const {
+    if constexpr (everywhere) return now;
+    return select(here, now, before);
+  }
+};
+
+/// A row of parameters that stays in memory.
+template <class R>
+struct Row {
+  const ScalarOf<R>* base;
+  R operator[](std::size_t i) const { return phy::load<R>(base, i); }
+};
+
+}  // namespace PHY_ISA
+}  // namespace phy::contact

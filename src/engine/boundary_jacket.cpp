@@ -1,0 +1,93 @@
+// The jacket of a boundary (jacket.hpp): fitted anew before every block, lane by lane.
+#include <cmath>
+
+#include "engine/boundary.hpp"
+#include "engine/jacket.hpp"
+
+namespace phy::group {
+namespace {
+
+constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the surface is missed
+
+}  // namespace
+
+template <class T>
+double Boundary<T>::pushed_way(std::size_t g, std::size_t l) const {
+  const LaneBoundary& lane = lanes_[l];
+  if (lane.pressed.empty() || lane.pressed[g] == 0.0) return 0.0;
+  const double force = (1.0 - lane.damping) * lane.pressure * std::fabs(lane.pressed[g]);
+  const double block = lane.dt * static_cast<double>(n_steps_);
+  return 0.5 * force / grains_->mass(g, lane.density) * block * block;
+}
+
+template <class T>
+std::vector<double> Boundary<T>::push(std::size_t l) const {
+  std::vector<double> ways(jacket_ ? grains_->size() : 0);
+  for (std::size_t g = 0; g < ways.size(); ++g) ways[g] = pushed_way(g, l);
+  return ways;
+}
+
+/// Sum of the heights that are pressed, times their displacement [m^2].
+template <class T>
+double Boundary<T>::area_swept(std::size_t l) const {
+  const std::vector<double>& pressed = lanes_[l].pressed;
+  double sum = 0.0;
+  for (std::size_t g = 0; g < pressed.size(); ++g) sum += pressed[g] * grains_->get(g, g_ux, l);
+  return sum;
+}
+
+template <class T>
+bool Boundary<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
+  std::vector<Vec2> x(grains_->size());
+  for (std::size_t g = 0; g < x.size(); ++g) x[g] = grains_->place(g, l);
+  lanes_[l].pressed = jacket_heights(x, grains_->radii(), grains_->packing().height,
+                                     ray_spacing * grains_->smallest_radius());
+  for (std::size_t g = 0; g < x.size() && list.searched(l); ++g)
+    if (!(pushed_way(g, l) <= list.push(l, g))) list.forget(l);
+  return !list.searched(l);
+}
+
+template <class T>
+bool Boundary<T>::fit_jackets(NeighbourList<T>& list) {
+  if (!jacket_) return false;
+  bool forgotten = false;
+  for (std::size_t l = 0; l < W_; ++l)
+    if (acts(l)) forgotten = fit_jacket(l, list) || forgotten;
+  list_loads();
+  for (std::size_t l = 0; l < W_; ++l)
+    if (!lanes_[l].pressed.empty()) lanes_[l].swept_from = area_swept(l);
+  return forgotten;
+}
+
+/// The grains that are pressed in some lane, and the forces on them.
+template <class T>
+void Boundary<T>::list_loads() {
+  const auto force = [&](std::size_t g, std::size_t l) {
+    return lanes_[l].pressed.empty() ? 0.0 : lanes_[l].pressure * lanes_[l].pressed[g];
+  };
+  load_.clear();
+  std::vector<T> forces;
+  for (std::size_t g = 0; g < grains_->size(); ++g) {
+    const std::size_t before = forces.size();
+    for (std::size_t l = 0; l < W_; ++l) forces.push_back(T(force(g, l)));
+    if (std::all_of(forces.begin() + static_cast<std::ptrdiff_t>(before), forces.end(),
+                    [](T f) { return f == T(0); }))
+      forces.resize(before);
+    else
+      load_.push_back(static_cast<std::int32_t>(g));
+  }
+  load_force_.assign(forces.size());
+  std::copy(forces.begin(), forces.end(), load_force_.get());
+  for (std::size_t row = 0; row < row_load_.size(); ++row)
+    row_load_[row] = static_cast<std::int32_t>(
+        std::lower_bound(load_.begin(), load_.end(), grains_->layout().row_grain[row]) - load_.begin());
+}
+
+template double Boundary<double>::area_swept(std::size_t) const;
+template double Boundary<float>::area_swept(std::size_t) const;
+template std::vector<double> Boundary<double>::push(std::size_t) const;
+template std::vector<double> Boundary<float>::push(std::size_t) const;
+template bool Boundary<double>::fit_jackets(NeighbourList<double>&);
+template bool Boundary<float>::fit_jackets(NeighbourList<float>&);
+
+}  // namespace phy::group

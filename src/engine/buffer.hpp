@@ -1,0 +1,32 @@
+// Memory of the force loop: zeroed, aligned to a cache line.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace phy::group {
+
+template <class T>
+class Buffer {
+ public:
+  void assign(std::size_t n) {
+    const std::size_t bytes = std::max<std::size_t>(64, (n * sizeof(T) + 63) / 64 * 64);
+    data_.reset(static_cast<T*>(std::aligned_alloc(64, bytes)));
+    if (!data_) throw std::bad_alloc();
+    std::fill_n(data_.get(), bytes / sizeof(T), T(0));
+  }
+  T* get() { return data_.get(); }
+  const T* get() const { return data_.get(); }
+  T& operator[](std::size_t i) { return data_.get()[i]; }
+  const T& operator[](std::size_t i) const { return data_.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* p) const { std::free(p); }
+  };
+  std::unique_ptr<T, Free> data_;
+};
+
+}  // namespace phy::group

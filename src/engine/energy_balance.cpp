@@ -1,0 +1,22 @@
+#include "engine/energy_balance.hpp"
+
+namespace phy::group {
+
+void EnergyBalance::begin(const HistoryRow& r) {
+  work = slip = damping = released = 0.0;
+  base_ = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint;
+}
+
+void EnergyBalance::write(HistoryRow& r) {
+  r.slip = slip;
+  r.damping = damping;
+  r.released = released;
+  const double held = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint + r.strain_wall - base_;
+  const double spent = held + r.slip + r.damping + r.released;
+  if (settle_) work = spent;
+  settle_ = false;
+  r.boundary_work = work;
+  r.energy_error = work > 0.0 ? (work - spent) / work : 0.0;
+}
+
+}  // namespace phy::group

@@ -1,0 +1,207 @@
+// What a block leaves behind: energies, cracks, the row of the history, and the watchdog's word on it.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/check.hpp"
+#include "engine/group.hpp"
+
+namespace phy::group {
+namespace {
+
+constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
+constexpr double worst_energy = 0.2;   // of the boundary work: beyond it the step was unstable
+constexpr double loaded = 1e-4;        // strain from which the balance means something
+
+/// Of all columns that any kind of test writes.
+bool all_numbers(const HistoryRow& row) {
+  for (const TestKind kind : all_kinds)
+    for (const HistoryColumn& c : history_columns(kind))
+      if (!std::isfinite(row.*c.value)) return false;
+  return true;
+}
+
+}  // namespace
+
+template <class T>
+void Group<T>::zero_strains(int lane) {
+  Lane& info = at(lane);
+  HistoryRow& r = info.row;
+  for (CrackEvent& c : info.cracks) c.strain -= r.axial_strain;
+  info.zero_axial += r.axial_strain, info.zero_lateral += r.lateral_strain;
+  info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
+  r.axial_strain = r.lateral_strain = r.volumetric_strain = 0.0;
+  r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
+}
+
+/// In the order of steps, contacts and lanes, which no skewing of the loop changes.
+template <class T>
+void Group<T>::sort_cracks(const GroupView<T>& view) {
+  PHY_CHECK(view.n_cracks <= view.max_cracks, "a contact gives no more cracks than its model says");
+  raw_cracks_.resize(view.n_cracks);
+  std::sort(raw_cracks_.begin(), raw_cracks_.end(), [](const RawCrack& p, const RawCrack& q) {
+    return p.step != q.step         ? p.step < q.step
+           : p.contact != q.contact ? p.contact < q.contact
+                                    : p.lane < q.lane;
+  });
+}
+
+template <class T>
+void Group<T>::keep_energy(std::size_t l) {
+  Lane& lane = lanes_[l];
+  boundary_.add_work(l, lane.energy.work);
+  double damping = 0.0;
+  for (std::size_t s = 0; s < n_steps(); ++s) {
+    lane.energy.slip += static_cast<double>(slip_[s * W_ + l]);
+    damping += static_cast<double>(damping_[s * W_ + l]);
+  }
+  lane.energy.damping += 0.5 * lane.dt * damping;
+  for (const RawCrack& raw : raw_cracks_) {
+    if (static_cast<std::size_t>(raw.lane) != l) continue;
+    lane.energy.released += raw.energy;
+    lane.cracks.push_back(crack_event(raw, l));
+  }
+  lane.step += options_.interval;
+  lane.time += options_.interval * lane.dt;
+}
+
+template <class T>
+CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
+  const Lane& lane = lanes_[l];
+  const auto c = static_cast<std::size_t>(raw.contact), step = static_cast<std::size_t>(raw.step);
+  const std::size_t a = contacts_.grain_a(c), b = contacts_.grain_b(c);
+  const Vec2 xa = grains_.place(a, l), xb = grains_.place(b, l);
+  const std::uint32_t pa = grains_.packing_id(static_cast<std::int32_t>(a)),
+                      pb = grains_.packing_id(static_cast<std::int32_t>(b));
+  CrackEvent e;
+  e.step = lane.step + raw.step + 1;
+  e.time = lane.time + (raw.step + 1) * lane.dt;
+  if (const LoadAxis& axis = lane.rig().axial; axis.present() && boundary_.lane(l).placed)
+    e.strain = lane.approach(axis, boundary_.displacement(step, static_cast<std::size_t>(axis.lo), l),
+                             boundary_.displacement(step, static_cast<std::size_t>(axis.hi), l)) -
+               lane.zero_axial;
+  e.a = std::min(pa, pb);
+  e.b = std::max(pa, pb);
+  e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
+  e.position = xa + grains_.radius(a) * ((1.0 / norm(xb - xa)) * (xb - xa));
+  contacts_.with(c, l, *lane.specimen, [&](const contact::ContactModel& model, const contact::Standing& now) {
+    model.crack(now, e);
+  });
+  e.energy = raw.energy;
+  return e;
+}
+
+/// Strain and stress of both axes of the rig.
+template <class T>
+void Group<T>::write_load(std::size_t l, HistoryRow& r) const {
+  const Lane& lane = lanes_[l];
+  const LaneBoundary& edge = boundary_.lane(l);
+  const auto state = [&](int tool) -> const ToolState& {
+    return edge.tools[static_cast<std::size_t>(tool)].state;
+  };
+  if (const LoadAxis& axis = lane.rig().axial; axis.present()) {
+    r.axial_strain =
+        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_axial;
+    r.stress_bottom = dot(state(axis.lo).force, axis.direction) / axis.area;
+    r.stress_top = -dot(state(axis.hi).force, axis.direction) / axis.area;
+    r.axial_stress = 0.5 * (r.stress_bottom + r.stress_top);
+  }
+  if (const LoadAxis& axis = lane.rig().lateral; axis.present()) {
+    r.lateral_strain =
+        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_lateral;
+    r.lateral_stress = 0.5 * dot(state(axis.lo).force - state(axis.hi).force, axis.direction) / axis.area;
+  }
+  if (boundary_.jacket()) {
+    const Packing& packing = grains_.packing();
+    r.lateral_strain = edge.swept / (packing.width * packing.height) - lane.zero_lateral;
+    r.lateral_stress = edge.pressure;
+  }
+  r.deviatoric_stress = r.axial_stress - r.lateral_stress;
+  r.volumetric_strain = r.axial_strain + r.lateral_strain;
+}
+
+template <class T>
+void Group<T>::write_row(std::size_t l) {
+  Lane& lane = lanes_[l];
+  HistoryRow& r = lane.row;
+  r.step = static_cast<double>(lane.step);
+  r.time = lane.time;
+  if (boundary_.lane(l).placed) write_load(l, r);
+  r.axial_strain_gauge = sample(s_gauge_axial, l) - lane.base_axial;
+  r.lateral_strain_gauge = sample(s_gauge_lateral, l) - lane.base_lateral;
+  r.n_cracks = static_cast<double>(lane.cracks.size());
+  r.kinetic = sample(s_kinetic, l);
+  r.strain_linear = sample(s_strain_linear, l);
+  r.strain_bond = sample(s_strain_bond, l);
+  r.strain_joint = sample(s_strain_joint, l);
+  r.strain_wall = sample(s_strain_wall, l);
+  lane.energy.write(r);
+  const double contacts = sample(s_contacts, l), force = sample(s_contact_force, l);
+  r.unbalanced =
+      force > 0.0 ? sample(s_unbalanced, l) / static_cast<double>(grains_.size()) / (force / contacts) : 0.0;
+}
+
+/// The pair that the watchdog has met, in words. Interfaces do not count: their grains may slide into each
+/// other.
+template <class T>
+std::string Group<T>::deepest_overlap(std::size_t l) const {
+  double deepest = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const double r_min = std::min(grains_.radius(contacts_.grain_a(c)), grains_.radius(contacts_.grain_b(c)));
+    const double overlap = contacts_.overlap(c, l) / r_min;
+    if (!contacts_.interface(c, l) && overlap > deepest) deepest = overlap, worst = c;
+  }
+  const PairKey pair = contacts_.pairs()[worst];
+  const std::uint32_t a = grains_.packing_id(key_a(pair)), b = grains_.packing_id(key_b(pair));
+  const char* bond = !contacts_.original(worst, l)  ? "not bonded"
+                     : contacts_.unbroken(worst, l) ? "bonded"
+                                                    : "their bond broken";
+  return fmt::format("grains {} and {} ({}) overlap by {:.2g} of the smaller radius", std::min(a, b),
+                     std::max(a, b), bond, deepest);
+}
+
+/// Two grains that overlap unseen; looked for only where a grain has gone beyond what any list allows for.
+template <class T>
+std::optional<PairKey> Group<T>::missed_pair(std::size_t l, double farthest_way) const {
+  if (!(farthest_way > list_.usual_range())) return std::nullopt;
+  return list_.missed(l, [&](PairKey key) {
+    const std::size_t c = contacts_.find(key);
+    return c < contacts_.size() && contacts_.original(c, l);
+  });
+}
+
+template <class T>
+void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_way) {
+  Lane& lane = lanes_[l];
+  HistoryRow& r = lane.row;
+  const double overlap = sample(s_overlap, l);
+  const bool numbers = all_numbers(r) && std::isfinite(overlap);
+  const std::optional<PairKey> missed = numbers ? missed_pair(l, farthest_way) : std::nullopt;
+  const bool placed = boundary_.lane(l).placed;
+  std::string& reason = lane.health.reason;
+  if (!numbers)
+    reason = "energies or forces are no numbers any more";
+  else if (missed)
+    reason = fmt::format(
+        "grains {} and {} have met unseen: one has flown farther within a block than contacts are "
+        "looked for",
+        grains_.packing_id(key_a(*missed)), grains_.packing_id(key_b(*missed)));
+  else if (overlap >= worst_overlap)
+    reason = deepest_overlap(l);
+  else if (placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
+    reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
+  else
+    return;
+  lane.health.outran = missed.has_value();
+  lane.health.ok = false;
+  lane.health.reason = fmt::format("at step {} {}", lane.step, lane.health.reason);
+  const double step = r.step, time = r.time;
+  r = before;
+  r.step = step, r.time = time;
+}
+
+template class Group<double>;
+template class Group<float>;
+
+}  // namespace phy::group

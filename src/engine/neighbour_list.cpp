@@ -1,0 +1,88 @@
+#include "engine/neighbour_list.hpp"
+
+#include <cmath>
+
+namespace phy::group {
+namespace {
+
+constexpr double flight_margin = 2.0;   // over what a fast grain does in a block at its present speed
+constexpr double farthest_reach = 8.0;  // of the smallest radius: the cells of the search grow with it
+
+}  // namespace
+
+template <class T>
+NeighbourList<T>::NeighbourList(const GrainMemory<T>& grains)
+    : grains_(&grains), lanes_(grains.lanes()), searched_at_(grains.size() * grains.lanes()) {}
+
+/// Grain by grain and all lanes at once, as they lie in memory.
+template <class T>
+typename NeighbourList<T>::Farthest NeighbourList<T>::farthest() const {
+  const std::size_t W = grains_->lanes();
+  Farthest most{std::vector<double>(W), std::vector<double>(W)};
+  double *moved = most.moved.data(), *speed = most.speed.data();
+  for (std::size_t g = 0; g < grains_->size(); ++g) {
+    const T* const of = grains_->data() + g * n_grain_fields * W;
+    const Vec2* const from = searched_at_.data() + g * W;
+    for (std::size_t l = 0; l < W; ++l) {
+      const Vec2 d{static_cast<double>(of[g_ux * W + l]) - from[l].x,
+                   static_cast<double>(of[g_uy * W + l]) - from[l].y};
+      const Vec2 v{static_cast<double>(of[g_vx * W + l]), static_cast<double>(of[g_vy * W + l])};
+      moved[l] = std::max(moved[l], dot(d, d));
+      speed[l] = std::max(speed[l], dot(v, v));
+    }
+  }
+  for (std::size_t l = 0; l < W; ++l) moved[l] = std::sqrt(moved[l]), speed[l] = std::sqrt(speed[l]);
+  return most;
+}
+
+template <class T>
+bool NeighbourList<T>::worn(std::size_t lane, const Farthest& most, double block) const {
+  return !searched(lane) || 4.0 * (most.moved[lane] + most.speed[lane] * block) >= grains_->skin();
+}
+
+template <class T>
+bool NeighbourList<T>::outlived(std::size_t lane, const Farthest& most, double block, double tools) const {
+  const double grains = most.moved[lane] + most.speed[lane] * block, skin = grains_->skin();
+  return 2.0 * grains > skin - meeting_gap * grains_->smallest_radius() || grains + tools > skin;
+}
+
+template <class T>
+void NeighbourList<T>::search(std::size_t l, double block, std::vector<double> push) {
+  const GrainMemory<T>& of = *grains_;
+  Lane& lane = lanes_[l];
+  lane.near.clear();
+  lane.push = std::move(push);
+  std::vector<Vec2> x(of.size());
+  std::vector<double> reach = of.radii();
+  lane.range.assign(of.size(), usual_range());
+  for (std::size_t g = 0; g < of.size(); ++g) {
+    searched_at_[g * of.lanes() + l] = of.displacement(g, l);
+    x[g] = of.place(g, l);
+    const double flight = block * norm(of.velocity(g, l));
+    double more = std::max(0.0, flight_margin * flight - usual_range());
+    if (!lane.push.empty() && lane.push[g] > 0.0) more += lane.push[g] += usual_range();
+    more = std::min(more, farthest_reach * of.smallest_radius());
+    reach[g] += more, lane.range[g] += more;
+  }
+  near_pairs(x, reach, of.skin(), lane.near);
+  lane.searched = true;
+}
+
+void PairUnion::add(PairKey key) {
+  std::vector<PairKey>& known = of_[static_cast<std::size_t>(key_b(key))];
+  if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+}
+
+std::vector<PairKey> PairUnion::sorted() {
+  std::vector<PairKey> all;
+  for (std::vector<PairKey>& of : of_) {
+    std::sort(of.begin(), of.end());
+    all.insert(all.end(), of.begin(), of.end());
+  }
+  return all;
+}
+
+template class NeighbourList<double>;
+template class NeighbourList<float>;
+
+}  // namespace phy::group
