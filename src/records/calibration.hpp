@@ -12,11 +12,15 @@
 
 namespace phy {
 
+/// A number of the recipe.
+using RecipeNumber = const double&(const Recipe&);
+
 /// What the data say about one parameter. `low`, `high`: 95 % interval within the box of admissible values.
 struct ParameterEstimate {
-  std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"
+  std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"; or a ratio, "tau_c/sigma_c"
   std::string symbol;  ///< "E_c"
   std::string unit;    ///< "Pa", "Pa/m", "1"
+  RecipeNumber* number = nullptr;  ///< which one of the recipe it is; nullptr: a ratio of two
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = 0.0, high = 0.0;
   double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
