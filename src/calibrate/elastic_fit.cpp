@@ -70,11 +70,10 @@ void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
 /// (J^T J)^-1. A model that misses the table by more than the scatter of laboratory and packings is known no
 /// better than it fits: the covariance grows with the misfit per degree of freedom.
 MatrixXd covariance_at(ElasticProblem& problem, const Point& x) {
-  const Functor functor{problem};
-  VectorXd r;
-  MatrixXd J;
-  functor(vector_of(x), r), functor.df(vector_of(x), J);
-  const auto n = static_cast<Eigen::Index>(problem.n_targets()), m = J.cols();
+  const Linearised at = problem.linearised(x);
+  const auto n = static_cast<Eigen::Index>(problem.n_targets()), m = static_cast<Eigen::Index>(x.size());
+  const VectorXd r = vector_of(at.residuals);
+  const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
   const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
   return (J.transpose() * J).inverse() * std::max(1.0, misfit);
 }
@@ -108,11 +107,12 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
     fit.parameters.push_back(
         estimate(problem.parameter(j), problem.box(j), x[j], std::sqrt(covariance(d, d))));
   }
-  fit.comparisons = problem.comparisons(x);
   for (std::size_t i = 0; i < problem.n_targets(); ++i) {
-    const auto slope = vector_of(problem.answers(x)[i].slope);
-    Comparison& c = fit.comparisons[i];
+    const ElasticAnswer& a = problem.answers(x)[i];
+    const auto slope = vector_of(a.slope);
+    Comparison c = problem.compared(i, a);
     std::tie(c.low, c.high) = interval_of(c, slope.dot(covariance * slope));
+    fit.comparisons.push_back(c);
   }
 }
 

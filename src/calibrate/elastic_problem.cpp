@@ -102,13 +102,16 @@ Linearised ElasticProblem::linearised(const Point& x) {
 }
 
 std::vector<Comparison> ElasticProblem::comparisons(const Point& x) {
-  const std::vector<ElasticAnswer>& a = answers(x);
-  std::vector<Comparison> rows(n_targets());
-  for (std::size_t i = 0; i < n_targets(); ++i) {
-    rows[i].target = rows_[i].target, rows[i].mean = a[i].mean, rows[i].sd = a[i].sd;
-    rows[i].n_packings = static_cast<int>(seeds_.size());
-  }
+  std::vector<Comparison> rows;
+  for (const ElasticAnswer& a : answers(x)) rows.push_back(compared(rows.size(), a));
   return rows;
+}
+
+Comparison ElasticProblem::compared(std::size_t i, const ElasticAnswer& answer) const {
+  Comparison c;
+  c.target = rows_[i].target, c.mean = answer.mean, c.sd = answer.sd;
+  c.n_packings = static_cast<int>(seeds_.size());
+  return c;
 }
 
 void ElasticProblem::correct(const Point& x, std::size_t n) {
