@@ -20,13 +20,14 @@ struct ParameterEstimate {
   std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"; or a ratio, "tau_c/sigma_c"
   std::string symbol;  ///< "E_c"
   std::string unit;    ///< "Pa", "Pa/m", "1"
-  RecipeNumber* number = nullptr;  ///< which one of the recipe it is; nullptr: a ratio of two
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = 0.0, high = 0.0;
   double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
   bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
   std::string rests_on;     ///< the data that pin it, or what stands in for them
   std::string next_test;    ///< the laboratory test that would pin it; empty if determined
+  /// Which number of the recipe it is; nullptr: a ratio of two.
+  RecipeNumber* number = nullptr;
 };
 
 /// One row of the macro table: laboratory beside model.
