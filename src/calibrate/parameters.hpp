@@ -73,7 +73,7 @@ struct ElasticParameter : CalibratedParameter {
   /// `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
   double JointedRock::*acts_on;
   double per_log = 0.0, prior_sd = 0.0;
-  double (*first_guess)(const FirstSight&);  ///< nullptr: the usual value
+  double (*first_guess)(const FirstSight&);   ///< nullptr: the usual value
   LabReading bedded_reading, intact_reading;  ///< that tells most of it, with bedding and without
 };
 
