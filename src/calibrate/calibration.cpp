@@ -9,11 +9,11 @@
 #include <set>
 
 #include "base/check.hpp"
-#include "base/exact_math.hpp"
 #include "base/lines.hpp"
-#include "calibrate/elastic_stage.hpp"
+#include "calibrate/elastic_fit.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/elastic_verdict.hpp"
 #include "calibrate/foresee.hpp"
-#include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy {
@@ -46,51 +46,32 @@ bool all_answered(const std::vector<Comparison>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const Comparison& c) { return c.answered(); });
 }
 
-/// A strength follows from a chain of ratios, and what pins the open ones pins it.
-std::vector<std::string> chain_of(const std::string& key) {
-  if (key == "matrix.tau_c") return {"tau_c/sigma_c"};
-  if (key == "bedding[0].cohesion") return {"tau_c/sigma_c", "C_sj/tau_c"};
-  if (key == "bedding[0].sigma_n") return {"tau_c/sigma_c", "C_sj/tau_c", "sigma_n,sj/C_sj"};
-  return {key};
-}
-
-template <class Estimates>
-auto* estimate_of(Estimates& list, const std::string& key) {
-  const auto it = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.key == key; });
+/// The estimate of what was sought of a parameter; it stands before that of the strength behind a ratio.
+const Estimate* estimate_of(const std::vector<Estimate>& list, const CalibratedParameter* p) {
+  const auto it = std::find_if(list.begin(), list.end(), [&](const Estimate& e) { return e.parameter == p; });
   return it == list.end() ? nullptr : &*it;
 }
 
-/// The last ratio behind an open estimate that is open itself: the one nearest to it.
-std::string open_link(const Calibration& result, const ParameterEstimate& open) {
-  const std::vector<std::string> chain = chain_of(open.key);
-  for (auto link = chain.rbegin(); link != chain.rend(); ++link)
-    if (const ParameterEstimate* e = estimate_of(result.parameters, *link); e != nullptr && !e->determined)
-      return *link;
-  return chain.back();
+/// A strength follows from a chain of ratios, and what pins the open ones pins it: of an open estimate, the
+/// nearest ratio that is open itself.
+const CalibratedParameter* open_link(const std::vector<Estimate>& estimates, const Estimate& open) {
+  for (const CalibratedParameter* p = open.parameter; p == open.parameter || p->over != nullptr; p = p->over)
+    if (const Estimate* e = estimate_of(estimates, p); e != nullptr && !e->determined) return p;
+  return open.parameter;
 }
 
-/// Which data speak about each parameter, and what would pin the others.
-void add_identifiability(Calibration& result, const Rock& rock) {
-  const bool met = result.verdict.status != VerdictStatus::out_of_reach;
-  const std::vector<ParameterEstimate> foreseen = foresee(rock);
-  for (ParameterEstimate& e : result.parameters) {
-    const ParameterEstimate* f =
-        estimate_of(foreseen, e.determined ? chain_of(e.key).back() : open_link(result, e));
-    if (f == nullptr) continue;
+/// Which data speak about each parameter, and what would pin the others. `met`: the model meets the table.
+void add_identifiability(std::vector<Estimate>& estimates, const Evidence& evidence, bool met) {
+  const std::vector<Estimate> foreseen = foresee(evidence);
+  for (Estimate& e : estimates) {
+    const Estimate& f = *estimate_of(foreseen, e.determined ? e.parameter : open_link(estimates, e));
     if (e.determined)
-      e.rests_on = f->rests_on;
-    else if (f->determined)
-      e.next_test = met ? "more specimens of " + f->rests_on : "a table that the model can meet";
+      e.rests_on = f.rests_on;
+    else if (f.determined)
+      e.next_test = met ? "more specimens of " + f.rests_on : "a table that the model can meet";
     else
-      e.next_test = f->next_test;
+      e.next_test = f.next_test;
   }
-}
-
-std::vector<Target> strength_targets(const std::vector<Target>& targets) {
-  std::vector<Target> some;
-  for (const Target& t : targets)
-    if (can_test(t.property)) some.push_back(t);
-  return some;
 }
 
 /// UCS over tension at each angle that has both and where they differ: the laboratory's and, where the
@@ -151,7 +132,7 @@ void judge_strength(Calibration& result, bool short_search) {
     const double share = 1.0 / c.n_packings + (fitted != nullptr ? 1.0 / fitted->n_packings : 0.0);
     const double packing = (std::isfinite(c.sd) ? c.sd * std::sqrt(share) : 0.0) / c.target.mean;
     const double laboratory = c.target.standard_error() / c.target.mean;
-    const double told = std::hypot(c.target.sd_assumed ? 0.0 : laboratory, packing),
+    const double told = std::hypot(excusing_error(c.target) / c.target.mean, packing),
                  noise = std::hypot(laboratory, packing);
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
     if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * told)) continue;
@@ -197,20 +178,20 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
   }
 }
 
-void judge(Calibration& result, const ElasticFit& elastic, bool short_search) {
+void judge(Calibration& result, const ElasticFit& elastic, const Evidence& evidence, bool short_search) {
   Verdict& v = result.verdict;
-  v.findings.insert(v.findings.begin(), elastic.findings.begin(), elastic.findings.end());
+  const ElasticVerdict moduli = judge_elastic(elastic, evidence);
+  v.findings.insert(v.findings.begin(), moduli.findings.begin(), moduli.findings.end());
   judge_moduli(result, elastic);
   judge_strength(result, short_search);
-  if (elastic.out_of_reach) v.status = VerdictStatus::out_of_reach;
+  if (moduli.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
     v.status = VerdictStatus::calibrated_except;
 }
 
 /// Are there strengths to fit? What is not fitted is noted; a table with nothing to fit is an InputError.
-bool fits_strength(Calibration& result, const std::vector<Target>& targets, bool elastic_only) {
-  const bool moduli = !of_property(targets, Property::E).empty(),
-             strength = !elastic_only && !of_property(targets, Property::ucs).empty();
+bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_only) {
+  const bool moduli = evidence.has(Property::E), strength = !elastic_only && evidence.has(Property::ucs);
   if (!moduli && !strength)
     throw InputError(
         Problem{result.rock, "table", "",
@@ -223,22 +204,9 @@ bool fits_strength(Calibration& result, const std::vector<Target>& targets, bool
   return strength;
 }
 
-/// Throws InputError where joints dilate more than any friction of the box lets them.
-void check_dilation(const Rock& rock) {
-  const Parameter& mu = strength_parameters().back();
-  for (const BeddingRecipe& b : rock.model.bedding)
-    if (rock.bedded && tan_degrees(b.psi) > mu.high)
-      throw InputError(Problem{rock.name, "bedding.psi", fmt::format("{:g} deg", b.psi),
-                               fmt::format("tan(psi) <= {:g}", mu.high),
-                               fmt::format("no joint dilates more than it rubs, and {} is sought from {:g} "
-                                           "to {:g}: lower psi in the recipe",
-                                           mu.symbol, mu.low, mu.high)});
-}
-
-/// Throws InputError where the budget is too small for any search.
-void check_budget(const std::vector<Target>& targets, std::int64_t max_tests) {
-  const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
-             least = n * (n_unseen + least_points);
+/// Throws InputError where the budget is too small for any search. `n`: angles with UCS.
+void check_budget(std::int64_t n, std::int64_t max_tests) {
+  const std::int64_t least = n * (n_unseen + least_points);
   if (max_tests < least)
     throw InputError(Problem{
         "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
@@ -268,18 +236,16 @@ void add_pressed(Calibration& result, const std::vector<Comparison>& pressed) {
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
-bool calibrate_strength(Calibration& result, const Rock& rock, const CalibrationOptions& options,
-                        const std::vector<Target>& all, const std::vector<std::int64_t>& seeds,
+bool calibrate_strength(Calibration& result, std::vector<Estimate>& estimates, const Evidence& evidence,
+                        const CalibrationOptions& options, const std::vector<std::int64_t>& seeds,
                         const std::vector<std::int64_t>& unseen, Simulator& simulator, bool& short_search) {
-  const std::vector<Target> targets = strength_targets(all);
-  const auto n = static_cast<std::int64_t>(of_property(targets, Property::ucs).size()),
-             reserved = n * n_unseen;
+  const std::int64_t n = evidence.n_ucs(), reserved = n * n_unseen;
   StrengthFit fit =
-      fit_strength(rock, result.recipe, all, seeds, options.max_tests - reserved, simulator, options.say);
+      fit_strength(evidence, result.recipe, seeds, options.max_tests - reserved, simulator, options.say);
   result.recipe = fit.recipe;
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
   result.n_tension_tests = fit.n_tension;
-  result.parameters.insert(result.parameters.end(), fit.parameters.begin(), fit.parameters.end());
+  estimates.insert(estimates.end(), fit.parameters.begin(), fit.parameters.end());
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
   result.verdict.findings = fit.findings, short_search = fit.short_search;
@@ -288,24 +254,25 @@ bool calibrate_strength(Calibration& result, const Rock& rock, const Calibration
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
   options.say("verification of the strengths on unseen packings");
   std::vector<Comparison> pressed;
-  const std::vector<Comparison> rows = strength_response(result.recipe, targets, unseen, simulator, &pressed);
+  const std::vector<Comparison> rows =
+      strength_response(result.recipe, evidence.strengths, unseen, simulator, &pressed);
   add_pressed(result, pressed);
-  const auto n_all = static_cast<std::int64_t>(targets.size());
+  const auto n_all = static_cast<std::int64_t>(evidence.strengths.size());
   result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
   return !simulator.stopped();
 }
 
 /// A recipe for `phyllite run`: all angles of the table, pictures and curve beyond the peak.
-void make_ready(Recipe& recipe, const Rock& rock, const std::vector<Target>& targets) {
+void make_ready(Recipe& recipe, const Evidence& evidence) {
   const TestRecipe usual;
   TestRecipe& test = recipe.test;
   test.kind = usual.kind;
   test.n_snapshots = usual.n_snapshots, test.n_frames = usual.n_frames;
   test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
   std::set<double> angles;
-  if (rock.bedded)
-    for (const Target& t : targets) angles.insert(t.theta);
+  if (evidence.rock.bedded)
+    for (const Target& t : evidence.targets) angles.insert(t.theta);
   test.angles.assign(angles.begin(), angles.end());
 }
 
@@ -318,49 +285,54 @@ std::string name_of(const Calibration& result, bool moduli, bool strength) {
 }
 
 /// All stages one after the other. False: stopped by the user.
-bool run_stages(Calibration& result, const Rock& rock, const CalibrationOptions& options,
-                Simulator& simulator) {
-  const std::vector<Target> targets = targets_of(rock);
-  bool strength = fits_strength(result, targets, options.elastic_only);
-  if (strength) check_dilation(rock), check_budget(targets, options.max_tests);
-  const std::int64_t first_seed = rock.model.packing.seed;
+bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evidence& evidence,
+                const CalibrationOptions& options, Simulator& simulator) {
+  bool strength = fits_strength(result, evidence, options.elastic_only);
+  if (strength) {
+    for (const StrengthParameter* p : strength_parameters(evidence.rock.bedded))
+      if (p->check != nullptr) p->check(evidence.rock);
+    check_budget(evidence.n_ucs(), options.max_tests);
+  }
+  const std::int64_t first_seed = evidence.rock.model.packing.seed;
   const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
   const std::vector<std::int64_t> unseen = seeds_from(first_seed + n_fit, n_unseen);
   const std::vector<std::int64_t> spare = seeds_from(first_seed + n_fit + n_unseen, n_spare);
-  const ElasticFit elastic = fit_elastic(rock, targets, fit_seeds, spare, simulator, options.say);
+  const ElasticFit elastic = fit_elastic(evidence, fit_seeds, spare, simulator, options.say);
+  estimates = elastic.parameters;
   result.recipe = elastic.recipe;
-  result.parameters = elastic.parameters;
   result.fitted = elastic.comparisons;
   result.n_elastic = elastic.n_solutions;
   options.say("verification of the moduli on unseen packings");
-  result.verification = elastic_response(result.recipe, targets, unseen, simulator);
+  result.verification = elastic_response(result.recipe, evidence.moduli, unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
   bool short_search = false;
   strength = strength && all_answered(elastic.comparisons);
   std::vector<std::int64_t> search = fit_seeds;
   search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   if (strength &&
-      !calibrate_strength(result, rock, options, targets, search, unseen, simulator, short_search))
+      !calibrate_strength(result, estimates, evidence, options, search, unseen, simulator, short_search))
     return false;
-  make_ready(result.recipe, rock, targets);
+  make_ready(result.recipe, evidence);
   tell_validity(result), tell_quality(result), tell_missing(result);
-  judge(result, elastic, short_search);
-  add_identifiability(result, rock);
+  judge(result, elastic, evidence, short_search);
+  add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !elastic.parameters.empty(), strength);
   return true;
 }
 
 }  // namespace
 
-Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator) {
+Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
   const auto start = std::chrono::steady_clock::now();
   Calibration result;
-  result.rock = rock.name;
+  result.rock = evidence.rock.name;
+  std::vector<Estimate> estimates;
   bool done = false;
   try {
-    done = run_stages(result, rock, options, simulator);
+    done = run_stages(result, estimates, evidence, options, simulator);
   } catch (const Stopped&) {  // in the middle of elastic solutions
   }
+  result.parameters.assign(estimates.begin(), estimates.end());
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

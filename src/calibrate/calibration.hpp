@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "calibrate/evidence.hpp"
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
@@ -22,6 +23,6 @@ struct CalibrationOptions {
 /// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the
 /// budget is too small or the recipe's joints dilate too much. An interrupted calibration has
 /// VerdictStatus::interrupted.
-Calibration calibrate(const Rock& rock, const CalibrationOptions& options, Simulator& simulator);
+Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator);
 
 }  // namespace phy

@@ -36,7 +36,7 @@ Rock rock(double nu_factor = 1.0) {
 Calibration calibrated(const Rock& rock, PaperPress& press, bool elastic_only = false) {
   CalibrationOptions options;
   options.elastic_only = elastic_only, options.max_tests = 4 * (8 + 5);
-  return calibrate(rock, options, press);
+  return calibrate(Evidence(rock), options, press);
 }
 
 TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/evidence.hpp"
 #include "theory/jaeger_fit.hpp"
 #include "theory/layered_fit.hpp"
 
@@ -23,8 +24,7 @@ std::vector<LayeredReading> readings_of(const std::vector<Target>& targets, bool
   for (const Target& t : targets) {
     if (is_strength(t.property)) continue;
     const bool modulus = t.property == Property::E;
-    readings.push_back({exchanged ? 90.0 - t.theta : t.theta, modulus, t.mean,
-                        std::max(t.standard_error(), modulus ? least_error_E * t.mean : least_error_nu)});
+    readings.push_back({exchanged ? 90.0 - t.theta : t.theta, modulus, t.mean, counted_error(t)});
   }
   return readings;
 }

@@ -9,9 +9,6 @@
 
 namespace phy {
 
-/// Least errors with which E (relative) and nu of a table are taken.
-constexpr double least_error_E = 0.005, least_error_nu = 0.005;
-
 /// What the E and nu of a bedded rock cannot be, with the cells that do not fit; empty: nothing of the kind.
 /// Cells without which the others are those of a body are named with the value that these want; where there
 /// is none, those farthest from the nearest body.

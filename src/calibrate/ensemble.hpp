@@ -3,18 +3,18 @@
 // and long thin densities, such as those of parameters that trade off against each other, trouble it no more
 // than round ones. The numbers are counter-based: the same density and seed give the same draws.
 #pragma once
-#include <Eigen/Dense>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace phy {
 
-using LogDensity = std::function<double(const Eigen::VectorXd&)>;  ///< -infinity where nothing is possible
+using Point = std::vector<double>;
+using LogDensity = std::function<double(const Point&)>;  ///< -infinity where nothing is possible
 
 /// Moves `walkers` (more than twice as many as dimensions, at least one of them possible) by `steps` sweeps
 /// and returns the states after every `thin`-th sweep of the second half.
-std::vector<Eigen::VectorXd> sample(const LogDensity& density, std::vector<Eigen::VectorXd> walkers,
-                                    int steps, int thin, std::uint32_t seed);
+std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
+                          std::uint32_t seed);
 
 }  // namespace phy

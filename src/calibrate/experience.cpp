@@ -1,12 +1,13 @@
 #include "calibrate/experience.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
-#include "calibrate/parameters.hpp"
 
 namespace phy {
 namespace {
@@ -74,83 +75,113 @@ double position(double value, double low, double high) {
   return std::clamp(2.0 * std::log(value / low) / std::log(high / low) - 1.0, -held, held);
 }
 
-Eigen::VectorXd column(int angle) {
-  Eigen::VectorXd c(n_bedded);
-  for (int i = 0; i < n_bedded; ++i) c[i] = bedded_table[i][angle];
-  return c;
-}
-
 /// 0 to 90: bedding at theta and at 180 - theta are mirror images.
-Eigen::VectorXd coefficients_at(double theta) {
+std::vector<double> coefficients_at(double theta) {
   const double place = std::clamp(theta > 90.0 ? 180.0 - theta : theta, 0.0, 90.0) / angle_step;
   const int low = std::min(static_cast<int>(place), n_angles - 2);
   const double share = place - low;
-  return (1.0 - share) * column(low) + share * column(low + 1);
+  std::vector<double> coefficients;
+  for (const auto& row : bedded_table)
+    coefficients.push_back((1.0 - share) * row[low] + share * row[low + 1]);
+  return coefficients;
 }
 
-/// Of strength_parameters(): the ratio i at a place of the box.
-double ratio(const Eigen::VectorXd& z, int i) {
-  const Parameter& p = strength_parameters()[static_cast<std::size_t>(i + 1)];
-  return p.low * std::pow(p.high / p.low, 0.5 * (z[i] + 1.0));
+/// Where a parameter stands among the ratios of a rock.
+std::size_t index_of(const CalibratedParameter& p, bool bedded) {
+  const std::vector<const StrengthParameter*> all = strength_ratios(bedded);
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), &p) - all.begin());
 }
 
-/// log(tensile strength/sigma_c): the weaker of matrix and planes, with a smooth passage.
-double tension(const Eigen::VectorXd& z, bool bedded, double theta) {
-  constexpr double matrix = 0.55, sharpness = 4.0;
-  if (!bedded) return std::log(matrix);
-  const double cohesion = ratio(z, 0) * ratio(z, 2), sigma_n = cohesion * ratio(z, 3);
-  const double c = std::cos(theta * pi / 180.0), s = std::sin(theta * pi / 180.0);
-  const double opened = c * c / sigma_n, slid = std::fabs(s * c) / cohesion, broken = 1.0 / matrix;
-  return -std::log(std::pow(opened, sharpness) + std::pow(slid, sharpness) + std::pow(broken, sharpness)) /
-         sharpness;
-}
+/// A strength over sigma_c: the product of the ratios along its chain.
+class OverSigmaC {
+ public:
+  explicit OverSigmaC(const CalibratedParameter& strength) {
+    for (const CalibratedParameter* p = &strength; p->over != nullptr; p = p->over)
+      chain_.insert(chain_.begin(), {p, index_of(*p, true)});
+  }
+  double at(std::span<const double> z) const {
+    double product = 1.0;
+    for (const auto& [ratio, i] : chain_) product *= ratio->at_place(z[i]);
+    return product;
+  }
+
+ private:
+  std::vector<std::pair<const CalibratedParameter*, std::size_t>> chain_;
+};
+
+/// log(tensile strength/sigma_c): the weaker of matrix and planes, with a smooth passage. `theta`: of the
+/// planes against the pull.
+struct Tension {
+  bool bedded;
+  double theta;
+  OverSigmaC cohesion{joint_cohesion}, sigma_n{joint_sigma_n};
+
+  double at(std::span<const double> z) const {
+    constexpr double matrix = 0.55, sharpness = 4.0;
+    if (!bedded) return std::log(matrix);
+    const double c = std::cos(theta * pi / 180.0), s = std::sin(theta * pi / 180.0);
+    const double opened = c * c / sigma_n.at(z), slid = std::fabs(s * c) / cohesion.at(z),
+                 broken = 1.0 / matrix;
+    return -std::log(std::pow(opened, sharpness) + std::pow(slid, sharpness) + std::pow(broken, sharpness)) /
+           sharpness;
+  }
+};
 
 }  // namespace
 
-Eigen::VectorXd experience_features(const Eigen::VectorXd& z, const Eigen::VectorXd& moduli) {
-  const Eigen::Index n = z.size(), m = moduli.size();
-  Eigen::VectorXd f(1 + n + n * (n + 1) / 2 + m + m * n + m * (m + 1) / 2);
-  Eigen::Index k = 0;
-  const auto squares = [&](const Eigen::VectorXd& v) {
-    for (Eigen::Index i = 0; i < v.size(); ++i)
-      for (Eigen::Index j = 0; j <= i; ++j) f[k++] = v[i] * v[j];
+std::vector<const StrengthParameter*> experienced_ratios(bool bedded) {
+  if (!bedded) return {&matrix_tau_c, &matrix_mu};
+  return {&matrix_tau_c, &matrix_mu, &joint_cohesion, &joint_sigma_n, &joint_mu};
+}
+
+std::vector<double> experience_features(std::span<const double> places, std::span<const double> moduli) {
+  std::vector<double> f = {1.0};
+  const auto squares = [&](std::span<const double> v) {
+    for (std::size_t i = 0; i < v.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) f.push_back(v[i] * v[j]);
   };
-  f[k++] = 1.0;
-  for (Eigen::Index i = 0; i < n; ++i) f[k++] = z[i];
-  squares(z);
-  for (Eigen::Index i = 0; i < m; ++i) f[k++] = moduli[i];
-  for (Eigen::Index i = 0; i < m; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) f[k++] = moduli[i] * z[j];
+  f.insert(f.end(), places.begin(), places.end());
+  squares(places);
+  f.insert(f.end(), moduli.begin(), moduli.end());
+  for (const double m : moduli)
+    for (const double z : places) f.push_back(m * z);
   squares(moduli);
-  PHY_CHECK(k == f.size(), "features");
   return f;
 }
 
-Eigen::VectorXd experience_moduli(const Recipe& recipe) {
+std::vector<double> experience_moduli(const Recipe& recipe) {
   const MatrixRecipe& m = recipe.matrix;
-  const double ratio = position(m.ks_over_kn, 0.2, 0.6);
-  if (recipe.bedding.empty()) return Eigen::VectorXd::Constant(1, ratio);
+  std::vector<double> moduli = {position(m.ks_over_kn, 0.2, 0.6)};
+  if (recipe.bedding.empty()) return moduli;
   const BeddingRecipe& b = recipe.bedding.front();
-  return Eigen::Vector3d(ratio, position(b.k_n * b.spacing / m.E_c, 0.11, 1.76),
-                         position(b.k_s * b.spacing / m.E_c, 0.0315, 0.504));
+  moduli.push_back(position(b.k_n * b.spacing / m.E_c, 0.11, 1.76));
+  moduli.push_back(position(b.k_s * b.spacing / m.E_c, 0.0315, 0.504));
+  return moduli;
 }
 
-Experience::Experience(const Recipe& recipe, double theta)
-    : moduli_(experience_moduli(recipe)),
-      coefficients_(recipe.bedding.empty()
-                        ? Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(intact_table.data(), n_intact))
-                        : coefficients_at(theta)) {}
+Experience::Experience(const Recipe& recipe, double theta) : moduli_(experience_moduli(recipe)) {
+  const bool bedded = !recipe.bedding.empty();
+  for (const StrengthParameter* p : experienced_ratios(bedded)) learnt_.push_back(index_of(*p, bedded));
+  coefficients_ =
+      bedded ? coefficients_at(theta) : std::vector<double>(intact_table.begin(), intact_table.end());
+}
 
-double Experience::at(const Eigen::VectorXd& z) const {
-  return coefficients_.dot(experience_features(z, moduli_));
+double Experience::at(std::span<const double> z) const {
+  std::vector<double> places;
+  for (const std::size_t i : learnt_) places.push_back(z[i]);
+  const std::vector<double> f = experience_features(places, moduli_);
+  PHY_CHECK(f.size() == coefficients_.size(), "a coefficient per feature");
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+  const auto n = static_cast<Eigen::Index>(f.size());
+  return Vector(coefficients_.data(), n).dot(Vector(f.data(), n));
 }
 
 Foretold foretold_strength(const Recipe& recipe, Property property, double theta) {
   if (property == Property::ucs)
-    return {[e = Experience(recipe, theta)](const Eigen::VectorXd& z) { return e.at(z); }, 0.15, 0.06, 0.04};
-  const bool bedded = !recipe.bedding.empty();
+    return {[e = Experience(recipe, theta)](std::span<const double> z) { return e.at(z); }, 0.15, 0.06, 0.04};
   const double across = property == Property::brazilian ? 90.0 - theta : theta;
-  return {[=](const Eigen::VectorXd& z) { return tension(z, bedded, across); }, 0.4, 0.2, 0.06};
+  return {[t = Tension{!recipe.bedding.empty(), across}](std::span<const double> z) { return t.at(z); }, 0.4,
+          0.2, 0.06};
 }
 
 }  // namespace phy

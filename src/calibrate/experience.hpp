@@ -1,7 +1,7 @@
 // What other rocks have taught about UCS before a rock's own first test.
 //
 // log(UCS/sigma_c) is a function of dimensionless numbers alone: five ratios of strengths and frictions
-// (coordinates z of the strength stage) and three of moduli, k_s/k_n, k_n spacing/E_c, k_s spacing/E_c. A
+// (places in their boxes) and three of moduli, k_s/k_n, k_n spacing/E_c, k_s spacing/E_c. A
 // quadratic in all eight per angle, fitted by ridge regression to tests of 48 synthetic rocks of the
 // paper's geometry (1,197 discs, nine points of the box each on twelve packings, seven angles and intact),
 // foretells UCS of rocks that took no part to 10-18 %, of which some 10 % is the scatter of single runs
@@ -13,20 +13,26 @@
 // part where sigma_n or C are reached, the matrix at 0.55 sigma_c (measured: docs/theory/ucs-to-tension.md).
 // A disc is pulled a quarter turn from its load.
 #pragma once
-#include <Eigen/Dense>
+#include <span>
+#include <vector>
 
+#include "calibrate/parameters.hpp"
 #include "calibrate/surrogate.hpp"
 #include "records/calibration.hpp"
 #include "records/recipe.hpp"
 
 namespace phy {
 
-/// The eight numbers of a point, two and one without bedding, as the regression takes them.
-Eigen::VectorXd experience_features(const Eigen::VectorXd& z, const Eigen::VectorXd& moduli);
+/// The ratios that were learnt, in the order of the regression, with bedding and without.
+std::vector<const StrengthParameter*> experienced_ratios(bool bedded);
+
+/// The eight numbers of a point, two and one without bedding, as the regression takes them: places of
+/// experienced_ratios() in their boxes, and experience_moduli().
+std::vector<double> experience_features(std::span<const double> places, std::span<const double> moduli);
 
 /// k_s/k_n, k_n spacing/E_c, k_s spacing/E_c of a recipe, the first alone without bedding: logarithms,
 /// scaled to [-1, 1] over the range that was learnt, and held at 1.2 beyond it.
-Eigen::VectorXd experience_moduli(const Recipe& recipe);
+std::vector<double> experience_moduli(const Recipe& recipe);
 
 /// Expected log(UCS/sigma_c) of a rock with the moduli of a recipe at one angle.
 class Experience {
@@ -34,10 +40,12 @@ class Experience {
   /// `theta` in degrees, bedding against the horizontal; between the angles that were learnt linear.
   /// Without bedding the same at every angle.
   Experience(const Recipe& recipe, double theta);
-  double at(const Eigen::VectorXd& z) const;
+  /// `z`: places of strength_ratios() in their boxes. A ratio that was not learnt is taken to change nothing.
+  double at(std::span<const double> z) const;
 
  private:
-  Eigen::VectorXd moduli_, coefficients_;
+  std::vector<std::size_t> learnt_;  // which of the ratios
+  std::vector<double> moduli_, coefficients_;
 };
 
 /// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe: of UCS, direct

@@ -7,12 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "calibrate/parameters.hpp"
-
 namespace phy {
 namespace {
-
-using Eigen::VectorXd;
 
 Recipe paper_rock() {
   Recipe r;
@@ -21,14 +17,9 @@ Recipe paper_rock() {
 }
 
 /// Place of a recipe in the box of strength ratios.
-VectorXd place_of(const Recipe& r) {
-  const std::vector<Parameter>& list = strength_parameters();
-  const std::size_t n = r.bedding.empty() ? 2 : 5;
-  VectorXd z(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Parameter& p = list[i + 1];
-    z[static_cast<Eigen::Index>(i)] = 2.0 * std::log(p.get(r) / p.low) / std::log(p.high / p.low) - 1.0;
-  }
+std::vector<double> place_of(const Recipe& r) {
+  std::vector<double> z;
+  for (const StrengthParameter* p : strength_ratios(!r.bedding.empty())) z.push_back(p->place_of(p->get(r)));
   return z;
 }
 
@@ -53,7 +44,7 @@ TEST(Experience, ForetellsThePapersSpecimenThatItHasNotSeen) {
 }
 
 TEST(Experience, IsTheSameAtMirroredAnglesAndLinearBetweenThoseItKnows) {
-  const VectorXd z = place_of(paper_rock());
+  const std::vector<double> z = place_of(paper_rock());
   const auto at = [&](double theta) { return Experience(paper_rock(), theta).at(z); };
   EXPECT_DOUBLE_EQ(at(30.0), at(150.0));
   EXPECT_NEAR(at(37.5), 0.5 * (at(30.0) + at(45.0)), 1e-12);

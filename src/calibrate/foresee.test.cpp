@@ -25,7 +25,7 @@ Rock layered_rock() {
 }
 
 ParameterEstimate foreseen(const Rock& rock, const std::string& key) {
-  for (const ParameterEstimate& e : foresee(rock))
+  for (const ParameterEstimate& e : foresee(Evidence(rock)))
     if (e.key == key) return e;
   ADD_FAILURE() << key << " is not foreseen";
   return {};
@@ -57,13 +57,13 @@ TEST(Foresee, WithoutUcsNoStrengthIsDetermined) {
   Rock rock = layered_rock();
   for (const double theta : {0.0, 90.0})
     rock.readings.push_back(reading(Property::direct_tension, theta, 5e6));
-  for (const ParameterEstimate& e : foresee(rock))
+  for (const ParameterEstimate& e : foresee(Evidence(rock)))
     if (!std::isfinite(e.low)) {
       EXPECT_FALSE(e.determined) << e.key;
       EXPECT_THAT(e.next_test, testing::HasSubstr("UCS")) << e.key;
       EXPECT_EQ(e.rests_on, "") << e.key;
     }
-  EXPECT_THAT(advice(rock), testing::Contains(testing::HasSubstr("no strength is fitted")));
+  EXPECT_THAT(advice(Evidence(rock)), testing::Contains(testing::HasSubstr("no strength is fitted")));
 }
 
 // The fit may pin a ratio that no rule says it would: its estimate then names data that are there.
@@ -71,14 +71,14 @@ TEST(Foresee, ParametersRestOnWhatTheTableHolds) {
   Rock rock = layered_rock();
   std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::nu; });
   for (const double theta : {0.0, 45.0, 90.0}) rock.readings.push_back(reading(Property::ucs, theta, 100e6));
-  for (const ParameterEstimate& e : foresee(rock))
+  for (const ParameterEstimate& e : foresee(Evidence(rock)))
     EXPECT_THAT(e.rests_on, testing::AnyOf("E", testing::StartsWith("UCS near"),
                                            testing::StartsWith("UCS between"), "UCS"))
         << e.key;
 }
 
 TEST(Foresee, IntervalsAreSaidToLeaveOutThePackings) {
-  EXPECT_THAT(advice(layered_rock()),
+  EXPECT_THAT(advice(Evidence(layered_rock())),
               testing::Contains(testing::HasSubstr("what packings of the model differ by")));
 }
 
@@ -86,8 +86,8 @@ TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
   Rock rock;
   rock.bedded = false;
   rock.readings.push_back(reading(Property::ucs, 0.0, 150e6));
-  EXPECT_EQ(foresee(rock).size(), 5U);
-  for (const ParameterEstimate& e : foresee(rock))
+  EXPECT_EQ(foresee(Evidence(rock)).size(), 5U);
+  for (const ParameterEstimate& e : foresee(Evidence(rock)))
     for (const std::string& text : {e.rests_on, e.next_test})
       EXPECT_THAT(text, testing::Not(testing::HasSubstr("degrees"))) << e.key;
   EXPECT_TRUE(foreseen(rock, "matrix.sigma_c").determined);
@@ -99,7 +99,7 @@ TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
 /// What each parameter of a table would need.
 std::vector<std::string> next_tests(const Rock& rock) {
   std::vector<std::string> all;
-  for (const ParameterEstimate& e : foresee(rock)) all.push_back(e.next_test);
+  for (const ParameterEstimate& e : foresee(Evidence(rock))) all.push_back(e.next_test);
   return all;
 }
 
@@ -129,16 +129,19 @@ TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
 }
 
 TEST(Foresee, OneTensorIsNoConflictAndFallingModuliAreNoError) {
-  EXPECT_THAT(advice(layered_rock()), testing::Not(testing::Contains(testing::HasSubstr("layered"))));
+  EXPECT_THAT(advice(Evidence(layered_rock())),
+              testing::Not(testing::Contains(testing::HasSubstr("layered"))));
   Rock falling;  // by less than its errors
   falling.model.bedding.resize(1);
   for (const double theta : {0.0, 45.0, 90.0})
     falling.readings.push_back(reading(Property::E, theta, (40.0 - 0.01 * theta) * 1e9));
-  EXPECT_THAT(advice(falling), testing::Not(testing::Contains(testing::HasSubstr("theta or beta"))));
+  EXPECT_THAT(advice(Evidence(falling)),
+              testing::Not(testing::Contains(testing::HasSubstr("theta or beta"))));
   Rock exchanged = layered_rock();
   for (RockReading& r : exchanged.readings) r.theta = 90.0 - r.theta;
-  EXPECT_THAT(advice(exchanged), testing::Contains(testing::HasSubstr("theta or beta")));
-  EXPECT_THAT(advice(exchanged), testing::Not(testing::Contains(testing::HasSubstr("can only soften"))));
+  EXPECT_THAT(advice(Evidence(exchanged)), testing::Contains(testing::HasSubstr("theta or beta")));
+  EXPECT_THAT(advice(Evidence(exchanged)),
+              testing::Not(testing::Contains(testing::HasSubstr("can only soften"))));
 }
 
 TEST(Foresee, AssumedScatterIsToldAsItIsTaken) {
@@ -146,13 +149,13 @@ TEST(Foresee, AssumedScatterIsToldAsItIsTaken) {
   rock.bedded = false;
   rock.readings = {reading(Property::E, 0.0, 40e9)};
   rock.readings[0].sd = std::nan("");
-  EXPECT_THAT(advice(rock), testing::Contains(testing::HasSubstr("1 of 1 cells; 5 % is taken")));
+  EXPECT_THAT(advice(Evidence(rock)), testing::Contains(testing::HasSubstr("1 of 1 cells; 5 % is taken")));
   rock.bedded = true;
   rock.model.bedding.resize(1);
   rock.readings = {reading(Property::E, 0.0, 40e9), reading(Property::E, 0.0, 30e9),
                    reading(Property::E, 90.0, 50e9)};
   for (RockReading& r : rock.readings) r.sd = std::nan(""), r.n = 1;
-  EXPECT_THAT(advice(rock),
+  EXPECT_THAT(advice(Evidence(rock)),
               testing::Contains(testing::ContainsRegex("2 of 2 cells; [0-9.]+ to [0-9.]+ % is taken")));
 }
 

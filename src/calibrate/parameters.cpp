@@ -1,67 +1,297 @@
 #include "calibrate/parameters.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/exact_math.hpp"
+
 namespace phy {
 namespace {
 
-void set_sigma_c(Recipe& r, double value) {
-  MatrixRecipe& m = r.matrix;
-  const double scale = value / m.sigma_c;
-  for (double* strength : {&m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd}) *strength *= scale;
-  for (BeddingRecipe& b : r.bedding) b.cohesion *= scale, b.sigma_n *= scale;
-  m.sigma_c = value;
-}
-
-void set_tau_ratio(Recipe& r, double value) {
-  MatrixRecipe& m = r.matrix;
-  const double scale = value * m.sigma_c / m.tau_c;
-  m.tau_c *= scale, m.tau_c_sd *= scale;
-  for (BeddingRecipe& b : r.bedding) b.cohesion *= scale, b.sigma_n *= scale;
-}
-
-void set_cohesion_ratio(Recipe& r, double value) {
-  for (BeddingRecipe& b : r.bedding) {
-    const double before = b.cohesion;
-    b.cohesion = value * r.matrix.tau_c;
-    b.sigma_n *= b.cohesion / before;
-  }
-}
-
 const BeddingRecipe& joint(const Recipe& r) { return r.bedding.front(); }
+
+// ---- elastic
+
+const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
+                                   .symbol = "E_c",
+                                   .unit = "Pa",
+                                   .of_joint = false,
+                                   .number = [](const Recipe& r) -> const double& { return r.matrix.E_c; },
+                                   .measure = &Scales::modulus,
+                                   .low = 0.05,
+                                   .high = 3.0,
+                                   .usual = 0.5,
+                                   .set = [](Recipe& r, double v) { r.matrix.E_c = r.matrix.E_b = v; }},
+                                  {"matrix.E_c", "matrix.E_b"},
+                                  &JointedRock::E,
+                                  0.0,
+                                  0.0,
+                                  [](const FirstSight& s) { return s.E_c * s.macro.E / s.E; },
+                                  {"E at 90 degrees", Property::E, 80.0, 90.0},
+                                  {"E", Property::E}};
+
+/// Of contacts and bonds alike. The uniform-strain estimate nu = (1 - q)/(3 + q) falls by 4 q/(3 + q)^2 per
+/// logarithm of q = k_s/k_n.
+const ElasticParameter matrix_ks_over_kn{
+    {.key = "matrix.ks_over_kn",
+     .symbol = "k_s/k_n",
+     .unit = "1",
+     .of_joint = false,
+     .number = [](const Recipe& r) -> const double& { return r.matrix.ks_over_kn; },
+     .low = 0.05,
+     .high = 1.0,
+     .usual = 0.3,
+     .set = [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }},
+    {"ks_over_kn"},
+    &JointedRock::nu,
+    4.0 * 0.3 / (3.3 * 3.3),
+    0.15,
+    nullptr,
+    {"Poisson's ratio, best at 0 and 90 degrees", Property::nu},
+    {"Poisson's ratio", Property::nu}};
+
+const ElasticParameter joint_k_n{{.key = "bedding[0].k_n",
+                                  .symbol = "k_n,sj",
+                                  .unit = "Pa/m",
+                                  .of_joint = true,
+                                  .number = [](const Recipe& r) -> const double& { return joint(r).k_n; },
+                                  .measure = &Scales::stiffness,
+                                  .low = 0.02,
+                                  .high = 50.0,
+                                  .usual = 0.5,
+                                  .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; }},
+                                 {"bedding[0].k_n"},
+                                 &JointedRock::K_n_delta,
+                                 0.0,
+                                 0.0,
+                                 [](const FirstSight& s) { return s.macro.K_n_delta / s.joint_length; },
+                                 {"E at 0 or 15 degrees", Property::E, 0.0, 15.0},
+                                 {}};
+
+const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
+                                  .symbol = "k_s,sj",
+                                  .unit = "Pa/m",
+                                  .of_joint = true,
+                                  .number = [](const Recipe& r) -> const double& { return joint(r).k_s; },
+                                  .measure = &Scales::stiffness,
+                                  .low = 0.005,
+                                  .high = 50.0,
+                                  .usual = 0.2,
+                                  .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; }},
+                                 {"bedding[0].k_s"},
+                                 &JointedRock::K_s_delta,
+                                 0.0,
+                                 0.0,
+                                 [](const FirstSight& s) { return s.macro.K_s_delta / s.joint_length; },
+                                 {"E between 30 and 60 degrees", Property::E, 30.0, 60.0},
+                                 {}};
+
+// ---- strengths
+
+void scale_joints(Recipe& r, double factor) {
+  for (BeddingRecipe& b : r.bedding) b.cohesion *= factor, b.sigma_n *= factor;
+}
+
+/// Without bedding any UCS will do; with it, one that planes do not decide.
+Rule sigma_c_rule(const Evidence& e) {
+  if (!e.rock.bedded) return {true, "UCS", ""};
+  return {e.has(Property::ucs, 0.0, 15.0) || e.has(Property::ucs, 80.0, 90.0), "UCS near 0 or 90 degrees",
+          "UCS at 0 and 90 degrees"};
+}
+
+/// A disc splits along its load: planes at 90 degrees open in it, as those at 0 do in direct tension.
+bool pulled_across(const Evidence& e) {
+  return e.has(Property::direct_tension, 0.0, 30.0) || e.has(Property::brazilian, 60.0, 90.0);
+}
+bool pulled_along(const Evidence& e) {
+  return e.has(Property::direct_tension, 60.0, 90.0) || e.has(Property::brazilian, 0.0, 30.0);
+}
+
+Rule tau_c_rule(const Evidence& e) {
+  if (!e.rock.bedded)
+    return {e.has(Property::direct_tension) || e.has(Property::brazilian), "UCS against tension",
+            "direct tension, or Brazilian"};
+  return {sigma_c_rule(e).held && pulled_along(e), "UCS against tension along the bedding",
+          "direct tension at 90 degrees, or Brazilian at 0"};
+}
+
+/// Friction shows in what no table holds, strength under confinement.
+Rule friction_rule(const Evidence&) { return {}; }
+
+void check_dilation(const Rock& rock) {
+  for (const BeddingRecipe& b : rock.model.bedding)
+    if (rock.bedded && tan_degrees(b.psi) > joint_mu.high)
+      throw InputError(Problem{rock.name, "bedding.psi", fmt::format("{:g} deg", b.psi),
+                               fmt::format("tan(psi) <= {:g}", joint_mu.high),
+                               fmt::format("no joint dilates more than it rubs, and {} is sought from {:g} "
+                                           "to {:g}: lower psi in the recipe",
+                                           joint_mu.symbol, joint_mu.low, joint_mu.high)});
+}
+
+template <class P>
+std::vector<const P*> those_of(std::vector<const P*> list, bool bedded) {
+  std::erase_if(list, [&](const P* p) { return p->of_joint && !bedded; });
+  return list;
+}
+
+Estimate named(const CalibratedParameter& p, std::string key, std::string symbol, std::string unit) {
+  Estimate e;
+  e.key = std::move(key), e.symbol = std::move(symbol), e.unit = std::move(unit);
+  e.parameter = &p;
+  return e;
+}
 
 }  // namespace
 
-const std::vector<Parameter>& elastic_parameters() {
-  static const std::vector<Parameter> list = {
-      {"matrix.E_c", "E_c", "Pa", false, 0.05, 3.0, 0.5, [](const Recipe& r) { return r.matrix.E_c; },
-       [](Recipe& r, double v) { r.matrix.E_c = r.matrix.E_b = v; }},
-      {"matrix.ks_over_kn", "k_s/k_n", "1", false, 0.05, 1.0, 0.3,
-       [](const Recipe& r) { return r.matrix.ks_over_kn; },
-       [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }},
-      {"bedding[0].k_n", "k_n,sj", "Pa/m", true, 0.02, 50.0, 0.5,
-       [](const Recipe& r) { return joint(r).k_n; }, [](Recipe& r, double v) { r.bedding.front().k_n = v; }},
-      {"bedding[0].k_s", "k_s,sj", "Pa/m", true, 0.005, 50.0, 0.2,
-       [](const Recipe& r) { return joint(r).k_s; }, [](Recipe& r, double v) { r.bedding.front().k_s = v; }}};
+const StrengthParameter matrix_sigma_c{
+    {.key = "matrix.sigma_c",
+     .symbol = "sigma_c",
+     .unit = "Pa",
+     .of_joint = false,
+     .number = [](const Recipe& r) -> const double& { return r.matrix.sigma_c; },
+     .measure = &Scales::strength,
+     .low = 0.1,
+     .high = 1.5,
+     .usual = 0.4,
+     .set =
+         [](Recipe& r, double v) {
+           MatrixRecipe& m = r.matrix;
+           const double scale = v / m.sigma_c;
+           for (double* strength : {&m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd}) *strength *= scale;
+           scale_joints(r, scale);
+           m.sigma_c = v;
+         }},
+    sigma_c_rule};
+
+const StrengthParameter matrix_tau_c{
+    {.key = "matrix.tau_c",
+     .symbol = "tau_c",
+     .unit = "Pa",
+     .of_joint = false,
+     .number = [](const Recipe& r) -> const double& { return r.matrix.tau_c; },
+     .over = &matrix_sigma_c,
+     .low = 0.8,
+     .high = 5.0,
+     .usual = 1.6,
+     .set =
+         [](Recipe& r, double v) {
+           MatrixRecipe& m = r.matrix;
+           const double scale = v * m.sigma_c / m.tau_c;
+           m.tau_c *= scale, m.tau_c_sd *= scale;
+           scale_joints(r, scale);
+         }},
+    tau_c_rule};
+
+const StrengthParameter matrix_mu{{.key = "matrix.mu",
+                                   .symbol = "mu",
+                                   .unit = "1",
+                                   .of_joint = false,
+                                   .number = [](const Recipe& r) -> const double& { return r.matrix.mu; },
+                                   .low = 0.2,
+                                   .high = 1.2,
+                                   .usual = 0.6,
+                                   .set = [](Recipe& r, double v) { r.matrix.mu = v; }},
+                                  friction_rule};
+
+const StrengthParameter joint_cohesion{
+    {.key = "bedding[0].cohesion",
+     .symbol = "C_sj",
+     .unit = "Pa",
+     .of_joint = true,
+     .number = [](const Recipe& r) -> const double& { return joint(r).cohesion; },
+     .over = &matrix_tau_c,
+     .low = 0.07,
+     .high = 0.9,
+     .usual = 0.25,
+     .set =
+         [](Recipe& r, double v) {
+           for (BeddingRecipe& b : r.bedding) {
+             const double before = b.cohesion;
+             b.cohesion = v * r.matrix.tau_c;
+             b.sigma_n *= b.cohesion / before;
+           }
+         }},
+    [](const Evidence& e) -> Rule {
+      return {e.has(Property::ucs, 30.0, 75.0), "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees"};
+    }};
+
+const StrengthParameter joint_sigma_n{
+    {.key = "bedding[0].sigma_n",
+     .symbol = "sigma_n,sj",
+     .unit = "Pa",
+     .of_joint = true,
+     .number = [](const Recipe& r) -> const double& { return joint(r).sigma_n; },
+     .over = &joint_cohesion,
+     .low = 0.07,
+     .high = 1.5,
+     .usual = 0.33,
+     .set =
+         [](Recipe& r, double v) {
+           for (BeddingRecipe& b : r.bedding) b.sigma_n = v * b.cohesion;
+         }},
+    [](const Evidence& e) -> Rule {
+      return {pulled_across(e), "tension across the bedding",
+              "direct tension at 0 degrees, or Brazilian at 90"};
+    }};
+
+const StrengthParameter joint_mu{{.key = "bedding[0].mu",
+                                  .symbol = "mu_sj",
+                                  .unit = "1",
+                                  .of_joint = true,
+                                  .number = [](const Recipe& r) -> const double& { return joint(r).mu; },
+                                  .low = 0.15,
+                                  .high = 1.0,
+                                  .usual = 0.4,
+                                  .set = [](Recipe& r, double v) { r.bedding.front().mu = v; }},
+                                 friction_rule,
+                                 [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
+                                 check_dilation};
+
+std::vector<const ElasticParameter*> elastic_parameters(bool bedded) {
+  return those_of<ElasticParameter>({&matrix_E_c, &matrix_ks_over_kn, &joint_k_n, &joint_k_s}, bedded);
+}
+
+std::vector<const StrengthParameter*> strength_parameters(bool bedded) {
+  return those_of<StrengthParameter>(
+      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &joint_cohesion, &joint_sigma_n, &joint_mu}, bedded);
+}
+
+std::vector<const StrengthParameter*> strength_ratios(bool bedded) {
+  std::vector<const StrengthParameter*> list = strength_parameters(bedded);
+  std::erase(list, &matrix_sigma_c);
   return list;
 }
 
-const std::vector<Parameter>& strength_parameters() {
-  static const std::vector<Parameter> list = {
-      {"matrix.sigma_c", "sigma_c", "Pa", false, 0.1, 1.5, 0.4,
-       [](const Recipe& r) { return r.matrix.sigma_c; }, set_sigma_c},
-      {"tau_c/sigma_c", "tau_c/sigma_c", "1", false, 0.8, 5.0, 1.6,
-       [](const Recipe& r) { return r.matrix.tau_c / r.matrix.sigma_c; }, set_tau_ratio},
-      {"matrix.mu", "mu", "1", false, 0.2, 1.2, 0.6, [](const Recipe& r) { return r.matrix.mu; },
-       [](Recipe& r, double v) { r.matrix.mu = v; }},
-      {"C_sj/tau_c", "C_sj/tau_c", "1", true, 0.07, 0.9, 0.25,
-       [](const Recipe& r) { return joint(r).cohesion / r.matrix.tau_c; }, set_cohesion_ratio},
-      {"sigma_n,sj/C_sj", "sigma_n,sj/C_sj", "1", true, 0.07, 1.5, 0.33,
-       [](const Recipe& r) { return joint(r).sigma_n / joint(r).cohesion; },
-       [](Recipe& r, double v) {
-         for (BeddingRecipe& b : r.bedding) b.sigma_n = v * b.cohesion;
-       }},
-      {"bedding[0].mu", "mu_sj", "1", true, 0.15, 1.0, 0.4, [](const Recipe& r) { return joint(r).mu; },
-       [](Recipe& r, double v) { r.bedding.front().mu = v; }}};
-  return list;
+double CalibratedParameter::get(const Recipe& recipe) const {
+  return over == nullptr ? number(recipe) : number(recipe) / over->number(recipe);
+}
+
+LogBox CalibratedParameter::box(const Scales& scales) const {
+  const double unity = measure == nullptr ? 1.0 : scales.*measure;
+  return {std::log(low * unity), std::log(high * unity), std::log(usual * unity)};
+}
+
+double CalibratedParameter::place_of(double value) const {
+  return 2.0 * std::log(value / low) / std::log(high / low) - 1.0;
+}
+
+double CalibratedParameter::at_place(double place) const {
+  return low * std::pow(high / low, 0.5 * (place + 1.0));
+}
+
+Estimate sought(const CalibratedParameter& p) {
+  if (p.over == nullptr) return number_of_recipe(p);
+  const std::string ratio = std::string(p.symbol) + "/" + p.over->symbol;
+  return named(p, ratio, ratio, "1");
+}
+
+Estimate number_of_recipe(const CalibratedParameter& p) {
+  Estimate e = named(p, p.key, p.symbol, p.unit);
+  e.number = p.number;
+  return e;
 }
 
 }  // namespace phy

@@ -1,35 +1,105 @@
-// THE list of parameters that a calibration moves, with the box of values it admits.
+// THE parameters that a calibration moves, one object each; a parameter is told from another by its address.
 //
-// Elastic: E_c (E_b follows), ks_over_kn (of contacts and bonds alike), k_n, k_s of the joints. Strength:
-// sigma_c and five ratios, because UCS grows in proportion to all strengths together and the ratios alone
-// give the shape of UCS(theta): tau_c/sigma_c, mu, C/tau_c, sigma_n/C, mu of the joints. Standard deviations
-// of the bond strengths keep their share of the mean.
+// An object knows which number of the recipe it is, how it gets there, in which box it is sought, and what
+// of a table speaks about it. A strength is sought as its ratio to another one (`over`), because UCS grows in
+// proportion to all strengths together and the ratios alone give the shape of UCS(theta): only sigma_c is
+// sought itself, tau_c over sigma_c, C over tau_c, sigma_n over C. Standard deviations of the bond strengths
+// keep their share of the mean. What a number means and what a recipe may hold stands under its key in
+// records/recipe_schema.cpp.
 #pragma once
-#include <functional>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "records/recipe.hpp"
+#include "calibrate/evidence.hpp"
+#include "records/calibration.hpp"
+#include "theory/goodman.hpp"
 
 namespace phy {
 
-struct Parameter {
-  std::string key;     ///< "matrix.E_c", or a ratio "tau_c/sigma_c"
-  std::string symbol;  ///< "E_c"
-  std::string unit;    ///< SI
-  bool joint = false;  ///< needs bedding
-  /// Admissible values: absolute for pure numbers; of quantities, multiples of their scale (E of the rock,
-  /// E/spacing, largest UCS).
-  double low = 0.0, high = 0.0;
-  double usual = 0.0;  ///< where the data do not speak, in the same measure
-  std::function<double(const Recipe&)> get;
-  std::function<void(Recipe&, double)> set;
+/// Admissible values and where the data do not speak: logarithms of SI.
+struct LogBox {
+  double low = 0.0, high = 0.0, usual = 0.0;
 };
 
-/// E_c, ks_over_kn, k_n, k_s, in this order.
-const std::vector<Parameter>& elastic_parameters();
-/// sigma_c, tau_c/sigma_c, mu, C/tau_c, sigma_n/C, mu_sj, in this order. `set` of a ratio leaves its
-/// denominator alone and moves what is measured against its numerator: set them in the order of the list.
-const std::vector<Parameter>& strength_parameters();
+struct CalibratedParameter {
+  const char* key;       ///< of the recipe: "matrix.tau_c"
+  const char* symbol;    ///< "tau_c"
+  const char* unit;      ///< SI
+  bool of_joint;         ///< needs bedding
+  RecipeNumber* number;  ///< the number of the recipe; of several sets of bedding, the first one's
+  /// What is sought is the ratio to this one; nullptr: the number itself.
+  const CalibratedParameter* over = nullptr;
+  double Scales::*measure = nullptr;  ///< of what `low`, `high`, `usual` are multiples; nullptr: pure numbers
+  double low, high, usual;
+  /// Takes what is sought. Leaves what stands below in the chain of ratios alone and moves what stands above:
+  /// set parameters in the order of their list.
+  void (*set)(Recipe&, double);
+
+  double get(const Recipe& recipe) const;  ///< what is sought
+  LogBox box(const Scales& scales) const;
+  /// Of pure numbers: place in the box by the logarithm, -1 at the lower end, 1 at the upper.
+  double place_of(double value) const;
+  double at_place(double place) const;
+};
+
+/// An estimate and whose it is.
+struct Estimate : ParameterEstimate {
+  const CalibratedParameter* parameter = nullptr;
+};
+/// Names alone: of what is sought ("tau_c/sigma_c"), and of the number of the recipe ("matrix.tau_c").
+Estimate sought(const CalibratedParameter& p);
+Estimate number_of_recipe(const CalibratedParameter& p);
+
+/// A reading that a table may hold, in words.
+struct LabReading {
+  const char* name;
+  Property property;
+  double from = 0.0, to = 90.0;  ///< [deg]
+};
+
+/// What a fit of Eq. 1 and one solution of the bare recipe tell before the search.
+struct FirstSight {
+  JointedRock macro;
+  double E_c = 0.0, E = 0.0;  ///< [Pa] of the contacts of the bare recipe, and what its specimen has
+  double joint_length = 0.0;  ///< [m] spacing times length of joints per length of plane
+};
+
+/// A parameter that E(theta) and nu(theta) show.
+struct ElasticParameter : CalibratedParameter {
+  std::array<std::string_view, 2> rates;  ///< sensitivities of the direct solution that move together with it
+  /// The number of the closed form that it acts on: by its logarithm; or as it is, where the number falls by
+  /// `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
+  double JointedRock::*acts_on;
+  double per_log = 0.0, prior_sd = 0.0;
+  double (*first_guess)(const FirstSight&);   ///< nullptr: the usual value
+  LabReading bedded_reading, intact_reading;  ///< that tells most of it, with bedding and without
+};
+
+/// What a table says about a strength, by the kind and angle of its tests alone.
+struct Rule {
+  bool held = false;
+  const char* tests = "";      ///< that pin it
+  const char* next_test = "";  ///< that would; empty: no test that a table holds tells much
+};
+
+/// A parameter that strengths show.
+struct StrengthParameter : CalibratedParameter {
+  Rule (*rule)(const Evidence&);
+  /// Least value that goes with the rest of the recipe; nullptr: the box alone decides.
+  double (*least)(const Recipe&) = nullptr;
+  /// Throws InputError where a rock leaves no value of the box.
+  void (*check)(const Rock&) = nullptr;
+};
+
+/// Those that a rock has, in the order in which they are set. `bedded`: those of the joints too.
+std::vector<const ElasticParameter*> elastic_parameters(bool bedded);
+/// sigma_c, by which all strengths are measured, and the others.
+std::vector<const StrengthParameter*> strength_parameters(bool bedded);
+std::vector<const StrengthParameter*> strength_ratios(bool bedded);
+
+extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, joint_cohesion, joint_sigma_n,
+    joint_mu;
 
 }  // namespace phy

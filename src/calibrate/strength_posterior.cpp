@@ -1,16 +1,14 @@
 #include "calibrate/strength_posterior.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/exact_math.hpp"
-#include "calibrate/ensemble.hpp"
+#include "base/check.hpp"
 #include "calibrate/experience.hpp"
 
 namespace phy {
-
-using Eigen::VectorXd;
 
 namespace {
 
@@ -18,53 +16,51 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_starts = 2048, n_walkers = 64, n_sweeps = 600, thin = 15;
 constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c
 
-VectorXd mean_of(const std::vector<VectorXd>& points) {
-  VectorXd mean = VectorXd::Zero(points.front().size());
-  for (const VectorXd& p : points) mean += p / static_cast<double>(points.size());
+double squared_distance(std::span<const double> a, std::span<const double> b) {
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+  const auto n = static_cast<Eigen::Index>(a.size());
+  return (Vector(a.data(), n) - Vector(b.data(), n)).squaredNorm();
+}
+
+Point mean_of(const std::vector<Point>& points) {
+  Point mean(points.front().size(), 0.0);
+  for (const Point& p : points)
+    for (std::size_t d = 0; d < mean.size(); ++d) mean[d] += p[d] / static_cast<double>(points.size());
   return mean;
 }
 
 }  // namespace
 
-StrengthPosterior::StrengthPosterior(const Rock& rock, const Recipe& recipe,
-                                     const std::vector<Target>& targets)
-    : runs_(targets.size()), targets_(targets) {
-  for (const Parameter& p : strength_parameters())
-    if (!p.joint || rock.bedded) parameters_.push_back(&p);
-  for (const Target& t : targets) {
-    largest_ = std::max(largest_, t.mean);
-    foretold_.push_back(foretold_strength(recipe, t.property, t.theta));
-  }
-  least_ = VectorXd::Constant(n_ratios(), -1.0);
-  if (!rock.bedded) return;
-  const Parameter& mu = *parameters_.back();
-  const double rubs = std::max(mu.low, tan_degrees(recipe.bedding.front().psi) * (1.0 + 1e-9));
-  least_[n_ratios() - 1] = 2.0 * std::log(rubs / mu.low) / std::log(mu.high / mu.low) - 1.0;
+StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe)
+    : runs_(evidence.strengths.size()),
+      targets_(evidence.strengths),
+      parameters_(strength_parameters(evidence.rock.bedded)),
+      middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
+  for (const Target& t : targets_) foretold_.push_back(foretold_strength(recipe, t.property, t.theta));
+  for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
+  for (const StrengthParameter* p : strength_ratios(evidence.rock.bedded))
+    least_.push_back(p->place_of(p->least == nullptr ? p->low : std::max(p->low, p->least(recipe))));
 }
 
-std::size_t StrengthPosterior::n_tension() const {
-  return targets_.size() - of_property(targets_, Property::ucs).size();
-}
-double StrengthPosterior::box_low(std::size_t i) const {
-  return std::log(parameter(i).low * (i == 0 ? largest_ : 1.0));
-}
-double StrengthPosterior::box_high(std::size_t i) const {
-  return std::log(parameter(i).high * (i == 0 ? largest_ : 1.0));
+std::size_t StrengthPosterior::index_of(const CalibratedParameter& p) const {
+  const auto it = std::find(parameters_.begin(), parameters_.end(), &p);
+  PHY_CHECK(it != parameters_.end(), "a parameter of this rock");
+  return static_cast<std::size_t>(it - parameters_.begin());
 }
 
-VectorXd StrengthPosterior::middle_of_box() const {
-  VectorXd x = VectorXd::Zero(n_ratios() + 1);
-  x[0] = std::log(largest_ / usual_ratio);
+Point StrengthPosterior::middle_of_box() const {
+  Point x(parameters_.size(), 0.0);
+  x.front() = middle_sigma_;
   return x;
 }
 
-double StrengthPosterior::log_value(const VectorXd& x, std::size_t i) const {
-  if (i == 0) return x[0];
-  return box_low(i) + 0.5 * (x[static_cast<Eigen::Index>(i)] + 1.0) * (box_high(i) - box_low(i));
+double StrengthPosterior::log_value(const Point& x, const CalibratedParameter& p) const {
+  if (&p == &matrix_sigma_c) return log_sigma_c(x);
+  return box(p).low + 0.5 * (x[index_of(p)] + 1.0) * (box(p).high - box(p).low);
 }
 
-Recipe StrengthPosterior::recipe_at(Recipe recipe, const VectorXd& x) const {
-  for (std::size_t i = 0; i < parameters_.size(); ++i) parameter(i).set(recipe, std::exp(log_value(x, i)));
+Recipe StrengthPosterior::recipe_at(Recipe recipe, const Point& x) const {
+  for (const StrengthParameter* p : parameters_) p->set(recipe, std::exp(log_value(x, *p)));
   return recipe;
 }
 
@@ -78,9 +74,9 @@ void StrengthPosterior::learn() {
   for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], foretold_[i]);
 }
 
-Surrogate::Value StrengthPosterior::predict(const VectorXd& x, std::size_t target) const {
-  Surrogate::Value v = models_[target].at(x.tail(n_ratios()));
-  v.mean += x[0];
+Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) const {
+  Surrogate::Value v = models_[target].at(ratios(x));
+  v.mean += log_sigma_c(x);
   return v;
 }
 
@@ -89,10 +85,17 @@ double StrengthPosterior::variance(const Target& t) {
   return relative * relative;
 }
 
-double StrengthPosterior::log_density(const VectorXd& x, std::size_t left_out) const {
-  const auto z = x.tail(n_ratios());
-  if (x[0] < box_low(0) || x[0] > box_high(0) || z.maxCoeff() > 1.0 || (z - least_).minCoeff() < 0.0)
-    return -infinity;
+bool StrengthPosterior::inside(const Point& x) const {
+  const LogBox& sigma = box(matrix_sigma_c);
+  if (log_sigma_c(x) < sigma.low || log_sigma_c(x) > sigma.high) return false;
+  const std::span<const double> z = ratios(x);
+  for (std::size_t i = 0; i < z.size(); ++i)
+    if (z[i] > 1.0 || z[i] < least_[i]) return false;
+  return true;
+}
+
+double StrengthPosterior::log_density(const Point& x, std::size_t left_out) const {
+  if (!inside(x)) return -infinity;
   double sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out) continue;
@@ -104,9 +107,9 @@ double StrengthPosterior::log_density(const VectorXd& x, std::size_t left_out) c
   return sum;
 }
 
-bool StrengthPosterior::find_discrepancy(const std::vector<VectorXd>& draws) {
+bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   double least = infinity;
-  for (const VectorXd& x : draws) {
+  for (const Point& x : draws) {
     double expected = 0.0, beyond = 0.0;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       const Surrogate::Value model = predict(x, i);
@@ -120,34 +123,34 @@ bool StrengthPosterior::find_discrepancy(const std::vector<VectorXd>& draws) {
   return discrepancy_ > 0.0;
 }
 
-std::vector<VectorXd> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed) const {
+std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed) const {
   struct Start {
     double log_p;
-    VectorXd x;
+    Point x;
   };
   std::vector<Start> starts;
-  for (VectorXd& x : spread_points(n_starts)) {
-    x[0] = best_sigma(x, left_out);
+  for (Point& x : spread_points(n_starts)) {
+    x.front() = best_sigma(x, left_out);
     starts.push_back({log_density(x, left_out), x});
   }
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Start& a, const Start& b) { return a.log_p > b.log_p; });
-  std::vector<VectorXd> walkers;
+  std::vector<Point> walkers;
   for (int i = 0; i < n_walkers; ++i) walkers.push_back(starts[static_cast<std::size_t>(i)].x);
-  return sample([&](const VectorXd& x) { return log_density(x, left_out); }, std::move(walkers), n_sweeps,
-                thin, seed);
+  return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers), n_sweeps, thin,
+                seed);
 }
 
 /// Points that fill the box evenly: the additive recurrence of Roberts (2018) with powers of the
 /// generalised golden ratio.
-std::vector<VectorXd> StrengthPosterior::spread_points(int n) const {
-  const auto d = static_cast<double>(n_ratios());
+std::vector<Point> StrengthPosterior::spread_points(int n) const {
+  const auto d = static_cast<double>(least_.size());
   double phi = 2.0;
   for (int i = 0; i < 60; ++i) phi = std::pow(1.0 + phi, 1.0 / (d + 1.0));
-  std::vector<VectorXd> points;
+  std::vector<Point> points;
   for (int i = 0; i < n; ++i) {
-    VectorXd x = VectorXd::Zero(n_ratios() + 1);
-    for (Eigen::Index j = 1; j <= n_ratios(); ++j) {
+    Point x(parameters_.size(), 0.0);
+    for (std::size_t j = 1; j < x.size(); ++j) {
       const double u = 0.5 + (i + 1) / std::pow(phi, static_cast<double>(j));
       x[j] = 2.0 * (u - std::floor(u)) - 1.0;
     }
@@ -157,52 +160,53 @@ std::vector<VectorXd> StrengthPosterior::spread_points(int n) const {
 }
 
 /// sigma_c that fits best with the ratios of a point.
-double StrengthPosterior::best_sigma(const VectorXd& x, std::size_t left_out) const {
+double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const {
   double weight = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out) continue;
-    const Surrogate::Value f = models_[i].at(x.tail(n_ratios()));
+    const Surrogate::Value f = models_[i].at(ratios(x));
     const double w = 1.0 / (f.variance + variance(targets_[i]) + discrepancy_);
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }
-  return std::clamp(sum / weight, box_low(0) + 1e-6, box_high(0) - 1e-6);
+  return std::clamp(sum / weight, box(matrix_sigma_c).low + 1e-6, box(matrix_sigma_c).high - 1e-6);
 }
 
-std::size_t middle(const StrengthPosterior& posterior, const std::vector<VectorXd>& draws) {
-  std::vector<VectorXd> seen;
+std::size_t middle(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
+  std::vector<Point> seen;
   std::vector<double> misfit;
-  for (const VectorXd& x : draws) {
-    VectorXd y(static_cast<Eigen::Index>(posterior.n_targets()) + x.size());
+  for (const Point& x : draws) {
+    Point y;
     double sum = 0.0;
     for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
       const Target& t = posterior.targets()[i];
       const Surrogate::Value v = posterior.predict(x, i);
       const double lab = StrengthPosterior::variance(t), error = std::log(t.mean) - v.mean;
-      y[static_cast<Eigen::Index>(i)] = v.mean / std::sqrt(lab);
+      y.push_back(v.mean / std::sqrt(lab));
       sum += (v.variance + error * error) / lab;
     }
     misfit.push_back(sum);
-    y.tail(x.size()) = x;
+    y.insert(y.end(), x.begin(), x.end());
     seen.push_back(y);
   }
-  const VectorXd centre = mean_of(seen);
-  const auto distance = [&](std::size_t i) { return (seen[i] - centre).squaredNorm() + misfit[i]; };
+  const Point centre = mean_of(seen);
+  const auto distance = [&](std::size_t i) { return squared_distance(seen[i], centre) + misfit[i]; };
   std::size_t best = 0;
   for (std::size_t i = 1; i < seen.size(); ++i)
     if (distance(i) < distance(best)) best = i;
   return best;
 }
 
-std::vector<VectorXd> spread_draws(const StrengthPosterior& posterior, const std::vector<VectorXd>& draws,
-                                   std::size_t n) {
-  std::vector<VectorXd> chosen = {draws[middle(posterior, draws)]};
-  const auto d = posterior.n_ratios();
+std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                                std::size_t n) {
+  std::vector<Point> chosen = {draws[middle(posterior, draws)]};
   while (chosen.size() < n) {
     double furthest = -1.0;
-    const VectorXd* next = &draws.front();
-    for (const VectorXd& x : draws) {
+    const Point* next = &draws.front();
+    for (const Point& x : draws) {
       double nearest = infinity;
-      for (const VectorXd& c : chosen) nearest = std::min(nearest, (x.tail(d) - c.tail(d)).squaredNorm());
+      for (const Point& c : chosen)
+        nearest =
+            std::min(nearest, squared_distance(StrengthPosterior::ratios(x), StrengthPosterior::ratios(c)));
       if (nearest > furthest) furthest = nearest, next = &x;
     }
     chosen.push_back(*next);

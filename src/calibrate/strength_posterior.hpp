@@ -12,50 +12,50 @@
 // beyond both: zero where the table can be met; where it cannot, the posterior would otherwise flee to the
 // rocks of which least is known.
 #pragma once
-#include <Eigen/Dense>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "calibrate/ensemble.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/surrogate.hpp"
-#include "records/calibration.hpp"
 
 namespace phy {
 
-/// Points are vectors: log sigma_c, then the ratios in [-1, 1].
+/// Points are vectors: log sigma_c, then the places of the ratios in their boxes.
 class StrengthPosterior {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);  ///< target to leave out
 
   /// `recipe`: moduli of the rock.
-  StrengthPosterior(const Rock& rock, const Recipe& recipe, const std::vector<Target>& targets);
+  StrengthPosterior(const Evidence& evidence, const Recipe& recipe);
 
-  Eigen::Index n_ratios() const { return static_cast<Eigen::Index>(parameters_.size()) - 1; }
   const std::vector<Target>& targets() const { return targets_; }
   std::size_t n_targets() const { return targets_.size(); }
-  std::size_t n_tension() const;
-  const Parameter& parameter(std::size_t i) const { return *parameters_[i]; }
-  double box_low(std::size_t i) const;  ///< logarithm
-  double box_high(std::size_t i) const;
+  /// sigma_c, then the ratios.
+  const std::vector<const StrengthParameter*>& parameters() const { return parameters_; }
+  const LogBox& box(const CalibratedParameter& p) const { return boxes_[index_of(p)]; }
   /// A point with the ratios of the middle of the box and a usual sigma_c.
-  Eigen::VectorXd middle_of_box() const;
-  /// Logarithm of parameter i at a point.
-  double log_value(const Eigen::VectorXd& x, std::size_t i) const;
-  Recipe recipe_at(Recipe recipe, const Eigen::VectorXd& x) const;
+  Point middle_of_box() const;
+  static double log_sigma_c(const Point& x) { return x.front(); }
+  static std::span<const double> ratios(const Point& x) { return std::span(x).subspan(1); }
+  /// Logarithm of what is sought of a parameter at a point.
+  double log_value(const Point& x, const CalibratedParameter& p) const;
+  Recipe recipe_at(Recipe recipe, const Point& x) const;
 
   void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
   /// Every target has an answer of its own.
   bool has_runs() const;
   /// From all runs so far; to be called before what follows.
   void learn();
-  Surrogate::Value predict(const Eigen::VectorXd& x, std::size_t target) const;
-  double log_density(const Eigen::VectorXd& x, std::size_t left_out) const;
+  Surrogate::Value predict(const Point& x, std::size_t target) const;
+  double log_density(const Point& x, std::size_t left_out) const;
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
-  std::vector<Eigen::VectorXd> draws(std::size_t left_out, std::uint32_t seed) const;
+  std::vector<Point> draws(std::size_t left_out, std::uint32_t seed) const;
   /// A table that no rock of the box meets: what the best known of the draws misses beyond scatter and
   /// ignorance becomes part of every variance. True if there is any.
-  bool find_discrepancy(const std::vector<Eigen::VectorXd>& draws);
+  bool find_discrepancy(const std::vector<Point>& draws);
   double discrepancy() const { return discrepancy_; }  ///< d^2
 
   /// Squared relative standard error of the laboratory.
@@ -66,22 +66,25 @@ class StrengthPosterior {
   std::vector<Foretold> foretold_;
   std::vector<Surrogate> models_;
   std::vector<Target> targets_;
-  std::vector<const Parameter*> parameters_;
-  Eigen::VectorXd least_;  ///< of the ratios: -1, but a joint rubs no less than it dilates (tan psi <= mu)
-  double largest_ = 0.0;
+  std::vector<const StrengthParameter*> parameters_;
+  std::vector<LogBox> boxes_;  // of the parameters
+  std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
+  double middle_sigma_ = 0.0;  // logarithm
   double discrepancy_ = 0.0;
 
-  std::vector<Eigen::VectorXd> spread_points(int n) const;
-  double best_sigma(const Eigen::VectorXd& x, std::size_t left_out) const;
+  std::size_t index_of(const CalibratedParameter& p) const;
+  bool inside(const Point& x) const;
+  std::vector<Point> spread_points(int n) const;
+  double best_sigma(const Point& x, std::size_t left_out) const;
 };
 
 /// Index of the draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters,
 /// and to the laboratory. Distances are expected ones: what the surrogate does not know of a draw puts it
 /// farther away, so that of two draws that fit alike the better known is taken.
-std::size_t middle(const StrengthPosterior& posterior, const std::vector<Eigen::VectorXd>& draws);
+std::size_t middle(const StrengthPosterior& posterior, const std::vector<Point>& draws);
 
 /// `n` of the draws, far from each other, the one in the middle first.
-std::vector<Eigen::VectorXd> spread_draws(const StrengthPosterior& posterior,
-                                          const std::vector<Eigen::VectorXd>& draws, std::size_t n);
+std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                                std::size_t n);
 
 }  // namespace phy

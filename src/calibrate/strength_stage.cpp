@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/rng.hpp"
 #include "calibrate/strength_posterior.hpp"
 
 namespace phy {
 namespace {
-
-using Eigen::VectorXd;
 
 constexpr std::int64_t most_points = 36;
 constexpr std::uint32_t sampler_seed = 20100101;
@@ -40,7 +39,7 @@ std::size_t packings_behind(std::size_t n_points, std::size_t n_packings) {
 }
 
 std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
-                             const std::vector<VectorXd>& points, bool is_coarse, const Recipe& recipe,
+                             const std::vector<Point>& points, bool is_coarse, const Recipe& recipe,
                              const std::vector<std::int64_t>& seeds, std::size_t first) {
   std::vector<Recipe> recipes;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -53,25 +52,27 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
 
 /// Runs a batch, whose points are number `first` and on of the search, and hands its answers to the
 /// surrogates. False: stopped.
-bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const std::vector<VectorXd>& points,
+bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const std::vector<Point>& points,
                bool is_coarse, const std::vector<std::int64_t>& seeds, std::size_t first,
-               Simulator& simulator, StrengthFit& fit) {
+               Simulator& simulator, std::size_t n_ucs, StrengthFit& fit) {
   const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const VectorXd& x = points[k / posterior.n_targets()];
+    const Point& x = points[k / posterior.n_targets()];
+    const std::span<const double> z = StrengthPosterior::ratios(x);
     const double strength = strength_of(results[k], posterior.targets()[k % posterior.n_targets()].property);
     if (std::isfinite(strength))
       posterior.add_run(k % posterior.n_targets(),
-                        {x.tail(posterior.n_ratios()),
+                        {{z.begin(), z.end()},
                          static_cast<int>(packing_of_point(first + k / posterior.n_targets(), seeds.size())),
-                         is_coarse, std::log(strength) - x[0]});
+                         is_coarse,
+                         std::log(strength) - StrengthPosterior::log_sigma_c(x)});
     else
       ++fit.n_without_peak;
   }
   fit.n_tests += static_cast<std::int64_t>(results.size());
-  fit.n_tension += static_cast<std::int64_t>(points.size() * posterior.n_tension());
+  fit.n_tension += static_cast<std::int64_t>(points.size() * (posterior.n_targets() - n_ucs));
   if (is_coarse) fit.n_coarse += static_cast<std::int64_t>(results.size());
   return true;
 }
@@ -85,52 +86,53 @@ std::pair<double, double> interval_of(std::vector<double> values) {
   return {at(0.025), at(0.975)};
 }
 
-ParameterEstimate estimate(std::string key, std::string symbol, std::string unit, double value,
-                           const std::vector<double>& logs, double low, double high) {
+/// `logs`: of the draws.
+Estimate with_interval(Estimate e, double value, const std::vector<double>& logs, const LogBox& box) {
   const auto [from, to] = interval_of(logs);
-  ParameterEstimate e;
-  e.key = std::move(key), e.symbol = std::move(symbol), e.unit = std::move(unit);
-  e.value = value, e.box_low = std::exp(low), e.box_high = std::exp(high);
+  e.value = value, e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
   e.low = std::min(value, std::exp(from)), e.high = std::max(value, std::exp(to));
-  e.determined = to - from < 0.5 * (high - low);
+  e.determined = to - from < 0.5 * (box.high - box.low);
   return e;
 }
 
-void report_parameters(const StrengthPosterior& posterior, const std::vector<VectorXd>& draws,
-                       const VectorXd& best, StrengthFit& fit) {
-  const auto n = static_cast<std::size_t>(posterior.n_ratios()) + 1;
-  std::vector<std::vector<double>> logs(n);
-  for (const VectorXd& x : draws)
-    for (std::size_t i = 0; i < n; ++i) logs[i].push_back(posterior.log_value(x, i));
-  for (std::size_t i = 0; i < n; ++i) {
-    const Parameter& p = posterior.parameter(i);
-    fit.parameters.push_back(estimate(p.key, p.symbol, p.unit, std::exp(posterior.log_value(best, i)),
-                                      logs[i], posterior.box_low(i), posterior.box_high(i)));
+std::vector<double> logs_of(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                            const CalibratedParameter& p) {
+  std::vector<double> logs;
+  for (const Point& x : draws) logs.push_back(posterior.log_value(x, p));
+  return logs;
+}
+
+/// A strength that is sought as a ratio, by the sums of logarithms along its chain: sigma_n = sigma_c r c s.
+/// The sum of the boxes spans a factor of 10^4; what is known of a strength is judged by the box of sigma_c.
+Estimate strength_behind(const CalibratedParameter& ratio, const StrengthPosterior& posterior,
+                         const std::vector<Point>& draws, const Recipe& recipe) {
+  std::vector<const CalibratedParameter*> chain;
+  for (const CalibratedParameter* p = &ratio; p != nullptr; p = p->over) chain.insert(chain.begin(), p);
+  std::vector<double> sum(draws.size(), 0.0);
+  LogBox box;
+  for (const CalibratedParameter* p : chain) {
+    const std::vector<double> logs = logs_of(posterior, draws, *p);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += logs[k];
+    box.low += posterior.box(*p).low, box.high += posterior.box(*p).high;
   }
-  // tau_c = sigma_c r, C = tau_c c, sigma_n = C s: sums of logarithms along the chain of ratios. The sum of
-  // their boxes spans a factor of 10^4; what is known of a strength is judged by the box of sigma_c.
-  const double box = posterior.box_high(0) - posterior.box_low(0);
-  const auto add = [&](const char* key, const char* symbol, const std::vector<std::size_t>& chain,
-                       double value) {
-    std::vector<double> sum(draws.size(), 0.0);
-    double low = 0.0, high = 0.0;
-    for (const std::size_t i : chain) {
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += logs[i][k];
-      low += posterior.box_low(i), high += posterior.box_high(i);
-    }
-    ParameterEstimate e = estimate(key, symbol, "Pa", value, sum, low, high);
-    e.determined = std::log(e.high / e.low) < 0.5 * box;
-    fit.parameters.push_back(e);
-  };
-  add("matrix.tau_c", "tau_c", {0, 1}, fit.recipe.matrix.tau_c);
-  if (fit.recipe.bedding.empty()) return;
-  add("bedding[0].cohesion", "C_sj", {0, 1, 3}, fit.recipe.bedding[0].cohesion);
-  add("bedding[0].sigma_n", "sigma_n,sj", {0, 1, 3, 4}, fit.recipe.bedding[0].sigma_n);
+  Estimate e = with_interval(number_of_recipe(ratio), ratio.number(recipe), sum, box);
+  const LogBox& known = posterior.box(*chain.front());
+  e.determined = std::log(e.high / e.low) < 0.5 * (known.high - known.low);
+  return e;
+}
+
+void report_parameters(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
+                       StrengthFit& fit) {
+  for (const StrengthParameter* p : posterior.parameters())
+    fit.parameters.push_back(with_interval(sought(*p), std::exp(posterior.log_value(best, *p)),
+                                           logs_of(posterior, draws, *p), posterior.box(*p)));
+  for (const StrengthParameter* p : posterior.parameters())
+    if (p->over != nullptr) fit.parameters.push_back(strength_behind(*p, posterior, draws, fit.recipe));
 }
 
 /// A target's row: `centre` and the 95 % interval of the rock's own strength over all draws. Given a draw,
 /// the strength is known from two sides: surrogate and, unless it was left out, laboratory.
-Comparison predicted(const StrengthPosterior& posterior, const std::vector<VectorXd>& draws, double centre,
+Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point>& draws, double centre,
                      std::size_t i, bool left_out) {
   const Target& t = posterior.targets()[i];
   std::vector<double> logs;
@@ -152,9 +154,9 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Vecto
   return c;
 }
 
-void report(const StrengthPosterior& posterior, const std::vector<VectorXd>& draws, std::size_t n_packings,
+void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, std::size_t n_packings,
             StrengthFit& fit) {
-  const VectorXd& best = draws[middle(posterior, draws)];
+  const Point& best = draws[middle(posterior, draws)];
   fit.recipe = posterior.recipe_at(fit.recipe, best);
   report_parameters(posterior, draws, best, fit);
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
@@ -164,11 +166,9 @@ void report(const StrengthPosterior& posterior, const std::vector<VectorXd>& dra
   }
   if (posterior.n_targets() < 4) return;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    const std::vector<VectorXd> others =
-        posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
+    const std::vector<Point> others = posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
     double mean = 0.0;
-    for (const VectorXd& x : others)
-      mean += posterior.predict(x, i).mean / static_cast<double>(others.size());
+    for (const Point& x : others) mean += posterior.predict(x, i).mean / static_cast<double>(others.size());
     fit.left_out.push_back(predicted(posterior, others, mean, i, true));
   }
 }
@@ -185,9 +185,9 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               const std::vector<Batch>& batches, const Recipe& recipe, const std::vector<std::int64_t>& seeds,
               Simulator& simulator) {
   std::vector<Recipe> all;
-  const VectorXd middle = posterior.middle_of_box();
+  const Point middle = posterior.middle_of_box();
   for (const Batch& b : batches) {
-    const std::vector<VectorXd> points(b.n_points, middle);
+    const std::vector<Point> points(b.n_points, middle);
     const std::vector<Recipe> some = tests_at(posterior, tests, points, b.coarse, recipe, seeds, 0);
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -199,21 +199,19 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
 
 }  // namespace
 
-StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& all,
+StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say) {
   StrengthFit fit;
-  std::vector<Target> targets;
-  for (const Target& t : all)
-    if (can_test(t.property)) targets.push_back(t);
+  const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
-  StrengthPosterior posterior(rock, recipe, targets);
+  StrengthPosterior posterior(evidence, recipe);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
-  const std::size_t n_ucs = targets.size() - posterior.n_tension();
+  const auto n_ucs = static_cast<std::size_t>(evidence.n_ucs());
   const std::vector<Batch> batches = plan(max_tests, n_ucs, has_coarse(fit.recipe));
   fit.short_search = max_tests < most_points * static_cast<std::int64_t>(n_ucs);
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
-  std::vector<VectorXd> draws;
+  std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {
     posterior.learn();
     const std::uint32_t seed = sampler_seed + static_cast<std::uint32_t>(n_batches);
@@ -224,10 +222,10 @@ StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vect
   std::size_t n_points = 0;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
-    const std::vector<VectorXd> points = spread_draws(posterior, draws, batch.n_points);
+    const std::vector<Point> points = spread_draws(posterior, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, fit) ||
+    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, n_ucs, fit) ||
         !posterior.has_runs()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)

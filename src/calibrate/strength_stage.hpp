@@ -16,8 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/evidence.hpp"
+#include "calibrate/parameters.hpp"
 #include "calibrate/strength_tests.hpp"
-#include "records/calibration.hpp"
 
 namespace phy {
 
@@ -27,10 +28,10 @@ constexpr std::int64_t least_points = 8;
 constexpr int verification_packings = 5;
 
 struct StrengthFit {
-  Recipe recipe;                              ///< with the estimated strengths and the settings of the tests
-  std::vector<ParameterEstimate> parameters;  ///< the ratios, then the strengths that they stand for
-  std::vector<Comparison> fitted;             ///< what the surrogate predicts at the estimate
-  std::vector<Comparison> left_out;           ///< each target predicted without it; empty below four targets
+  Recipe recipe;                     ///< with the estimated strengths and the settings of the tests
+  std::vector<Estimate> parameters;  ///< what was sought, then the strengths that the ratios stand for
+  std::vector<Comparison> fitted;    ///< what the surrogate predicts at the estimate
+  std::vector<Comparison> left_out;  ///< each target predicted without it; empty below four targets
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
   bool interrupted = false;
   bool short_search = false;          ///< the budget did not allow all points
@@ -38,9 +39,9 @@ struct StrengthFit {
   std::vector<std::string> notes;
 };
 
-/// `recipe`: from the elastic stage. `max_tests`: budget of this stage, tests of UCS. Seeds: packings, of
-/// which the points of the search take turns.
-StrengthFit fit_strength(const Rock& rock, const Recipe& recipe, const std::vector<Target>& all,
+/// Against the strengths of the evidence. `recipe`: from the elastic stage. `max_tests`: budget of this
+/// stage, tests of UCS. Seeds: packings, of which the points of the search take turns.
+StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say);
 

@@ -58,7 +58,7 @@ std::vector<Target> laboratory(const Recipe& rock, std::uint32_t k) {
 StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, std::int64_t budget = 252) {
   Rock rock;
   rock.model.bedding.resize(1);
-  return fit_strength(rock, rock.model, targets, seeds, budget, press, [](const std::string&) {});
+  return fit_strength(Evidence(rock, targets), rock.model, seeds, budget, press, [](const std::string&) {});
 }
 
 /// A rock of strengths only.
@@ -141,8 +141,8 @@ TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
   rock.model.bedding.resize(1);
   const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   const auto packings = [&](std::int64_t budget) {
-    const StrengthFit f = fit_strength(rock, rock.model, laboratory(truth(1), 1), twelve, budget, press,
-                                       [](const std::string&) {});
+    const StrengthFit f = fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget,
+                                       press, [](const std::string&) {});
     return f.fitted.front().n_packings;
   };
   EXPECT_EQ(packings(63), 5);  // nine points, two to a packing
@@ -155,7 +155,7 @@ TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
   rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
   const auto n_coarse = [&] {
     PaperPress press;
-    return fit_strength(rock, rock.model, laboratory(truth(1), 1), seeds, 63, press,
+    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press,
                         [](const std::string&) {})
         .n_coarse;
   };
@@ -170,14 +170,14 @@ TEST(StrengthStage, JointsThatDilateMoreThanTheyMayRubAreRefused) {
   rock.model.bedding[0].psi = 46.0;
   PaperPress press;
   try {
-    calibrate(rock, {}, press);
+    calibrate(Evidence(rock), {}, press);
     FAIL() << "not refused";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("bedding.psi = 46 deg"),
                                              testing::HasSubstr("tan(psi) <= 1")));
   }
   rock.model.bedding[0].psi = 44.0;
-  EXPECT_EQ(calibrate(rock, {}, press).left_out.size(), 0U);
+  EXPECT_EQ(calibrate(Evidence(rock), {}, press).left_out.size(), 0U);
 }
 
 TEST(StrengthStage, TheSameAnswersGiveTheSameFit) {
@@ -205,8 +205,8 @@ TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
   PaperPress press;
   Rock rock;
   rock.bedded = false;
-  const StrengthFit f = fit_strength(rock, rock.model, {{Property::ucs, 0.0, 150e6, 7e6, 3, false}}, seeds,
-                                     40, press, [](const std::string&) {});
+  const StrengthFit f = fit_strength(Evidence(rock, {{Property::ucs, 0.0, 150e6, 7e6, 3, false}}), rock.model,
+                                     seeds, 40, press, [](const std::string&) {});
   ASSERT_EQ(f.parameters.size(), 4U);  // sigma_c, tau_c/sigma_c, mu, and tau_c
   EXPECT_NEAR(PaperPress::ucs(f.recipe) / 150e6, 1.0, 0.06);
   EXPECT_TRUE(f.left_out.empty());
@@ -215,7 +215,7 @@ TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
 TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNearest) {
   PaperPress press;  // reaches 9 at most
   const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::direct_tension, 0.0, 10e6}}, false);
-  const Calibration c = calibrate(rock, {}, press);
+  const Calibration c = calibrate(Evidence(rock), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings,
               testing::Contains(testing::HasSubstr("UCS/DTS(0) = 15.0 in the laboratory")));
@@ -228,7 +228,7 @@ TEST(StrengthStage, ARatioOfCompressionToTensionOutOfReachIsAnsweredWithTheNeare
 TEST(StrengthStage, ARatioOfCompressionToBrazilianStrengthOutOfReachIsAnsweredWithTheNearest) {
   PaperPress press;  // reaches 7.5 at most
   const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 10e6}}, false);
-  const Calibration c = calibrate(rock, {}, press);
+  const Calibration c = calibrate(Evidence(rock), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings,
               testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0 in the laboratory")));
@@ -247,7 +247,7 @@ TEST(StrengthStage, TheSameRatioAtEveryAngleIsOutOfReachToo) {
     values.emplace_back(Property::ucs, theta, response(rock, theta));
     values.emplace_back(Property::brazilian, theta, response(rock, theta) / 15.0);
   }
-  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0")));
 }
@@ -262,7 +262,7 @@ TEST(StrengthStage, OnlyRatiosThatDifferAreListed) {
     values.emplace_back(Property::ucs, theta, (theta == 30.0 ? 2.5 : 1.0) * PaperPress::ucs(rock));
     values.emplace_back(Property::brazilian, theta, PaperPress::splitting(rock));
   }
-  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
   ASSERT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   int listed = 0, agreeing = 0;
   for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
@@ -302,7 +302,7 @@ TEST(StrengthStage, BrazilianStrengthThatIsLowOnlyWhereBeddingOpensIsAccepted) {
     values.emplace_back(Property::ucs, theta, PaperPress::ucs(rock));
     values.emplace_back(Property::brazilian, theta, PaperPress::splitting(rock));
   }
-  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << testing::PrintToString(c.verdict.findings);
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
   for (const ParameterEstimate& e : c.parameters) {
@@ -317,7 +317,7 @@ TEST(StrengthStage, DiscsHaveTheDiameterOfTheirRow) {
   rock.readings.push_back(rock.readings.back());
   rock.readings.back().diameter = 0.02, rock.readings.back().value *= std::pow(1.9, 0.2);
   PaperPress press;
-  const Calibration c = calibrate(rock, {}, press);
+  const Calibration c = calibrate(Evidence(rock), {}, press);
   ASSERT_EQ(c.verification.size(), 3U);
   EXPECT_EQ(c.verification[1].target.diameter, 0.0);
   EXPECT_EQ(c.verification[2].target.diameter, 0.02);
@@ -333,7 +333,7 @@ TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
     values.emplace_back(Property::ucs, theta, PaperPress::ucs(truth_rock));
     values.emplace_back(Property::direct_tension, theta, PaperPress::tension(truth_rock));
   }
-  const Calibration c = calibrate(rock_of(values, true), {}, press);
+  const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << testing::PrintToString(c.verdict.findings);
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
   for (const ParameterEstimate& e : c.parameters) {
@@ -350,7 +350,7 @@ TEST(StrengthStage, WhateverIsLeftOpenIsToldWithTheTestThatWouldTellMore) {
   PaperPress press;
   const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::ucs, 90.0, 170e6}}, true);
   int open = 0;
-  for (const ParameterEstimate& e : calibrate(rock, {}, press).parameters) {
+  for (const ParameterEstimate& e : calibrate(Evidence(rock), {}, press).parameters) {
     const bool friction = e.key.ends_with(".mu");  // no test that a table holds tells much of it
     EXPECT_EQ(e.next_test.empty(), e.determined || friction) << e.symbol;
     open += e.determined ? 0 : 1;
@@ -367,7 +367,7 @@ Calibration found(const std::function<bool(const Recipe&)>& peaks) {
     values.emplace_back(Property::ucs, theta, response(truth(0), theta));
   CalibrationOptions options;
   options.max_tests = 80;
-  return calibrate(rock_of(values, true), options, press);
+  return calibrate(Evidence(rock_of(values, true)), options, press);
 }
 bool is_unseen(const Recipe& r) { return r.packing.seed > 5 && r.packing.seed <= 10; }
 
@@ -413,7 +413,7 @@ TEST(StrengthStage, AnAssumedScatterExcusesNoSingleValue) {
   Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 13.5e6}}, false);
   for (RockReading& r : rock.readings) r.sd = std::nan(""), r.n = 1;
   PaperPress press;
-  const Calibration c = calibrate(rock, {}, press);
+  const Calibration c = calibrate(Evidence(rock), {}, press);
   const Comparison& disc = c.verification.back();
   ASSERT_GT(disc.error(), 0.12);
   ASSERT_LT(disc.error(), 0.40);  // 2.69 times 15 %
@@ -424,7 +424,7 @@ TEST(StrengthStage, WithoutAnElasticAnswerNoStrengthIsTestedAndTheTableIsOutOfRe
   PaperPress press;
   press.carries_load = false;
   const Calibration c =
-      calibrate(rock_of({{Property::E, 0.0, 40e9}, {Property::ucs, 0.0, 150e6}}, false), {}, press);
+      calibrate(Evidence(rock_of({{Property::E, 0.0, 40e9}, {Property::ucs, 0.0, 150e6}}, false)), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("E(0): the model has no answer")));
   EXPECT_EQ(press.n_tests, 0);
@@ -432,10 +432,12 @@ TEST(StrengthStage, WithoutAnElasticAnswerNoStrengthIsTestedAndTheTableIsOutOfRe
 
 TEST(StrengthStage, ATableWithNothingToFitIsRefused) {
   PaperPress press;
-  EXPECT_THROW(calibrate(rock_of({{Property::brazilian, 0.0, 10e6}}, false), {}, press), InputError);
+  EXPECT_THROW(calibrate(Evidence(rock_of({{Property::brazilian, 0.0, 10e6}}, false)), {}, press),
+               InputError);
   CalibrationOptions elastic;
   elastic.elastic_only = true;
-  EXPECT_THROW(calibrate(rock_of({{Property::ucs, 0.0, 100e6}}, false), elastic, press), InputError);
+  EXPECT_THROW(calibrate(Evidence(rock_of({{Property::ucs, 0.0, 100e6}}, false)), elastic, press),
+               InputError);
 }
 
 TEST(StrengthStage, NoJointDilatesMoreThanItRubs) {
@@ -444,7 +446,7 @@ TEST(StrengthStage, NoJointDilatesMoreThanItRubs) {
   PaperPress press;
   double least = 1.0;
   press.peaks = [&](const Recipe& r) { return least = std::min(least, r.bedding[0].mu), true; };
-  const Calibration c = calibrate(rock, {}, press);
+  const Calibration c = calibrate(Evidence(rock), {}, press);
   EXPECT_GE(least, std::tan(20.0 * 3.14159265358979323846 / 180.0));
   EXPECT_LT(least, 0.5);  // and near it the box is searched
   EXPECT_GE(c.recipe.bedding[0].mu, least);

@@ -9,7 +9,7 @@
 #include "analysis/analyse.hpp"
 #include "analysis/brazilian.hpp"
 #include "base/stats.hpp"
-#include "calibrate/elastic_stage.hpp"
+#include "calibrate/elastic_response.hpp"
 #include "study/expected.hpp"
 
 namespace phy {

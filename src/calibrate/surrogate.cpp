@@ -1,5 +1,6 @@
 #include "calibrate/surrogate.hpp"
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,12 +20,17 @@ constexpr double packing_fine = 0.035, run_fine = 0.04;
 // How far the factors on response and scatter lie from one: standard deviations of their logarithms.
 constexpr double response_spread = 0.7, scatter_spread = 0.5;
 
+using Vector = Eigen::Map<const Eigen::VectorXd>;
+
+Vector vector_of(std::span<const double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+
 double square(double x) { return x * x; }
 
 }  // namespace
 
 /// Covariance of the response of fine grains, mean over packings.
-double Surrogate::response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+double Surrogate::response_kernel(std::span<const double> of, std::span<const double> other) const {
+  const Vector a = vector_of(of), b = vector_of(other);
   const double dot = a.dot(b);
   return square(response_) *
          (square(foretold_.constant) + square(foretold_.slope) * dot +
@@ -58,7 +64,8 @@ double Surrogate::learn(double response, double scatter) {
     for (Eigen::Index j = 0; j <= i; ++j) {
       const SurrogateRun& b = runs_[static_cast<std::size_t>(j)];
       double k = response_kernel(a.z, b.z);
-      if (a.coarse && b.coarse) k += square(coarse_constant) + square(coarse_slope) * a.z.dot(b.z);
+      if (a.coarse && b.coarse)
+        k += square(coarse_constant) + square(coarse_slope) * vector_of(a.z).dot(vector_of(b.z));
       if (a.packing == b.packing && a.coarse == b.coarse)
         k += square(scatter * (a.coarse ? packing_coarse : packing_fine));
       if (i == j) k += square(scatter * (a.coarse ? run_coarse : run_fine));
@@ -66,19 +73,23 @@ double Surrogate::learn(double response, double scatter) {
     }
   }
   const Eigen::LLT<Eigen::MatrixXd> cholesky(K);
-  factor_ = cholesky.matrixLLT();
-  weights_ = cholesky.solve(y);
+  const Eigen::MatrixXd& factor = cholesky.matrixLLT();
+  const Eigen::VectorXd weights = cholesky.solve(y);
+  factor_.assign(factor.data(), factor.data() + factor.size());
+  weights_.assign(weights.begin(), weights.end());
   double log_determinant = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor_(i, i));
-  return -0.5 * y.dot(weights_) - log_determinant;
+  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor(i, i));
+  return -0.5 * y.dot(weights) - log_determinant;
 }
 
-Surrogate::Value Surrogate::at(const Eigen::VectorXd& z) const {
-  Eigen::VectorXd k(static_cast<Eigen::Index>(runs_.size()));
-  for (Eigen::Index i = 0; i < k.size(); ++i) k[i] = response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
+Surrogate::Value Surrogate::at(std::span<const double> z) const {
+  const auto n = static_cast<Eigen::Index>(runs_.size());
+  Eigen::VectorXd k(n);
+  for (Eigen::Index i = 0; i < n; ++i) k[i] = response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
   const double prior = response_kernel(z, z);
-  const double known = runs_.empty() ? 0.0 : factor_.triangularView<Eigen::Lower>().solve(k).squaredNorm();
-  return {foretold_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
+  const Eigen::Map<const Eigen::MatrixXd> factor(factor_.data(), n, n);
+  const double known = runs_.empty() ? 0.0 : factor.triangularView<Eigen::Lower>().solve(k).squaredNorm();
+  return {foretold_.value(z) + k.dot(vector_of(weights_)), std::max(0.0, prior - known)};
 }
 
 }  // namespace phy

@@ -14,15 +14,15 @@
 // takes part, and its variance says how well the runs have settled it. Rejected: one length per parameter by
 // maximum likelihood, thirty runs do not fix it.
 #pragma once
-#include <Eigen/Dense>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace phy {
 
 struct SurrogateRun {
-  Eigen::VectorXd z;  ///< point of the box, every component in [-1, 1]
-  int packing = 0;    ///< runs of one packing share their scatter
+  std::vector<double> z;  ///< point of the box, every component in [-1, 1]
+  int packing = 0;        ///< runs of one packing share their scatter
   bool coarse = false;
   double y = 0.0;  ///< logarithm of the answer
 };
@@ -30,7 +30,7 @@ struct SurrogateRun {
 /// What is known of a response before its first run: its value at every point, and how far a rock may lie
 /// from that, in units of the logarithm, slope and curvature per half box.
 struct Foretold {
-  std::function<double(const Eigen::VectorXd&)> value = [](const Eigen::VectorXd&) { return 0.0; };
+  std::function<double(std::span<const double>)> value = [](std::span<const double>) { return 0.0; };
   double constant = 1.0, slope = 0.33, curvature = 0.08;
 };
 
@@ -41,17 +41,17 @@ class Surrogate {
   };
   /// Without runs it knows what is foretold.
   explicit Surrogate(std::vector<SurrogateRun> runs, Foretold foretold = {});
-  Value at(const Eigen::VectorXd& z) const;
+  Value at(std::span<const double> z) const;
 
  private:
   std::vector<SurrogateRun> runs_;
   Foretold foretold_;
-  double response_ = 1.0;   // factor on the amplitudes
-  Eigen::MatrixXd factor_;  // lower triangle: Cholesky factor of the covariance of the runs
-  Eigen::VectorXd weights_;
+  double response_ = 1.0;        // factor on the amplitudes
+  std::vector<double> factor_;   // columns, lower triangle: Cholesky factor of the covariance of the runs
+  std::vector<double> weights_;  // of the runs
 
   double learn(double response, double scatter);  // returns the log likelihood
-  double response_kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  double response_kernel(std::span<const double> a, std::span<const double> b) const;
 };
 
 }  // namespace phy

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "base/rng.hpp"
 #include "calibrate/ensemble.hpp"
@@ -10,14 +11,14 @@
 namespace phy {
 namespace {
 
-using Eigen::VectorXd;
-
-VectorXd point(std::uint32_t i, int d) {
-  VectorXd z(d);
-  for (int j = 0; j < d; ++j) z[j] = 2.0 * uniform(3, Stream::test, i, static_cast<std::uint32_t>(j)) - 1.0;
+/// In [-size, size].
+Point point(std::uint32_t i, std::size_t d, double size = 1.0) {
+  Point z(d);
+  for (std::size_t j = 0; j < d; ++j)
+    z[j] = size * (2.0 * uniform(3, Stream::test, i, static_cast<std::uint32_t>(j)) - 1.0);
   return z;
 }
-double curve(const VectorXd& z) {
+double curve(std::span<const double> z) {
   return 0.7 + 0.3 * z[0] - 0.1 * z[1] + 0.06 * z[0] * z[2] - 0.05 * z[1] * z[1];
 }
 
@@ -59,9 +60,10 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
 }
 
 TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
-  const Foretold foretold{[](const VectorXd& z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15, 0.06, 0.04};
+  const Foretold foretold{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15, 0.06,
+                          0.04};
   const Surrogate none({}, foretold), few(runs(6, 0.02, 0.0, 0), foretold);
-  const VectorXd z = point(7, 3);
+  const Point z = point(7, 3);
   EXPECT_DOUBLE_EQ(none.at(z).mean, foretold.value(z));
   EXPECT_GT(std::sqrt(none.at(z).variance), 0.1);
   EXPECT_LT(rms(few), 0.85 * rms(Surrogate(runs(6, 0.02, 0.0, 0))));
@@ -72,24 +74,33 @@ TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
 
 TEST(Surrogate, IsSureNearItsRunsAndUnsureFarFromThem) {
   std::vector<SurrogateRun> near = runs(30, 0.02, 0.0, 0);
-  for (SurrogateRun& r : near) r.z *= 0.2, r.y = curve(r.z);
+  for (SurrogateRun& r : near) {
+    for (double& z : r.z) z *= 0.2;
+    r.y = curve(r.z);
+  }
   const Surrogate s(near);
-  EXPECT_LT(s.at(VectorXd::Zero(3)).variance, 0.25 * s.at(VectorXd::Ones(3)).variance);
+  EXPECT_LT(s.at(Point(3, 0.0)).variance, 0.25 * s.at(Point(3, 1.0)).variance);
+}
+
+double largest(const Point& x) {
+  double most = 0.0;
+  for (const double v : x) most = std::max(most, std::fabs(v));
+  return most;
 }
 
 TEST(Ensemble, DrawsFromACorrelatedNormalDensity) {
   // x ~ N(1, 1), y | x ~ N(2 x, 0.1^2): a ridge that single-coordinate steps would crawl along
-  const LogDensity ridge = [](const VectorXd& x) {
+  const LogDensity ridge = [](const Point& x) {
     const double u = x[0] - 1.0, v = (x[1] - 2.0 * x[0]) / 0.1;
     return -0.5 * (u * u + v * v);
   };
-  std::vector<VectorXd> walkers;
-  for (std::uint32_t i = 0; i < 40; ++i) walkers.push_back(3.0 * point(i, 2));
-  const std::vector<VectorXd> draws = sample(ridge, walkers, 3000, 10, 1);
+  std::vector<Point> walkers;
+  for (std::uint32_t i = 0; i < 40; ++i) walkers.push_back(point(i, 2, 3.0));
+  const std::vector<Point> draws = sample(ridge, walkers, 3000, 10, 1);
   ASSERT_EQ(draws.size(), 150U * 40U);
   double mean = 0.0, square = 0.0, width = 0.0;
   const auto n = static_cast<double>(draws.size());
-  for (const VectorXd& x : draws) {
+  for (const Point& x : draws) {
     mean += x[0] / n, square += (x[0] - 1.0) * (x[0] - 1.0) / n;
     width += (x[1] - 2.0 * x[0]) * (x[1] - 2.0 * x[0]) / n;
   }
@@ -99,16 +110,16 @@ TEST(Ensemble, DrawsFromACorrelatedNormalDensity) {
 }
 
 TEST(Ensemble, NeverLeavesWhereTheDensityIsZero) {
-  const LogDensity box = [](const VectorXd& x) {
-    return x.cwiseAbs().maxCoeff() <= 1.0 ? 0.0 : -std::numeric_limits<double>::infinity();
+  const LogDensity box = [](const Point& x) {
+    return largest(x) <= 1.0 ? 0.0 : -std::numeric_limits<double>::infinity();
   };
-  std::vector<VectorXd> walkers;
+  std::vector<Point> walkers;
   for (std::uint32_t i = 0; i < 20; ++i) walkers.push_back(point(i, 3));
   double mean = 0.0;
-  const std::vector<VectorXd> draws = sample(box, walkers, 2000, 10, 2);
-  for (const VectorXd& x : draws) {
-    ASSERT_LE(x.cwiseAbs().maxCoeff(), 1.0);
-    mean += x.sum() / (3.0 * static_cast<double>(draws.size()));
+  const std::vector<Point> draws = sample(box, walkers, 2000, 10, 2);
+  for (const Point& x : draws) {
+    ASSERT_LE(largest(x), 1.0);
+    mean += std::accumulate(x.begin(), x.end(), 0.0) / (3.0 * static_cast<double>(draws.size()));
   }
   EXPECT_NEAR(mean, 0.0, 0.06);
 }

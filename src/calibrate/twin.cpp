@@ -6,8 +6,8 @@
 #include <map>
 
 #include "base/rng.hpp"
-#include "calibrate/elastic_stage.hpp"
-#include "calibrate/strength_stage.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/strength_tests.hpp"
 
 namespace phy {
 

@@ -27,13 +27,14 @@ struct Arguments {
 };
 
 /// Everything that the answer follows from.
-std::string fingerprint(const Rock& rock, const Arguments& args) {
+std::string fingerprint(const Evidence& evidence, const Arguments& args) {
+  const Rock& rock = evidence.rock;
   Hash hash;
   hash.add(rock.name);
   hash.add(write_recipe(rock.model));
   hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
-  for (const Target& t : targets_of(rock)) {
+  for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
   }
@@ -41,11 +42,11 @@ std::string fingerprint(const Rock& rock, const Arguments& args) {
 }
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
-std::string label(const Rock& rock, const Arguments& args) {
-  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", rock.name,
+std::string label(const Evidence& evidence, const Arguments& args) {
+  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", evidence.rock.name,
                      comment_text(args.rock), args.elastic ? ", --elastic" : "",
                      args.with_untrusted ? ", --with-untrusted" : "", args.max_tests,
-                     fingerprint(rock, args));
+                     fingerprint(evidence, args));
 }
 
 /// Throws InputError where --resume would write one calibration over another.
@@ -73,7 +74,7 @@ std::vector<std::string> files_in(const std::string& folder) {
 }
 
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
-std::string store_in(const Arguments& args, const Rock& rock) {
+std::string store_in(const Arguments& args, const std::string& label) {
   namespace fs = std::filesystem;
   const fs::path folder(args.out);
   std::string store = (folder / "runs.sqlite").string();
@@ -85,8 +86,8 @@ std::string store_in(const Arguments& args, const Rock& rock) {
   if (begun && !args.resume)
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
-  if (begun) check_same(label_file, label(rock, args), args);
-  write_output(label_file, label(rock, args));
+  if (begun) check_same(label_file, label, args);
+  write_output(label_file, label);
   return store;
 }
 
@@ -113,16 +114,17 @@ void write_files(const std::string& folder, const Calibration& c, const std::str
 }
 
 int run_calibration(const Arguments& args, const Session& session) {
-  const Rock rock = read_rock(args.rock);
+  const Evidence evidence(read_rock(args.rock));
+  const Rock& rock = evidence.rock;
   const int width = session.terminal_width;
   SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
   machine.with_untrusted = args.with_untrusted;
-  machine.store = store_in(args, rock);
+  machine.store = store_in(args, label(evidence, args));
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  print_out("\n{}\n", target_table(targets_of(rock), width));
+  print_out("\n{}\n", target_table(evidence.targets, width));
   flush_out();
   ProgressLine line;
   machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
@@ -130,7 +132,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   options.elastic_only = args.elastic, options.max_tests = args.max_tests;
   options.say = [&](const std::string& text) { line.note(text); };
   const auto simulator = make_simulator(machine);
-  const Calibration result = calibrate(rock, options, *simulator);
+  const Calibration result = calibrate(evidence, options, *simulator);
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full

@@ -46,11 +46,14 @@ int rock_new(const std::string& name) {
 }
 
 int rock_check(const std::string& path, int width) {
-  const Rock rock = read_rock(path);
+  const Evidence evidence(read_rock(path));
+  const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  print_out("\n{}\n{}", target_table(targets_of(rock), width), foresight_table(foresee(rock), width));
-  for (const std::string& line : advice(rock)) print_wrapped(width, 2, "- {}\n", line);
+  const std::vector<Estimate> expected = foresee(evidence);
+  print_out("\n{}\n{}", target_table(evidence.targets, width),
+            foresight_table({expected.begin(), expected.end()}, width));
+  for (const std::string& line : advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
 

@@ -12,9 +12,12 @@
 
 namespace phy {
 
+/// A number of the recipe.
+using RecipeNumber = const double&(const Recipe&);
+
 /// What the data say about one parameter. `low`, `high`: 95 % interval within the box of admissible values.
 struct ParameterEstimate {
-  std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"
+  std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"; or a ratio, "tau_c/sigma_c"
   std::string symbol;  ///< "E_c"
   std::string unit;    ///< "Pa", "Pa/m", "1"
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -23,6 +26,8 @@ struct ParameterEstimate {
   bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
   std::string rests_on;     ///< the data that pin it, or what stands in for them
   std::string next_test;    ///< the laboratory test that would pin it; empty if determined
+  /// Which number of the recipe it is; nullptr: a ratio of two.
+  RecipeNumber* number = nullptr;
 };
 
 /// One row of the macro table: laboratory beside model.

@@ -15,18 +15,15 @@ namespace {
 
 /// Factor and name of the unit in which a property is printed.
 double shown(Property p) { return p == Property::E ? 1e-9 : p == Property::nu ? 1.0 : 1e-6; }
-const ParameterEstimate* find(const Calibration& c, const std::string& key) {
-  for (const ParameterEstimate& e : c.parameters)
-    if (e.key == key) return &e;
-  return nullptr;
-}
 
-/// "38.0 [36.9, 39.2]": value and interval in a friendly unit; a parameter that was not fitted stands alone.
-std::string cell(const Calibration& c, const std::string& key, double value, double unit) {
-  const ParameterEstimate* e = find(c, key);
-  if (e == nullptr) return fmt::format("{:.4g} (given)", value / unit);
-  return fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", value / unit, e->low / unit, e->high / unit,
-                     e->determined ? "" : " open");
+/// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
+/// was not fitted stands alone.
+std::string cell(const Calibration& c, const double& number, double unit) {
+  for (const ParameterEstimate& e : c.parameters)
+    if (e.number != nullptr && &e.number(c.recipe) == &number)
+      return fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit, e.high / unit,
+                         e.determined ? "" : " open");
+  return fmt::format("{:.4g} (given)", number / unit);
 }
 
 /// Root mean square error of a property; relative, of nu absolute.
@@ -138,31 +135,29 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
     for (const auto& [n, v] : rows) name.cells.emplace_back(n), value.cells.push_back(v);
     return text_table(name, {{value}}, terminal_width);
   };
-  const std::string E_c = cell(c, "matrix.E_c", m.E_c, GPa),
-                    q = cell(c, "matrix.ks_over_kn", m.ks_over_kn, 1.0);
+  const std::string E_c = cell(c, m.E_c, GPa), q = cell(c, m.ks_over_kn, 1.0);
   std::string text = "Table 1. Intact rock\n" +
                      table("balls", {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)},
                                      {"Modulus E_c [GPa]", E_c},
                                      {"Stiffness ratio k_s/k_n", q},
-                                     {"Friction coefficient mu", cell(c, "matrix.mu", m.mu, 1.0)}}) +
+                                     {"Friction coefficient mu", cell(c, m.mu, 1.0)}}) +
                      "\n" +
                      table("parallel bonds",
                            {{"Modulus E_c [GPa]", E_c},
                             {"Stiffness ratio k_s/k_n", q},
-                            {"Mean normal strength [MPa]", cell(c, "matrix.sigma_c", m.sigma_c, MPa)},
-                            {"Mean shear strength [MPa]", cell(c, "matrix.tau_c", m.tau_c, MPa)},
+                            {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
+                            {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
                             {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}});
   if (c.recipe.bedding.empty()) return text;
   const BeddingRecipe& b = c.recipe.bedding.front();
   return text + "\nTable 2. Bedding\n" +
-         table("smooth joints",
-               {{"Normal stiffness k_n,sj [GPa/m]", cell(c, "bedding[0].k_n", b.k_n, GPa)},
-                {"Shear stiffness k_s,sj [GPa/m]", cell(c, "bedding[0].k_s", b.k_s, GPa)},
-                {"Friction coefficient mu_sj", cell(c, "bedding[0].mu", b.mu, 1.0)},
-                {"Normal strength sigma_n,sj [MPa]", cell(c, "bedding[0].sigma_n", b.sigma_n, MPa)},
-                {"Cohesion C_sj [MPa]", cell(c, "bedding[0].cohesion", b.cohesion, MPa)},
-                {"Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3)},
-                {"Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3)}});
+         table("smooth joints", {{"Normal stiffness k_n,sj [GPa/m]", cell(c, b.k_n, GPa)},
+                                 {"Shear stiffness k_s,sj [GPa/m]", cell(c, b.k_s, GPa)},
+                                 {"Friction coefficient mu_sj", cell(c, b.mu, 1.0)},
+                                 {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
+                                 {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)},
+                                 {"Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3)},
+                                 {"Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3)}});
 }
 
 std::string macro_table(const Calibration& c, int terminal_width) {

@@ -80,6 +80,18 @@ TEST(CalibrationTables, ParametersOpenForTheSameReasonAreOneLine) {
   EXPECT_THAT(text, Not(HasSubstr("E_c")));
 }
 
+TEST(CalibrationTables, AnEstimateStandsWithItsNumberOfTheRecipeAndOthersAreGiven) {
+  Calibration c;
+  c.recipe.bedding.resize(1);
+  c.recipe.matrix.mu = c.recipe.bedding[0].mu = 0.4;  // equal values are not one number
+  ParameterEstimate e;
+  e.number = [](const Recipe& r) -> const double& { return r.bedding[0].mu; };
+  e.low = 0.3, e.high = 0.5, e.determined = true;
+  c.parameters = {e};
+  EXPECT_THAT(parameter_tables(c, 0), HasSubstr("Friction coefficient mu_sj        0.4 [0.3, 0.5]"));
+  EXPECT_THAT(parameter_tables(c, 0), HasSubstr("Friction coefficient mu  0.4 (given)"));
+}
+
 TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {
   const std::string text = foresight_table({open("mu", ""), open("k_n", "E at 0 or 15 degrees")}, 0);
   EXPECT_THAT(text, HasSubstr("no test that a table holds tells much"));

@@ -21,7 +21,7 @@ TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock)
                    reading(Property::brazilian, 0.0, 10e6)};
   CalibrationOptions options;
   options.max_tests = 25;
-  const Calibration c = calibrate(rock, options, *simulator);
+  const Calibration c = calibrate(Evidence(rock), options, *simulator);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings,
               testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0 in the laboratory")))

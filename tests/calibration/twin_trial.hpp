@@ -11,7 +11,8 @@
 
 #include "base/rng.hpp"
 #include "calibrate/calibration.hpp"
-#include "calibrate/elastic_stage.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/parameters.hpp"
 #include "calibrate/twin.hpp"
 
 namespace phy {
@@ -90,7 +91,7 @@ inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<d
   t.unseen = twin_response(t.truth, angles, unseen_packings(), simulator);
   CalibrationOptions how;
   how.max_tests = max_tests;
-  t.found = calibrate(rock_of(t, k, model, angles), how, simulator);
+  t.found = calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
@@ -106,7 +107,7 @@ inline Trial run_elastic_trial(std::uint32_t k, const Recipe& model, const std::
   t.unseen = elastic_response(t.truth, moduli, unseen_packings(), simulator);
   CalibrationOptions how;
   how.elastic_only = true;
-  t.found = calibrate(rock_of(t, k, model, angles), how, simulator);
+  t.found = calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
@@ -125,25 +126,12 @@ inline double rmse_against(const std::vector<Comparison>& rows, const std::vecto
   return std::sqrt(squares / n);
 }
 
-/// True parameter behind the key of an estimate.
-inline double true_value(const Recipe& r, const std::string& key) {
-  const MatrixRecipe& m = r.matrix;
-  const BeddingRecipe& b = r.bedding[0];
-  const std::vector<std::pair<const char*, double>> list = {{"matrix.E_c", m.E_c},
-                                                            {"matrix.ks_over_kn", m.ks_over_kn},
-                                                            {"bedding[0].k_n", b.k_n},
-                                                            {"bedding[0].k_s", b.k_s},
-                                                            {"matrix.sigma_c", m.sigma_c},
-                                                            {"tau_c/sigma_c", m.tau_c / m.sigma_c},
-                                                            {"matrix.mu", m.mu},
-                                                            {"C_sj/tau_c", b.cohesion / m.tau_c},
-                                                            {"sigma_n,sj/C_sj", b.sigma_n / b.cohesion},
-                                                            {"bedding[0].mu", b.mu},
-                                                            {"matrix.tau_c", m.tau_c},
-                                                            {"bedding[0].cohesion", b.cohesion},
-                                                            {"bedding[0].sigma_n", b.sigma_n}};
-  for (const auto& [name, value] : list)
-    if (key == name) return value;
+/// What the truth has of an estimated parameter: of the number of the recipe, or of the ratio that was
+/// sought.
+inline double true_value(const Recipe& r, const ParameterEstimate& e) {
+  if (e.number != nullptr) return e.number(r);
+  for (const StrengthParameter* p : strength_ratios(true))
+    if (e.key == sought(*p).key) return p->get(r);
   return std::nan("");
 }
 
@@ -175,7 +163,7 @@ inline void add_response(const Trial& t, Property property, Coverage& coverage) 
 /// Intervals of the parameters that are said to be determined.
 inline void add_parameters(const Trial& t, Coverage& coverage) {
   for (const ParameterEstimate& e : t.found.parameters)
-    if (e.determined) coverage.add(e.low, e.high, true_value(t.truth, e.key));
+    if (e.determined) coverage.add(e.low, e.high, true_value(t.truth, e));
 }
 
 }  // namespace phy

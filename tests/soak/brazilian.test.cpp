@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
-#include "calibrate/elastic_stage.hpp"
-#include "calibrate/strength_stage.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/strength_tests.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -48,7 +48,7 @@ Calibration calibrated(const Recipe& model, const std::vector<Comparison>& table
   Rock rock;
   rock.model = model, rock.name = "opening twin";
   rock.readings = twin_readings(table, TwinOptions{});
-  const Calibration c = calibrate(rock, {}, simulator);
+  const Calibration c = calibrate(Evidence(rock), {}, simulator);
   for (const Comparison& row : c.verification)
     if (is_strength(row.target.property))
       std::printf("%s(%2.0f): table %.2f MPa, unseen %.2f, %d of %d discs not from the centre\n",
@@ -67,7 +67,7 @@ TEST(BrazilianTwin, LowWhereBeddingOpensIsAcceptedLowEverywhereIsNot) {
   const Calibration accepted = calibrated(model, table, *simulator);
   EXPECT_NE(accepted.verdict.status, VerdictStatus::out_of_reach);
   for (const ParameterEstimate& e : accepted.parameters) {
-    if (e.key != "bedding[0].sigma_n") continue;
+    if (e.symbol != "sigma_n,sj") continue;
     EXPECT_LE(e.low, truth.bedding[0].sigma_n);
     EXPECT_GE(e.high, truth.bedding[0].sigma_n);
   }

@@ -17,7 +17,7 @@
 
 #include "../calibration/twin_trial.hpp"
 #include "analysis/analyse.hpp"
-#include "calibrate/elastic_stage.hpp"
+#include "calibrate/elastic_response.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "setting.hpp"
@@ -64,9 +64,12 @@ class Laboratory {
 
 /// Strengths from numbers in [0, 1] across the box.
 Recipe strengths_at(Recipe recipe, const std::vector<double>& x, double largest) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const Parameter& p = strength_parameters()[i];
-    p.set(recipe, (i == 0 ? largest : 1.0) * p.low * std::pow(p.high / p.low, x[i]));
+  Scales scales;
+  scales.strength = largest;
+  std::size_t i = 0;
+  for (const StrengthParameter* p : strength_parameters(true)) {
+    const LogBox box = p->box(scales);
+    p->set(recipe, std::exp(box.low + x[i++] * (box.high - box.low)));
   }
   return recipe;
 }
@@ -80,8 +83,8 @@ double largest_of(const std::vector<Target>& ucs) {
 /// Where a user without knowledge would begin.
 std::vector<double> usual_start() {
   std::vector<double> x;
-  for (const Parameter& p : strength_parameters())
-    x.push_back(std::log(p.usual / p.low) / std::log(p.high / p.low));
+  for (const StrengthParameter* p : strength_parameters(true))
+    x.push_back(0.5 * (p->place_of(p->usual) + 1.0));
   return x;
 }
 

@@ -4,15 +4,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
 #include "analysis/analyse.hpp"
+#include "calibrate/elastic_response.hpp"
 #include "calibrate/experience.hpp"
-#include "calibrate/parameters.hpp"
-#include "calibrate/strength_stage.hpp"
+#include "calibrate/strength_tests.hpp"
 #include "setting.hpp"
 
 namespace phy {
@@ -29,19 +30,18 @@ const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
 struct Lesson {
   std::uint32_t rock;
   double theta;
-  VectorXd z, moduli;
+  std::vector<double> z, moduli;
   double y;  ///< log(UCS/sigma_c)
 };
 
 /// Rock and ratios of one point.
-Recipe recipe_of(std::uint32_t rock, std::uint32_t point, const Recipe& model, VectorXd& z) {
+Recipe recipe_of(std::uint32_t rock, std::uint32_t point, const Recipe& model, std::vector<double>& z) {
   Recipe r = trial_rock(first_rock + rock, model);
-  const std::vector<Parameter>& list = strength_parameters();
-  z.resize(5);
-  for (std::uint32_t i = 1; i < list.size(); ++i) {
-    const double u = uniform(point_seed, Stream::test, rock, point, i);
-    z[i - 1] = 2.0 * u - 1.0;
-    list[i].set(r, list[i].low * std::pow(list[i].high / list[i].low, u));
+  z.clear();
+  std::uint32_t i = 1;
+  for (const StrengthParameter* p : experienced_ratios(true)) {
+    z.push_back(2.0 * uniform(point_seed, Stream::test, rock, point, i++) - 1.0);
+    p->set(r, p->at_place(z.back()));
   }
   return r;
 }
@@ -61,7 +61,7 @@ std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, Simulato
   std::vector<Recipe> recipes;
   std::vector<Lesson> lessons;
   for (std::uint32_t p = 0; p < n_points; ++p) {
-    VectorXd z;
+    std::vector<double> z;
     const Recipe point = recipe_of(rock, p, model, z);
     const std::int64_t seed = first_packing + (rock * n_points + p) / 2 % n_packings;
     const Recipe ready = test_settings(point, guesses(point), seed, simulator);
@@ -71,7 +71,8 @@ std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, Simulato
     }
     recipes.push_back(single_at(ready, 0.0, seed));
     recipes.back().bedding.clear();
-    lessons.push_back({rock, intact, z.head(2), experience_moduli(recipes.back()), 0.0});
+    z.resize(experienced_ratios(false).size());
+    lessons.push_back({rock, intact, z, experience_moduli(recipes.back()), 0.0});
   }
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Lesson> peaked;
@@ -87,6 +88,11 @@ std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, Simulato
 constexpr std::uint32_t n_folds = 8, no_fold = n_folds;
 std::uint32_t fold_of(const Lesson& l) { return l.rock % n_folds; }
 
+VectorXd features_of(const std::vector<double>& z, const std::vector<double>& moduli) {
+  const std::vector<double> f = experience_features(z, moduli);
+  return Eigen::Map<const VectorXd>(f.data(), static_cast<Eigen::Index>(f.size()));
+}
+
 /// Ridge regression without the rocks of one fold; the usual sizes of coefficients say how much each is
 /// believed.
 VectorXd regress(const std::vector<Lesson>& all, double theta, std::uint32_t without) {
@@ -95,9 +101,9 @@ VectorXd regress(const std::vector<Lesson>& all, double theta, std::uint32_t wit
   VectorXd b;
   for (const Lesson& l : all) {
     if (l.theta != theta || fold_of(l) == without) continue;
-    const VectorXd f = experience_features(l.z, l.moduli);
+    const VectorXd f = features_of(l.z, l.moduli);
     if (A.size() == 0) {
-      const Eigen::Index n = l.z.size(), m = l.moduli.size();
+      const auto n = static_cast<Eigen::Index>(l.z.size()), m = static_cast<Eigen::Index>(l.moduli.size());
       VectorXd size = VectorXd::Constant(f.size(), second);
       size[0] = 1.0, size.segment(1, n).setConstant(slope);
       size.segment(1 + n + n * (n + 1) / 2, m).setConstant(modulus);
@@ -117,7 +123,7 @@ double left_out_error(const std::vector<Lesson>& all, double theta) {
     const VectorXd c = regress(all, theta, fold);
     for (const Lesson& l : all) {
       if (l.theta != theta || fold_of(l) != fold) continue;
-      const double e = l.y - c.dot(experience_features(l.z, l.moduli));
+      const double e = l.y - c.dot(features_of(l.z, l.moduli));
       squares += e * e, ++n;
     }
   }
@@ -152,13 +158,13 @@ TEST(Experience, IsWhatItsTestsTeach) {
   if (n < n_rocks) return;
   for (std::uint32_t k = 0; k < 4; ++k) {  // the table in the program is this one, rounded
     Recipe rock = trial_rock(k, model);
-    const VectorXd z = VectorXd::Constant(5, 0.25 * k);
+    const std::vector<double> z(experienced_ratios(true).size(), 0.25 * k);
     for (std::size_t a = 0; a < angles.size(); ++a)
-      EXPECT_NEAR(Experience(rock, angles[a]).at(z),
-                  columns[a].dot(experience_features(z, experience_moduli(rock))), 5e-3);
+      EXPECT_NEAR(Experience(rock, angles[a]).at(z), columns[a].dot(features_of(z, experience_moduli(rock))),
+                  5e-3);
     rock.bedding.clear();
-    EXPECT_NEAR(Experience(rock, 0.0).at(z.head(2)),
-                without.dot(experience_features(z.head(2), experience_moduli(rock))), 5e-3);
+    const std::vector<double> two(experienced_ratios(false).size(), 0.25 * k);
+    EXPECT_NEAR(Experience(rock, 0.0).at(two), without.dot(features_of(two, experience_moduli(rock))), 5e-3);
   }
 }
 

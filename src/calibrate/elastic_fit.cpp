@@ -1,0 +1,164 @@
+#include "calibrate/elastic_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "calibrate/elastic_problem.hpp"
+#include "calibrate/elastic_verdict.hpp"
+
+namespace phy {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Point = ElasticProblem::Point;
+
+constexpr double z_95 = 1.959964;
+constexpr double nu_after_conflict = 0.1;      // weight
+constexpr std::size_t n_first_correction = 2;  // packings
+constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
+
+Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
+  return {v.data(), static_cast<Eigen::Index>(v.size())};
+}
+
+/// The face that Eigen's solver wants.
+struct Functor {
+  ElasticProblem& problem;
+  Linearised at(const VectorXd& x) const { return problem.linearised(Point(x.begin(), x.end())); }
+  int values() const { return static_cast<int>(problem.n_residuals()); }
+  int operator()(const VectorXd& x, VectorXd& r) const { return r = vector_of(at(x).residuals), 0; }
+  int df(const VectorXd& x, MatrixXd& J) const {
+    return J = vector_of(at(x).jacobian).reshaped(values(), x.size()), 0;
+  }
+};
+
+void minimise(ElasticProblem& problem, Point& x, int most, double tolerance) {
+  Functor functor{problem};
+  Eigen::LevenbergMarquardt<Functor> solver(functor);
+  solver.parameters.maxfev = most;
+  solver.parameters.ftol = solver.parameters.xtol = tolerance;
+  solver.parameters.factor = 10.0;
+  VectorXd moved = vector_of(x);
+  solver.minimize(moved);
+  x.assign(moved.begin(), moved.end());
+}
+
+/// As many packings as the scatter of E asks for, the first of them `seeds`.
+void take_packings(ElasticProblem& problem, const Point& x, std::vector<std::int64_t> seeds,
+                   const std::vector<std::int64_t>& spare) {
+  const std::size_t n_first = seeds.size();
+  problem.use_packings(seeds);
+  const double wanted = std::ceil(std::pow(problem.worst_scatter(x) / packing_error, 2.0));
+  for (const std::int64_t seed : spare)
+    if (static_cast<double>(seeds.size()) < wanted) seeds.push_back(seed);
+  if (seeds.size() > n_first) problem.use_packings(seeds);
+  problem.weigh_packings(x);
+}
+
+/// On all packings, with the effect of one-sided contacts measured on `n_corrected` of them.
+void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
+  problem.correct(x, n_corrected);
+  minimise(problem, x, 4, 1e-3);
+}
+
+/// (J^T J)^-1. A model that misses the table by more than the scatter of laboratory and packings is known no
+/// better than it fits: the covariance grows with the misfit per degree of freedom.
+MatrixXd covariance_at(ElasticProblem& problem, const Point& x) {
+  const Linearised at = problem.linearised(x);
+  const auto n = static_cast<Eigen::Index>(problem.n_targets()), m = static_cast<Eigen::Index>(x.size());
+  const VectorXd r = vector_of(at.residuals);
+  const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
+  const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
+  return (J.transpose() * J).inverse() * std::max(1.0, misfit);
+}
+
+/// 95 % interval of the rock's own value, known from two sides: its specimens deviate from the mean over
+/// packings by as much as packings do, and the laboratory has measured them. `variance`: of the model's mean.
+std::pair<double, double> interval_of(const Comparison& c, double variance) {
+  const Target& t = c.target;
+  const double scatter = std::isfinite(c.sd) ? c.sd * c.sd / std::max(1, t.n) : 0.0;
+  const double lab = std::pow(counted_error(t), 2.0), share = lab / (lab + scatter);
+  const double centre = share * c.mean + (1.0 - share) * t.mean;
+  const double half = z_95 * std::sqrt(share * share * variance + share * scatter);
+  return {centre - half, centre + half};
+}
+
+Estimate estimate(const ElasticParameter& p, const LogBox& box, double x, double sd) {
+  Estimate e = sought(p);
+  e.value = std::exp(x);
+  e.low = std::exp(std::max(std::min(box.low, x), x - z_95 * sd));
+  e.high = std::exp(std::min(std::max(box.high, x), x + z_95 * sd));
+  e.box_low = std::exp(box.low), e.box_high = std::exp(box.high);
+  e.determined = std::log(e.high / e.low) < 0.5 * (box.high - box.low);
+  return e;
+}
+
+void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
+  const MatrixXd covariance = covariance_at(problem, x);
+  fit.recipe = problem.recipe_at(x);
+  for (std::size_t j = 0; j < problem.n_parameters(); ++j) {
+    const auto d = static_cast<Eigen::Index>(j);
+    fit.parameters.push_back(
+        estimate(problem.parameter(j), problem.box(j), x[j], std::sqrt(covariance(d, d))));
+  }
+  for (std::size_t i = 0; i < problem.n_targets(); ++i) {
+    const ElasticAnswer& a = problem.answers(x)[i];
+    const auto slope = vector_of(a.slope);
+    Comparison c = problem.compared(i, a);
+    std::tie(c.low, c.high) = interval_of(c, slope.dot(covariance * slope));
+    fit.comparisons.push_back(c);
+  }
+}
+
+bool misses_E(const std::vector<Comparison>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const Comparison& c) { return c.target.property == Property::E && misses(c); });
+}
+
+/// Largest relative deviation of E.
+double worst_E(const std::vector<Comparison>& rows) {
+  double worst = 0.0;
+  for (const Comparison& c : rows)
+    if (c.target.property == Property::E) worst = std::max(worst, std::fabs(c.error()));
+  return worst;
+}
+
+}  // namespace
+
+ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
+                       const std::vector<std::int64_t>& spare, Simulator& simulator,
+                       const std::function<void(const std::string&)>& say) {
+  ElasticFit fit;
+  fit.recipe = evidence.rock.model;
+  if (!evidence.has(Property::E)) return fit;
+  ElasticProblem problem(evidence, simulator);
+  problem.use_packings({seeds.front()});
+  Point x = problem.first_guess(seeds.front());
+  minimise(problem, x, 20, 1e-3);
+  say(fmt::format("elastic search done after {} solutions", problem.n_solutions()));
+  take_packings(problem, x, seeds, spare);
+  refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it
+  refine(problem, x, seeds.size());
+  if (const std::vector<Comparison> rows = problem.comparisons(x);
+      evidence.has(Property::nu) && misses_E(rows)) {
+    fit.E_before = worst_E(rows);
+    const ElasticProblem with_nu = problem;
+    const Point x_with_nu = x;
+    problem.weigh_nu(nu_after_conflict);
+    minimise(problem, x, 6, 1e-3);
+    refine(problem, x, seeds.size());
+    fit.nu_gave_way = worst_E(problem.comparisons(x)) < 0.9 * fit.E_before;
+    if (!fit.nu_gave_way) x = x_with_nu, problem.go_back_to(with_nu);
+  }
+  report(fit, problem, x);
+  fit.n_solutions = problem.n_solutions();
+  return fit;
+}
+
+}  // namespace phy

@@ -1,0 +1,39 @@
+// The elastic stage: E_c, ks_over_kn, k_n, k_s against all E(theta) and nu(theta) at once.
+//
+// Nonlinear least squares (elastic_problem.hpp; Levenberg-Marquardt, Eigen's port of MINPACK) need a handful
+// of evaluations. All joints are in place and the answer is averaged over packings: no macro-micro line is
+// assumed, E(90) of a jointed specimen may lie below the intact E. Search on one packing from the least
+// squares of Eq. 1, then on all. Where joints are soft, packings differ most: as many are taken as bring the
+// standard error of the mean over them below 1 % of E, up to all that there are.
+//
+// E and nu of a table may belong to no layered elastic body, or to one that joints in an isotropic matrix are
+// not: then no parameters have both (elastic_limits.hpp says which). If E misses the table by more than 2 %,
+// and by more than the laboratory's scatter explains, while nu is in the fit, the stage is repeated with nu
+// at a tenth of its weight: moduli matter most to an engineer, and the verdict tells by how much nu gave way.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calibrate/evidence.hpp"
+#include "calibrate/parameters.hpp"
+#include "calibrate/simulator.hpp"
+
+namespace phy {
+
+struct ElasticFit {
+  Recipe recipe;                        ///< the rock's model with the fitted parameters
+  std::vector<Estimate> parameters;     ///< elastic_parameters(), those that the rock has
+  std::vector<Comparison> comparisons;  ///< in the order of the targets
+  bool nu_gave_way = false;
+  double E_before = 0.0;  ///< where it did: largest relative error of E before
+  std::int64_t n_solutions = 0;
+};
+
+/// Against the moduli of the evidence. Without E the recipe stays as it is. `seeds`: packings; `spare`: more
+/// of them, taken in turn where E differs much between packings.
+ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
+                       const std::vector<std::int64_t>& spare, Simulator& simulator,
+                       const std::function<void(const std::string&)>& say);
+
+}  // namespace phy

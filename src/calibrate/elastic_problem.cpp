@@ -1,0 +1,184 @@
+#include "calibrate/elastic_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stats.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "theory/eq1_fit.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double wall = 20.0;          // per logarithm outside the box: a soft but certain stop
+constexpr double usual_overlap = 1.5;  // joint length per plane length, for the first guess only
+// what one-sided contacts usually make of E and nu, until it is measured
+constexpr double usual_factor = 0.97, usual_addition = 0.05;
+
+/// dE or dnu by a parameter of the direct solution.
+double rate(const Sensitivity& s, Property property) { return property == Property::E ? s.dE : s.dnu; }
+
+/// Eq. 1 by least squares; where it refuses, a guess of usual joints.
+JointedRock macro_of(const Evidence& evidence) {
+  std::vector<ModulusReading> readings;
+  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
+  Eq1Options options;
+  options.reference = Eq1Reference::free;
+  const Eq1Fit eq1 = fit_eq1(readings, options);
+  const double stiffest = evidence.scales.modulus;
+  return eq1.ok() ? eq1.rock : JointedRock{stiffest, 4.0 * stiffest, 2.0 * stiffest, 0.25};
+}
+
+}  // namespace
+
+ElasticProblem::ElasticProblem(const Evidence& evidence, Simulator& simulator)
+    : evidence_(evidence), simulator_(simulator), parameters_(elastic_parameters(evidence.rock.bedded)) {
+  for (const ElasticParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
+  for (const Target& t : evidence.moduli) {
+    const bool modulus = t.property == Property::E;
+    rows_.push_back({t, modulus ? usual_factor : 1.0, modulus ? 0.0 : usual_addition});
+  }
+}
+
+void ElasticProblem::use_packings(std::vector<std::int64_t> seeds) { seeds_ = std::move(seeds), x_.clear(); }
+
+ElasticProblem::Point ElasticProblem::first_guess(std::int64_t seed) {
+  const Recipe& model = evidence_.rock.model;
+  FirstSight sight;
+  sight.macro = macro_of(evidence_);
+  Recipe intact = single_at(model, 0.0, seed);
+  intact.bedding.clear();
+  sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, true).front().E_gauge;
+  ++n_solutions_;
+  if (evidence_.rock.bedded) sight.joint_length = usual_overlap * model.bedding.front().spacing;
+  Point x;
+  for (std::size_t j = 0; j < n_parameters(); ++j) {
+    auto* const guess = parameter(j).first_guess;
+    x.push_back(std::clamp(guess == nullptr ? box(j).usual : std::log(guess(sight)), box(j).low + 0.1,
+                           box(j).high - 0.1));
+  }
+  return x;
+}
+
+Recipe ElasticProblem::recipe_at(const Point& x) const {
+  Recipe r = evidence_.rock.model;
+  for (std::size_t j = 0; j < n_parameters(); ++j)
+    parameter(j).set(r, std::exp(std::clamp(x[j], box(j).low - 1.0, box(j).high + 1.0)));
+  return r;
+}
+
+const std::vector<ElasticAnswer>& ElasticProblem::answers(const Point& x) {
+  if (x_ != x) x_ = x, two_sided_ = solved(x, seeds_, true);
+  answers_ = two_sided_;
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    ElasticAnswer& a = answers_[i];
+    a.mean = a.mean * rows_[i].factor + rows_[i].addition, a.sd *= rows_[i].factor;
+    for (double& slope : a.slope) slope *= rows_[i].factor;
+  }
+  return answers_;
+}
+
+Linearised ElasticProblem::linearised(const Point& x) {
+  const std::vector<ElasticAnswer>& a = answers(x);
+  const std::size_t n = n_targets(), m = n_parameters();
+  Linearised at{std::vector<double>(n_residuals()), std::vector<double>(n_residuals() * m)};
+  const auto J = [&](std::size_t i, std::size_t j) -> double& { return at.jacobian[j * n_residuals() + i]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    const double lab = rows_[i].target.mean, s = unit_of_misfit(rows_[i]);
+    const bool modulus = rows_[i].is_modulus();
+    const double r = modulus ? std::log(a[i].mean / lab) / s : (a[i].mean - lab) / s;
+    const bool answered = std::isfinite(r);
+    at.residuals[i] = answered ? r : 1e3;  // no answer here: step back
+    for (std::size_t j = 0; j < m && answered; ++j)
+      J(i, j) = (modulus ? 1.0 / a[i].mean : 1.0) * a[i].slope[j] / s;
+  }
+  for (std::size_t j = 0; j < m; ++j) {
+    const double s = 0.5 * (box(j).high - box(j).low);
+    at.residuals[n + j] = (x[j] - box(j).usual) / s, J(n + j, j) = 1.0 / s;
+    const double out = x[j] - std::clamp(x[j], box(j).low, box(j).high);
+    at.residuals[n + m + j] = wall * out, J(n + m + j, j) = out != 0.0 ? wall : 0.0;
+  }
+  return at;
+}
+
+std::vector<Comparison> ElasticProblem::comparisons(const Point& x) {
+  std::vector<Comparison> rows;
+  for (const ElasticAnswer& a : answers(x)) rows.push_back(compared(rows.size(), a));
+  return rows;
+}
+
+Comparison ElasticProblem::compared(std::size_t i, const ElasticAnswer& answer) const {
+  Comparison c;
+  c.target = rows_[i].target, c.mean = answer.mean, c.sd = answer.sd;
+  c.n_packings = static_cast<int>(seeds_.size());
+  return c;
+}
+
+void ElasticProblem::correct(const Point& x, std::size_t n) {
+  answers(x);
+  const auto count = static_cast<std::ptrdiff_t>(n);
+  const std::vector<ElasticAnswer> one_sided = solved(x, {seeds_.begin(), seeds_.begin() + count}, false);
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    const std::vector<double>& all = two_sided_[i].values;
+    const double before = summarise({all.begin(), all.begin() + count}).mean, after = one_sided[i].mean;
+    double& correction = rows_[i].is_modulus() ? rows_[i].factor : rows_[i].addition;
+    const double measured = rows_[i].is_modulus() ? after / before : after - before;
+    if (std::isfinite(measured)) correction = measured;
+  }
+}
+
+void ElasticProblem::weigh_packings(const Point& x) {
+  const std::vector<ElasticAnswer>& a = answers(x);
+  const double root = std::sqrt(seeds_.size());
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    const double unit = rows_[i].is_modulus() ? a[i].mean : 1.0;
+    rows_[i].packing_error = std::isfinite(a[i].sd) ? a[i].sd / unit / root : 0.0;
+  }
+}
+
+double ElasticProblem::worst_scatter(const Point& x) {
+  double worst = 0.0;
+  const std::vector<ElasticAnswer>& a = answers(x);
+  for (std::size_t i = 0; i < n_targets(); ++i)
+    if (rows_[i].is_modulus()) worst = std::max(worst, a[i].sd / a[i].mean);
+  return worst;
+}
+
+std::vector<ElasticAnswer> ElasticProblem::solved(const Point& x, const std::vector<std::int64_t>& seeds,
+                                                  bool bilateral) {
+  const Recipe recipe = recipe_at(x);
+  const auto solutions = solve_angles(recipe, evidence_.moduli, seeds, bilateral, simulator_);
+  n_solutions_ += static_cast<std::int64_t>(solutions.size() * seeds.size());
+  std::vector<ElasticAnswer> answers;
+  for (const Row& row : rows_)
+    answers.push_back(mean_of(solutions.at(row.target.theta), row.target.property, recipe));
+  return answers;
+}
+
+ElasticAnswer ElasticProblem::mean_of(const std::vector<ElasticResult>& results, Property property,
+                                      const Recipe& recipe) const {
+  ElasticAnswer a;
+  a.slope.assign(n_parameters(), 0.0);
+  for (const ElasticResult& r : results) {
+    a.values.push_back(reading_of(r, property));
+    for (std::size_t j = 0; j < n_parameters(); ++j)
+      for (const Sensitivity& s : r.sensitivities)
+        if (const auto& rates = parameter(j).rates;
+            std::find(rates.begin(), rates.end(), s.parameter) != rates.end())
+          a.slope[j] += rate(s, property) * parameter(j).get(recipe);
+  }
+  for (double& slope : a.slope) slope /= static_cast<double>(results.size());
+  const Summary s = summarise(a.values);
+  a.mean = s.mean, a.sd = s.sd;
+  return a;
+}
+
+/// Error of the laboratory's mean and of the mean over packings.
+double ElasticProblem::unit_of_misfit(const Row& row) const {
+  const Target& t = row.target;
+  if (row.is_modulus())
+    return std::hypot(std::max(least_error_E, t.standard_error() / t.mean), row.packing_error);
+  return std::hypot(counted_error(t), row.packing_error) / nu_weight_;
+}
+
+}  // namespace phy

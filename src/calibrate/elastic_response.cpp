@@ -1,0 +1,52 @@
+#include "calibrate/elastic_response.hpp"
+
+#include "base/stats.hpp"
+#include "genesis/specimen.hpp"
+
+namespace phy {
+
+Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
+  Recipe one = recipe;
+  one.packing.seed = seed;
+  one.test.angles.clear();
+  one.test.intact = false;
+  if (!one.bedding.empty()) one.bedding = turned(recipe.bedding, theta);
+  return one;
+}
+
+double reading_of(const ElasticResult& solution, Property property) {
+  return property == Property::E ? solution.E_gauge : solution.nu_gauge;
+}
+
+std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
+                                                          const std::vector<Target>& moduli,
+                                                          const std::vector<std::int64_t>& seeds,
+                                                          bool bilateral, Simulator& simulator) {
+  std::map<double, std::vector<ElasticResult>> at;
+  for (const Target& t : moduli) at[t.theta];
+  std::vector<Recipe> recipes;  // packing by packing: what a factorisation needs to know of one is made once
+  for (const std::int64_t seed : seeds)
+    for (const auto& [theta, none] : at) recipes.push_back(single_at(recipe, theta, seed));
+  std::vector<ElasticResult> results = simulator.elastic(recipes, bilateral);
+  auto next = results.begin();
+  for (std::size_t p = 0; p < seeds.size(); ++p)
+    for (auto& [theta, solutions] : at) solutions.push_back(std::move(*next++));
+  return at;
+}
+
+std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
+                                         const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  const auto solutions = solve_angles(recipe, moduli, seeds, false, simulator);
+  std::vector<Comparison> rows;
+  for (const Target& t : moduli) {
+    std::vector<double> values;
+    for (const ElasticResult& r : solutions.at(t.theta)) values.push_back(reading_of(r, t.property));
+    const Summary s = summarise(values);
+    Comparison c;
+    c.target = t, c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(seeds.size());
+    rows.push_back(c);
+  }
+  return rows;
+}
+
+}  // namespace phy

@@ -1,0 +1,28 @@
+// E and nu of a recipe by the direct solution, at the angles of a table, on as many packings as asked for.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "calibrate/simulator.hpp"
+#include "records/calibration.hpp"
+
+namespace phy {
+
+/// The recipe's one specimen at an angle of the table, on the packing of a seed.
+Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed);
+
+/// What a target of E or nu is compared with.
+double reading_of(const ElasticResult& solution, Property property);
+
+/// Solutions by the angle of the targets, each list in the order of the seeds.
+std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
+                                                          const std::vector<Target>& moduli,
+                                                          const std::vector<std::int64_t>& seeds,
+                                                          bool bilateral, Simulator& simulator);
+
+/// Mean E and nu at the targets over packings, one-sided contacts.
+std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
+                                         const std::vector<std::int64_t>& seeds, Simulator& simulator);
+
+}  // namespace phy

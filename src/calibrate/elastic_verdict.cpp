@@ -1,0 +1,86 @@
+#include "calibrate/elastic_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/lines.hpp"
+#include "calibrate/elastic_limits.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double at_edge = 0.01;  // of a logarithm
+
+void tell_edges(ElasticVerdict& verdict, const std::vector<Estimate>& parameters) {
+  for (const Estimate& e : parameters)
+    if (std::log(e.value / e.box_low) < at_edge || std::log(e.box_high / e.value) < at_edge)
+      verdict.findings.push_back(fmt::format("{} lies at the edge of its box ({:.4g})", e.symbol, e.value));
+}
+
+/// E of one cell beyond what passes without a word. True: the scatter of the packings does not explain it.
+bool tell_modulus(ElasticVerdict& verdict, const Comparison& c) {
+  const Target& t = c.target;
+  const double noise = excusing_error(t) / t.mean;
+  const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
+  const double chance = z_seven * std::hypot(noise, packings);
+  const bool by_chance = std::fabs(c.error()) <= chance;
+  verdict.findings.push_back(fmt::format(
+      "E({:g}) = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}{}", t.theta, c.mean * 1e-9,
+      100.0 * c.error(), t.mean * 1e-9,
+      by_chance ? fmt::format(": {}packings of this size scatter that much (+-{:.1f} % on the means)",
+                              noise > 0.0 ? "laboratory and " : "", 100.0 * chance)
+                : ""));
+  return !by_chance;
+}
+
+/// Why: what the table asks of any body of its kind; what nu had to give for E.
+void tell_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool nu_missed) {
+  if (evidence.rock.bedded)
+    if (const std::string limit = elastic_limit(evidence.moduli); !limit.empty())
+      verdict.findings.push_back(limit);
+  if (fit.nu_gave_way && nu_missed)
+    verdict.findings.push_back(
+        fmt::format("nu gave way to E: with full weight on both, E missed the table by up to {:.1f} %",
+                    100.0 * fit.E_before));
+}
+
+}  // namespace
+
+double modulus_limit(const Target& t) {
+  const double noise = z_seven * excusing_error(t);
+  return t.property == Property::E ? std::max(elastic_tolerance, noise / t.mean)
+                                   : std::max(nu_tolerance, noise);
+}
+
+bool misses(const Comparison& modulus) {
+  const Target& t = modulus.target;
+  const double error = t.property == Property::E ? modulus.error() : modulus.mean - t.mean;
+  return std::fabs(error) > modulus_limit(t);
+}
+
+ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
+  ElasticVerdict verdict;
+  tell_edges(verdict, fit.parameters);
+  double worst = 0.0;
+  bool nu_missed = false;
+  for (const Comparison& c : fit.comparisons) {
+    const Target& t = c.target;
+    if (!c.answered()) {
+      verdict.out_of_reach = true;
+      add_line(verdict.findings, cell_name(t),
+               "the model has no answer (`phyllite elastic` with calibrated.toml tells why)");
+    } else if (misses(c) && t.property == Property::E) {
+      if (tell_modulus(verdict, c)) worst = std::max(worst, std::fabs(c.error()));
+    } else if (misses(c)) {
+      nu_missed = true;
+      verdict.findings.push_back(fmt::format("nu({:g}) = {:.3f} instead of {:.3f}", t.theta, c.mean, t.mean));
+    }
+  }
+  if (worst > 0.0 || nu_missed) tell_limit(verdict, fit, evidence, nu_missed);
+  verdict.out_of_reach = verdict.out_of_reach || worst > 2.0 * elastic_tolerance;
+  return verdict;
+}
+
+}  // namespace phy

@@ -1,0 +1,40 @@
+#include "calibrate/evidence.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "calibrate/strength_tests.hpp"
+
+namespace phy {
+
+Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
+
+Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), targets(std::move(read)) {
+  for (const Target& t : targets) {
+    if (!is_strength(t.property)) moduli.push_back(t);
+    if (can_test(t.property)) strengths.push_back(t), scales.strength = std::max(scales.strength, t.mean);
+    if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
+  }
+  if (rock.bedded && !rock.model.bedding.empty())
+    scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;
+}
+
+bool Evidence::has(Property property, double from, double to) const {
+  return std::any_of(targets.begin(), targets.end(), [&](const Target& t) {
+    return t.property == property && t.theta >= from && t.theta <= to;
+  });
+}
+
+std::int64_t Evidence::n_ucs() const {
+  return std::count_if(targets.begin(), targets.end(),
+                       [](const Target& t) { return t.property == Property::ucs; });
+}
+
+double counted_error(const Target& modulus) {
+  const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
+  return std::max(least, modulus.standard_error());
+}
+
+double excusing_error(const Target& t) { return t.sd_assumed ? 0.0 : t.standard_error(); }
+
+}  // namespace phy

@@ -1,0 +1,45 @@
+// What a calibration has to go by: a rock and its table, read as targets once for all that follows.
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "records/rock.hpp"
+
+namespace phy {
+
+/// What a rock measures its parameters by: boxes of quantities are multiples of these (parameters.hpp).
+struct Scales {
+  double modulus = 0.0;    ///< largest E of the table [Pa]; 0 without E
+  double stiffness = 0.0;  ///< that over the spacing of the planes [Pa/m]; 0 without bedding
+  double strength = 0.0;   ///< largest strength of the table [Pa]; 0 without any
+};
+
+struct Evidence {
+  Rock rock;
+  std::vector<Target> targets;    ///< in the order of targets_of()
+  std::vector<Target> moduli;     ///< of these, E and nu: against the direct solution
+  std::vector<Target> strengths;  ///< of these, those that the program can test: against the press
+  Scales scales;
+
+  explicit Evidence(Rock of);
+  /// With targets that are not the rock's own readings.
+  Evidence(Rock of, std::vector<Target> read);
+  /// Is there a value between two inclinations [deg], both included?
+  bool has(Property property, double from = -infinity, double to = infinity) const;
+  std::int64_t n_ucs() const;
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+/// Least errors with which E (relative) and nu of a table are taken.
+constexpr double least_error_E = 0.005, least_error_nu = 0.005;
+
+/// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
+double counted_error(const Target& modulus);
+
+/// Standard error that may excuse a miss: an assumed scatter excuses nothing.
+double excusing_error(const Target& t);
+
+}  // namespace phy
