@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "records/test_description.hpp"
+
 namespace phy::group {
 namespace {
 
@@ -11,8 +13,8 @@ constexpr double loaded = 1e-4;        // strain from which the balance means so
 
 /// Of all columns that any kind of test writes.
 bool all_numbers(const HistoryRow& row) {
-  for (const TestKind kind : all_kinds)
-    for (const HistoryColumn& c : history_columns(kind))
+  for (const TestDescription* test : laboratory_tests())
+    for (const HistoryColumn& c : test->columns)
       if (!std::isfinite(row.*c.value)) return false;
   return true;
 }

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/analyse.hpp"
 #include "analysis/specimen_checks.hpp"
-#include "base/check.hpp"
-#include "lab/biaxial.hpp"
-#include "lab/brazilian.hpp"
-#include "lab/direct_shear.hpp"
-#include "lab/direct_tension.hpp"
 #include "lab/instability.hpp"
-#include "lab/rigs.hpp"
-#include "lab/uniaxial.hpp"
+#include "lab/tests.hpp"
 #include "records/quality.hpp"
 
 namespace phy {
@@ -23,14 +18,6 @@ constexpr double settled = 1e-3;               // mean unbalanced force / mean c
 constexpr std::int64_t settle_cycles = 40000;  // give up after
 constexpr std::int64_t steady_blocks = 10;     // in a row, before a prepared stress counts as reached
 constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
-
-/// "strain 0.1234 %"; of direct shear the displacement, over the width.
-std::string strain_text(TestKind kind, double strain, int digits) {
-  const double percent = 100.0 * strain;
-  return kind == TestKind::direct_shear
-             ? fmt::format("a shear displacement of {:.{}f} % of the width", percent, digits)
-             : fmt::format("strain {:.{}f} %", percent, digits);
-}
 
 }  // namespace
 
@@ -140,15 +127,25 @@ bool LabTest::after_block() {
   return check_stop();
 }
 
+LabTest::Reading LabTest::reading(const HistoryRow& row) const {
+  const TestCurve& curve = test().curve;
+  const double way = curve.strain_of(row);
+  return {curve.stress_of(row), test().loads_by_strain() ? way : way / packing().width};
+}
+
+std::string LabTest::extent(double strain, int digits) const {
+  return fmt::format(fmt::runtime(test().extent), fmt::format("{:.{}f}", 100.0 * strain, digits));
+}
+
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
-  const TestKind kind = recipe_.test.kind;
-  const char* const stress = stress_name(kind);
+  const char* const stress = test().stress;
+  const bool to_the_end = test().runs_to_end;
   // Nothing fails before it has carried something and something has broken: what falls earlier is the first
   // stress wave.
-  const bool may_stop = ends_after_peak() && peak_.stress > 0.0 && now.strain > first_stop_strain() &&
-                        row.n_cracks >= least_cracks;
+  const bool may_stop =
+      !to_the_end && peak_.stress > 0.0 && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", stress,
@@ -161,25 +158,24 @@ bool LabTest::check_stop() {
                     stress, peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
                     now.strain * 100.0),
         "");
-  if (now.strain >= max_strain() && !ends_after_peak() && peak_.strain < now.strain)
+  if (now.strain >= max_strain() && to_the_end && peak_.strain < now.strain)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, {:.2f} MPa at the end", stress, peak_.stress * 1e-6,
-                           strain_text(kind, peak_.strain, 4), now.stress * 1e-6),
+                           extent(peak_.strain, 4), now.stress * 1e-6),
                "");
-  if (now.strain >= max_strain() && !ends_after_peak())
+  if (now.strain >= max_strain() && to_the_end)
     return end(Status::not_peaked,
-               fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress,
-                           strain_text(kind, now.strain, 3), now.stress * 1e-6),
+               fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress, extent(now.strain, 3),
+                           now.stress * 1e-6),
                "raise test.max_strain");
   return now.strain >= max_strain() && end_without_peak(now);
 }
 
 /// The largest strain is reached: why there is no peak, and what to change.
 bool LabTest::end_without_peak(const Reading& now) {
-  const TestKind kind = recipe_.test.kind;
-  const char* const stress = stress_name(kind);
+  const char* const stress = test().stress;
   const double n_broken = result_.history.rows.back().n_cracks;
-  const std::string at = strain_text(kind, now.strain, 3);
+  const std::string at = extent(now.strain, 3);
   if (specimen_->matrix.unbreakable)
     return end(Status::not_peaked, "nothing can break, up to " + at,
                "set matrix.unbreakable = false to get a strength");
@@ -213,8 +209,7 @@ void LabTest::keep_pictures() {
 void LabTest::interrupt() {
   if (phase_ != Phase::over)
     end(Status::interrupted,
-        fmt::format("stopped by the user at {}",
-                    strain_text(recipe_.test.kind, reading(group_->row(lane_)).strain, 4)),
+        fmt::format("stopped by the user at {}", extent(reading(group_->row(lane_)).strain, 4)),
         "run the same recipe again");
 }
 
@@ -233,10 +228,8 @@ double LabTest::progress() const {
 }
 
 void LabTest::read_numbers() {
-  AnalysisOptions options = analysis();
-  options.density = specimen_->matrix.density * (1.0 - packing().report.porosity);
-  options.length = packing().height;
-  result_.numbers = analyse(result_.history, result_.cracks, options);
+  const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
+  result_.numbers = told(numbers({density, packing().height}));
   for (Number& n : specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
@@ -268,30 +261,6 @@ TestResult blank_result(const Specimen& specimen, TestKind kind) {
   r.intact = specimen.bedding.empty();
   if (!r.intact) r.theta = specimen.bedding.front().theta;
   return r;
-}
-
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane) {
-  switch (recipe.test.kind) {
-    case TestKind::uniaxial: return std::make_unique<UniaxialTest>(specimen, recipe, group, lane);
-    case TestKind::direct_tension: return std::make_unique<DirectTensionTest>(specimen, recipe, group, lane);
-    case TestKind::brazilian: return std::make_unique<BrazilianTest>(specimen, recipe, group, lane);
-    case TestKind::biaxial: return std::make_unique<BiaxialTest>(specimen, recipe, group, lane);
-    case TestKind::direct_shear: return std::make_unique<DirectShearTest>(specimen, recipe, group, lane);
-  }
-  PHY_CHECK(false, "every kind of test has its room");
-  return nullptr;
-}
-
-TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {
-  GroupOptions options;
-  options.isa = native_isa();
-  options.interval = static_cast<int>(recipe.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
-  const auto test = make_test(specimen, recipe, *group, 0);
-  do group->advance();
-  while (!test->after_block());
-  return test->take_result();
 }
 
 }  // namespace phy

@@ -16,12 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/analyse.hpp"
+#include "analysis/energy.hpp"
 #include "engine/lane_group.hpp"
 #include "lab/moments.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 
@@ -57,14 +58,11 @@ class LabTest {
   virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
   /// Sets the tools in motion, at the start of loading.
   virtual void drive() = 0;
-  virtual Reading reading(const HistoryRow& row) const { return {row.axial_stress, row.axial_strain}; }
   virtual double max_strain() const { return recipe_.test.max_strain; }
   /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
   virtual double first_stop_strain() const { return 0.0; }
-  /// False for a test that runs to max_strain whatever happens, for what comes after the peak.
-  virtual bool ends_after_peak() const { return true; }
-  /// What the analysis has to know beside the history and what all tests tell it (read_numbers).
-  virtual AnalysisOptions analysis() const { return {}; }
+  /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
+  virtual std::vector<Number> numbers(const WavePath& path) const = 0;
 
   void start_loading();
   /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
@@ -84,6 +82,10 @@ class LabTest {
 
  private:
   enum class Phase { settle, prepare, load, over };
+  const TestDescription& test() const { return *recipe_.test.kind; }
+  Reading reading(const HistoryRow& row) const;
+  /// "strain 0.1234 %"; of direct shear the displacement, over the width.
+  std::string extent(double strain, int digits) const;
   void place_rig();
   Frame frame() const;
   void keep_pictures();
@@ -106,12 +108,5 @@ class LabTest {
 
 /// The result of a test that has not begun: it knows whose it is.
 TestResult blank_result(const Specimen& specimen, TestKind kind);
-
-/// The test that the recipe names, in a lane of the group.
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane);
-
-/// Runs the recipe's test on one specimen to its end, alone and in double precision.
-TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe);
 
 }  // namespace phy

@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/clusters.hpp"
-#include "lab/rigs.hpp"
+#include "lab/tests.hpp"
 
 namespace phy {
 namespace {
@@ -37,13 +37,9 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   if (lost.empty())
     lost = fmt::format("{} discs have {} contact(s), and none of their chains leads across", n,
                        specimen.contacts.size());
-  if (const TestKind kind = recipe.test.kind; no_reach && kind == TestKind::direct_tension)
-    throw InputError(
-        Problem{"", "test.grip_thickness", fmt::format("{:g} mm", 1e3 * recipe.test.grip_thickness),
-                "grips that reach discs", lost + ": raise it, or leave it out (four largest radii)"});
-  else if (no_reach && kind == TestKind::direct_shear)
-    throw InputError(Problem{"", "test.shear_gap", fmt::format("{:g} mm", 1e3 * recipe.test.shear_gap),
-                             "boxes that hold discs", lost + ": lower it"});
+  if (const HoldKey& hold = room_of(recipe).hold; no_reach && hold.value != nullptr)
+    throw InputError(Problem{"", hold.key, fmt::format("{:g} mm", 1e3 * (recipe.test.*hold.value)),
+                             hold.expected, lost + ": " + hold.remedy});
   const PackingRecipe& p = recipe.packing;
   const bool imported = !p.file.empty(), counted = p.n_grains > 0;
   throw InputError(

@@ -1,18 +1,18 @@
 // The Brazilian room: the disc, jaws and platens, validity.
-#include "lab/brazilian.hpp"
+#include "lab/brazilian/brazilian.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"
-#include "lab/rigs.hpp"
+#include "lab/brazilian/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 Recipe small_disc() {
-  Recipe r = small_rock(TestKind::brazilian);
+  Recipe r = small_rock(TestKind("brazilian"));
   r.specimen = {0.012, 0.012};
   r.packing.n_grains = 371;
   r.test.platen_speed = 0.02;
@@ -77,6 +77,11 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
     for (const Touch& t : tool.touches) least = std::min(least, t.gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
   }
+}
+
+TEST(Brazilian, DefinitionsSpeakOfTheTensionAtTheCentre) {
+  expect_speaks_of("tension at the centre of an elastic disc",
+                   disc_numbers(marble_of("brazilian"), {}, 0.1, 2700.0));
 }
 
 }  // namespace
