@@ -136,7 +136,7 @@ void Group<T>::jump(int lane, double axial_strain) {
     grain(g, g_uy, l) = T(u.y);
   }
   const LoadAxis& axis = info.rig().axial;
-  const Vec2 closing = 0.5 * axial_strain * axis.length * axis.direction;
+  const Vec2 closing = 0.5 * axial_strain * packing_->height * axis.direction;
   info.tools[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
   info.tools[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
   const MatrixRecipe& m = info.specimen->matrix;
@@ -287,8 +287,6 @@ Snapshot Group<T>::snapshot(int lane) const {
   const auto l = static_cast<std::size_t>(lane);
   Snapshot shot;
   shot.step = at(lane).row.step;
-  shot.axial_strain = at(lane).row.axial_strain;
-  shot.axial_stress = at(lane).row.axial_stress;
   shot.grains = grains(lane);
   for (std::size_t c = 0; c < pairs_.size(); ++c) {
     const ContactState s = contact_state(c, l);

@@ -87,20 +87,23 @@ struct Lane {
   double swept_from = 0.0;             // sum of height times displacement, when it was fitted
   double work = 0.0, slip = 0.0, damping = 0.0, released = 0.0;
   double base_energy = 0.0, base_axial = 0.0, base_lateral = 0.0;
-  double zero_axial = 0.0, zero_lateral = 0.0;  // approach of the tools where strains count from
+  double zero_travel = 0.0;   // of the axial tools where strains count from [m]
   bool settle_books = false;  // the next block's end is the zero of the energy balance (jump start)
   HistoryRow row;
   LaneHealth health;
-  std::vector<CrackEvent> cracks;
+  std::vector<Breakage> cracks;
   std::int64_t n_contacts = 0;
   std::vector<PairKey> near;  // of this lane's last search
   std::vector<double> range;  // of each sorted grain: the way since that search that the list allows for [m]
   bool searched = false;
 
   const Rig& rig() const { return *setup.rig; }
-  /// Compression along an axis of the rig, from displacements or forces of its two tools.
-  double approach(const LoadAxis& axis, Vec2 lo, Vec2 hi) const {
-    return dot(lo - hi, axis.direction) / axis.length;
+  /// Of the axial tools since the rig was placed [m].
+  double travel() const {
+    const LoadAxis& axis = rig().axial;
+    if (!axis.present() || !placed) return 0.0;
+    const auto at = [&](int tool) { return tools[static_cast<std::size_t>(tool)].state.displacement; };
+    return axis.travel(at(axis.lo), at(axis.hi));
   }
 };
 
@@ -128,8 +131,9 @@ class Group final : public LaneGroup {
   const ToolState& tool(int lane, int tool) const override {
     return at(lane).tools[static_cast<std::size_t>(tool)].state;
   }
+  JacketState jacket(int lane) const override { return {at(lane).pressure, at(lane).swept}; }
   const LaneHealth& health(int lane) const override { return at(lane).health; }
-  std::vector<CrackEvent>& cracks(int lane) override { return at(lane).cracks; }
+  std::vector<Breakage>& cracks(int lane) override { return at(lane).cracks; }
   Snapshot snapshot(int lane) const override;
   std::vector<GrainState> grains(int lane) const override;
   double time_step(int lane) const override { return at(lane).dt; }
@@ -264,8 +268,7 @@ class Group final : public LaneGroup {
   // books
   void keep_books(std::size_t lane);
   void book_tools(std::size_t lane);
-  CrackEvent crack_event(const RawCrack& raw, std::size_t lane) const;
-  void write_load(const Lane& lane, HistoryRow& row) const;
+  Breakage breakage(const RawCrack& raw, std::size_t lane) const;
   void write_row(std::size_t lane);
   void watch(std::size_t lane, const HistoryRow& before, double farthest_way);
   std::string deepest_overlap(std::size_t lane) const;

@@ -2,21 +2,22 @@
 
 #include <fmt/format.h>
 
-#include "records/test_description.hpp"
-
 namespace phy::group {
 namespace {
 
 constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
 constexpr double worst_energy = 0.2;   // of the boundary work: beyond it the step was unstable
-constexpr double loaded = 1e-4;        // strain from which the balance means something
 
-/// Of all columns that any kind of test writes.
-bool all_numbers(const HistoryRow& row) {
-  for (const TestDescription* test : laboratory_tests())
-    for (const HistoryColumn& c : test->columns)
-      if (!std::isfinite(row.*c.value)) return false;
-  return true;
+bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+/// Of all that a lane reports.
+bool all_numbers(const Lane& lane) {
+  for (const HistoryColumns& columns : {gauge_columns(), book_columns()})
+    for (const HistoryColumn& c : columns)
+      if (!std::isfinite(lane.row.*c.value)) return false;
+  for (const ToolMotion& t : lane.tools)
+    if (!is_finite(t.state.displacement) || !is_finite(t.state.force)) return false;
+  return std::isfinite(lane.pressure) && std::isfinite(lane.swept);
 }
 
 }  // namespace
@@ -55,14 +56,14 @@ void Group<T>::keep_books(std::size_t l) {
   for (const RawCrack& raw : raw_cracks_) {
     if (static_cast<std::size_t>(raw.lane) != l) continue;
     lane.released += raw.energy;
-    lane.cracks.push_back(crack_event(raw, l));
+    lane.cracks.push_back(breakage(raw, l));
   }
   lane.step += options_.interval;
   lane.time += options_.interval * lane.dt;
 }
 
 template <class T>
-CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
+Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   const Lane& lane = lanes_[l];
   const auto c = static_cast<std::size_t>(raw.contact), step = static_cast<std::size_t>(raw.step);
   const ContactConst<T>& k = contact_const_[c];
@@ -70,13 +71,13 @@ CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
   const Vec2 xa = x0_[a] + displacement(a, l), xb = x0_[b] + displacement(b, l);
   const Vec2 n = (1.0 / norm(xb - xa)) * (xb - xa);
   const bool joint = contact(c, c_side, l) != 0.0;
-  CrackEvent e;
+  Breakage broken;
+  CrackEvent& e = broken.crack;
   e.step = lane.step + raw.step + 1;
   e.time = lane.time + (raw.step + 1) * lane.dt;
   if (const LoadAxis& axis = lane.rig().axial; axis.present() && lane.placed)
-    e.strain = lane.approach(axis, tool_vector(tool_u_, step, static_cast<std::size_t>(axis.lo), l),
-                             tool_vector(tool_u_, step, static_cast<std::size_t>(axis.hi), l)) -
-               lane.zero_axial;
+    broken.travel = axis.travel(tool_vector(tool_u_, step, static_cast<std::size_t>(axis.lo), l),
+                                tool_vector(tool_u_, step, static_cast<std::size_t>(axis.hi), l));
   e.a = std::min(packing_id(k.a), packing_id(k.b));
   e.b = std::max(packing_id(k.a), packing_id(k.b));
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
@@ -92,33 +93,7 @@ CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
   }
   e.size = 2.0 * lambda * std::min(radius_[a], radius_[b]);
   e.energy = raw.energy;
-  return e;
-}
-
-/// Strain and stress of both axes of the rig.
-template <class T>
-void Group<T>::write_load(const Lane& lane, HistoryRow& r) const {
-  const auto state = [&](int tool) -> const ToolState& {
-    return lane.tools[static_cast<std::size_t>(tool)].state;
-  };
-  if (const LoadAxis& axis = lane.rig().axial; axis.present()) {
-    r.axial_strain =
-        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_axial;
-    r.stress_bottom = dot(state(axis.lo).force, axis.direction) / axis.area;
-    r.stress_top = -dot(state(axis.hi).force, axis.direction) / axis.area;
-    r.axial_stress = 0.5 * (r.stress_bottom + r.stress_top);
-  }
-  if (const LoadAxis& axis = lane.rig().lateral; axis.present()) {
-    r.lateral_strain =
-        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_lateral;
-    r.lateral_stress = 0.5 * dot(state(axis.lo).force - state(axis.hi).force, axis.direction) / axis.area;
-  }
-  if (jacket_) {
-    r.lateral_strain = lane.swept / (packing_->width * packing_->height) - lane.zero_lateral;
-    r.lateral_stress = lane.pressure;
-  }
-  r.deviatoric_stress = r.axial_stress - r.lateral_stress;
-  r.volumetric_strain = r.axial_strain + r.lateral_strain;
+  return broken;
 }
 
 template <class T>
@@ -127,7 +102,6 @@ void Group<T>::write_row(std::size_t l) {
   HistoryRow& r = lane.row;
   r.step = static_cast<double>(lane.step);
   r.time = lane.time;
-  if (lane.placed) write_load(lane, r);
   r.axial_strain_gauge = sample(s_gauge_axial, l) - lane.base_axial;
   r.lateral_strain_gauge = sample(s_gauge_lateral, l) - lane.base_lateral;
   r.n_cracks = static_cast<double>(lane.cracks.size());
@@ -179,7 +153,7 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
   Lane& lane = lanes_[l];
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
-  const bool numbers = all_numbers(r) && std::isfinite(overlap);
+  const bool numbers = all_numbers(lane) && std::isfinite(overlap);
   const bool beyond = numbers && farthest_way > 0.5 * skin_;  // what any list allows for
   const std::optional<PairKey> missed = beyond ? missed_pair(l) : std::nullopt;
   std::string& reason = lane.health.reason;
@@ -192,7 +166,8 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
         packing_id(key_a(*missed)), packing_id(key_b(*missed)));
   else if (overlap >= worst_overlap)
     reason = deepest_overlap(l);
-  else if (lane.placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
+  else if (std::fabs(lane.travel() - lane.zero_travel) > lane.rig().axial.loaded &&
+           std::fabs(r.energy_error) > worst_energy)
     reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
   else
     return;

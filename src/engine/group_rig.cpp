@@ -96,7 +96,7 @@ void Group<T>::place_rig(int lane) {
   info.base_energy = r.kinetic + r.strain_linear + r.strain_bond + r.strain_joint;
   info.base_axial = r.axial_strain_gauge;
   info.base_lateral = r.lateral_strain_gauge;
-  info.zero_axial = info.zero_lateral = 0.0;
+  info.zero_travel = 0.0;
   info.swept = 0.0;
   info.cracks.clear();
   info.row = HistoryRow{};
@@ -107,10 +107,8 @@ template <class T>
 void Group<T>::zero_strains(int lane) {
   Lane& info = at(lane);
   HistoryRow& r = info.row;
-  for (CrackEvent& c : info.cracks) c.strain -= r.axial_strain;
-  info.zero_axial += r.axial_strain, info.zero_lateral += r.lateral_strain;
+  info.zero_travel = info.travel();
   info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
-  r.axial_strain = r.lateral_strain = r.volumetric_strain = 0.0;
   r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
 }
 

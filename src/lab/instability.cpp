@@ -63,7 +63,7 @@ class Suspects {
     const double stress = kept.value != nullptr ? recipe_.test.*kept.value : 0.0;
     if (stress < squeezed * matrix_.E_c) return;
     add("lower test.{}: it is {:.2g} of the contact modulus{}", kept.key, stress / matrix_.E_c,
-        rig_of(packing_, recipe_).jacket
+        boundary_of(packing_, recipe_).rig.jacket
             ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
             : "");
   }

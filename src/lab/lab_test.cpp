@@ -27,7 +27,7 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       group_(&group),
       lane_(lane),
       result_(blank_result(*specimen_, recipe.test.kind)),
-      rig_(std::make_shared<const Rig>(rig_of(*specimen_->packing, recipe))),
+      boundary_(boundary_of(*specimen_->packing, recipe)),
       snapshots_(recipe.test.n_snapshots),
       frames_(recipe.test.n_frames) {}
 
@@ -36,10 +36,11 @@ void LabTest::begin() {
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
   setup.tool_friction = recipe_.test.platen_friction;
-  setup.rig = rig_;
+  setup.rig = std::make_shared<const Rig>(boundary_.rig);
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
+  row_ = {};
   blocks_ = n_at_target_ = n_steady_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
@@ -52,6 +53,8 @@ void LabTest::begin() {
 /// The specimen has settled: the rig comes in.
 void LabTest::place_rig() {
   group_->place_rig(lane_);
+  row_ = {};
+  zero_axial_ = zero_lateral_ = 0.0;
   blocks_ = 0;
   phase_ = Phase::prepare;
   on_placed();
@@ -80,18 +83,18 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
 
 /// What broke in the block that the watchdog has rejected is as little worth as its row.
 bool LabTest::end_unstable(const LaneHealth& health) {
-  const HistoryRow& row = group_->row(lane_);
-  const double last_good = row.step - static_cast<double>(recipe_.test.history_interval);
+  const double last_good = row_.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
-                [&](const CrackEvent& c) { return static_cast<double>(c.step) > last_good; });
-  return end(Status::unstable, health.reason, advice_on_instability(*specimen_, recipe_, row, health.outran));
+                [&](const Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
+  return end(Status::unstable, health.reason,
+             advice_on_instability(*specimen_, recipe_, row_, health.outran));
 }
 
 bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
   if (!at_target) return false;
   n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
   if (n_steady_ == steady_blocks) {
-    group_->zero_strains(lane_);
+    zero_strains();
     start_loading();
     return false;
   }
@@ -104,9 +107,53 @@ bool LabTest::load_once_steady(bool at_target, double stress_over_target, double
       "raise engine.damping, or lower test.platen_speed or the stress");
 }
 
+/// Of a row that the watchdog has rejected only step and time are of now, as in the group.
+void LabTest::read_row() {
+  const HistoryRow& now = group_->row(lane_);
+  if (group_->health(lane_).ok) {
+    row_ = now;
+    if (phase_ != Phase::settle) write_load();
+  } else {
+    row_.step = now.step, row_.time = now.time;
+  }
+}
+
+/// Strain and stress, from what the tools and the jacket have done.
+void LabTest::write_load() {
+  const auto tool = [&](int number) -> const ToolState& { return group_->tool(lane_, number); };
+  const auto strain = [&](const LoadAxis& a, const LoadScale& over) {
+    return a.travel(tool(a.lo).displacement, tool(a.hi).displacement) / over.length;
+  };
+  const LoadAxis &along = boundary_.rig.axial, &across = boundary_.rig.lateral;
+  row_.axial_strain = strain(along, boundary_.axial) - zero_axial_;
+  row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_.axial.area;
+  row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_.axial.area;
+  row_.axial_stress = 0.5 * (row_.stress_bottom + row_.stress_top);
+  if (across.present()) {
+    const Vec2 force = tool(across.lo).force - tool(across.hi).force;
+    row_.lateral_strain = strain(across, boundary_.lateral) - zero_lateral_;
+    row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_.lateral.area;
+  }
+  if (boundary_.rig.jacket) {
+    const JacketState jacket = group_->jacket(lane_);
+    row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
+    row_.lateral_stress = jacket.pressure;
+  }
+  row_.deviatoric_stress = row_.axial_stress - row_.lateral_stress;
+  row_.volumetric_strain = row_.axial_strain + row_.lateral_strain;
+}
+
+void LabTest::zero_strains() {
+  group_->zero_strains(lane_);
+  zero_axial_ += row_.axial_strain, zero_lateral_ += row_.lateral_strain;
+  row_.axial_strain = row_.lateral_strain = row_.volumetric_strain = 0.0;
+  row_.axial_strain_gauge = row_.lateral_strain_gauge = 0.0;
+}
+
 bool LabTest::after_block() {
   ++blocks_;
-  const HistoryRow& row = group_->row(lane_);
+  read_row();
+  const HistoryRow& row = row_;
   if (const LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
@@ -192,9 +239,14 @@ bool LabTest::end_without_peak(const Reading& now) {
              "raise test.max_strain, or test.stop_at");
 }
 
+Snapshot LabTest::snapshot() const {
+  Snapshot shot = group_->snapshot(lane_);
+  shot.axial_strain = row_.axial_strain, shot.axial_stress = row_.axial_stress;
+  return shot;
+}
+
 Frame LabTest::frame() const {
-  const HistoryRow& row = group_->row(lane_);
-  Frame f{row.step, row.axial_strain, row.axial_stress, {}};
+  Frame f{row_.step, row_.axial_strain, row_.axial_stress, {}};
   for (const GrainState& g : group_->grains(lane_))
     f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
   return f;
@@ -202,14 +254,13 @@ Frame LabTest::frame() const {
 
 void LabTest::keep_pictures() {
   const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
-  if (snapshots_.due(row)) snapshots_.keep(group_->snapshot(lane_));
+  if (snapshots_.due(row)) snapshots_.keep(snapshot());
   if (frames_.due(row)) frames_.keep(frame());
 }
 
 void LabTest::interrupt() {
   if (phase_ != Phase::over)
-    end(Status::interrupted,
-        fmt::format("stopped by the user at {}", extent(reading(group_->row(lane_)).strain, 4)),
+    end(Status::interrupted, fmt::format("stopped by the user at {}", extent(reading(row_).strain, 4)),
         "run the same recipe again");
 }
 
@@ -224,7 +275,7 @@ LabTest::Reading LabTest::latest() const {
 }
 
 double LabTest::progress() const {
-  return phase_ == Phase::load ? std::min(1.0, reading(group_->row(lane_)).strain / max_strain()) : 0.0;
+  return phase_ == Phase::load ? std::min(1.0, reading(row_).strain / max_strain()) : 0.0;
 }
 
 void LabTest::read_numbers() {
@@ -241,13 +292,16 @@ void LabTest::read_numbers() {
 }
 
 TestResult LabTest::take_result() {
-  result_.cracks = group_->cracks(lane_);
+  for (const Breakage& broken : group_->cracks(lane_)) {
+    result_.cracks.push_back(broken.crack);
+    result_.cracks.back().strain = broken.travel / boundary_.axial.length - zero_axial_;
+  }
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
   });
-  result_.snapshots = snapshots_.take(group_->snapshot(lane_));
+  result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
-  result_.n_steps = static_cast<std::int64_t>(group_->row(lane_).step);
+  result_.n_steps = static_cast<std::int64_t>(row_.step);
   read_numbers();
   result_.hash = hash_of(result_);
   return std::move(result_);

@@ -19,6 +19,7 @@
 #include "analysis/energy.hpp"
 #include "engine/lane_group.hpp"
 #include "lab/moments.hpp"
+#include "lab/rigs.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
@@ -73,6 +74,8 @@ class LabTest {
   /// never does.
   bool load_once_steady(bool at_target, double stress_over_target, double tolerance);
   const Packing& packing() const { return *specimen_->packing; }
+  /// State at the end of the block: the group's row with the strain and stress of this test.
+  const HistoryRow& latest_row() const { return row_; }
 
   std::shared_ptr<const Specimen> specimen_;
   const Recipe& recipe_;
@@ -87,6 +90,10 @@ class LabTest {
   /// "strain 0.1234 %"; of direct shear the displacement, over the width.
   std::string extent(double strain, int digits) const;
   void place_rig();
+  void read_row();
+  void write_load();
+  void zero_strains();
+  Snapshot snapshot() const;
   Frame frame() const;
   void keep_pictures();
   /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why
@@ -96,7 +103,9 @@ class LabTest {
   bool end_without_peak(const Reading& now);
   bool end_unstable(const LaneHealth& health);
 
-  std::shared_ptr<const Rig> rig_;
+  TestBoundary boundary_;
+  HistoryRow row_;
+  double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;
   std::int64_t blocks_ = 0;       // in this phase
   std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target

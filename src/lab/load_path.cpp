@@ -22,7 +22,7 @@ std::size_t reach(const Tool& tool, const Packing& packing, std::uint32_t hub, C
 
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
-  const Rig rig = rig_of(packing, recipe);
+  const Rig rig = boundary_of(packing, recipe).rig;
   const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
   Clusters clusters(n + 2);  // the grains and the two tools
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);

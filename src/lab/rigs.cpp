@@ -9,6 +9,17 @@
 
 namespace phy {
 
+namespace {
+
+constexpr double loaded = 1e-4;  // strain from which the energy balance means something
+
+}  // namespace
+
+void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale scale) {
+  boundary.rig.axial = {lo, hi, direction, loaded * scale.length};
+  boundary.axial = scale;
+}
+
 Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough) {
   Tool wall;
   wall.name = std::move(name);
@@ -20,12 +31,12 @@ Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal
   return wall;
 }
 
-Rig platens(const Packing& packing) {
-  Rig rig;
-  rig.tools = {flat_wall(packing, "bottom platen", {0.0, 0.0}, {0.0, 1.0}, true),
-               flat_wall(packing, "top platen", {0.0, packing.height}, {0.0, -1.0}, true)};
-  rig.axial = {0, 1, {0.0, 1.0}, packing.height, packing.width};
-  return rig;
+TestBoundary platens(const Packing& packing) {
+  TestBoundary press;
+  press.rig.tools = {flat_wall(packing, "bottom platen", {0.0, 0.0}, {0.0, 1.0}, true),
+                     flat_wall(packing, "top platen", {0.0, packing.height}, {0.0, -1.0}, true)};
+  set_axial(press, 0, 1, {0.0, 1.0}, {packing.height, packing.width});
+  return press;
 }
 
 const HistoryColumns& platen_stress_columns() {

@@ -10,11 +10,26 @@
 
 namespace phy {
 
+/// What the travel and force of two opposite tools are over.
+struct LoadScale {
+  double length = 1.0;  ///< strain = travel / length [m]; 1: a displacement stands in the place of the strain
+  double area = 1.0;    ///< stress = force / area [m per m thickness]
+};
+
+/// The boundary of a test: tools, and what their travel and force are as strain and stress.
+struct TestBoundary {
+  Rig rig;
+  LoadScale axial, lateral;
+};
+
+/// Tools `lo` and `hi`, of which `direction` points from the first to the second, become the axial axis.
+void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale scale);
+
 /// A rigid flat wall through `point` whose `normal` (unit) points into the specimen. All grains may touch it.
 Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough);
 
 /// Two flat platens at the bottom and the top of the box: the press. Tools 0 and 1.
-Rig platens(const Packing& packing);
+TestBoundary platens(const Packing& packing);
 /// Axial stress of the press, from both platens and from each.
 const HistoryColumns& platen_stress_columns();
 /// "Two rigid platens (friction 0) closed at 0.05 m/s each".

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/rig.hpp"
 #include "lab/lab_test.hpp"
+#include "lab/rigs.hpp"
 #include "records/test_description.hpp"
 
 namespace phy {
@@ -22,7 +22,7 @@ struct TestRoom {
   TestDescription description;
   /// Tests with equal names on one packing have the same rig and may share a group.
   std::string (*rig_name)(const Recipe&) = nullptr;
-  Rig (*rig)(const Packing&, const Recipe&) = nullptr;
+  TestBoundary (*boundary)(const Packing&, const Recipe&) = nullptr;
   /// The procedure, in a lane of the group.
   std::unique_ptr<LabTest> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&, LaneGroup&,
                                     int lane) = nullptr;

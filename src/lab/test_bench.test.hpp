@@ -45,9 +45,10 @@ inline void expect_speaks_of(const std::string& stress, const std::vector<Number
   const Number* first = find(numbers, "sigma_first_crack");
   ASSERT_NE(first, nullptr);
   EXPECT_EQ(first->definition, stress + " at the first crack");
-  for (const Number& n : numbers)
-    if (stress != "axial stress" && n.name != "sigma_1")  // that one is the axial stress
-      EXPECT_EQ(n.definition.find("axial stress"), std::string::npos) << n.name << ": " << n.definition;
+  for (const Number& n : numbers) {
+    if (stress == "axial stress" || n.name == "sigma_1") continue;  // that one is the axial stress
+    EXPECT_EQ(n.definition.find("axial stress"), std::string::npos) << n.name << ": " << n.definition;
+  }
 }
 
 inline const Number& number(const TestResult& r, const std::string& name) {

@@ -39,7 +39,9 @@ const TestRoom& room_of(const Recipe& recipe) {
 
 std::string rig_name(const Recipe& recipe) { return room_of(recipe).rig_name(recipe); }
 
-Rig rig_of(const Packing& packing, const Recipe& recipe) { return room_of(recipe).rig(packing, recipe); }
+TestBoundary boundary_of(const Packing& packing, const Recipe& recipe) {
+  return room_of(recipe).boundary(packing, recipe);
+}
 
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                    LaneGroup& group, int lane) {

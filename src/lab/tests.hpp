@@ -14,8 +14,8 @@ const TestRoom& room_of(const Recipe& recipe);
 /// Tests with equal names on one packing have the same rig and may share a group.
 std::string rig_name(const Recipe& recipe);
 
-/// The rig of the recipe's test.
-Rig rig_of(const Packing& packing, const Recipe& recipe);
+/// The boundary of the recipe's test.
+TestBoundary boundary_of(const Packing& packing, const Recipe& recipe);
 
 /// The recipe's test, in a lane of the group.
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,

@@ -55,7 +55,7 @@ TestResult counted(TestKind kind) {
   r.kind = r.history.kind = kind;
   r.history.rows.emplace_back();
   static_assert(sizeof(HistoryRow) >= sizeof(values));
-  std::memcpy(&r.history.rows.front(), values.data(), sizeof(values));
+  std::memcpy(static_cast<void*>(&r.history.rows.front()), values.data(), sizeof(values));
   return r;
 }
 

@@ -11,17 +11,19 @@
 
 namespace phy {
 
-Rig confined_platens(const Packing& packing, const TestRecipe& test) {
-  Rig rig = platens(packing);
-  if (test.confining_stress == 0.0) return rig;
+TestBoundary confined_platens(const Packing& packing, const TestRecipe& test) {
+  TestBoundary press = platens(packing);
+  Rig& rig = press.rig;
+  if (test.confining_stress == 0.0) return press;
   if (test.confinement == Confinement::walls) {
     rig.tools.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
     rig.tools.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
-    rig.lateral = {2, 3, {1.0, 0.0}, packing.width, packing.height};
-    return rig;
+    rig.lateral = {2, 3, {1.0, 0.0}};
+    press.lateral = {packing.width, packing.height};
+    return press;
   }
   rig.jacket = true;
-  return rig;
+  return press;
 }
 
 namespace {
@@ -80,7 +82,7 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
   const double now = target * std::min(1.0, time / ramp);
   confine(now, true);
   if (n_blocks == 0) return false;
-  const HistoryRow& row = group_->row(lane_);
+  const HistoryRow& row = latest_row();
   if (std::fabs(row.axial_strain) > most_confining_strain)
     return end(
         Status::not_peaked,

@@ -20,7 +20,7 @@
 namespace phy {
 
 /// The press with sides: walls (tools 2 left, 3 right) or a jacket; none without confining stress.
-Rig confined_platens(const Packing& packing, const TestRecipe& test);
+TestBoundary confined_platens(const Packing& packing, const TestRecipe& test);
 
 class BiaxialTest final : public LabTest {
  public:

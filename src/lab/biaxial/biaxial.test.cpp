@@ -92,7 +92,7 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
 TEST(Biaxial, JacketCoversTheSides) {
   const Recipe r = confined(10e6, Confinement::jacket);
   const auto packing = small_packing(r);
-  EXPECT_TRUE(confined_platens(*packing, r.test).jacket);
+  EXPECT_TRUE(confined_platens(*packing, r.test).rig.jacket);
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);

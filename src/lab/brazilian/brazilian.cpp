@@ -66,8 +66,9 @@ Tool jaw(const Packing& packing, std::string name, double diameter, double angle
 
 }  // namespace
 
-Rig jaws(const Packing& packing, double diameter, double angle) {
-  Rig rig;
+TestBoundary jaws(const Packing& packing, double diameter, double angle) {
+  TestBoundary splitter;
+  Rig& rig = splitter.rig;
   if (angle > 0.0) {
     rig.tools = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
                  jaw(packing, "top jaw", diameter, angle, 1.0)};
@@ -77,8 +78,8 @@ Rig jaws(const Packing& packing, double diameter, double angle) {
     rig.tools = {flat_wall(packing, "bottom platen", {0.0, low}, {0.0, 1.0}, true),
                  flat_wall(packing, "top platen", {0.0, high}, {0.0, -1.0}, true)};
   }
-  rig.axial = {0, 1, {0.0, 1.0}, diameter, 0.5 * pi * diameter / brazilian_arc_factor(0.5 * angle)};
-  return rig;
+  set_axial(splitter, 0, 1, {0.0, 1.0}, {diameter, 0.5 * pi * diameter / brazilian_arc_factor(0.5 * angle)});
+  return splitter;
 }
 
 BrazilianTest::BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,

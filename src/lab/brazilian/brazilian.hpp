@@ -25,7 +25,7 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
 /// Bottom and top of a Brazilian test on a disc in the middle of the box: flat platens against the outermost
 /// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
 /// centre (reading.hpp); axial strain: approach over `diameter` [m].
-Rig jaws(const Packing& packing, double diameter, double angle);
+TestBoundary jaws(const Packing& packing, double diameter, double angle);
 
 class BrazilianTest final : public LabTest {
  public:

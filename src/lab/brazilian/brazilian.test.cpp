@@ -62,7 +62,7 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
   const Recipe r = small_disc();
   const Packing disc = cut_disc(*small_packing(r), disc_diameter(r));
   const Vec2 centre{0.5 * disc.width, 0.5 * disc.height};
-  const Rig wide = jaws(disc, disc_diameter(r), 20.0), flat = jaws(disc, disc_diameter(r), 0.0);
+  const Rig wide = jaws(disc, disc_diameter(r), 20.0).rig, flat = jaws(disc, disc_diameter(r), 0.0).rig;
   for (const Tool& tool : wide.tools) {
     EXPECT_GE(tool.touches.size(), 3u);
     EXPECT_LE(tool.touches.size(), 8u);

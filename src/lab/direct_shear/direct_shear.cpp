@@ -12,8 +12,9 @@
 
 namespace phy {
 
-Rig shear_boxes(const Packing& packing, double gap) {
-  Rig rig;
+TestBoundary shear_boxes(const Packing& packing, double gap) {
+  TestBoundary box;
+  Rig& rig = box.rig;
   rig.tools = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
   const double middle = 0.5 * packing.height;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
@@ -21,9 +22,10 @@ Rig shear_boxes(const Packing& packing, double gap) {
     if (y < -0.5 * gap) rig.tools[0].grips.push_back({i, true, true, true});
     if (y >= 0.5 * gap) rig.tools[1].grips.push_back({i, true, true, true});
   }
-  rig.axial = {1, 0, {1.0, 0.0}, 1.0, packing.width};
-  rig.lateral = {0, 1, {0.0, 1.0}, 1.0, packing.width};
-  return rig;
+  set_axial(box, 1, 0, {1.0, 0.0}, {1.0, packing.width});
+  rig.lateral = {0, 1, {0.0, 1.0}};
+  box.lateral = {1.0, packing.width};
+  return box;
 }
 
 namespace {
@@ -85,7 +87,7 @@ bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double now = target * std::min(1.0, time / ramp);
   group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
   if (n_blocks == 0) return false;
-  return load_once_steady(now == target, group_->row(lane_).lateral_stress / target, close_enough);
+  return load_once_steady(now == target, latest_row().lateral_stress / target, close_enough);
 }
 
 void DirectShearTest::drive() {

@@ -20,7 +20,7 @@ namespace phy {
 
 /// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
-Rig shear_boxes(const Packing& packing, double gap);
+TestBoundary shear_boxes(const Packing& packing, double gap);
 
 class DirectShearTest final : public LabTest {
  public:

@@ -16,16 +16,17 @@ double grip_thickness(const Recipe& recipe, const Packing& packing) {
   return 4.0 * largest;
 }
 
-Rig grips(const Packing& packing, double thickness) {
-  Rig rig;
+TestBoundary grips(const Packing& packing, double thickness) {
+  TestBoundary pull;
+  Rig& rig = pull.rig;
   rig.tools = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y;
     if (y < thickness) rig.tools[0].grips.push_back({i, false, true, false});
     if (y > packing.height - thickness) rig.tools[1].grips.push_back({i, false, true, false});
   }
-  rig.axial = {0, 1, {0.0, 1.0}, packing.height - 2.0 * thickness, packing.width};
-  return rig;
+  set_axial(pull, 0, 1, {0.0, 1.0}, {packing.height - 2.0 * thickness, packing.width});
+  return pull;
 }
 
 DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,

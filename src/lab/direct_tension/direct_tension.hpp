@@ -18,7 +18,7 @@ namespace phy {
 double grip_thickness(const Recipe& recipe, const Packing& packing);
 
 /// Two grips that hold the grains within `thickness` of the bottom and the top, along y only. Tools 0 and 1.
-Rig grips(const Packing& packing, double thickness);
+TestBoundary grips(const Packing& packing, double thickness);
 
 class DirectTensionTest final : public LabTest {
  public:

@@ -31,7 +31,8 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
   const TestResult& r = pulled();
   const Recipe recipe = small_rock(TestKind("direct_tension"));
   const auto packing = small_packing(recipe);
-  const Rig rig = grips(*packing, grip_thickness(recipe, *packing));
+  const TestBoundary pull = grips(*packing, grip_thickness(recipe, *packing));
+  const Rig& rig = pull.rig;
   const std::vector<GrainState>& u = r.snapshots.back().grains;
   for (const Tool& tool : rig.tools) {
     ASSERT_GT(tool.grips.size(), 10u);
@@ -44,7 +45,7 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
     EXPECT_GT(most - least, 1e-7) << "the end contracts or widens freely";
     EXPECT_GT(turn, 0.0);
   }
-  const double opened = -r.history.rows.back().axial_strain * rig.axial.length;
+  const double opened = -r.history.rows.back().axial_strain * pull.axial.length;
   EXPECT_NEAR(u[rig.tools[1].grips.front().grain].uy - u[rig.tools[0].grips.front().grain].uy, opened, 1e-12);
 }
 
