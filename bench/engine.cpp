@@ -11,7 +11,8 @@
 
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
-#include "lab/uniaxial.hpp"
+#include "lab/tests.hpp"
+#include "lab/uniaxial/uniaxial.hpp"
 #include "study/scheduler.hpp"
 
 namespace {
@@ -81,7 +82,7 @@ void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std
 
 /// Any kind of test on the paper's packing at 45 degrees, 10 MPa where there is a confining or normal stress,
 /// all lanes alike: the loop of the press with another rig.
-void kind(benchmark::State& state, TestKind which, Confinement sides) {
+void kind(benchmark::State& state, const char* which, Confinement sides) {
   if (native_isa() < Isa::avx512) {
     state.SkipWithError("not measured: instruction set absent");
     return;
@@ -89,7 +90,7 @@ void kind(benchmark::State& state, TestKind which, Confinement sides) {
   Recipe recipe;
   recipe.bedding = {BeddingRecipe{}};
   recipe.test.angles = {45};
-  recipe.test.kind = which;
+  recipe.test.kind = TestKind(which);
   recipe.test.confinement = sides;
   recipe.test.confining_stress = recipe.test.normal_stress = 10e6;
   recipe.engine.precision = Precision::single_precision;
@@ -114,9 +115,9 @@ void kind(benchmark::State& state, TestKind which, Confinement sides) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-#define KIND(name, which, sides)                                     \
-  BENCHMARK_CAPTURE(kind, name, TestKind::which, Confinement::sides) \
-      ->Unit(benchmark::kMillisecond)                                \
+#define KIND(name, which, sides)                            \
+  BENCHMARK_CAPTURE(kind, name, #which, Confinement::sides) \
+      ->Unit(benchmark::kMillisecond)                       \
       ->MeasureProcessCPUTime()
 
 KIND(press, uniaxial, walls);

@@ -7,12 +7,18 @@
 #include <set>
 
 #include "analysis/histories.test.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
 
+std::vector<Number> numbers_of(const History& h, const std::vector<CrackEvent>& cracks,
+                               const AxialOptions& options = {}) {
+  return told(axial_numbers(h, loading_branch(h), cracks, options));
+}
+
 TEST(Analyse, HeadlineNumbersAreByGauge) {
-  const auto numbers = analyse(marble(), {});
+  const auto numbers = numbers_of(marble(), {});
   EXPECT_DOUBLE_EQ(value(numbers, "ucs"), 100e6);
   for (const char* name : {"E_tangent", "E_secant", "E_small"}) {
     EXPECT_NEAR(value(numbers, name) / (50e9 / 0.9), 1.0, 1e-12) << name;
@@ -30,17 +36,17 @@ TEST(Analyse, SecantAndTangentOfASmoothCurve) {
     r.axial_stress = r.axial_strain - 0.5 * r.axial_strain * r.axial_strain;
     h.rows.push_back(r);
   }
-  const auto numbers = analyse(h, {});
+  const auto numbers = numbers_of(h, {});
   const double e50 = 1.0 - std::sqrt(0.5);
   EXPECT_NEAR(value(numbers, "E_secant"), 0.25 / e50, 1e-5);
   EXPECT_NEAR(value(numbers, "E_tangent"), 1.0 - e50, 5e-3);
 }
 
 TEST(Analyse, OptionsSetTheRangesAndTheDefinitionsSayThem) {
-  AnalysisOptions options;
+  AxialOptions options;
   options.tangent = {0.2, 0.5};
   options.secant = 0.3;
-  const auto numbers = analyse(marble(), {}, options);
+  const auto numbers = numbers_of(marble(), {}, options);
   EXPECT_NE(find(numbers, "E_tangent")->definition.find("between 20 and 50 % of ucs"), std::string::npos);
   EXPECT_NE(find(numbers, "nu")->definition.find("between 20 and 50 % of ucs"), std::string::npos);
   EXPECT_NE(find(numbers, "E_secant")->definition.find("reaches 30 % of ucs"), std::string::npos);
@@ -49,7 +55,7 @@ TEST(Analyse, OptionsSetTheRangesAndTheDefinitionsSayThem) {
 
 TEST(Analyse, EveryNumberHasItsOwnNameAUnitAndADefinition) {
   std::set<std::string> names;
-  for (const Number& n : analyse(marble(), {})) {
+  for (const Number& n : numbers_of(marble(), {})) {
     EXPECT_TRUE(names.insert(n.name).second) << n.name;
     EXPECT_FALSE(n.unit.empty()) << n.name;
     EXPECT_FALSE(n.definition.empty()) << n.name;
@@ -57,28 +63,9 @@ TEST(Analyse, EveryNumberHasItsOwnNameAUnitAndADefinition) {
   EXPECT_EQ(find({}, "ucs"), nullptr);
 }
 
-// "Axial stress" is what the uniaxial press reads; under it the column of a disc holds a tension, that of a
-// shear box a shear stress.
-TEST(Analyse, DefinitionsSpeakOfTheStressOfTheirTest) {
-  for (const auto& [kind, stress] : {std::pair{TestKind::uniaxial, "axial stress"},
-                                     {TestKind::direct_tension, "tension"},
-                                     {TestKind::brazilian, "tension at the centre of an elastic disc"},
-                                     {TestKind::biaxial, "deviatoric stress"},
-                                     {TestKind::direct_shear, "shear stress"}}) {
-    History h = marble();
-    h.kind = kind, h.width = h.height = 0.1;
-    const auto numbers = analyse(h, {});
-    EXPECT_EQ(find(numbers, "sigma_first_crack")->definition, std::string(stress) + " at the first crack");
-    for (const Number& n : numbers) {
-      if (kind == TestKind::uniaxial || n.name == "sigma_1") continue;  // that one is the axial stress
-      EXPECT_EQ(n.definition.find("axial stress"), std::string::npos) << n.name << ": " << n.definition;
-    }
-  }
-}
-
 /// What has no finite value must be NaN and say why.
 void expect_told(const History& h, const std::vector<CrackEvent>& cracks) {
-  for (const Number& n : analyse(h, cracks))
+  for (const Number& n : numbers_of(h, cracks))
     EXPECT_TRUE(std::isfinite(n.value) || (std::isnan(n.value) && !n.note.empty()))
         << n.name << " " << n.value;
 }
@@ -86,18 +73,19 @@ void expect_told(const History& h, const std::vector<CrackEvent>& cracks) {
 TEST(Analyse, WhateverTheHistoryNothingIsLeftUntold) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const std::vector<CrackEvent> cracks(5);
+  const HistoryColumns& columns = TestKind()->columns;
   History rows;
   expect_told(rows, cracks);
   for (const double v : {0.0, 5.0, -5.0, nan, inf}) {
     rows.rows.clear();
     for (int n = 1; n <= 4; ++n) {
       HistoryRow r;
-      for (const HistoryColumn& c : history_columns()) r.*c.value = v;
+      for (const HistoryColumn& c : columns) r.*c.value = v;
       rows.rows.push_back(r);
       expect_told(rows, cracks);
     }
   }
-  for (const HistoryColumn& c : history_columns()) {
+  for (const HistoryColumn& c : columns) {
     for (const double v : {0.0, nan, inf, -inf}) {
       History spoiled = marble();
       for (HistoryRow& r : spoiled.rows) r.*c.value = v;
@@ -110,7 +98,7 @@ TEST(Analyse, WhateverTheHistoryNothingIsLeftUntold) {
 }
 
 TEST(Analyse, NoHistoryGivesNotesOnly) {
-  for (const Number& n : analyse(History{}, {})) {
+  for (const Number& n : numbers_of(History{}, {})) {
     if (n.unit == "1" && n.name.starts_with("cracks_") && !n.name.ends_with("_at_peak")) continue;
     EXPECT_TRUE(std::isnan(n.value)) << n.name;
     EXPECT_TRUE(n.note.starts_with("the stress never rises above zero") ||
@@ -122,7 +110,7 @@ TEST(Analyse, NoHistoryGivesNotesOnly) {
 TEST(Analyse, InfiniteEnergiesAreToldAsUnusable) {
   History h = marble();
   h.rows.back().slip = std::numeric_limits<double>::infinity();
-  const auto numbers = analyse(h, {});
+  const auto numbers = numbers_of(h, {});
   EXPECT_TRUE(std::isnan(value(numbers, "energy_slip")));
   EXPECT_EQ(note(numbers, "energy_slip"), "the history holds no usable values for it");
 }

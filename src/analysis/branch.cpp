@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/test_description.hpp"
+
 namespace phy {
 
 LoadingBranch loading_branch(const History& history) {
   LoadingBranch branch;
-  branch.stress = stress_name(history.kind);
+  const TestDescription& test = *history.kind;
+  branch.strength = test.curve.strength.c_str(), branch.stress = test.stress, branch.tool = test.tool;
   const auto& rows = history.rows;
   std::size_t first = rows.size();
   double largest = 0.0;

@@ -16,7 +16,7 @@ constexpr const char* no_energies = "the history holds no energies";
 /// Terms of the energy balance, in the order of the history's columns.
 std::vector<HistoryColumn> energy_columns() {
   std::vector<HistoryColumn> terms;
-  for (const HistoryColumn& c : history_columns())
+  for (const HistoryColumn& c : book_columns())
     if (std::string(c.unit) == "J/m") terms.push_back(c);
   return terms;
 }

@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
-#include "analysis/brazilian.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "lab/brazilian/reading.hpp"
+#include "records/test_description.hpp"
 #include "study/expected.hpp"
 
 namespace phy {
@@ -58,9 +59,10 @@ struct Procedure {
   const char* number;
 };
 const Procedure* procedure_of(Property property) {
-  static const std::vector<Procedure> list = {{Property::ucs, TestKind::uniaxial, "ucs"},
-                                              {Property::direct_tension, TestKind::direct_tension, "sigma_t"},
-                                              {Property::brazilian, TestKind::brazilian, "bts"}};
+  static const std::vector<Procedure> list = {
+      {Property::ucs, TestKind("uniaxial"), "ucs"},
+      {Property::direct_tension, TestKind("direct_tension"), "sigma_t"},
+      {Property::brazilian, TestKind("brazilian"), "bts"}};
   for (const Procedure& p : list)
     if (p.property == property) return &p;
   return nullptr;
@@ -114,7 +116,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
   Recipe one = single_at(recipe, targets_[target].theta, seed);
   one.test.kind = procedure_of(targets_[target].property)->kind;
   one.test.platen_speed = speeds_[target];
-  if (one.test.kind == TestKind::brazilian) {
+  if (one.test.kind->disc_diameter != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;
   }
@@ -124,7 +126,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
 Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
   Recipe one = of(recipe, target, seed);
   one.test.platen_speed *= search_speed;
-  if (one.test.kind == TestKind::uniaxial) one.test.jump_strain = jump_share * strains_[target];
+  if (one.test.kind->may_jump) one.test.jump_strain = jump_share * strains_[target];
   return one;
 }
 

@@ -45,7 +45,7 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
   study.recipe = recipe;
   Recipe with_intact = study.recipe;
   with_intact.test.intact = true;
-  with_intact.test.kind = TestKind::uniaxial;  // the whole specimen, whatever test the recipe names
+  with_intact.test.kind = TestKind("uniaxial");  // the whole specimen, whatever test the recipe names
   study.specimens = make_specimens(packing_of(recipe, default_cache_folder()), with_intact);
   const auto start = std::chrono::steady_clock::now();
   ElasticOptions options;

@@ -146,7 +146,7 @@ void Group<T>::jump(int lane, double axial_strain) {
     grains_.set(g, g_uy, l, u.y);
   }
   const LoadAxis& axis = info.rig().axial;
-  const Vec2 closing = 0.5 * axial_strain * axis.length * axis.direction;
+  const Vec2 closing = 0.5 * axial_strain * packing.height * axis.direction;
   std::vector<ToolMotion>& tools = boundary_.lane(l).tools;
   tools[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
   tools[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
@@ -176,7 +176,7 @@ void Group<T>::place_rig(int lane) {
   info.step = 0;
   info.base_axial = info.row.axial_strain_gauge;
   info.base_lateral = info.row.lateral_strain_gauge;
-  info.zero_axial = info.zero_lateral = 0.0;
+  info.zero_travel = 0.0;
   info.cracks.clear();
   info.row = HistoryRow{};
   dirty_ = true;
@@ -251,8 +251,6 @@ Snapshot Group<T>::snapshot(int lane) const {
   const std::size_t l = index(lane);
   Snapshot shot;
   shot.step = lanes_[l].row.step;
-  shot.axial_strain = lanes_[l].row.axial_strain;
-  shot.axial_stress = lanes_[l].row.axial_stress;
   shot.grains = grains(lane);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const ContactState s = contacts_.state(c, l, *lanes_[l].specimen);

@@ -35,17 +35,13 @@ struct Lane {
   std::int64_t step = 0;
   EnergyBalance energy;
   double base_axial = 0.0, base_lateral = 0.0;  // of the strain gauge
-  double zero_axial = 0.0, zero_lateral = 0.0;  // approach of the tools where strains count from
+  double zero_travel = 0.0;                     // of the axial tools where strains count from [m]
   HistoryRow row;
   LaneHealth health;
-  std::vector<CrackEvent> cracks;
+  std::vector<Breakage> cracks;
   std::int64_t n_contacts = 0;
 
   const Rig& rig() const { return *setup.rig; }
-  /// Compression along an axis of the rig, from displacements or forces of its two tools.
-  double approach(const LoadAxis& axis, Vec2 lo, Vec2 hi) const {
-    return dot(lo - hi, axis.direction) / axis.length;
-  }
 };
 
 template <class T>
@@ -74,8 +70,12 @@ class Group final : public LaneGroup {
   const ToolState& tool(int lane, int tool) const override {
     return boundary_.lane(index(lane)).tools[static_cast<std::size_t>(tool)].state;
   }
+  JacketState jacket(int lane) const override {
+    const LaneBoundary& edge = boundary_.lane(index(lane));
+    return {edge.pressure, edge.swept};
+  }
   const LaneHealth& health(int lane) const override { return at(lane).health; }
-  std::vector<CrackEvent>& cracks(int lane) override { return at(lane).cracks; }
+  std::vector<Breakage>& cracks(int lane) override { return at(lane).cracks; }
   Snapshot snapshot(int lane) const override;
   std::vector<GrainState> grains(int lane) const override { return grains_.states(index(lane)); }
   double time_step(int lane) const override { return at(lane).dt; }
@@ -126,8 +126,8 @@ class Group final : public LaneGroup {
   // rows
   void sort_cracks(const GroupView<T>& view);
   void keep_energy(std::size_t lane);
-  CrackEvent crack_event(const RawCrack& raw, std::size_t lane) const;
-  void write_load(std::size_t lane, HistoryRow& row) const;
+  Breakage breakage(const RawCrack& raw, std::size_t lane) const;
+  double travel(std::size_t lane) const;
   void write_row(std::size_t lane);
   void watch(std::size_t lane, const HistoryRow& before, double farthest_way);
   std::optional<PairKey> missed_pair(std::size_t lane, double farthest_way) const;

@@ -11,26 +11,37 @@ namespace {
 
 constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
 constexpr double worst_energy = 0.2;   // of the boundary work: beyond it the step was unstable
-constexpr double loaded = 1e-4;        // strain from which the balance means something
 
-/// Of all columns that any kind of test writes.
-bool all_numbers(const HistoryRow& row) {
-  for (const TestKind kind : all_kinds)
-    for (const HistoryColumn& c : history_columns(kind))
+bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+/// Of all that a lane reports.
+bool all_numbers(const HistoryRow& row, const LaneBoundary& edge) {
+  for (const HistoryColumns& columns : {gauge_columns(), book_columns()})
+    for (const HistoryColumn& c : columns)
       if (!std::isfinite(row.*c.value)) return false;
-  return true;
+  for (const ToolMotion& t : edge.tools)
+    if (!is_finite(t.state.displacement) || !is_finite(t.state.force)) return false;
+  return std::isfinite(edge.pressure) && std::isfinite(edge.swept);
 }
 
 }  // namespace
+
+/// Of the axial tools since the rig was placed [m].
+template <class T>
+double Group<T>::travel(std::size_t l) const {
+  const LoadAxis& axis = lanes_[l].rig().axial;
+  const LaneBoundary& edge = boundary_.lane(l);
+  if (!axis.present() || !edge.placed) return 0.0;
+  const auto at = [&](int tool) { return edge.tools[static_cast<std::size_t>(tool)].state.displacement; };
+  return axis.travel(at(axis.lo), at(axis.hi));
+}
 
 template <class T>
 void Group<T>::zero_strains(int lane) {
   Lane& info = at(lane);
   HistoryRow& r = info.row;
-  for (CrackEvent& c : info.cracks) c.strain -= r.axial_strain;
-  info.zero_axial += r.axial_strain, info.zero_lateral += r.lateral_strain;
+  info.zero_travel = travel(index(lane));
   info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
-  r.axial_strain = r.lateral_strain = r.volumetric_strain = 0.0;
   r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
 }
 
@@ -59,27 +70,27 @@ void Group<T>::keep_energy(std::size_t l) {
   for (const RawCrack& raw : raw_cracks_) {
     if (static_cast<std::size_t>(raw.lane) != l) continue;
     lane.energy.released += raw.energy;
-    lane.cracks.push_back(crack_event(raw, l));
+    lane.cracks.push_back(breakage(raw, l));
   }
   lane.step += options_.interval;
   lane.time += options_.interval * lane.dt;
 }
 
 template <class T>
-CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
+Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   const Lane& lane = lanes_[l];
   const auto c = static_cast<std::size_t>(raw.contact), step = static_cast<std::size_t>(raw.step);
   const std::size_t a = contacts_.grain_a(c), b = contacts_.grain_b(c);
   const Vec2 xa = grains_.place(a, l), xb = grains_.place(b, l);
   const std::uint32_t pa = grains_.packing_id(static_cast<std::int32_t>(a)),
                       pb = grains_.packing_id(static_cast<std::int32_t>(b));
-  CrackEvent e;
+  Breakage broken;
+  CrackEvent& e = broken.crack;
   e.step = lane.step + raw.step + 1;
   e.time = lane.time + (raw.step + 1) * lane.dt;
   if (const LoadAxis& axis = lane.rig().axial; axis.present() && boundary_.lane(l).placed)
-    e.strain = lane.approach(axis, boundary_.displacement(step, static_cast<std::size_t>(axis.lo), l),
-                             boundary_.displacement(step, static_cast<std::size_t>(axis.hi), l)) -
-               lane.zero_axial;
+    broken.travel = axis.travel(boundary_.displacement(step, static_cast<std::size_t>(axis.lo), l),
+                                boundary_.displacement(step, static_cast<std::size_t>(axis.hi), l));
   e.a = std::min(pa, pb);
   e.b = std::max(pa, pb);
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
@@ -88,36 +99,7 @@ CrackEvent Group<T>::crack_event(const RawCrack& raw, std::size_t l) const {
     model.crack(now, e);
   });
   e.energy = raw.energy;
-  return e;
-}
-
-/// Strain and stress of both axes of the rig.
-template <class T>
-void Group<T>::write_load(std::size_t l, HistoryRow& r) const {
-  const Lane& lane = lanes_[l];
-  const LaneBoundary& edge = boundary_.lane(l);
-  const auto state = [&](int tool) -> const ToolState& {
-    return edge.tools[static_cast<std::size_t>(tool)].state;
-  };
-  if (const LoadAxis& axis = lane.rig().axial; axis.present()) {
-    r.axial_strain =
-        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_axial;
-    r.stress_bottom = dot(state(axis.lo).force, axis.direction) / axis.area;
-    r.stress_top = -dot(state(axis.hi).force, axis.direction) / axis.area;
-    r.axial_stress = 0.5 * (r.stress_bottom + r.stress_top);
-  }
-  if (const LoadAxis& axis = lane.rig().lateral; axis.present()) {
-    r.lateral_strain =
-        lane.approach(axis, state(axis.lo).displacement, state(axis.hi).displacement) - lane.zero_lateral;
-    r.lateral_stress = 0.5 * dot(state(axis.lo).force - state(axis.hi).force, axis.direction) / axis.area;
-  }
-  if (boundary_.jacket()) {
-    const Packing& packing = grains_.packing();
-    r.lateral_strain = edge.swept / (packing.width * packing.height) - lane.zero_lateral;
-    r.lateral_stress = edge.pressure;
-  }
-  r.deviatoric_stress = r.axial_stress - r.lateral_stress;
-  r.volumetric_strain = r.axial_strain + r.lateral_strain;
+  return broken;
 }
 
 template <class T>
@@ -126,7 +108,6 @@ void Group<T>::write_row(std::size_t l) {
   HistoryRow& r = lane.row;
   r.step = static_cast<double>(lane.step);
   r.time = lane.time;
-  if (boundary_.lane(l).placed) write_load(l, r);
   r.axial_strain_gauge = sample(s_gauge_axial, l) - lane.base_axial;
   r.lateral_strain_gauge = sample(s_gauge_lateral, l) - lane.base_lateral;
   r.n_cracks = static_cast<double>(lane.cracks.size());
@@ -176,9 +157,8 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
   Lane& lane = lanes_[l];
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
-  const bool numbers = all_numbers(r) && std::isfinite(overlap);
+  const bool numbers = all_numbers(r, boundary_.lane(l)) && std::isfinite(overlap);
   const std::optional<PairKey> missed = numbers ? missed_pair(l, farthest_way) : std::nullopt;
-  const bool placed = boundary_.lane(l).placed;
   std::string& reason = lane.health.reason;
   if (!numbers)
     reason = "energies or forces are no numbers any more";
@@ -189,7 +169,8 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
         grains_.packing_id(key_a(*missed)), grains_.packing_id(key_b(*missed)));
   else if (overlap >= worst_overlap)
     reason = deepest_overlap(l);
-  else if (placed && std::fabs(r.axial_strain) > loaded && std::fabs(r.energy_error) > worst_energy)
+  else if (std::fabs(travel(l) - lane.zero_travel) > lane.rig().axial.loaded &&
+           std::fabs(r.energy_error) > worst_energy)
     reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
   else
     return;

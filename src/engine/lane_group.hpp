@@ -44,6 +44,12 @@ struct LaneHealth {
   bool outran = false;  ///< two grains met that were not looked for as a contact
 };
 
+/// A bond or joint that has broken, and where the tools were then.
+struct Breakage {
+  CrackEvent crack;     ///< without its strain, which is the test's affair
+  double travel = 0.0;  ///< of the axial tools since the rig was placed [m]
+};
+
 class LaneGroup {
  public:
   virtual ~LaneGroup() = default;
@@ -59,7 +65,7 @@ class LaneGroup {
   virtual void move_lane(int lane, LaneGroup& to, int to_lane) = 0;
   /// Sets the rig against the specimen as it lies now, at rest, and starts the books at zero.
   virtual void place_rig(int lane) = 0;
-  /// Strains count from now.
+  /// The strains of the gauges, and the travel that the watchdog goes by, count from now.
   virtual void zero_strains(int lane) = 0;
   /// Stops or allows breakage (relaxation, jump start, elastic runs).
   virtual void hold_bonds(int lane, bool hold) = 0;
@@ -80,13 +86,15 @@ class LaneGroup {
   /// One block of `interval` cycles for all lanes.
   virtual void advance() = 0;
 
-  /// State at the end of the block. Where the watchdog has fired only step and time are of now: the rest is
-  /// the last row that had passed it.
+  /// State at the end of the block: gauges, energies, bookkeeping. Strain and stress of the boundary are
+  /// left at 0: the test makes them from tools and jacket. Where the watchdog has fired only step and time
+  /// are of now: the rest is the last row that had passed it.
   virtual const HistoryRow& row(int lane) const = 0;
   virtual const ToolState& tool(int lane, int tool) const = 0;
+  virtual JacketState jacket(int lane) const = 0;
   virtual const LaneHealth& health(int lane) const = 0;
-  virtual std::vector<CrackEvent>& cracks(int lane) = 0;  ///< all so far, ordered within each block
-  virtual Snapshot snapshot(int lane) const = 0;          ///< grains and contacts now
+  virtual std::vector<Breakage>& cracks(int lane) = 0;  ///< all so far, ordered within each block
+  virtual Snapshot snapshot(int lane) const = 0;        ///< grains and contacts now; no strain, no stress
   /// Displacements of all grains now, packing order.
   virtual std::vector<GrainState> grains(int lane) const = 0;
   virtual double time_step(int lane) const = 0;         ///< [s]

@@ -52,13 +52,16 @@ struct Tool {
   bool rough = false;  ///< has the lane's tool friction, else none
 };
 
-/// Two opposite tools and what their motion and force mean. Positive: they approach, they push.
+/// Two opposite tools. Positive: they approach, they push. What strain and stress their travel [m] and force
+/// [N/m] are is the test's affair.
 struct LoadAxis {
   int lo = -1, hi = -1;  ///< tools; -1: no such axis
   Vec2 direction;        ///< unit vector from lo to hi
-  double length = 1.0;   ///< strain = approach / length [m]
-  double area = 1.0;     ///< stress = force / area [m per m thickness]
+  double loaded = 0.0;   ///< travel from which the energy balance means something [m]
   bool present() const { return lo >= 0; }
+  double travel(Vec2 lo_displacement, Vec2 hi_displacement) const {
+    return dot(lo_displacement - hi_displacement, direction);
+  }
 };
 
 struct Rig {
@@ -95,6 +98,12 @@ struct ToolState {
   Vec2 displacement;  ///< since it was placed [m]
   Vec2 force;         ///< on the specimen, at the last step [N/m]
   Vec2 mean_force;    ///< mean over the block [N/m]
+};
+
+/// The jacket at the end of a block.
+struct JacketState {
+  double pressure = 0.0;  ///< [Pa]
+  double swept = 0.0;     ///< area since the rig was placed, inwards positive [m^2]
 };
 
 }  // namespace phy

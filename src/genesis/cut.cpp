@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "genesis/packing.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 
@@ -24,9 +25,10 @@ Packing cut_disc(const Packing& packing, double diameter) {
   return disc;
 }
 
-double disc_diameter(const Recipe& recipe) {
-  if (recipe.test.disc_diameter > 0.0) return recipe.test.disc_diameter;
-  return std::min(recipe.specimen.width, recipe.specimen.height);
+std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe) {
+  const auto diameter = recipe.test.kind->disc_diameter;
+  return diameter == nullptr ? packing
+                             : std::make_shared<const Packing>(cut_disc(*packing, diameter(recipe)));
 }
 
 }  // namespace phy

@@ -1,5 +1,8 @@
 // Cutting: a round specimen from the middle of a packing.
 #pragma once
+#include <memory>
+
+#include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
 namespace phy {
@@ -10,8 +13,7 @@ namespace phy {
 /// side.
 Packing cut_disc(const Packing& packing, double diameter);
 
-/// Diameter of the disc that the recipe's Brazilian test cuts [m]: test.disc_diameter, or the smaller side of
-/// the specimen where that is 0.
-double disc_diameter(const Recipe& recipe);
+/// The packing in the shape that the recipe's test needs: as it is, or the disc cut from it.
+std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe);
 
 }  // namespace phy

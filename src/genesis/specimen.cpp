@@ -41,8 +41,7 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
   if (bedding.empty() && !recipe.test.angles.empty())
     throw InputError(Problem{"", "test.angles", std::to_string(recipe.test.angles.size()) + " angles",
                              "angles of a bedding", "add a [[bedding]] set or leave the angles out"});
-  if (recipe.test.kind == TestKind::brazilian)
-    packing = std::make_shared<const Packing>(cut_disc(*packing, disc_diameter(recipe)));
+  packing = shaped(std::move(packing), recipe);
   std::vector<Specimen> specimens;
   for (const double theta : recipe.test.angles)
     specimens.push_back(make_specimen(packing, recipe.matrix, turned(bedding, theta), specimen_name(theta)));

@@ -12,6 +12,7 @@
 #include "base/units.hpp"
 #include "contact/models.hpp"
 #include "io/file.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -198,12 +199,12 @@ bool take_number(std::string_view& text, T& value) {
 
 std::string history_header(TestKind kind) {
   std::string text;
-  for (const HistoryColumn& c : history_columns(kind)) text += (text.empty() ? "" : ",") + heading(c);
+  for (const HistoryColumn& c : kind->columns) text += (text.empty() ? "" : ",") + heading(c);
   return text;
 }
 
 std::string crack_header(TestKind kind) {
-  return "step [1],time [s]," + heading(loading_column(kind)) +
+  return "step [1],time [s]," + heading(kind->loading_column()) +
          ",grain_a,grain_b,mode,place,x [m],y [m],normal_x,normal_y,size [m],energy [J/m]";
 }
 
@@ -213,7 +214,7 @@ std::string history_csv(const History& history) {
   std::string text = history_header(history.kind) + "\n";
   for (const HistoryRow& row : history.rows) {
     bool first = true;
-    for (const HistoryColumn& c : history_columns(history.kind)) {
+    for (const HistoryColumn& c : history.kind->columns) {
       text += (first ? "" : ",") + print_number(row.*c.value);
       first = false;
     }
@@ -239,11 +240,11 @@ std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind) {
 History parse_history(std::string_view text, const std::string& where) {
   History history;
   const std::string_view header = text.substr(0, text.find('\n'));
-  for (const TestKind kind : all_kinds)  // the columns name the test
-    if (header == history_header(kind)) history.kind = kind;
+  for (const TestDescription* test : laboratory_tests())  // the columns name the test
+    if (header == history_header(*test)) history.kind = *test;
   each_line(text, where, history_header(history.kind), [&](std::string_view line) {
     HistoryRow row;
-    for (const HistoryColumn& c : history_columns(history.kind))
+    for (const HistoryColumn& c : history.kind->columns)
       if (!take_number(line, row.*c.value)) return false;
     history.rows.push_back(row);
     return line.empty();
@@ -253,9 +254,10 @@ History parse_history(std::string_view text, const std::string& where) {
 
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
   std::vector<CrackEvent> cracks;
-  const std::string shear = crack_header(TestKind::direct_shear);
-  const bool sheared = text.substr(0, text.find('\n')) == shear;  // folders of before have the other head too
-  each_line(text, where, sheared ? shear : crack_header(TestKind::uniaxial), [&](std::string_view line) {
+  std::string header = crack_header(TestKind());  // folders of before have this head too, whatever the test
+  for (const TestDescription* test : laboratory_tests())
+    if (text.substr(0, text.find('\n')) == crack_header(*test)) header = crack_header(*test);
+  each_line(text, where, header, [&](std::string_view line) {
     CrackEvent c;
     bool ok = take_number(line, c.step) && take_number(line, c.time) && take_number(line, c.strain) &&
               take_number(line, c.a) && take_number(line, c.b);

@@ -27,7 +27,7 @@ std::vector<Disc> read_discs(const std::string& path);
 /// Contacts as CSV: grains, kind, normal, gap, stiffnesses per metre thickness, strengths.
 std::string contacts_csv(const Specimen& specimen);
 
-/// One line per row, one column per entry of history_columns(), the unit in the header.
+/// One line per row, one column per entry of the columns of its test, the unit in the header.
 std::string history_csv(const History& history);
 std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind);
 /// Read what the two above have written, to the same bits (width and height of a history are not in the

@@ -10,6 +10,7 @@
 #include "base/in_folder.test.hpp"
 #include "base/rng.hpp"
 #include "records/assembly.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -75,10 +76,10 @@ TEST(DiscFiles, OtherColumnsAreRefused) {
 TEST(CrackFiles, NameWhatCracksAreFiledUnder) {
   CrackEvent crack;
   crack.step = 300, crack.strain = 4e-5, crack.b = 1;
-  for (const TestKind kind : all_kinds) {
-    const std::string text = cracks_csv({crack}, kind);
-    const bool shear = kind == TestKind::direct_shear;
-    EXPECT_EQ(text.find("strain") == text.npos, shear) << to_string(kind);
+  for (const TestDescription* test : laboratory_tests()) {
+    const std::string text = cracks_csv({crack}, *test);
+    const bool shear = TestKind(*test) == TestKind("direct_shear");
+    EXPECT_EQ(text.find("strain") == text.npos, shear) << test->name;
     EXPECT_THAT(text, HasSubstr(shear ? "time [s],shear_displacement [m],grain_a"
                                       : "time [s],axial_strain [1],grain_a"));
     const std::vector<CrackEvent> back = parse_cracks(text, "c.csv");
@@ -88,7 +89,7 @@ TEST(CrackFiles, NameWhatCracksAreFiledUnder) {
 }
 
 TEST(CrackFiles, OfDirectShearAreReadUnderTheOlderHeadToo) {
-  std::string text = cracks_csv({CrackEvent{}}, TestKind::direct_shear);
+  std::string text = cracks_csv({CrackEvent{}}, TestKind("direct_shear"));
   const std::string head = "shear_displacement [m]";
   text.replace(text.find(head), head.size(), "axial_strain [1]");
   EXPECT_EQ(parse_cracks(text, "c.csv").size(), 1U);

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "io/deflate.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -142,11 +143,11 @@ double displacement_quantum(const Scene& scene) {
 
 /// A strain stands under its bare name, whatever the test; a displacement with its unit.
 std::string loading_key(TestKind kind) {
-  return kind == TestKind::direct_shear ? heading(loading_column(kind)) : "axial_strain";
+  return kind->loads_by_strain() ? "axial_strain" : heading(kind->loading_column());
 }
 /// Of the stress.
 std::string stress_key(TestKind kind) {
-  return kind == TestKind::direct_shear ? "shear_stress [Pa]" : "axial_stress [Pa]";
+  return kind->loads_by_strain() ? "axial_stress [Pa]" : heading(kind->stress_column());
 }
 
 template <class Moment>
@@ -157,8 +158,9 @@ Json moment_json(const Moment& m, TestKind kind) {
 template <class Moment>
 void read_moment(const Json& j, Moment& m) {
   j.at("step").get_to(m.step);
-  const bool strain = j.contains("axial_strain");  // so in every scene of before
-  const TestKind kind = strain ? TestKind::uniaxial : TestKind::direct_shear;
+  TestKind kind;  // a strain in every scene of before
+  for (const TestDescription* test : laboratory_tests())
+    if (j.contains(loading_key(*test))) kind = *test;
   j.at(loading_key(kind)).get_to(m.axial_strain);
   j.at(stress_key(kind)).get_to(m.axial_stress);
 }

@@ -13,6 +13,7 @@
 #include "base/in_folder.test.hpp"
 #include "io/toml_in.hpp"
 #include "records/assembly.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -122,7 +123,7 @@ TEST_F(Store, HistoryReadsBackToTheSameBits) {
   std::istringstream cells(line);
   std::vector<double> values;
   for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
-  ASSERT_EQ(values.size(), history_columns().size());
+  ASSERT_EQ(values.size(), TestKind()->columns.size());
   EXPECT_EQ(values[2], 1.0 / 3.0);
 }
 

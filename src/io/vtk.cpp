@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -132,7 +133,7 @@ std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind) {
   const std::string lines = cells(file, cracks.size(), 2, counting(2 * cracks.size()));
   const std::string data =
       file.array("mode", 1, mode) + file.array("place", 1, place) +
-      file.array(kind == TestKind::direct_shear ? heading(loading_column(kind)) : "strain", 1, strain) +
+      file.array(kind->loads_by_strain() ? "strain" : heading(kind->loading_column()), 1, strain) +
       file.array("energy [J per m]", 1, energy);
   return file.render(points, verts, lines, "", data);
 }

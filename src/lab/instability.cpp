@@ -6,6 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/rigs.hpp"
+#include "lab/tests.hpp"
+
 namespace phy {
 namespace {
 
@@ -15,8 +18,6 @@ constexpr double violent = 0.1;     // kinetic energy over the work
 constexpr double squeezed = 0.02;   // stress on the boundary over the contact modulus: rock fails far below
 constexpr double undamped = 0.5;    // alpha: below it vibrations last long
 constexpr double extreme = 100.0;   // ratio of two stiffnesses
-
-double modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E_b; }
 
 class Suspects {
  public:
@@ -58,18 +59,16 @@ class Suspects {
         packing_.report.mean_overlap);
   }
   void boundary_stress() {
-    const TestRecipe& t = recipe_.test;
-    const bool shear = t.kind == TestKind::direct_shear;
-    const double stress = shear ? t.normal_stress : t.kind == TestKind::biaxial ? t.confining_stress : 0.0;
+    const KeptStress& kept = recipe_.test.kind->kept_stress;
+    const double stress = kept.value != nullptr ? recipe_.test.*kept.value : 0.0;
     if (stress < squeezed * matrix_.E_c) return;
-    add("lower test.{}: it is {:.2g} of the contact modulus{}", shear ? "normal_stress" : "confining_stress",
-        stress / matrix_.E_c,
-        !shear && t.confinement == Confinement::jacket
+    add("lower test.{}: it is {:.2g} of the contact modulus{}", kept.key, stress / matrix_.E_c,
+        boundary_of(packing_, recipe_).rig.jacket
             ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
             : "");
   }
   void speed(const HistoryRow& last) {
-    const double wave = std::sqrt(modulus(matrix_) * matrix_.density) * recipe_.test.platen_speed;
+    const double wave = std::sqrt(contact_modulus(matrix_) * matrix_.density) * recipe_.test.platen_speed;
     const double strength = std::min(matrix_.sigma_c, matrix_.tau_c);
     const double moving = last.boundary_work > 0.0 ? last.kinetic / last.boundary_work : 0.0;
     if (wave > shattering * strength)
@@ -87,7 +86,7 @@ class Suspects {
     double radius = 0.0;
     for (const Disc& d : packing_.discs) radius += d.r / static_cast<double>(packing_.discs.size());
     for (const BeddingRecipe& set : bedding_) {
-      ratio("bedding k_n", set.k_n * 2.0 * radius / modulus(matrix_), "the stiffness of a grain");
+      ratio("bedding k_n", set.k_n * 2.0 * radius / contact_modulus(matrix_), "the stiffness of a grain");
       ratio("bedding k_s", set.k_s / set.k_n, "bedding k_n");
     }
   }

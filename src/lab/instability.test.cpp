@@ -52,7 +52,7 @@ TEST(Instability, EveryCauseIsNamedByItsKey) {
   EXPECT_TRUE(names(of([](Recipe& r) { r.bedding[0].k_n *= 1e5; }), "bedding k_n is"));
   EXPECT_TRUE(names(of([](Recipe& r) { r.bedding[0].k_s *= 1e-5; }), "bedding k_s is"));
   const std::string jacket = of([](Recipe& r) {
-    r.test.kind = TestKind::biaxial, r.test.confinement = Confinement::jacket;
+    r.test.kind = TestKind("biaxial"), r.test.confinement = Confinement::jacket;
     r.test.confining_stress = 0.1 * r.matrix.E_c;
   });
   EXPECT_TRUE(names(jacket, "lower test.confining_stress: it is 0.1 of") && names(jacket, "\"walls\""));

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/analyse.hpp"
 #include "analysis/specimen_checks.hpp"
-#include "base/check.hpp"
-#include "lab/biaxial.hpp"
-#include "lab/brazilian.hpp"
-#include "lab/direct_shear.hpp"
-#include "lab/direct_tension.hpp"
 #include "lab/instability.hpp"
-#include "lab/rigs.hpp"
-#include "lab/uniaxial.hpp"
+#include "lab/tests.hpp"
 #include "records/quality.hpp"
 
 namespace phy {
@@ -24,14 +19,6 @@ constexpr std::int64_t settle_cycles = 40000;  // give up after
 constexpr std::int64_t steady_blocks = 10;     // in a row, before a prepared stress counts as reached
 constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are chance
 
-/// "strain 0.1234 %"; of direct shear the displacement, over the width.
-std::string strain_text(TestKind kind, double strain, int digits) {
-  const double percent = 100.0 * strain;
-  return kind == TestKind::direct_shear
-             ? fmt::format("a shear displacement of {:.{}f} % of the width", percent, digits)
-             : fmt::format("strain {:.{}f} %", percent, digits);
-}
-
 }  // namespace
 
 LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane)
@@ -40,7 +27,7 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       group_(&group),
       lane_(lane),
       result_(blank_result(*specimen_, recipe.test.kind)),
-      rig_(std::make_shared<const Rig>(rig_of(*specimen_->packing, recipe))),
+      boundary_(boundary_of(*specimen_->packing, recipe)),
       snapshots_(recipe.test.n_snapshots),
       frames_(recipe.test.n_frames) {}
 
@@ -49,10 +36,11 @@ void LabTest::begin() {
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
   setup.tool_friction = recipe_.test.platen_friction;
-  setup.rig = rig_;
+  setup.rig = std::make_shared<const Rig>(boundary_.rig);
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
+  row_ = {};
   blocks_ = n_at_target_ = n_steady_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
@@ -65,6 +53,8 @@ void LabTest::begin() {
 /// The specimen has settled: the rig comes in.
 void LabTest::place_rig() {
   group_->place_rig(lane_);
+  row_ = {};
+  zero_axial_ = zero_lateral_ = 0.0;
   blocks_ = 0;
   phase_ = Phase::prepare;
   on_placed();
@@ -93,18 +83,18 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
 
 /// What broke in the block that the watchdog has rejected is as little worth as its row.
 bool LabTest::end_unstable(const LaneHealth& health) {
-  const HistoryRow& row = group_->row(lane_);
-  const double last_good = row.step - static_cast<double>(recipe_.test.history_interval);
+  const double last_good = row_.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
-                [&](const CrackEvent& c) { return static_cast<double>(c.step) > last_good; });
-  return end(Status::unstable, health.reason, advice_on_instability(*specimen_, recipe_, row, health.outran));
+                [&](const Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
+  return end(Status::unstable, health.reason,
+             advice_on_instability(*specimen_, recipe_, row_, health.outran));
 }
 
 bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
   if (!at_target) return false;
   n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
   if (n_steady_ == steady_blocks) {
-    group_->zero_strains(lane_);
+    zero_strains();
     start_loading();
     return false;
   }
@@ -117,9 +107,53 @@ bool LabTest::load_once_steady(bool at_target, double stress_over_target, double
       "raise engine.damping, or lower test.platen_speed or the stress");
 }
 
+/// Of a row that the watchdog has rejected only step and time are of now, as in the group.
+void LabTest::read_row() {
+  const HistoryRow& now = group_->row(lane_);
+  if (group_->health(lane_).ok) {
+    row_ = now;
+    if (phase_ != Phase::settle) write_load();
+  } else {
+    row_.step = now.step, row_.time = now.time;
+  }
+}
+
+/// Strain and stress, from what the tools and the jacket have done.
+void LabTest::write_load() {
+  const auto tool = [&](int number) -> const ToolState& { return group_->tool(lane_, number); };
+  const auto strain = [&](const LoadAxis& a, const LoadScale& over) {
+    return a.travel(tool(a.lo).displacement, tool(a.hi).displacement) / over.length;
+  };
+  const LoadAxis &along = boundary_.rig.axial, &across = boundary_.rig.lateral;
+  row_.axial_strain = strain(along, boundary_.axial) - zero_axial_;
+  row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_.axial.area;
+  row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_.axial.area;
+  row_.axial_stress = 0.5 * (row_.stress_bottom + row_.stress_top);
+  if (across.present()) {
+    const Vec2 force = tool(across.lo).force - tool(across.hi).force;
+    row_.lateral_strain = strain(across, boundary_.lateral) - zero_lateral_;
+    row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_.lateral.area;
+  }
+  if (boundary_.rig.jacket) {
+    const JacketState jacket = group_->jacket(lane_);
+    row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
+    row_.lateral_stress = jacket.pressure;
+  }
+  row_.deviatoric_stress = row_.axial_stress - row_.lateral_stress;
+  row_.volumetric_strain = row_.axial_strain + row_.lateral_strain;
+}
+
+void LabTest::zero_strains() {
+  group_->zero_strains(lane_);
+  zero_axial_ += row_.axial_strain, zero_lateral_ += row_.lateral_strain;
+  row_.axial_strain = row_.lateral_strain = row_.volumetric_strain = 0.0;
+  row_.axial_strain_gauge = row_.lateral_strain_gauge = 0.0;
+}
+
 bool LabTest::after_block() {
   ++blocks_;
-  const HistoryRow& row = group_->row(lane_);
+  read_row();
+  const HistoryRow& row = row_;
   if (const LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
@@ -140,15 +174,25 @@ bool LabTest::after_block() {
   return check_stop();
 }
 
+LabTest::Reading LabTest::reading(const HistoryRow& row) const {
+  const TestCurve& curve = test().curve;
+  const double way = curve.strain_of(row);
+  return {curve.stress_of(row), test().loads_by_strain() ? way : way / packing().width};
+}
+
+std::string LabTest::extent(double strain, int digits) const {
+  return fmt::format(fmt::runtime(test().extent), fmt::format("{:.{}f}", 100.0 * strain, digits));
+}
+
 bool LabTest::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
-  const TestKind kind = recipe_.test.kind;
-  const char* const stress = stress_name(kind);
+  const char* const stress = test().stress;
+  const bool to_the_end = test().runs_to_end;
   // Nothing fails before it has carried something and something has broken: what falls earlier is the first
   // stress wave.
-  const bool may_stop = ends_after_peak() && peak_.stress > 0.0 && now.strain > first_stop_strain() &&
-                        row.n_cracks >= least_cracks;
+  const bool may_stop =
+      !to_the_end && peak_.stress > 0.0 && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", stress,
@@ -161,25 +205,24 @@ bool LabTest::check_stop() {
                     stress, peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
                     now.strain * 100.0),
         "");
-  if (now.strain >= max_strain() && !ends_after_peak() && peak_.strain < now.strain)
+  if (now.strain >= max_strain() && to_the_end && peak_.strain < now.strain)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, {:.2f} MPa at the end", stress, peak_.stress * 1e-6,
-                           strain_text(kind, peak_.strain, 4), now.stress * 1e-6),
+                           extent(peak_.strain, 4), now.stress * 1e-6),
                "");
-  if (now.strain >= max_strain() && !ends_after_peak())
+  if (now.strain >= max_strain() && to_the_end)
     return end(Status::not_peaked,
-               fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress,
-                           strain_text(kind, now.strain, 3), now.stress * 1e-6),
+               fmt::format("the {} still rises at the end, {}: {:.2f} MPa", stress, extent(now.strain, 3),
+                           now.stress * 1e-6),
                "raise test.max_strain");
   return now.strain >= max_strain() && end_without_peak(now);
 }
 
 /// The largest strain is reached: why there is no peak, and what to change.
 bool LabTest::end_without_peak(const Reading& now) {
-  const TestKind kind = recipe_.test.kind;
-  const char* const stress = stress_name(kind);
+  const char* const stress = test().stress;
   const double n_broken = result_.history.rows.back().n_cracks;
-  const std::string at = strain_text(kind, now.strain, 3);
+  const std::string at = extent(now.strain, 3);
   if (specimen_->matrix.unbreakable)
     return end(Status::not_peaked, "nothing can break, up to " + at,
                "set matrix.unbreakable = false to get a strength");
@@ -196,9 +239,14 @@ bool LabTest::end_without_peak(const Reading& now) {
              "raise test.max_strain, or test.stop_at");
 }
 
+Snapshot LabTest::snapshot() const {
+  Snapshot shot = group_->snapshot(lane_);
+  shot.axial_strain = row_.axial_strain, shot.axial_stress = row_.axial_stress;
+  return shot;
+}
+
 Frame LabTest::frame() const {
-  const HistoryRow& row = group_->row(lane_);
-  Frame f{row.step, row.axial_strain, row.axial_stress, {}};
+  Frame f{row_.step, row_.axial_strain, row_.axial_stress, {}};
   for (const GrainState& g : group_->grains(lane_))
     f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
   return f;
@@ -206,15 +254,13 @@ Frame LabTest::frame() const {
 
 void LabTest::keep_pictures() {
   const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
-  if (snapshots_.due(row)) snapshots_.keep(group_->snapshot(lane_));
+  if (snapshots_.due(row)) snapshots_.keep(snapshot());
   if (frames_.due(row)) frames_.keep(frame());
 }
 
 void LabTest::interrupt() {
   if (phase_ != Phase::over)
-    end(Status::interrupted,
-        fmt::format("stopped by the user at {}",
-                    strain_text(recipe_.test.kind, reading(group_->row(lane_)).strain, 4)),
+    end(Status::interrupted, fmt::format("stopped by the user at {}", extent(reading(row_).strain, 4)),
         "run the same recipe again");
 }
 
@@ -229,14 +275,12 @@ LabTest::Reading LabTest::latest() const {
 }
 
 double LabTest::progress() const {
-  return phase_ == Phase::load ? std::min(1.0, reading(group_->row(lane_)).strain / max_strain()) : 0.0;
+  return phase_ == Phase::load ? std::min(1.0, reading(row_).strain / max_strain()) : 0.0;
 }
 
 void LabTest::read_numbers() {
-  AnalysisOptions options = analysis();
-  options.density = specimen_->matrix.density * (1.0 - packing().report.porosity);
-  options.length = packing().height;
-  result_.numbers = analyse(result_.history, result_.cracks, options);
+  const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
+  result_.numbers = told(numbers({density, packing().height}));
   for (Number& n : specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
@@ -248,13 +292,16 @@ void LabTest::read_numbers() {
 }
 
 TestResult LabTest::take_result() {
-  result_.cracks = group_->cracks(lane_);
+  for (const Breakage& broken : group_->cracks(lane_)) {
+    result_.cracks.push_back(broken.crack);
+    result_.cracks.back().strain = broken.travel / boundary_.axial.length - zero_axial_;
+  }
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
   });
-  result_.snapshots = snapshots_.take(group_->snapshot(lane_));
+  result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
-  result_.n_steps = static_cast<std::int64_t>(group_->row(lane_).step);
+  result_.n_steps = static_cast<std::int64_t>(row_.step);
   read_numbers();
   result_.hash = hash_of(result_);
   return std::move(result_);
@@ -268,30 +315,6 @@ TestResult blank_result(const Specimen& specimen, TestKind kind) {
   r.intact = specimen.bedding.empty();
   if (!r.intact) r.theta = specimen.bedding.front().theta;
   return r;
-}
-
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane) {
-  switch (recipe.test.kind) {
-    case TestKind::uniaxial: return std::make_unique<UniaxialTest>(specimen, recipe, group, lane);
-    case TestKind::direct_tension: return std::make_unique<DirectTensionTest>(specimen, recipe, group, lane);
-    case TestKind::brazilian: return std::make_unique<BrazilianTest>(specimen, recipe, group, lane);
-    case TestKind::biaxial: return std::make_unique<BiaxialTest>(specimen, recipe, group, lane);
-    case TestKind::direct_shear: return std::make_unique<DirectShearTest>(specimen, recipe, group, lane);
-  }
-  PHY_CHECK(false, "every kind of test has its room");
-  return nullptr;
-}
-
-TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {
-  GroupOptions options;
-  options.isa = native_isa();
-  options.interval = static_cast<int>(recipe.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
-  const auto test = make_test(specimen, recipe, *group, 0);
-  do group->advance();
-  while (!test->after_block());
-  return test->take_result();
 }
 
 }  // namespace phy

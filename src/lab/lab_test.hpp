@@ -16,12 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "analysis/analyse.hpp"
+#include "analysis/energy.hpp"
 #include "engine/lane_group.hpp"
 #include "lab/moments.hpp"
+#include "lab/rigs.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 
@@ -57,14 +59,11 @@ class LabTest {
   virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
   /// Sets the tools in motion, at the start of loading.
   virtual void drive() = 0;
-  virtual Reading reading(const HistoryRow& row) const { return {row.axial_stress, row.axial_strain}; }
   virtual double max_strain() const { return recipe_.test.max_strain; }
   /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
   virtual double first_stop_strain() const { return 0.0; }
-  /// False for a test that runs to max_strain whatever happens, for what comes after the peak.
-  virtual bool ends_after_peak() const { return true; }
-  /// What the analysis has to know beside the history and what all tests tell it (read_numbers).
-  virtual AnalysisOptions analysis() const { return {}; }
+  /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
+  virtual std::vector<Number> numbers(const WavePath& path) const = 0;
 
   void start_loading();
   /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
@@ -75,6 +74,8 @@ class LabTest {
   /// never does.
   bool load_once_steady(bool at_target, double stress_over_target, double tolerance);
   const Packing& packing() const { return *specimen_->packing; }
+  /// State at the end of the block: the group's row with the strain and stress of this test.
+  const HistoryRow& latest_row() const { return row_; }
 
   std::shared_ptr<const Specimen> specimen_;
   const Recipe& recipe_;
@@ -84,7 +85,15 @@ class LabTest {
 
  private:
   enum class Phase { settle, prepare, load, over };
+  const TestDescription& test() const { return *recipe_.test.kind; }
+  Reading reading(const HistoryRow& row) const;
+  /// "strain 0.1234 %"; of direct shear the displacement, over the width.
+  std::string extent(double strain, int digits) const;
   void place_rig();
+  void read_row();
+  void write_load();
+  void zero_strains();
+  Snapshot snapshot() const;
   Frame frame() const;
   void keep_pictures();
   /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why
@@ -94,7 +103,9 @@ class LabTest {
   bool end_without_peak(const Reading& now);
   bool end_unstable(const LaneHealth& health);
 
-  std::shared_ptr<const Rig> rig_;
+  TestBoundary boundary_;
+  HistoryRow row_;
+  double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;
   std::int64_t blocks_ = 0;       // in this phase
   std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target
@@ -106,12 +117,5 @@ class LabTest {
 
 /// The result of a test that has not begun: it knows whose it is.
 TestResult blank_result(const Specimen& specimen, TestKind kind);
-
-/// The test that the recipe names, in a lane of the group.
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane);
-
-/// Runs the recipe's test on one specimen to its end, alone and in double precision.
-TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe);
 
 }  // namespace phy

@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/clusters.hpp"
-#include "lab/rigs.hpp"
+#include "lab/tests.hpp"
 
 namespace phy {
 namespace {
@@ -22,7 +22,7 @@ std::size_t reach(const Tool& tool, const Packing& packing, std::uint32_t hub, C
 
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
-  const Rig rig = rig_of(packing, recipe);
+  const Rig rig = boundary_of(packing, recipe).rig;
   const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
   Clusters clusters(n + 2);  // the grains and the two tools
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
@@ -37,13 +37,9 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   if (lost.empty())
     lost = fmt::format("{} discs have {} contact(s), and none of their chains leads across", n,
                        specimen.contacts.size());
-  if (const TestKind kind = recipe.test.kind; no_reach && kind == TestKind::direct_tension)
-    throw InputError(
-        Problem{"", "test.grip_thickness", fmt::format("{:g} mm", 1e3 * recipe.test.grip_thickness),
-                "grips that reach discs", lost + ": raise it, or leave it out (four largest radii)"});
-  else if (no_reach && kind == TestKind::direct_shear)
-    throw InputError(Problem{"", "test.shear_gap", fmt::format("{:g} mm", 1e3 * recipe.test.shear_gap),
-                             "boxes that hold discs", lost + ": lower it"});
+  if (const HoldKey& hold = room_of(recipe).hold; no_reach && hold.value != nullptr)
+    throw InputError(Problem{"", hold.key, fmt::format("{:g} mm", 1e3 * (recipe.test.*hold.value)),
+                             hold.expected, lost + ": " + hold.remedy});
   const PackingRecipe& p = recipe.packing;
   const bool imported = !p.file.empty(), counted = p.n_grains > 0;
   throw InputError(

@@ -6,6 +6,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace phy {
@@ -17,7 +18,6 @@ enum class StiffnessConvention { pfc31, pfc5 };            ///< laws/linear/READ
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
 enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
-enum class TestKind { uniaxial, direct_tension, brazilian, biaxial, direct_shear };
 /// Sides of a biaxial test: rigid walls, or pressure on side grains.
 enum class Confinement { walls, jacket };
 
@@ -77,8 +77,24 @@ struct BeddingRecipe {
   double radius_multiplier = 1.0;
 };
 
+struct TestDescription;
+
+/// One of the laboratory's tests; what it is and does, its description tells (records/test_description.hpp).
+class TestKind {
+ public:
+  TestKind();                                ///< uniaxial compression, the first of the list
+  explicit TestKind(std::string_view name);  ///< by its word, which has to be in the list
+  TestKind(const TestDescription& test) : test_(&test) {}
+  const TestDescription& operator*() const { return *test_; }
+  const TestDescription* operator->() const { return test_; }
+  bool operator==(const TestKind&) const = default;
+
+ private:
+  const TestDescription* test_;
+};
+
 struct TestRecipe {
-  TestKind kind = TestKind::uniaxial;
+  TestKind kind;
   /// [deg] one specimen per angle, turning bedding[0]; empty: the bedding as it stands
   std::vector<double> angles;
   bool intact = false;         ///< also a specimen without bedding

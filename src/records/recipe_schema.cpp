@@ -7,6 +7,7 @@
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -21,6 +22,16 @@ template <class Part, class T>
 void bind(Field& f, Part Recipe::*part, T Part::*member) {
   f.get = [=](const Recipe& r, std::size_t) { return static_cast<double>((r.*part).*member); };
   f.set = [=](Recipe& r, std::size_t, double v) { (r.*part).*member = static_cast<T>(v); };
+}
+/// The laboratory test, as its place in the list.
+void bind(Field& f, TestRecipe Recipe::*part, TestKind TestRecipe::*member) {
+  f.get = [=](const Recipe& r, std::size_t) {
+    const auto tests = laboratory_tests();
+    return static_cast<double>(std::find(tests.begin(), tests.end(), &*((r.*part).*member)) - tests.begin());
+  };
+  f.set = [=](Recipe& r, std::size_t, double v) {
+    (r.*part).*member = *laboratory_tests()[static_cast<std::size_t>(v)];
+  };
 }
 template <class T>
 void bind(Field& f, T BeddingRecipe::*member) {
@@ -181,8 +192,9 @@ void add_bedding(List& l) {
 void add_test(List& l) {
   using T = TestRecipe;
   constexpr auto part = &Recipe::test;
-  l.choice("test", "kind", {"uniaxial", "direct_tension", "brazilian", "biaxial", "direct_shear"},
-           "laboratory test", part, &T::kind);
+  std::vector<std::string> tests;
+  for (const TestDescription* test : laboratory_tests()) tests.emplace_back(test->name);
+  l.choice("test", "kind", tests, "laboratory test", part, &T::kind);
   Field f;
   f.kind = FieldKind::quantities, f.table = "test", f.key = "angles", f.dimension = Dimension::angle;
   f.min = 0, f.max = 180, f.below_max = true;
@@ -478,7 +490,7 @@ class CrossChecks {
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
       tell({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
            "give test.normal_stress, from which it grows");
-    if (t.jump_strain > 0.0 && t.kind != TestKind::uniaxial)
+    if (t.jump_strain > 0.0 && !t.kind->may_jump)
       tell({"test.jump_strain", "test.kind"}, print_number(t.jump_strain), "0 for this kind of test",
            "only the uniaxial press can start loaded");
   }

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ enum class CrackPlace : std::uint8_t { matrix, bedding };
 struct CrackEvent {
   std::int64_t step = 0;
   double time = 0.0;           ///< [s]
-  double strain = 0.0;         ///< axial_strain of the history (loading_column)
+  double strain = 0.0;         ///< axial_strain of the history
   std::uint32_t a = 0, b = 0;  ///< grains
   CrackMode mode = CrackMode::tension;
   CrackPlace place = CrackPlace::matrix;
@@ -55,31 +56,26 @@ struct HistoryRow {
 };
 
 struct History {
-  TestKind kind = TestKind::uniaxial;
+  TestKind kind;
   double width = 0.0, height = 0.0;  ///< initial size the strains refer to [m]
   std::vector<HistoryRow> rows;
 };
 
-/// A column of the history table: the single place that names it for CSV, reports and hashes. Every kind of
-/// test has columns of its own; those of energy and bookkeeping are common.
+/// A column of the history table: the single place that names it for CSV, reports and hashes. Every test has
+/// columns of its own (records/test_description.hpp), made from these and its own.
 struct HistoryColumn {
   const char* name;
   const char* unit;
   const char* meaning;
   double HistoryRow::*value;
 };
-const std::vector<HistoryColumn>& history_columns(TestKind kind = TestKind::uniaxial);
-/// The column that grows while the test loads, HistoryRow::axial_strain: what cracks, snapshots and frames
-/// are filed under. In direct shear it is no strain but a displacement [m].
-const HistoryColumn& loading_column(TestKind kind);
+using HistoryColumns = std::vector<HistoryColumn>;
+const HistoryColumns& clock_columns();  ///< cycle and time: the first of every test
+const HistoryColumns& gauge_columns();  ///< strains of the middle of the specimen
+const HistoryColumns& book_columns();   ///< cracks, energies, bookkeeping: the last of every test
+HistoryColumns joined(std::initializer_list<HistoryColumns> parts);
 /// "axial_strain [1]": a column in the head of a table.
 std::string heading(const HistoryColumn& column);
-/// What the stress of a kind of test is that its strength is read on: "axial stress", "deviatoric stress".
-const char* stress_name(TestKind kind);
-/// The recipe's word for a kind of test.
-const char* to_string(TestKind kind);
-constexpr TestKind all_kinds[] = {TestKind::uniaxial, TestKind::direct_tension, TestKind::brazilian,
-                                  TestKind::biaxial, TestKind::direct_shear};
 
 /// `untrusted`: it peaked, but a measure of quality is so bad that its numbers are none of the rock
 /// (quality.hpp).
@@ -133,7 +129,7 @@ struct Frame {
 
 struct TestResult {
   std::string name;  ///< specimen name
-  TestKind kind = TestKind::uniaxial;
+  TestKind kind;
   bool intact = true;
   double theta = 0.0;  ///< [deg] of bedding[0]
   Outcome outcome;
@@ -150,8 +146,11 @@ struct TestResult {
   std::string hash;             ///< bits of history, cracks and final positions
 };
 
-/// Fingerprint over the bits of every history value, crack and final position; not over times, host or
-/// threads.
+/// Names of the columns that the hash of a history covers, in this order: clock, those of the test, books.
+std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the_test);
+
+/// Fingerprint over the bits of the history's values that the test names (TestDescription::hashed), of every
+/// crack and final position; not over times, host or threads.
 std::string hash_of(const TestResult& result);
 
 }  // namespace phy

@@ -10,7 +10,7 @@
 
 #include "base/check.hpp"
 #include "records/recipe_schema.hpp"
-#include "report/axes.hpp"
+#include "records/test_description.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 #include "report/specimen_picture.hpp"
@@ -39,12 +39,12 @@ std::vector<const TestRecord*> with_scene(const RunRecord& run) {
 // --- curves
 // --------------------------------------------------------------------------------------------------
 
-TestAxes axes_of(const RunRecord& run) {
-  return test_axes(run.tests.empty() ? TestKind::uniaxial : run.tests.front().recipe.test.kind);
+const TestCurve& axes_of(const RunRecord& run) {
+  return (run.tests.empty() ? TestKind() : run.tests.front().recipe.test.kind)->curve;
 }
 
 /// Where the curve first reaches the value of a number.
-void add_mark(const TestRecord& t, const TestAxes& axes, const std::string& name, std::vector<Row>& marks) {
+void add_mark(const TestRecord& t, const TestCurve& axes, const std::string& name, std::vector<Row>& marks) {
   const double level = value_of(t, name);
   for (const HistoryRow& row : t.result.history.rows)
     if (axes.stress_of(row) >= level)
@@ -52,7 +52,7 @@ void add_mark(const TestRecord& t, const TestAxes& axes, const std::string& name
 }
 
 double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
-  const TestAxes axes = axes_of(data.run);
+  const TestCurve& axes = axes_of(data.run);
   s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
   s.add(
       "set xrange [0:*]; set yrange [0:*]; set key outside right top reverse Left; set lmargin at screen "
@@ -117,7 +117,7 @@ std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, c
 
 double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
   const TheoryCurves curves = theory_curves(data.run);
-  const TestAxes axes = axes_of(data.run);
+  const TestCurve& axes = axes_of(data.run);
   const Panel all[] = {{"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E},
                        {axes.strength, axes.strength_label + " [MPa]", 1e-6, axes.property, &curves.ucs},
                        {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu}};

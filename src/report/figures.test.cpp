@@ -112,7 +112,7 @@ TestRecord test_at(double theta, const std::string& number, double aspect) {
 TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
   FigureData data;
   data.run.tests = {test_at(0.0, "bts", 1.0), test_at(90.0, "bts", 1.0)};
-  for (TestRecord& t : data.run.tests) t.recipe.test.kind = TestKind::brazilian;
+  for (TestRecord& t : data.run.tests) t.recipe.test.kind = TestKind("brazilian");
   const std::string script = script_of("anisotropy", data);
   EXPECT_THAT(script, HasSubstr("Brazilian strength [MPa]"));
   EXPECT_THAT(script, HasSubstr("layout 1,1 "));

@@ -22,7 +22,7 @@ Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options)
   for (const TestRecord& t : run.tests) {
     if (t.scene.frames.empty()) continue;
     places_.push_back({&t, {}});
-    axes_ = test_axes(t.recipe.test.kind);
+    axes_ = t.recipe.test.kind->curve;
     end_ = std::max(end_, last_strain(t));
     for (const HistoryRow& row : t.result.history.rows)
       strongest_ = std::max(strongest_, axes_.stress_of(row));

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "records/test_description.hpp"
 #include "records/test_record.hpp"
-#include "report/axes.hpp"
 #include "report/specimen_picture.hpp"
 
 namespace phy {
@@ -39,7 +39,7 @@ class Film {
   std::vector<Place> places_;
   FilmOptions options_;
   int height_ = 0;
-  TestAxes axes_;
+  TestCurve axes_;
   double cell_ = 0.0, curve_top_ = 0.0;  // [pixels]
   double end_ = 0.0, strongest_ = 0.0;   // strain, stress [Pa] of the axes
 };

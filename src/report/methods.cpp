@@ -6,8 +6,7 @@
 
 #include "base/lines.hpp"
 #include "base/units.hpp"
-#include "genesis/cut.hpp"
-#include "report/axes.hpp"
+#include "records/test_description.hpp"
 
 namespace phy {
 namespace {
@@ -28,8 +27,7 @@ std::string packing_text(const TestRecord& t) {
       "The specimens are two-dimensional assemblies of {} discs ({}) in a rectangle of {} by {} (width by "
       "height{}). The packing has porosity {:.4f}, coordination number {:.3f} and fabric {:+.4f}; {}.",
       t.n_grains, source, quantity(r.specimen.width, Dimension::length),
-      quantity(r.specimen.height, Dimension::length),
-      r.test.kind == TestKind::direct_shear ? "" : ", load along the height", t.packing.porosity,
+      quantity(r.specimen.height, Dimension::length), r.test.kind->load_on_box, t.packing.porosity,
       t.packing.coordination, t.packing.fabric,
       t.stress_free
           ? "its overlaps are the stress-free state"
@@ -48,7 +46,7 @@ std::string matrix_text(const MatrixRecipe& m) {
       p(m.tau_c_sd), m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density));
 }
 
-std::string bedding_text(const BeddingRecipe& b, TestKind kind) {
+std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {
   const auto s = [](double v) { return quantity(v, Dimension::stiffness); };
   return fmt::format(
       "Bedding planes, {} apart, are smooth joints (Mas Ivars et al. 2011), assigned by the {}: k_n = {}, "
@@ -61,53 +59,7 @@ std::string bedding_text(const BeddingRecipe& b, TestKind kind) {
           ? fmt::format("zone rule with a thickness of {}", quantity(b.zone_thickness, Dimension::length))
           : std::string("crossing rule"),
       s(b.k_n), s(b.k_s), b.mu, quantity(b.sigma_n, Dimension::pressure),
-      quantity(b.cohesion, Dimension::pressure), b.phi, b.psi,
-      kind == TestKind::direct_shear ? ", along which the boxes move" : ", the load being vertical");
-}
-
-std::string sides_text(const TestRecipe& t) {
-  if (t.confining_stress == 0.0) return "The sides were free (confining stress 0).";
-  return fmt::format(
-      "A confining stress of {} was brought up all round before the loading and held on the sides by {}.",
-      quantity(t.confining_stress, Dimension::pressure),
-      t.confinement == Confinement::walls ? "two rigid walls without friction"
-                                          : "a pressure on the outermost grains, as by a rubber jacket");
-}
-
-std::string shear_text(const TestRecipe& t) {
-  return fmt::format(
-      "The halves of the specimen, {}, were held in two boxes and sheared past each other at {} each, under "
-      "a normal "
-      "stress of {}{}.",
-      t.shear_gap > 0.0 ? quantity(t.shear_gap, Dimension::length) + " of free rock between them"
-                        : "each rigid",
-      quantity(t.platen_speed, Dimension::speed), quantity(t.normal_stress, Dimension::pressure),
-      t.normal_stiffness > 0.0
-          ? fmt::format(" that grew with dilation by {}", quantity(t.normal_stiffness, Dimension::stiffness))
-          : std::string(", kept constant"));
-}
-
-std::string tools_text(const Recipe& r) {
-  const TestRecipe& t = r.test;
-  const std::string speed = quantity(t.platen_speed, Dimension::speed),
-                    platens = fmt::format("Two rigid platens (friction {:g}) closed at {} each",
-                                          t.platen_friction, speed);
-  switch (t.kind) {
-    case TestKind::uniaxial: return platens + " on specimens with free sides.";
-    case TestKind::biaxial: return platens + ". " + sides_text(t);
-    case TestKind::direct_tension:
-      return fmt::format("Grips on both ends, free to move sideways, pulled at {} each; the sides were free.",
-                         speed);
-    case TestKind::brazilian:
-      return fmt::format("Discs of {} were cut from the specimens; {} closed on them at {} each.",
-                         quantity(disc_diameter(r), Dimension::length),
-                         t.loading_angle > 0.0
-                             ? fmt::format("two jaws, each on an arc of {:g} deg,", t.loading_angle)
-                             : "two flat platens",
-                         speed);
-    case TestKind::direct_shear: return shear_text(t);
-  }
-  return "";
+      quantity(b.cohesion, Dimension::pressure), b.phi, b.psi, test.load_on_bedding);
 }
 
 /// What ended a test, by its history: a test whose stress has fallen far enough ends first for that.
@@ -117,10 +69,10 @@ std::string end_of(const TestRecord& test) {
   const std::vector<HistoryRow>& rows = test.result.history.rows;
   if (outcome.status != Status::peaked || rows.empty())
     return to_string(outcome.status) + (outcome.reason.empty() ? "" : ", " + outcome.reason);
-  const TestAxes axes = test_axes(t.kind);
-  if (t.kind == TestKind::direct_shear)
-    return fmt::format("past the peak, at the full shear displacement of {:.3g} mm",
-                       axes.strain_of(rows.back()) * 1e3);
+  const TestCurve& axes = t.kind->curve;
+  if (t.kind->runs_to_end)
+    return fmt::format("past the peak, at the full {} of {:.3g} {}", axes.strain,
+                       axes.strain_of(rows.back()) * axes.strain_factor, axes.strain_unit);
   const auto peak = std::max_element(rows.begin(), rows.end(), [&](const HistoryRow& a, const HistoryRow& b) {
     return axes.stress_of(a) < axes.stress_of(b);
   });
@@ -146,13 +98,13 @@ std::string loading_text(const RunRecord& run) {
       "{} The explicit time step was {:.3g} to {:.3g} s ({:g} of the proven stable step), local damping "
       "{:g}, {} "
       "precision. {}",
-      tools_text(r), least, most, r.engine.step_safety, r.engine.damping,
+      r.test.kind->loading_text(r), least, most, r.engine.step_safety, r.engine.damping,
       r.engine.precision == Precision::double_precision ? "double" : "single", ends_text(run));
 }
 
 std::string definitions_text(const TestRecord& t) {
   std::string text = "Definitions. ";
-  const std::string strength = test_axes(t.recipe.test.kind).strength;
+  const std::string strength = t.recipe.test.kind->curve.strength;
   for (const std::string& name : {std::string("E_tangent"), std::string("nu"), strength,
                                   std::string("sigma_ci"), std::string("sigma_cd")})
     for (const Number& n : t.result.numbers)
@@ -166,7 +118,7 @@ std::vector<std::string> methods_text(const RunRecord& run) {
   if (run.tests.empty()) return {};
   const TestRecord& t = run.tests.front();
   std::vector<std::string> text = {packing_text(t), matrix_text(t.recipe.matrix)};
-  for (const BeddingRecipe& b : t.recipe.bedding) text.push_back(bedding_text(b, t.recipe.test.kind));
+  for (const BeddingRecipe& b : t.recipe.bedding) text.push_back(bedding_text(b, *t.recipe.test.kind));
   text.push_back(loading_text(run));
   text.push_back(definitions_text(t));
   text.push_back(

@@ -20,12 +20,12 @@ TestRecord test_of(const Recipe& recipe, const std::string& name, Outcome outcom
   const Specimen s = assembly(hexagonal(5, 8, 0.001), MatrixRecipe{});
   TestResult r;
   r.name = name, r.kind = r.history.kind = recipe.test.kind, r.outcome = std::move(outcome);
-  const double sign = recipe.test.kind == TestKind::direct_tension ? -1.0 : 1.0;
+  const double sign = recipe.test.kind == TestKind("direct_tension") ? -1.0 : 1.0;
   for (const auto& [strain, stress] : curve) {
     HistoryRow row;
     row.axial_strain = sign * strain;
     row.axial_stress = row.deviatoric_stress = sign * stress * 1e6;
-    if (recipe.test.kind == TestKind::biaxial) row.axial_stress += recipe.test.confining_stress;
+    if (recipe.test.kind == TestKind("biaxial")) row.axial_stress += recipe.test.confining_stress;
     r.history.rows.push_back(row);
   }
   return record_of(recipe, "9.9", s, r);
@@ -60,7 +60,7 @@ TEST(Methods, EveryTestEndsAsItDid) {
 
 TEST(Methods, AConfinedTestNamesStressAndSides) {
   Recipe r;
-  r.test.kind = TestKind::biaxial, r.test.confining_stress = 12e6, r.test.stop_at = 0.8;
+  r.test.kind = TestKind("biaxial"), r.test.confining_stress = 12e6, r.test.stop_at = 0.8;
   const auto one = [&] {
     return methods({test_of(r, "intact", peaked, {{1e-3, 90}, {2e-3, 100}, {2.5e-3, 79}})});
   };
@@ -75,7 +75,7 @@ TEST(Methods, AConfinedTestNamesStressAndSides) {
 TEST(Methods, OtherTestsAreDescribedByTheirOwnToolsAndEnds) {
   Recipe r;
   r.bedding.resize(1);
-  r.test.kind = TestKind::direct_shear, r.test.normal_stress = 4e6;
+  r.test.kind = TestKind("direct_shear"), r.test.normal_stress = 4e6;
   const auto one = [&] { return methods({test_of(r, "s", peaked, {{1e-4, 3}, {2e-4, 2}})}); };
   EXPECT_THAT(one(), AllOf(HasSubstr("normal stress of 4 MPa, kept constant"),
                            HasSubstr("at the full shear displacement of 0.2 mm"),
@@ -83,11 +83,11 @@ TEST(Methods, OtherTestsAreDescribedByTheirOwnToolsAndEnds) {
                            Not(HasSubstr("strain"))));
   r.test.normal_stiffness = 1e12;
   EXPECT_THAT(one(), AllOf(HasSubstr("grew with dilation"), Not(HasSubstr("kept constant"))));
-  r.test.kind = TestKind::brazilian;
+  r.test.kind = TestKind("brazilian");
   EXPECT_THAT(one(), AllOf(HasSubstr("Discs of 38 mm"), HasSubstr("arc of 10 deg")));
   r.test.loading_angle = 0.0;
   EXPECT_THAT(one(), HasSubstr("two flat platens"));
-  r.test.kind = TestKind::direct_tension;
+  r.test.kind = TestKind("direct_tension");
   EXPECT_THAT(one(), AllOf(HasSubstr("Grips"), HasSubstr("the elongation exceeded"),
                            HasSubstr("load being vertical")));
 }

@@ -10,7 +10,7 @@
 #include "io/scene.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
-#include "report/axes.hpp"
+#include "records/test_description.hpp"
 #include "report/curves.hpp"
 #include "report/methods.hpp"
 #include "report/palette.hpp"
@@ -36,12 +36,12 @@ std::string packed(const Items& items, Value value) {
 }
 
 /// Growing while the test loads, whatever the kind of test.
-Json history_json(const History& history, const TestAxes& axes) {
+Json history_json(const History& history, const TestCurve& axes) {
   return {{"strain", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.strain_of(r); })},
           {"stress", packed<double>(history.rows, [&](const HistoryRow& r) { return axes.stress_of(r); })}};
 }
 
-Json axes_json(const TestAxes& a) {
+Json axes_json(const TestCurve& a) {
   return {{"strain", a.strain},
           {"strain_unit", a.strain_unit},
           {"strain_factor", a.strain_factor},
@@ -64,7 +64,7 @@ Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
 
 Json test_json(const TestRecord& t, std::size_t index) {
   const Rose rose = crack_rose(t.result.cracks);
-  const TestAxes axes = test_axes(t.recipe.test.kind);
+  const TestCurve& axes = t.recipe.test.kind->curve;
   Json bedding = Json::array();
   for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
     bedding.push_back({{"theta", t.bedding[i].theta},
@@ -119,7 +119,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const TestRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
-  j["axes"] = axes_json(test_axes(first.recipe.test.kind));
+  j["axes"] = axes_json(first.recipe.test.kind->curve);
   j["tests"] = Json::array();
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();

@@ -121,7 +121,7 @@ TEST(Page, CurvesGrowWhateverTheTest) {
     t.result.cracks[1].strain = 0.25;
   }
   for (TestRecord& t : pull.tests) {
-    t.recipe.test.kind = TestKind::direct_tension;
+    t.recipe.test.kind = TestKind("direct_tension");
     t.result.history.rows[2].axial_strain *= -1.0;
     t.result.history.rows[1].axial_stress = -3e6;
     t.result.cracks[1].strain = -0.25;

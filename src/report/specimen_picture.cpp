@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/exact_math.hpp"
-#include "report/axes.hpp"
+#include "records/test_description.hpp"
 #include "report/palette.hpp"
 
 namespace phy {
@@ -66,12 +66,12 @@ void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
 
 double last_strain(const TestRecord& test) {
   const auto& rows = test.result.history.rows;
-  return rows.empty() ? 0.0 : test_axes(test.recipe.test.kind).strain_of(rows.back());
+  return rows.empty() ? 0.0 : test.recipe.test.kind->curve.strain_of(rows.back());
 }
 
 void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain) {
   const Scene& scene = test.scene;
-  const double sign = test_axes(test.recipe.test.kind).sign;
+  const double sign = test.recipe.test.kind->curve.sign;
   const std::vector<std::size_t> tone = tones_of(test);
   std::vector<Vec2> at = displacements(scene, strain, sign);
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "records/quality.hpp"
+#include "records/test_description.hpp"
 #include "report/text_table.hpp"
 
 namespace phy {
@@ -37,22 +38,19 @@ std::string number(const TestResult& r, const std::string& name, double scale, i
   return "-";
 }
 
-Column reading(std::string head, std::string unit, const Results& results, const char* name, double scale,
-               int digits) {
-  return column(std::move(head), std::move(unit), results,
-                [=](const TestResult& r) { return number(r, name, scale, digits); });
+/// "*": a strength that is none, or a bound of it; its note says why (missing_numbers).
+bool has_reservation(const TestResult& r, const Number& n) {
+  return n.name == r.kind->curve.strength && std::isfinite(n.value) && !n.note.empty();
 }
 
-/// "*": a strength that is none, or a bound of it; its note says why (missing_numbers).
-bool has_reservation(const Number& n) {
-  return (n.name == "bts" || n.name == "sigma_t") && std::isfinite(n.value) && !n.note.empty();
-}
-Column strength(std::string head, const Results& results, const char* name) {
-  return column(std::move(head), "MPa", results, [=](const TestResult& r) {
-    const auto n =
-        std::find_if(r.numbers.begin(), r.numbers.end(), [&](const Number& x) { return x.name == name; });
-    const std::string cell = number(r, name, 1e-6, 2);
-    return cell != "-" && has_reservation(*n) ? cell + "*" : cell;
+/// A column of the kind of test.
+Column reading(const Results& results, const TableColumn& c) {
+  return column(c.head, c.unit, results, [&](const TestResult& r) {
+    const std::string cell = number(r, c.number, c.scale, c.digits);
+    const bool marked = std::any_of(r.numbers.begin(), r.numbers.end(), [&](const Number& n) {
+      return n.name == c.number && has_reservation(r, n);
+    });
+    return cell != "-" && marked ? cell + "*" : cell;
   });
 }
 
@@ -73,57 +71,11 @@ Column label(const Results& results) {
   return names;
 }
 
-Columns tension_columns(const Results& results) {
-  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2), reading("nu", "", results, "nu", 1.0, 3),
-          strength("sigma_t", results, "sigma_t"), reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
-          reading("cracks at", "the grips", results, "failure_at_grip", 1.0, 2)};
-}
-
-Columns disc_columns(const Results& results) {
-  return {strength("BTS", results, "bts"), reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
-          reading("1st crack", "y/D", results, "first_crack_y", 1.0, 2),
-          reading("1st crack", "x/D", results, "first_crack_x", 1.0, 2),
-          reading("cracks in", "central third", results, "central_cracks", 1.0, 2)};
-}
-
-Columns confined_columns(const Results& results) {
-  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
-          reading("nu", "", results, "nu", 1.0, 3),
-          reading("sigma_3", "MPa", results, "sigma_3", 1e-6, 2),
-          reading("sigma_1", "MPa", results, "sigma_1", 1e-6, 2),
-          reading("sigma_ci", "MPa, q", results, "sigma_ci", 1e-6, 2),
-          reading("sigma_cd", "MPa, q", results, "sigma_cd", 1e-6, 2),
-          reading("confinem.", "error", results, "confinement_error", 1.0, 4)};
-}
-
-Columns shear_columns(const Results& results) {
-  return {reading("sigma_n", "MPa", results, "sigma_n", 1e-6, 2),
-          reading("tau peak", "MPa", results, "tau_peak", 1e-6, 2),
-          reading("u peak", "um", results, "u_peak", 1e6, 2),
-          reading("tau resid.", "MPa", results, "tau_residual", 1e-6, 2),
-          reading("K_s", "GPa/m", results, "K_s", 1e-9, 1),
-          reading("dilation", "deg", results, "dilation", 1.0, 2)};
-}
-
-Columns numbers_of_kind(const Results& results) {
-  switch (results.empty() ? TestKind::uniaxial : results.front().kind) {
-    case TestKind::uniaxial: break;
-    case TestKind::direct_tension: return tension_columns(results);
-    case TestKind::brazilian: return disc_columns(results);
-    case TestKind::biaxial: return confined_columns(results);
-    case TestKind::direct_shear: return shear_columns(results);
-  }
-  return {reading("E tan50", "GPa", results, "E_tangent", 1e-9, 2),
-          reading("E sec50", "GPa", results, "E_secant", 1e-9, 2),
-          reading("nu", "", results, "nu", 1.0, 3),
-          reading("UCS", "MPa", results, "ucs", 1e-6, 2),
-          reading("sigma_ci", "MPa", results, "sigma_ci", 1e-6, 2),
-          reading("sigma_cd", "MPa", results, "sigma_cd", 1e-6, 2)};
-}
-
 Columns curve_columns(const Results& results) {
-  Columns columns = numbers_of_kind(results);
-  columns.push_back(reading("energy", "error", results, "energy_error", 1.0, 5));
+  Columns columns;
+  const TestKind kind = results.empty() ? TestKind() : results.front().kind;
+  for (const TableColumn& c : kind->table) columns.push_back(reading(results, c));
+  columns.push_back(reading(results, {"energy", "error", "energy_error", 1.0, 5}));
   return columns;
 }
 
@@ -147,13 +99,24 @@ std::string press_table(const Results& results, int terminal_width) {
   return text_table(label(results), {curve_columns(results), run_columns(results)}, terminal_width);
 }
 
+namespace {
+
+/// As the head of the table has it: "BTS" for "bts".
+std::string head_of(const TestResult& r, const Number& n) {
+  for (const TableColumn& c : r.kind->table)
+    if (n.name == c.number) return c.head;
+  return n.name;
+}
+
+}  // namespace
+
 std::string missing_numbers(const Results& results) {
   std::vector<std::pair<std::string, std::string>> told;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
       const bool missing = (n.name == "sigma_ci" || n.name == "sigma_cd") && !std::isfinite(n.value);
-      if (r.outcome.status != Status::peaked || (!missing && !has_reservation(n))) continue;
-      const std::string reason = (n.name == "bts" ? "BTS" : n.name) + (missing ? " -: " : " *: ") + n.note;
+      if (r.outcome.status != Status::peaked || (!missing && !has_reservation(r, n))) continue;
+      const std::string reason = head_of(r, n) + (missing ? " -: " : " *: ") + n.note;
       const auto it =
           std::find_if(told.begin(), told.end(), [&](const auto& t) { return t.first == reason; });
       if (it == told.end())

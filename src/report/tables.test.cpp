@@ -108,7 +108,7 @@ TEST(PressTable, NoResultsGiveTheHeadOnly) { EXPECT_THAT(press_table({}, 0), Has
 TEST(PressTable, MarksATensileStrengthWithAReservation) {
   std::vector<TestResult> discs(2);
   for (TestResult& r : discs) {
-    r.kind = TestKind::brazilian, r.outcome.status = Status::peaked;
+    r.kind = TestKind("brazilian"), r.outcome.status = Status::peaked;
     r.numbers = {{"bts", 9e6, "Pa", "", ""}};
   }
   discs[0].name = "theta = 30 deg", discs[0].intact = false, discs[0].theta = 30.0;

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/clock.hpp"
+#include "lab/tests.hpp"
 
 namespace phy {
 

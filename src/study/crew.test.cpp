@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 Recipe quick() {
-  Recipe r = small_rock(TestKind::uniaxial);
+  Recipe r = small_rock(TestKind("uniaxial"));
   r.test.max_strain = 0.004;
   r.test.platen_speed = 0.1;
   return r;
@@ -198,7 +198,7 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
 }
 
 TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
-  Recipe r = small_rock(TestKind::biaxial);
+  Recipe r = small_rock(TestKind("biaxial"));
   r.bedding.resize(1);
   r.test.angles = {30.0};
   r.test.intact = true;
@@ -210,7 +210,7 @@ TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
   const auto results = run_tests(specimens, r, {1, 0, 4, native_isa()}, hooks);
   for (const TestResult& result : results) {
     EXPECT_EQ(result.outcome.reason, "not started");
-    EXPECT_EQ(result.kind, TestKind::biaxial);
+    EXPECT_EQ(result.kind, TestKind("biaxial"));
   }
   EXPECT_EQ(results[0].theta, 30.0);
   EXPECT_FALSE(results[0].intact);

@@ -17,7 +17,7 @@ namespace {
 TestResult peak(double theta, double sigma_1) {
   TestResult r;
   r.name = "theta = " + std::to_string(static_cast<int>(theta)) + " deg";
-  r.kind = TestKind::biaxial, r.intact = false, r.theta = theta;
+  r.kind = TestKind("biaxial"), r.intact = false, r.theta = theta;
   r.outcome.status = Status::peaked;
   r.numbers = {{"sigma_1", sigma_1, "Pa", "", ""}};
   return r;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
-#include "genesis/cut.hpp"
+#include "records/test_description.hpp"
 #include "theory/goodman.hpp"
 #include "theory/jaeger.hpp"
 
@@ -12,27 +12,14 @@ namespace phy {
 namespace {
 
 // Rules of thumb from the paper's specimen (docs/paper.md) and examples/lab: macro over micro.
-constexpr double modulus_factor = 0.9;   // E over E_c + E_b
-constexpr double strength_factor = 2.7;  // UCS over the weaker bond strength, intact
-constexpr double bedded_factor = 2.1;    // the same of what lies between the planes
-constexpr double bridge_factor = 0.2;  // macro cohesion over tau_c: bonds that the joints leave between them
+constexpr double modulus_factor = 0.9;  // E over E_c + E_b
+constexpr double bedded_factor = 2.1;   // the same of what lies between the planes
+constexpr double bridge_factor = 0.2;   // macro cohesion over tau_c: bonds that the joints leave between them
 constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joints, beside the bridges
 constexpr double stiffness_factor = 1.8;  // K over k, for n and s, of a plane one layer of contacts thick
 constexpr double layer_thickness = 0.9;   // of a zone that holds one layer, over the mean diameter
 constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
-constexpr double disc_factor = 6.0;       // approach of the jaws over the diameter, over BTS / E: Hondros
-constexpr double bts_factor = 0.36;       // BTS over the weaker bond strength, intact
-constexpr double bedded_bts_factor = 0.2;
-constexpr double step_factor = 0.53;  // dt over sqrt(m/k) of the smallest grain, step_safety as usual
-
-/// What the strain of a test refers to [m].
-double strain_length(const Recipe& r) {
-  switch (r.test.kind) {
-    case TestKind::brazilian: return disc_diameter(r);
-    case TestKind::direct_shear: return r.specimen.width;
-    default: return r.specimen.height;
-  }
-}
+constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain, step_safety as usual
 
 }  // namespace
 
@@ -43,8 +30,8 @@ double expected_grains(const Recipe& r) {
       p.distribution == RadiusDistribution::by_area ? a * b : (a * a + a * b + b * b) / 3.0;
   const double n =
       p.n_grains > 0 ? static_cast<double>(p.n_grains) : (1.0 - p.porosity) * box / (pi * mean_square);
-  if (r.test.kind != TestKind::brazilian) return n;
-  const double diameter = disc_diameter(r);
+  if (r.test.kind->disc_diameter == nullptr) return n;
+  const double diameter = r.test.kind->disc_diameter(r);
   return n * 0.25 * pi * diameter * diameter / box;
 }
 
@@ -56,24 +43,26 @@ double expected_cost(const Recipe& r) {
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
-  const double cycles = strain * strain_length(r) / (2.0 * r.test.platen_speed * dt);
+  const double cycles = strain * r.test.kind->expected.length(r) / (2.0 * r.test.platen_speed * dt);
   return cycles * expected_grains(r);
 }
 
 double expected_peak_strain(const Recipe& r) {
-  if (r.test.kind == TestKind::direct_shear) return r.test.max_strain;  // runs to its end
+  if (r.test.kind->runs_to_end) return r.test.max_strain;
+  const ExpectedPeak& expected = r.test.kind->expected;
   const MatrixRecipe& m = r.matrix;
-  const bool disc = r.test.kind == TestKind::brazilian;
   const double E = modulus_factor * (m.E_c + m.E_b), bond = std::min(m.sigma_c, m.tau_c);
-  if (r.bedding.empty()) return (disc ? disc_factor * bts_factor : strength_factor) * bond / E;
+  if (r.bedding.empty()) return expected.strain_factor * expected.intact * bond / E;
   const BeddingRecipe& b = r.bedding.front();
   const double layer = layer_thickness * (r.packing.radius_min + r.packing.radius_max);
   const double layers = b.rule == BeddingRule::zone ? b.zone_thickness / layer : 1.0;  // one behind the other
   const double factor = stiffness_factor * b.spacing / layers;
   const double cohesion = bridge_factor * m.tau_c + cohesion_factor * b.cohesion;
   const JointedRock rock{E, factor * b.k_n, factor * b.k_s, 0.0};
-  const double stress = disc ? disc_factor * bedded_bts_factor * bond
-                             : jaeger_sigma_1({cohesion, b.phi}, bedded_factor * bond, b.theta, 0.0);
+  const double stress =
+      expected.bedded > 0.0
+          ? expected.strain_factor * expected.bedded * bond
+          : expected.strain_factor * jaeger_sigma_1({cohesion, b.phi}, bedded_factor * bond, b.theta, 0.0);
   return stress / goodman_E(rock, b.theta);
 }
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "genesis/cache.hpp"
-#include "lab/rigs.hpp"
+#include "lab/tests.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
 

@@ -14,7 +14,7 @@ constexpr double speed = 0.004;
 constexpr double ramp_strain = 2e-5;
 
 Recipe short_test(Recipe r) {
-  r.test.kind = TestKind::uniaxial;  // as in the direct solution, whatever test the recipe names
+  r.test.kind = TestKind("uniaxial");  // as in the direct solution, whatever test the recipe names
   r.test.platen_speed = speed, r.test.ramp_strain = ramp_strain;
   r.test.max_strain = press_check_strain, r.test.jump_strain = 0.0;
   r.test.stop_at = 0.0, r.test.post_peak = 0.0, r.test.platen_friction = 0.0;

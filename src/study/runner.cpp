@@ -83,10 +83,7 @@ class Worker {
     run_crew(std::move(crew), lanes, exchange_);
   }
   /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
-  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const {
-    if (recipe.test.kind != TestKind::brazilian) return packing_;
-    return std::make_shared<const Packing>(cut_disc(*packing_, disc_diameter(recipe)));
-  }
+  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const { return shaped(packing_, recipe); }
   LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
     if (!next_job) next_job = [] { return std::optional<Job>(); };
     return {

@@ -28,7 +28,7 @@ struct Bench {
     LaneSetup setup;
     setup.damping = damping;
     setup.step_safety = safety;
-    setup.rig = std::make_shared<const Rig>(platens(*specimen->packing));
+    setup.rig = std::make_shared<const Rig>(platens(*specimen->packing).rig);
     group->load(0, specimen, setup);
   }
   double dt() const { return group->time_step(0); }

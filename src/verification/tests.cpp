@@ -4,13 +4,14 @@
 #include <memory>
 #include <numbers>
 
-#include "analysis/brazilian.hpp"
+#include "analysis/analyse.hpp"
 #include "analysis/circle_stress.hpp"
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "lab/lab_test.hpp"
+#include "lab/brazilian/reading.hpp"
+#include "lab/tests.hpp"
 #include "records/assembly.hpp"
 #include "theory/hondros.hpp"
 #include "verification/cases.hpp"
@@ -43,7 +44,7 @@ std::vector<Check> lattice_tension() {
   for (Contact& c : s.contacts)
     if (outer(c.a) || outer(c.b)) c.sigma_c *= 2.0;
   Recipe r;
-  r.test.kind = TestKind::direct_tension;
+  r.test.kind = TestKind("direct_tension");
   r.test.grip_thickness = 2.0 * R;
   r.test.platen_speed = 0.01;
   r.test.history_interval = 20;
@@ -79,7 +80,7 @@ CentreStress centre_stress(const Packing& packing, double diameter) {
   s.matrix = soft_contact();
   bond_touching(s);
   Recipe r;
-  r.test.kind = TestKind::brazilian;
+  r.test.kind = TestKind("brazilian");
   r.test.disc_diameter = diameter;
   r.test.platen_speed = 0.02;
   r.test.max_strain = 3e-4;
@@ -120,7 +121,7 @@ std::vector<Check> sheared_plane() {
   r.specimen = {0.016, 0.008};
   r.packing.n_grains = 330;
   r.matrix = soft_contact();
-  r.test.kind = TestKind::direct_shear;
+  r.test.kind = TestKind("direct_shear");
   r.test.normal_stress = 5e6;
   r.test.max_strain = 4e-3;
   r.test.platen_speed = 0.01;

@@ -10,7 +10,7 @@
 #include "engine/lane_group.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "lab/lab_test.hpp"
+#include "lab/tests.hpp"
 #include "records/assembly.hpp"
 #include "statics/system.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
-#include "lab/lab_test.hpp"
+#include "lab/tests.hpp"
 #include "study/scheduler.hpp"
 
 namespace phy {
@@ -49,9 +49,9 @@ std::vector<std::string> hashes(const Recipe& r,
 // Every kind of test: the narrowest lanes of the portable instruction set on one thread, and the widest of
 // this processor on two.
 TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
-  for (const TestKind kind : all_kinds) {
+  for (const TestDescription* test : laboratory_tests()) {
     Recipe r = small_recipe(Precision::single_precision);
-    r.test.kind = kind;
+    r.test.kind = *test;
     r.test.confining_stress = r.test.normal_stress = 5e6;
     r.test.shear_gap = 0.002;
     r.test.max_strain = 0.004;
@@ -61,8 +61,8 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
     wide.isa = native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
     shared.threads = 3;  // lanes 0: tests move to other groups
     const auto reference = hashes(r, specimens, narrow);
-    EXPECT_EQ(reference, hashes(r, specimens, wide)) << to_string(kind);
-    EXPECT_EQ(reference, hashes(r, specimens, shared)) << to_string(kind);
+    EXPECT_EQ(reference, hashes(r, specimens, wide)) << test->name;
+    EXPECT_EQ(reference, hashes(r, specimens, shared)) << test->name;
   }
 }
 
@@ -138,7 +138,7 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   const auto check = [](const Recipe& r, const char* what) {
     const auto specimens = specimens_of(r);
     EXPECT_EQ(wanderer(r, specimens[2], specimens[0], false), wanderer(r, specimens[2], specimens[0], true))
-        << to_string(r.test.kind) << what;
+        << r.test.kind->name << what;
   };
   Recipe base = small_recipe(GetParam());
   base.test.confining_stress = base.test.normal_stress = 5e6;
@@ -146,19 +146,19 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   base.test.shear_gap = 0.002;
   base.test.max_strain = 0.002;
   base.test.platen_speed = 0.4;
-  for (const TestKind kind : all_kinds) {
-    base.test.kind = kind;
+  for (const TestDescription* test : laboratory_tests()) {
+    base.test.kind = *test;
     check(base, "");
   }
   Recipe r = base;
-  r.test.kind = TestKind::biaxial;
+  r.test.kind = TestKind("biaxial");
   r.test.confinement = Confinement::jacket;
   check(r, ", jacket");
   r.packing.initial_stress = InitialStress::isotropic;
   r.packing.isotropic_stress = 1e6;
   check(r, ", jacket, isotropic stress");
   r = base;
-  r.test.kind = TestKind::uniaxial;
+  r.test.kind = TestKind("uniaxial");
   for (const double jump : {5e-4, 2e-2}) {
     r.test.jump_strain = jump;
     r.test.max_strain = jump + 5e-4;

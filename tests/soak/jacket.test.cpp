@@ -22,7 +22,7 @@ Recipe coarse(std::int64_t seed, Precision precision) {
   r.packing.seed = seed;
   r.bedding = {BeddingRecipe{}};
   r.bedding[0].spacing = 12.5e-3, r.bedding[0].zone_thickness = 1.5e-3;
-  r.test.kind = TestKind::biaxial;
+  r.test.kind = TestKind("biaxial");
   r.test.confining_stress = 10e6;
   r.test.confinement = Confinement::jacket;
   r.test.angles = {0, 30, 60};

@@ -1,7 +1,7 @@
 // Every case of `phyllite verify` is a test; and what tests are read by is what theory says.
 #include <gtest/gtest.h>
 
-#include "analysis/brazilian.hpp"
+#include "lab/brazilian/reading.hpp"
 #include "theory/hondros.hpp"
 #include "verification/cases.hpp"
 

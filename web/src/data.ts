@@ -109,7 +109,7 @@ interface RawTest {
   scene: string | null;
 }
 
-/** What the curve of a test is (src/report/axes.hpp). */
+/** What the curve of a test is (TestCurve, src/records/test_description.hpp). */
 export interface Axes {
   strain: string;
   strain_unit: string;

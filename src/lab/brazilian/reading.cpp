@@ -1,8 +1,12 @@
-#include "analysis/brazilian.hpp"
+#include "lab/brazilian/reading.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
+#include "analysis/analyse.hpp"
+#include "analysis/strength.hpp"
 #include "base/exact_math.hpp"
 
 namespace phy {
@@ -37,6 +41,23 @@ std::vector<Number> place_of_splitting(const History& history, const LoadingBran
   else
     x.note = y.note = share.note = "no crack before the peak";
   return {y, x, share};
+}
+
+std::vector<Number> disc_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                 double diameter, double density) {
+  const LoadingBranch branch = loading_branch(history);
+  std::vector<Number> out = strength(branch);
+  const std::vector<Number> place = place_of_splitting(history, branch, cracks, diameter);
+  const double y = place[0].value, x = place[1].value;
+  if (std::fmax(std::fabs(x), std::fabs(y)) > central_third)
+    out.front().note = joined(
+        out.front().note, fmt::format("no tensile strength: the first crack came {:.2f} diameters from the "
+                                      "centre, outside the central third",
+                                      std::hypot(x, y)));
+  add(out, place);
+  add(out, crack_initiation(branch, cracks, 0.0));
+  add(out, common_numbers(history, branch, cracks, {density, diameter, disc_approach}));
+  return out;
 }
 
 }  // namespace phy

@@ -13,11 +13,14 @@
 //
 // History: axial stress is the mean platen force over the initial width, lateral stress that of the walls
 // over the initial height, both of the instant, or the jacket's pressure.
-// Numbers: analysis/confined.hpp. Stop rule on the deviatoric stress.
+// Numbers: reading.hpp. Stop rule on the deviatoric stress.
 #pragma once
-#include "lab/lab_test.hpp"
+#include "lab/room.hpp"
 
 namespace phy {
+
+/// The press with sides: walls (tools 2 left, 3 right) or a jacket; none without confining stress.
+TestBoundary confined_platens(const Packing& packing, const TestRecipe& test);
 
 class BiaxialTest final : public LabTest {
  public:
@@ -28,13 +31,14 @@ class BiaxialTest final : public LabTest {
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void drive() override;
-  Reading reading(const HistoryRow& row) const override { return {row.deviatoric_stress, row.axial_strain}; }
   double first_stop_strain() const override { return 2e-4; }
-  AnalysisOptions analysis() const override;
+  std::vector<Number> numbers(const WavePath& path) const override;
 
   /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are
   /// driven.
   void confine(double stress, bool platens_too);
 };
+
+const TestRoom& biaxial_room();
 
 }  // namespace phy

@@ -1,18 +1,19 @@
 // The press room: the jump start and its rule.
-#include "lab/uniaxial.hpp"
+#include "lab/uniaxial/uniaxial.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "analysis/analyse.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 TestResult press(double jump_strain) {
-  Recipe r = small_rock(TestKind::uniaxial);
+  Recipe r = small_rock(TestKind("uniaxial"));
   r.bedding = {BeddingRecipe{}};
   r.bedding[0].theta = 60.0;
   r.bedding[0].spacing = 0.002;
@@ -52,7 +53,7 @@ TEST(JumpStart, SpecimenAtItsStrengthIsRunWithoutIt) {
 
 // 330 grains loose in four times their place: nothing to go on for.
 TEST(Uniaxial, SpecimenOfLooseGrainsIsNotToBePressedFurther) {
-  Recipe r = small_rock(TestKind::uniaxial);
+  Recipe r = small_rock(TestKind("uniaxial"));
   r.specimen = {0.010, 0.020};
   r.test.platen_speed = 0.5;
   r.test.max_strain = 1e-3;
@@ -62,6 +63,11 @@ TEST(Uniaxial, SpecimenOfLooseGrainsIsNotToBePressedFurther) {
   r.specimen = {0.008, 0.016};
   r.test.platen_speed = 0.1;
   EXPECT_THAT(run_alone(r).outcome.advice, testing::HasSubstr("raise test.max_strain"));
+}
+
+TEST(Uniaxial, DefinitionsSpeakOfTheAxialStress) {
+  const History h = marble_of("uniaxial");
+  expect_speaks_of("axial stress", axial_numbers(h, loading_branch(h), {}, {}));
 }
 
 }  // namespace

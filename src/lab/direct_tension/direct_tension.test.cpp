@@ -1,17 +1,17 @@
 // The tension room: what the grips hold and what they leave free, the start without a wave, the place of
 // failure.
-#include "lab/direct_tension.hpp"
+#include "lab/direct_tension/direct_tension.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lab/rigs.hpp"
+#include "lab/direct_tension/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 const TestResult& pulled() {
-  static const TestResult one = run_alone(small_rock(TestKind::direct_tension));
+  static const TestResult one = run_alone(small_rock(TestKind("direct_tension")));
   return one;
 }
 
@@ -29,9 +29,10 @@ TEST(DirectTension, PeaksInTensionAndKeepsTheBooks) {
 // Grains in a grip move with it along the load, to the bit, and are free across it.
 TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
   const TestResult& r = pulled();
-  const Recipe recipe = small_rock(TestKind::direct_tension);
+  const Recipe recipe = small_rock(TestKind("direct_tension"));
   const auto packing = small_packing(recipe);
-  const Rig rig = grips(*packing, grip_thickness(recipe, *packing));
+  const TestBoundary pull = grips(*packing, grip_thickness(recipe, *packing));
+  const Rig& rig = pull.rig;
   const std::vector<GrainState>& u = r.snapshots.back().grains;
   for (const Tool& tool : rig.tools) {
     ASSERT_GT(tool.grips.size(), 10u);
@@ -44,7 +45,7 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
     EXPECT_GT(most - least, 1e-7) << "the end contracts or widens freely";
     EXPECT_GT(turn, 0.0);
   }
-  const double opened = -r.history.rows.back().axial_strain * rig.axial.length;
+  const double opened = -r.history.rows.back().axial_strain * pull.axial.length;
   EXPECT_NEAR(u[rig.tools[1].grips.front().grain].uy - u[rig.tools[0].grips.front().grain].uy, opened, 1e-12);
 }
 
@@ -62,14 +63,14 @@ TEST(DirectTension, StartsWithoutAWave) {
 
 // The linear part of a contact carries no tension, so rock is softer in tension than in compression.
 TEST(DirectTension, IsSofterThanCompression) {
-  const TestResult pressed = run_alone(small_rock(TestKind::uniaxial));
+  const TestResult pressed = run_alone(small_rock(TestKind("uniaxial")));
   const double ratio = number(pulled(), "E_small").value / number(pressed, "E_small").value;
   EXPECT_GT(ratio, 0.4);
   EXPECT_LT(ratio, 0.7);
 }
 
 TEST(DirectTension, FailureAtTheGripIsSaid) {
-  Recipe r = small_rock(TestKind::direct_tension);
+  Recipe r = small_rock(TestKind("direct_tension"));
   r.test.grip_thickness = 0.0055;  // little free rock: it has to fail near a grip
   const TestResult result = run_alone(r);
   ASSERT_EQ(result.outcome.status, Status::peaked);
@@ -83,6 +84,10 @@ TEST(DirectTension, FailureAtTheGripIsSaid) {
   EXPECT_EQ(number(split, "failure_at_grip").value, 0.0);
   EXPECT_EQ(number(split, "sigma_t").note, "");
   EXPECT_LT(number(split, "sigma_t").value, 0.6 * number(pulled(), "sigma_t").value);
+}
+
+TEST(DirectTension, DefinitionsSpeakOfTension) {
+  expect_speaks_of("tension", tension_numbers(marble_of("direct_tension"), {}, 0.001, {}));
 }
 
 }  // namespace

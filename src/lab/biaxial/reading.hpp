@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/branch.hpp"
+#include "analysis/energy.hpp"
 
 namespace phy {
 
@@ -19,5 +20,9 @@ History deviatoric(History history);
 /// given.
 std::vector<Number> confined_strength(const History& history, const LoadingBranch& branch,
                                       double confining_stress);
+
+/// All numbers of a history as recorded. `path`: of a wave between the platens.
+std::vector<Number> confined_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                     double confining_stress, const WavePath& path);
 
 }  // namespace phy

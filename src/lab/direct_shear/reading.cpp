@@ -1,10 +1,12 @@
-#include "analysis/shear.hpp"
+#include "lab/direct_shear/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "analysis/analyse.hpp"
+#include "analysis/strength.hpp"
 #include "base/stats.hpp"
 
 namespace phy {
@@ -45,7 +47,7 @@ double load_error(const Rows& rows, const NormalLoad& load) {
 
 }  // namespace
 
-std::vector<Number> shear_numbers(const History& history, const LoadingBranch& branch,
+std::vector<Number> plane_numbers(const History& history, const LoadingBranch& branch,
                                   const NormalLoad& load) {
   const std::string note = branch_note(branch);
   const double end = history.rows.empty() ? nan : history.rows.back().axial_strain;
@@ -74,6 +76,15 @@ std::vector<Number> shear_numbers(const History& history, const LoadingBranch& b
       {"dilation", -std::atan(slope(sliding, &HistoryRow::lateral_strain)) * 180.0 / std::numbers::pi, "deg",
        "angle of dilation: opening over shear displacement in the second half of the sliding after the peak",
        note}};
+}
+
+std::vector<Number> shear_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                  const NormalLoad& load) {
+  const LoadingBranch branch = loading_branch(history);
+  std::vector<Number> out = plane_numbers(history, branch, load);
+  add(out, crack_initiation(branch, cracks, 0.0));
+  add(out, common_numbers(history, branch, cracks, {}));  // the boxes carry no wave
+  return out;
 }
 
 }  // namespace phy

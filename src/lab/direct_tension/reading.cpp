@@ -1,8 +1,10 @@
-#include "analysis/tension.hpp"
+#include "lab/direct_tension/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "analysis/analyse.hpp"
 
 namespace phy {
 namespace {
@@ -49,6 +51,19 @@ std::vector<Number> place_of_failure(const History& history, const std::vector<C
   position.value = *middle;
   at_grip.value = near / static_cast<double>(heights.size());
   return {position, at_grip};
+}
+
+std::vector<Number> tension_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                    double grip_thickness, const WavePath& path) {
+  const History pulled = mirrored(history);
+  const LoadingBranch branch = loading_branch(pulled);
+  std::vector<Number> out = axial_numbers(pulled, branch, mirrored(cracks), {path});
+  std::erase_if(out, [](const Number& n) { return n.name == "sigma_cd"; });  // a notion of compression
+  const std::vector<Number> place = place_of_failure(history, cracks, -branch.strain, grip_thickness);
+  if (place.back().value > 0.5)
+    out.front().note = joined(out.front().note, "failed at the grip: a lower bound of the strength");
+  out.insert(out.begin() + 2, place.begin(), place.end());
+  return out;
 }
 
 }  // namespace phy

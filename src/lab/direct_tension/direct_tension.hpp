@@ -8,11 +8,17 @@
 //
 // History, compression positive as everywhere, so stress and strain are negative: stress is the mean grip
 // force over the initial width; strain the approach of the grips over the free length between them. Numbers
-// (analysis/tension.hpp) are read from the mirrored history: tensile strength is positive.
+// (reading.hpp) are read from the mirrored history: tensile strength is positive.
 #pragma once
-#include "lab/lab_test.hpp"
+#include "lab/room.hpp"
 
 namespace phy {
+
+/// Thickness of a grip [m]: the recipe's, or four times the largest radius where that is 0.
+double grip_thickness(const Recipe& recipe, const Packing& packing);
+
+/// Two grips that hold the grains within `thickness` of the bottom and the top, along y only. Tools 0 and 1.
+TestBoundary grips(const Packing& packing, double thickness);
 
 class DirectTensionTest final : public LabTest {
  public:
@@ -21,8 +27,9 @@ class DirectTensionTest final : public LabTest {
 
  private:
   void drive() override;
-  Reading reading(const HistoryRow& row) const override { return {-row.axial_stress, -row.axial_strain}; }
-  AnalysisOptions analysis() const override;
+  std::vector<Number> numbers(const WavePath& path) const override;
 };
+
+const TestRoom& direct_tension_room();
 
 }  // namespace phy

@@ -1,5 +1,5 @@
 // By which tension is a Brazilian test read? Numbers of docs/theory/brazilian.md.
-#include "analysis/brazilian.hpp"
+#include "lab/brazilian/reading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 #pragma once
 #include <vector>
 
+#include "analysis/energy.hpp"
 #include "records/result.hpp"
 
 namespace phy {
@@ -23,5 +24,9 @@ std::vector<CrackEvent> mirrored(std::vector<CrackEvent> cracks);
 /// `peak_strain` (negative); NaN with a note without cracks from there on.
 std::vector<Number> place_of_failure(const History& history, const std::vector<CrackEvent>& cracks,
                                      double peak_strain, double grip_thickness);
+
+/// All numbers of an unmirrored test. `path`: of a wave between the grips.
+std::vector<Number> tension_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                    double grip_thickness, const WavePath& path);
 
 }  // namespace phy

@@ -22,7 +22,12 @@ struct NormalLoad {
   double stiffness = 0.0;
 };
 
-std::vector<Number> shear_numbers(const History& history, const LoadingBranch& branch,
+/// The numbers above.
+std::vector<Number> plane_numbers(const History& history, const LoadingBranch& branch,
+                                  const NormalLoad& load);
+
+/// All numbers of a shear test.
+std::vector<Number> shear_numbers(const History& history, const std::vector<CrackEvent>& cracks,
                                   const NormalLoad& load);
 
 }  // namespace phy

@@ -12,11 +12,15 @@
 //
 // History: shear stress and normal stress are the forces of the boxes over the initial width; shear
 // displacement and normal closure (dilation negative) are those of the boxes [m]. The test always runs to its
-// end, for the residual stress. Numbers: analysis/shear.hpp.
+// end, for the residual stress. Numbers: reading.hpp.
 #pragma once
-#include "lab/lab_test.hpp"
+#include "lab/room.hpp"
 
 namespace phy {
+
+/// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
+/// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
+TestBoundary shear_boxes(const Packing& packing, double gap);
 
 class DirectShearTest final : public LabTest {
  public:
@@ -27,16 +31,13 @@ class DirectShearTest final : public LabTest {
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void drive() override;
-  Reading reading(const HistoryRow& row) const override {
-    return {row.axial_stress, row.axial_strain / packing().width};
-  }
-  bool ends_after_peak() const override { return false; }
-
-  AnalysisOptions analysis() const override;
+  std::vector<Number> numbers(const WavePath& path) const override;
 
   Servo normal_load(double stress, double spring, double offset) const;
 
   double stiffness_;  // of what lies between the boxes, for the servo [N/m per m]
 };
+
+const TestRoom& direct_shear_room();
 
 }  // namespace phy

@@ -1,18 +1,18 @@
 // The shear box: constant normal load, constant normal stiffness, energy. Strength and stiffness of rigid
 // halves are V20 of `phyllite verify`.
-#include "lab/direct_shear.hpp"
+#include "lab/direct_shear/direct_shear.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lab/rigs.hpp"
+#include "lab/direct_shear/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 Recipe box() {
-  Recipe r = small_rock(TestKind::direct_shear);
+  Recipe r = small_rock(TestKind("direct_shear"));
   r.specimen = {0.016, 0.008};
   r.bedding.resize(1);
   r.bedding.front().spacing = 0.05, r.bedding.front().rule = BeddingRule::crossing;
@@ -77,11 +77,15 @@ TEST(DirectShear, BoxesHoldAllButTheGap) {
   const Recipe r = box();
   const auto packing = small_packing(r);
   for (const double gap : {0.0, 0.002}) {
-    const Rig rig = shear_boxes(*packing, gap);
+    const Rig rig = shear_boxes(*packing, gap).rig;
     std::size_t free = 0;
     for (const Disc& d : packing->discs) free += std::fabs(d.y - 0.5 * packing->height) < 0.5 * gap ? 1 : 0;
     EXPECT_EQ(rig.tools[0].grips.size() + rig.tools[1].grips.size() + free, packing->discs.size());
   }
+}
+
+TEST(DirectShear, DefinitionsSpeakOfTheShearStress) {
+  expect_speaks_of("shear stress", shear_numbers(marble_of("direct_shear"), {}, {}));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
-#include "analysis/confined.hpp"
+#include "lab/biaxial/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "analysis/analyse.hpp"
 
 namespace phy {
 
@@ -31,6 +33,16 @@ std::vector<Number> confined_strength(const History& history, const LoadingBranc
   }
   if (confining_stress == 0.0) error.note = "not confined";
   return {axial, lateral, error};
+}
+
+std::vector<Number> confined_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                     double confining_stress, const WavePath& path) {
+  const History q = deviatoric(history);
+  const LoadingBranch branch = loading_branch(q);
+  std::vector<Number> out = axial_numbers(q, branch, cracks, {path});
+  const std::vector<Number> own = confined_strength(history, branch, confining_stress);
+  out.insert(out.begin() + 2, own.begin(), own.end());
+  return out;
 }
 
 }  // namespace phy

@@ -31,4 +31,8 @@ double brazilian_arc_factor(double alpha);
 std::vector<Number> place_of_splitting(const History& history, const LoadingBranch& branch,
                                        const std::vector<CrackEvent>& cracks, double diameter);
 
+/// All numbers of a disc of that diameter [m] and density [kg/m^3].
+std::vector<Number> disc_numbers(const History& history, const std::vector<CrackEvent>& cracks,
+                                 double diameter, double density);
+
 }  // namespace phy

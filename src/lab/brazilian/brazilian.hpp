@@ -9,11 +9,23 @@
 //
 // History: stress is the tension at the centre of an elastic isotropic disc under the platen force,
 // 2P/(pi D t) times Hondros' factor for the arc; strain is the approach of the platens over the diameter.
-// Numbers: analysis/brazilian.hpp.
+// Numbers: reading.hpp.
 #pragma once
-#include "lab/lab_test.hpp"
+#include "lab/room.hpp"
 
 namespace phy {
+
+/// Diameter of the disc that the recipe's Brazilian test cuts [m]: test.disc_diameter, or the smaller side of
+/// the specimen where that is 0.
+double disc_diameter(const Recipe& recipe);
+
+/// The grain that a ray from `from` along the unit vector `direction` meets first; -1: none.
+std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
+
+/// Bottom and top of a Brazilian test on a disc in the middle of the box: flat platens against the outermost
+/// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
+/// centre (reading.hpp); axial strain: approach over `diameter` [m].
+TestBoundary jaws(const Packing& packing, double diameter, double angle);
 
 class BrazilianTest final : public LabTest {
  public:
@@ -22,7 +34,9 @@ class BrazilianTest final : public LabTest {
 
  private:
   void drive() override;
-  AnalysisOptions analysis() const override;
+  std::vector<Number> numbers(const WavePath& path) const override;
 };
+
+const TestRoom& brazilian_room();
 
 }  // namespace phy

@@ -1,18 +1,18 @@
 // The Brazilian room: the disc, jaws and platens, validity.
-#include "lab/brazilian.hpp"
+#include "lab/brazilian/brazilian.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"
-#include "lab/rigs.hpp"
+#include "lab/brazilian/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 Recipe small_disc() {
-  Recipe r = small_rock(TestKind::brazilian);
+  Recipe r = small_rock(TestKind("brazilian"));
   r.specimen = {0.012, 0.012};
   r.packing.n_grains = 371;
   r.test.platen_speed = 0.02;
@@ -62,7 +62,7 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
   const Recipe r = small_disc();
   const Packing disc = cut_disc(*small_packing(r), disc_diameter(r));
   const Vec2 centre{0.5 * disc.width, 0.5 * disc.height};
-  const Rig wide = jaws(disc, disc_diameter(r), 20.0), flat = jaws(disc, disc_diameter(r), 0.0);
+  const Rig wide = jaws(disc, disc_diameter(r), 20.0).rig, flat = jaws(disc, disc_diameter(r), 0.0).rig;
   for (const Tool& tool : wide.tools) {
     EXPECT_GE(tool.touches.size(), 3u);
     EXPECT_LE(tool.touches.size(), 8u);
@@ -77,6 +77,11 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
     for (const Touch& t : tool.touches) least = std::min(least, t.gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
   }
+}
+
+TEST(Brazilian, DefinitionsSpeakOfTheTensionAtTheCentre) {
+  expect_speaks_of("tension at the centre of an elastic disc",
+                   disc_numbers(marble_of("brazilian"), {}, 0.1, 2700.0));
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
 // The room of confined compression: target, energy, strength with confinement, sides.
-#include "lab/biaxial.hpp"
+#include "lab/biaxial/biaxial.hpp"
 
 #include <gtest/gtest.h>
 
 #include "engine/jacket.hpp"
-#include "lab/rigs.hpp"
+#include "lab/biaxial/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
 namespace phy {
 namespace {
 
 Recipe confined(double stress, Confinement sides) {
-  Recipe r = small_rock(TestKind::biaxial);
+  Recipe r = small_rock(TestKind("biaxial"));
   r.test.confining_stress = stress;
   r.test.confinement = sides;
   r.test.platen_speed = 0.02;
@@ -21,7 +21,7 @@ Recipe confined(double stress, Confinement sides) {
 // Without confining stress nothing is left but the press: the same cracks at the same strains, to the bit.
 TEST(Biaxial, WithoutConfiningStressIsThePress) {
   const TestResult press = [] {
-    Recipe r = small_rock(TestKind::uniaxial);
+    Recipe r = small_rock(TestKind("uniaxial"));
     r.test.platen_speed = 0.02;
     return run_alone(r);
   }();
@@ -92,7 +92,7 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
 TEST(Biaxial, JacketCoversTheSides) {
   const Recipe r = confined(10e6, Confinement::jacket);
   const auto packing = small_packing(r);
-  EXPECT_TRUE(confined_platens(*packing, r.test).jacket);
+  EXPECT_TRUE(confined_platens(*packing, r.test).rig.jacket);
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);
@@ -130,7 +130,7 @@ TEST(Biaxial, JacketKeepsTheBooksWhereGrainsComeLoose) {
   r.packing.radius_min = 0.625e-3, r.packing.radius_max = 1.0375e-3;
   r.bedding = {BeddingRecipe{}};
   r.bedding[0].spacing = 12.5e-3, r.bedding[0].zone_thickness = 1.5e-3;
-  r.test.kind = TestKind::biaxial;
+  r.test.kind = TestKind("biaxial");
   r.test.confining_stress = 10e6;
   r.test.confinement = Confinement::jacket;
   r.test.n_snapshots = 0;
@@ -143,6 +143,10 @@ TEST(Biaxial, JacketKeepsTheBooksWhereGrainsComeLoose) {
     EXPECT_EQ(result.outcome.status, Status::peaked) << result.outcome.reason;
     EXPECT_LT(number(result, "energy_error").value, 1e-3);
   }
+}
+
+TEST(Biaxial, DefinitionsSpeakOfTheDeviatoricStress) {
+  expect_speaks_of("deviatoric stress", confined_numbers(marble_of("biaxial"), {}, 0.0, {}));
 }
 
 }  // namespace

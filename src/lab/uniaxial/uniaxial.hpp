@@ -7,7 +7,7 @@
 // History: stress is the mean platen force over the initial width, strain the closure over the initial
 // height. Numbers: analysis/analyse.hpp. Common phases and stop rule: lab_test.hpp.
 #pragma once
-#include "lab/lab_test.hpp"
+#include "lab/room.hpp"
 
 namespace phy {
 
@@ -21,10 +21,12 @@ class UniaxialTest final : public LabTest {
   bool prepare(std::int64_t n_blocks) override;
   void drive() override;
   double first_stop_strain() const override { return 2e-4; }
-  AnalysisOptions analysis() const override;
+  std::vector<Number> numbers(const WavePath& path) const override;
 
   bool may_jump_;
   bool jumped_ = false;  // the jump was made and kept
 };
+
+const TestRoom& uniaxial_room();
 
 }  // namespace phy

@@ -1,0 +1,169 @@
+#include "lab/direct_shear/direct_shear.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "engine/stable_step.hpp"
+#include "lab/direct_shear/reading.hpp"
+#include "lab/rigs.hpp"
+
+namespace phy {
+
+TestBoundary shear_boxes(const Packing& packing, double gap) {
+  TestBoundary box;
+  Rig& rig = box.rig;
+  rig.tools = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
+  const double middle = 0.5 * packing.height;
+  for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
+    const double y = packing.discs[i].y - middle;
+    if (y < -0.5 * gap) rig.tools[0].grips.push_back({i, true, true, true});
+    if (y >= 0.5 * gap) rig.tools[1].grips.push_back({i, true, true, true});
+  }
+  set_axial(box, 1, 0, {1.0, 0.0}, {1.0, packing.width});
+  rig.lateral = {0, 1, {0.0, 1.0}};
+  box.lateral = {1.0, packing.width};
+  return box;
+}
+
+namespace {
+
+constexpr double close_enough = 2e-3;  // of the normal stress
+constexpr double servo_speed = 20.0;   // of the boxes: grains that ride up push them apart fast
+
+/// For the servo of a shear box: normal stiffness at rest of what lies between the boxes, the contacts across
+/// half the height in series with layers of sound rock that fill the gap [N/m per m].
+double plane_stiffness(const Specimen& specimen, double gap) {
+  const std::vector<Disc>& discs = specimen.packing->discs;
+  const double middle = 0.5 * specimen.packing->height;
+  double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
+  for (Contact c : specimen.contacts) {
+    if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
+    across += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+    if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
+    sound += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+  }
+  for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
+  return across / (1.0 + gap / (2.0 * radius) * (across / sound));
+}
+
+}  // namespace
+
+DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                 LaneGroup& group, int lane)
+    : LabTest(specimen, recipe, group, lane), stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
+  begin();
+}
+
+/// The upper box pushes down: its force on the specimen is negative along y. `offset` is its displacement
+/// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo (rig.hpp) the
+/// stress swings for ever where its stiffness is less than 0.4 of what answers within a block; more only
+/// makes it slower.
+Servo DirectShearTest::normal_load(double stress, double spring, double offset) const {
+  const double length = packing().width;
+  Servo s;
+  s.on = true;
+  const double block = result_.dt * static_cast<double>(recipe_.test.history_interval);
+  const double wave = recipe_.test.shear_gap > 0.0 ? wave_stiffness(specimen_->matrix, length, block) : 0.0;
+  s.stiffness = stiffness_ + wave + spring * length;
+  s.spring = spring * length;
+  s.force = -stress * length + s.spring * offset;
+  s.max_speed = servo_speed * recipe_.test.platen_speed;
+  return s;
+}
+
+void DirectShearTest::on_placed() {
+  if (recipe_.test.normal_stress == 0.0) return start_loading();
+  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
+  prepare(0);
+}
+
+bool DirectShearTest::prepare(std::int64_t n_blocks) {
+  const double target = recipe_.test.normal_stress;
+  const double ramp = target / (stiffness_ / packing().width) / recipe_.test.platen_speed;
+  const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
+  const double now = target * std::min(1.0, time / ramp);
+  group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
+  if (n_blocks == 0) return false;
+  return load_once_steady(now == target, latest_row().lateral_stress / target, close_enough);
+}
+
+void DirectShearTest::drive() {
+  const double speed = recipe_.test.platen_speed;
+  const double ramp = recipe_.test.ramp_strain * packing().width / speed;
+  const Servo load = normal_load(recipe_.test.normal_stress, recipe_.test.normal_stiffness,
+                                 group_->tool(lane_, 1).displacement.y);
+  group_->drive(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
+  group_->drive(lane_, 1, {{speed, 0.0}, ramp, {}, load});
+}
+
+std::vector<Number> DirectShearTest::numbers(const WavePath& /*the boxes carry no wave*/) const {
+  return shear_numbers(result_.history, result_.cracks,
+                       {recipe_.test.normal_stress, recipe_.test.normal_stiffness});
+}
+
+namespace {
+
+std::string loading_text_of(const Recipe& r) {
+  const TestRecipe& t = r.test;
+  return fmt::format(
+      "The halves of the specimen, {}, were held in two boxes and sheared past each other at {} each, under "
+      "a normal "
+      "stress of {}{}.",
+      t.shear_gap > 0.0 ? print_quantity(t.shear_gap, Dimension::length) + " of free rock between them"
+                        : "each rigid",
+      print_quantity(t.platen_speed, Dimension::speed), print_quantity(t.normal_stress, Dimension::pressure),
+      t.normal_stiffness > 0.0 ? fmt::format(" that grew with dilation by {}",
+                                             print_quantity(t.normal_stiffness, Dimension::stiffness))
+                               : std::string(", kept constant"));
+}
+
+HistoryColumns columns() {
+  using Row = HistoryRow;
+  return joined(
+      {clock_columns(),
+       {{"shear_displacement", "m", "of the upper box against the lower one", &Row::axial_strain},
+        {"normal_closure", "m", "approach of the boxes; dilation is negative", &Row::lateral_strain},
+        {"shear_stress", "Pa", "mean box force along the plane / width", &Row::axial_stress},
+        {"shear_stress_upper", "Pa", "upper box force along the plane / width", &Row::stress_bottom},
+        {"shear_stress_lower", "Pa", "lower box force along the plane / width", &Row::stress_top},
+        {"normal_stress", "Pa", "mean box force across the plane / width", &Row::lateral_stress}},
+       book_columns()});
+}
+
+TestDescription description() {
+  TestDescription d;
+  d.name = "direct_shear", d.stress = "shear stress", d.tool = "box";
+  d.extent = "a shear displacement of {} % of the width";
+  d.columns = columns();
+  d.hashed = hashed_fields({"shear_displacement", "normal_closure", "shear_stress", "shear_stress_upper",
+                            "shear_stress_lower", "normal_stress"});
+  d.curve.strain = "shear displacement", d.curve.strain_unit = "mm", d.curve.strain_factor = 1000.0;
+  d.curve.stress = "shear stress";
+  d.curve.strength = "tau_peak", d.curve.strength_label = "peak shear strength";
+  d.table = {{"sigma_n", "MPa", "sigma_n", 1e-6, 2}, {"tau peak", "MPa", "tau_peak", 1e-6, 2},
+             {"u peak", "um", "u_peak", 1e6, 2},     {"tau resid.", "MPa", "tau_residual", 1e-6, 2},
+             {"K_s", "GPa/m", "K_s", 1e-9, 1},       {"dilation", "deg", "dilation", 1.0, 2}};
+  d.runs_to_end = true;
+  d.kept_stress = {"normal_stress", &TestRecipe::normal_stress};
+  d.expected.length = [](const Recipe& r) { return r.specimen.width; };
+  d.loading_text = loading_text_of;
+  d.load_on_box = "", d.load_on_bedding = ", along which the boxes move";
+  return d;
+}
+
+}  // namespace
+
+const TestRoom& direct_shear_room() {
+  static const TestRoom room = {
+      description(),
+      [](const Recipe& r) { return "direct_shear" + print_number(r.test.shear_gap); },
+      [](const Packing& packing, const Recipe& r) { return shear_boxes(packing, r.test.shear_gap); },
+      begin_test<DirectShearTest>,
+      {"test.shear_gap", &TestRecipe::shear_gap, "boxes that hold discs", "lower it"}};
+  return room;
+}
+
+}  // namespace phy

@@ -1,0 +1,97 @@
+#include "lab/direct_tension/direct_tension.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/units.hpp"
+#include "lab/direct_tension/reading.hpp"
+
+namespace phy {
+
+double grip_thickness(const Recipe& recipe, const Packing& packing) {
+  if (recipe.test.grip_thickness > 0.0) return recipe.test.grip_thickness;
+  double largest = 0.0;
+  for (const Disc& d : packing.discs) largest = std::max(largest, d.r);
+  return 4.0 * largest;
+}
+
+TestBoundary grips(const Packing& packing, double thickness) {
+  TestBoundary pull;
+  Rig& rig = pull.rig;
+  rig.tools = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
+  for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
+    const double y = packing.discs[i].y;
+    if (y < thickness) rig.tools[0].grips.push_back({i, false, true, false});
+    if (y > packing.height - thickness) rig.tools[1].grips.push_back({i, false, true, false});
+  }
+  set_axial(pull, 0, 1, {0.0, 1.0}, {packing.height - 2.0 * thickness, packing.width});
+  return pull;
+}
+
+DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                     LaneGroup& group, int lane)
+    : LabTest(specimen, recipe, group, lane) {
+  begin();
+}
+
+void DirectTensionTest::drive() {
+  const double speed = recipe_.test.platen_speed;
+  const double grip = grip_thickness(recipe_, packing()), free = packing().height - 2.0 * grip;
+  group_->drive(lane_, 0, {{0.0, -speed}, 0.0, {}, {}});
+  group_->drive(lane_, 1, {{0.0, speed}, 0.0, {}, {}});
+  group_->start_moving(lane_, [&](Vec2 x) {
+    return Vec2{0.0, speed * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
+  });
+}
+
+std::vector<Number> DirectTensionTest::numbers(const WavePath& path) const {
+  return tension_numbers(result_.history, result_.cracks, grip_thickness(recipe_, packing()), path);
+}
+
+namespace {
+
+TestDescription description() {
+  TestDescription d;
+  d.name = "direct_tension", d.stress = "tension", d.tool = "grip";
+  d.columns =
+      joined({clock_columns(),
+              {{"axial_strain", "1", "approach of the grips / free length between them: negative",
+                &HistoryRow::axial_strain}},
+              gauge_columns(),
+              {{"axial_stress", "Pa", "mean grip force / initial width, tension negative",
+                &HistoryRow::axial_stress},
+               {"grip_stress_top", "Pa", "top grip force / initial width", &HistoryRow::stress_top},
+               {"grip_stress_bottom", "Pa", "bottom grip force / initial width", &HistoryRow::stress_bottom}},
+              book_columns()});
+  d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
+                            "grip_stress_top", "grip_stress_bottom"});
+  d.curve.strain = "elongation", d.curve.stress = "tensile stress", d.curve.sign = -1.0;
+  d.curve.strength = "sigma_t", d.curve.strength_label = "direct tensile strength";
+  d.curve.property = Property::direct_tension;
+  d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},
+             {"nu", "", "nu", 1.0, 3},
+             {"sigma_t", "MPa", "sigma_t", 1e-6, 2},
+             {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
+             {"cracks at", "the grips", "failure_at_grip", 1.0, 2}};
+  d.loading_text = [](const Recipe& r) {
+    return fmt::format("Grips on both ends, free to move sideways, pulled at {} each; the sides were free.",
+                       print_quantity(r.test.platen_speed, Dimension::speed));
+  };
+  return d;
+}
+
+}  // namespace
+
+const TestRoom& direct_tension_room() {
+  static const TestRoom room = {
+      description(),
+      [](const Recipe& r) { return "direct_tension" + print_number(r.test.grip_thickness); },
+      [](const Packing& packing, const Recipe& r) { return grips(packing, grip_thickness(r, packing)); },
+      begin_test<DirectTensionTest>,
+      {"test.grip_thickness", &TestRecipe::grip_thickness, "grips that reach discs",
+       "raise it, or leave it out (four largest radii)"}};
+  return room;
+}
+
+}  // namespace phy

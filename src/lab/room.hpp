@@ -1,0 +1,39 @@
+// The room of a laboratory test: what it is, for everybody, and how it is done, for the laboratory. A test is
+// one folder that fills this in, and one line in the list (tests.cpp).
+#pragma once
+#include <memory>
+#include <string>
+
+#include "lab/lab_test.hpp"
+#include "lab/rigs.hpp"
+#include "records/test_description.hpp"
+
+namespace phy {
+
+/// The key that decides which grains the tools hold: what to change where they hold none.
+struct HoldKey {
+  const char* key = "";                 ///< "test.grip_thickness"
+  double TestRecipe::*value = nullptr;  ///< [m]; null: the test has no such key
+  const char* expected = "";
+  const char* remedy = "";
+};
+
+struct TestRoom {
+  TestDescription description;
+  /// Tests with equal names on one packing have the same rig and may share a group.
+  std::string (*rig_name)(const Recipe&) = nullptr;
+  TestBoundary (*boundary)(const Packing&, const Recipe&) = nullptr;
+  /// The procedure, in a lane of the group.
+  std::unique_ptr<LabTest> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&, LaneGroup&,
+                                    int lane) = nullptr;
+  HoldKey hold = {};
+};
+
+/// TestRoom::begin of a procedure.
+template <class Procedure>
+std::unique_ptr<LabTest> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                    LaneGroup& group, int lane) {
+  return std::make_unique<Procedure>(specimen, recipe, group, lane);
+}
+
+}  // namespace phy

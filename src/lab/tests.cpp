@@ -1,0 +1,62 @@
+#include "lab/tests.hpp"
+
+#include <array>
+
+#include "base/check.hpp"
+#include "lab/biaxial/biaxial.hpp"
+#include "lab/brazilian/brazilian.hpp"
+#include "lab/direct_shear/direct_shear.hpp"
+#include "lab/direct_tension/direct_tension.hpp"
+#include "lab/uniaxial/uniaxial.hpp"
+
+namespace phy {
+namespace {
+
+/// In the order of `phyllite recipe --explain`.
+const auto& rooms() {
+  static const std::array all = {&uniaxial_room(), &direct_tension_room(), &brazilian_room(), &biaxial_room(),
+                                 &direct_shear_room()};
+  return all;
+}
+
+}  // namespace
+
+std::span<const TestDescription* const> laboratory_tests() {
+  static const auto tests = [] {
+    std::array<const TestDescription*, std::tuple_size_v<std::decay_t<decltype(rooms())>>> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = &rooms()[i]->description;
+    return all;
+  }();
+  return tests;
+}
+
+const TestRoom& room_of(const Recipe& recipe) {
+  for (const TestRoom* room : rooms())
+    if (&room->description == &*recipe.test.kind) return *room;
+  PHY_CHECK(false, "every test has its room");
+  return *rooms().front();
+}
+
+std::string rig_name(const Recipe& recipe) { return room_of(recipe).rig_name(recipe); }
+
+TestBoundary boundary_of(const Packing& packing, const Recipe& recipe) {
+  return room_of(recipe).boundary(packing, recipe);
+}
+
+std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                   LaneGroup& group, int lane) {
+  return room_of(recipe).begin(specimen, recipe, group, lane);
+}
+
+TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {
+  GroupOptions options;
+  options.isa = native_isa();
+  options.interval = static_cast<int>(recipe.test.history_interval);
+  const auto group = make_group(specimen->packing, options);
+  const auto test = make_test(specimen, recipe, *group, 0);
+  do group->advance();
+  while (!test->after_block());
+  return test->take_result();
+}
+
+}  // namespace phy

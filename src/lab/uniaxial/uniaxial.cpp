@@ -1,0 +1,77 @@
+#include "lab/uniaxial/uniaxial.hpp"
+
+#include "analysis/analyse.hpp"
+#include "lab/rigs.hpp"
+
+namespace phy {
+namespace {
+
+constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine strain
+
+}  // namespace
+
+UniaxialTest::UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                           LaneGroup& group, int lane)
+    : LabTest(specimen, recipe, group, lane), may_jump_(recipe.test.jump_strain > 0.0) {
+  begin();
+}
+
+void UniaxialTest::on_placed() {
+  if (!may_jump_) return start_loading();
+  group_->hold_bonds(lane_, true);
+  group_->jump(lane_, recipe_.test.jump_strain);
+}
+
+bool UniaxialTest::prepare(std::int64_t n_blocks) {
+  if (n_blocks * recipe_.test.history_interval < jump_cycles) return false;
+  may_jump_ = false;
+  if (!specimen_->matrix.unbreakable && group_->at_strength(lane_))
+    begin();
+  else
+    jumped_ = true, start_loading();
+  return false;
+}
+
+void UniaxialTest::drive() { close_platens(packing().height); }
+
+std::vector<Number> UniaxialTest::numbers(const WavePath& path) const {
+  const History& history = result_.history;
+  return axial_numbers(history, loading_branch(history), result_.cracks,
+                       {path, jumped_ ? recipe_.test.jump_strain : 0.0});
+}
+
+namespace {
+
+TestDescription description() {
+  TestDescription d;
+  d.name = "uniaxial";
+  d.columns = joined(
+      {clock_columns(),
+       {{"axial_strain", "1", "shortening between the platens / initial height", &HistoryRow::axial_strain}},
+       gauge_columns(),
+       platen_stress_columns(),
+       book_columns()});
+  d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
+                            "stress_top", "stress_bottom"});
+  d.curve.property = Property::ucs;
+  d.table = {{"E tan50", "GPa", "E_tangent", 1e-9, 2},
+             {"E sec50", "GPa", "E_secant", 1e-9, 2},
+             {"nu", "", "nu", 1.0, 3},
+             {"UCS", "MPa", "ucs", 1e-6, 2},
+             {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
+             {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2}};
+  d.may_jump = true;
+  d.loading_text = [](const Recipe& r) { return platens_text(r.test) + " on specimens with free sides."; };
+  return d;
+}
+
+}  // namespace
+
+const TestRoom& uniaxial_room() {
+  static const TestRoom room = {description(), [](const Recipe&) { return std::string("uniaxial"); },
+                                [](const Packing& packing, const Recipe&) { return platens(packing); },
+                                begin_test<UniaxialTest>};
+  return room;
+}
+
+}  // namespace phy

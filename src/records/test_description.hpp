@@ -1,0 +1,96 @@
+// What a laboratory test is, for all who meet its results: how its history is read, which number is its
+// strength, what tables and texts say of it, which shape its specimen has. Tables, files, texts and guesses
+// of cost ask here and know no test by name.
+//
+// Records says what a test is; the laboratory says which tests there are (lab/tests.cpp): it alone knows how
+// they are done, and is above this room.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "records/recipe.hpp"
+#include "records/result.hpp"
+#include "records/rock.hpp"
+
+namespace phy {
+
+/// A number of the results in the table for the terminal.
+struct TableColumn {
+  const char* head;
+  const char* unit;
+  const char* number;  ///< its name among the numbers of a result
+  double scale;        ///< from SI to `unit`
+  int digits;
+};
+
+/// The curve of a test: which columns, in which direction and unit, and which number is its strength. The one
+/// list for page, figures and films.
+struct TestCurve {
+  std::string strain = "axial strain", strain_unit = "%";
+  double strain_factor = 100.0;                           ///< from the recorded value to `strain_unit`
+  std::string stress = "axial stress";                    ///< drawn in MPa
+  std::string strength = "ucs", strength_label = "UCS";   ///< number of the result, and its name
+  std::optional<Property> property = std::nullopt;        ///< of the laboratory that it stands beside
+  double sign = 1.0;                                      ///< -1: recorded as negative, as tension is
+  double HistoryRow::*value = &HistoryRow::axial_stress;  ///< the column of the stress
+
+  /// Grow while the test loads. [1] (direct shear: m), [Pa]
+  double strain_of(const HistoryRow& row) const { return sign * row.axial_strain; }
+  double stress_of(const HistoryRow& row) const { return sign * (row.*value); }
+};
+
+/// For the guess of what a test will cost (study/expected.hpp). Rules of thumb from the paper's specimen
+/// (docs/paper.md) and examples/lab.
+struct ExpectedPeak {
+  /// What the strain of the test refers to [m].
+  double (*length)(const Recipe&) = [](const Recipe& r) { return r.specimen.height; };
+  double strain_factor = 1.0;  ///< strain of an elastic specimen over strength / E
+  double intact = 2.7;         ///< strength over the weaker bond strength, without bedding
+  double bedded = 0.0;         ///< the same with bedding; 0: as Jaeger's strength of that inclination
+};
+
+/// A stress that the test keeps on the specimen's boundary, and its key in [test].
+struct KeptStress {
+  const char* key = "";
+  double TestRecipe::*value = nullptr;  ///< [Pa]; null: no such stress
+};
+
+struct TestDescription {
+  const char* name = "";                ///< the recipe's word
+  const char* stress = "axial stress";  ///< on which the strength is read, in words
+  const char* tool = "platen";          ///< what pushes or pulls, in words
+  const char* extent = "strain {} %";   ///< how far a test has come, of what its limits of strain are about
+  HistoryColumns columns;               ///< of the history, one of them of HistoryRow::axial_strain
+  /// Names of the columns that the hash of a history covers, in this order (hashed_fields). A column that is
+  /// added or moved later changes no hash.
+  std::vector<std::string> hashed;
+  TestCurve curve;
+  std::vector<TableColumn> table;
+  bool runs_to_end = false;  ///< to test.max_strain, whatever happens, for what comes after the peak
+  bool may_jump = false;     ///< can start loaded (test.jump_strain)
+  KeptStress kept_stress = {};
+  ExpectedPeak expected = {};
+  /// Diameter [m] of the disc that is cut from the packing; null: the whole rectangle is tested.
+  double (*disc_diameter)(const Recipe&) = nullptr;
+
+  /// One sentence or more for the methods section of a paper: what loads the specimen, and how.
+  std::string (*loading_text)(const Recipe&) = nullptr;
+  const char* load_on_box = ", load along the height";        ///< after the size of the specimen
+  const char* load_on_bedding = ", the load being vertical";  ///< after the inclination of the bedding
+
+  /// The column that grows while the test loads, HistoryRow::axial_strain: what cracks, snapshots and frames
+  /// are filed under.
+  const HistoryColumn& loading_column() const { return column_of(&HistoryRow::axial_strain); }
+  const HistoryColumn& stress_column() const { return column_of(&HistoryRow::axial_stress); }
+  const HistoryColumn& column_of(double HistoryRow::*value) const;
+  /// False where the loading column is a displacement [m]; the recipe's limits of strain are then limits of
+  /// displacement over the specimen's width.
+  bool loads_by_strain() const;
+};
+
+/// All tests, uniaxial compression first. Defined by the laboratory.
+std::span<const TestDescription* const> laboratory_tests();
+
+}  // namespace phy
