@@ -24,9 +24,9 @@ const std::vector<std::shared_ptr<const Specimen>>& paper_specimens() {
     Recipe r;
     r.bedding = {BeddingRecipe{}};
     r.test.angles = {0, 15, 30, 45, 60, 75, 90};
-    const auto packing = packing_of(r, default_cache_folder());
+    const auto packing = genesis::packing_of(r, genesis::default_cache_folder());
     std::vector<std::shared_ptr<const Specimen>> list;
-    for (Specimen& s : make_specimens(packing, r))
+    for (Specimen& s : genesis::make_specimens(packing, r))
       list.push_back(std::make_shared<const Specimen>(std::move(s)));
     return list;
   }();
@@ -38,10 +38,10 @@ double cycles_per_test(std::size_t angles) {
   static const std::vector<TestResult> results = [] {
     Recipe recipe;
     recipe.engine.precision = Precision::single_precision;
-    MachineOptions machine;
-    machine.isa = native_isa();
+    study::MachineOptions machine;
+    machine.isa = engine::native_isa();
     machine.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    return run_tests(paper_specimens(), recipe, machine);
+    return study::run_tests(paper_specimens(), recipe, machine);
   }();
   double sum = 0.0;
   for (const TestResult& r : results) sum += static_cast<double>(r.n_steps);
@@ -49,25 +49,25 @@ double cycles_per_test(std::size_t angles) {
 }
 
 /// One group: `angles` = 1: all lanes at 45 degrees; 7: the lanes take the seven angles in turn.
-void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std::size_t angles) {
-  if (isa > native_isa()) {
+void press(benchmark::State& state, engine::Isa isa, Precision precision, int lanes, std::size_t angles) {
+  if (isa > engine::native_isa()) {
     state.SkipWithError("not measured: instruction set absent");
     return;
   }
   Recipe recipe;
   recipe.engine.precision = precision;
   const auto& specimens = paper_specimens();
-  GroupOptions options;
+  engine::GroupOptions options;
   options.isa = isa;
   options.precision = precision;
   options.lanes = lanes;
-  const auto group = make_group(specimens.front()->packing, options);
-  std::vector<UniaxialTest> tests;
+  const auto group = engine::make_group(specimens.front()->packing, options);
+  std::vector<lab::UniaxialTest> tests;
   for (int l = 0; l < lanes; ++l)
     tests.emplace_back(specimens[angles == 1 ? 3 : static_cast<std::size_t>(l) % 7], recipe, *group, l);
   const auto block = [&] {
     group->advance();
-    for (UniaxialTest& t : tests) t.after_block();
+    for (lab::UniaxialTest& t : tests) t.after_block();
   };
   for (int i = 0; i < 60; ++i) block();  // into the elastic range
   for (auto _ : state) block();
@@ -83,7 +83,7 @@ void press(benchmark::State& state, Isa isa, Precision precision, int lanes, std
 /// Any kind of test on the paper's packing at 45 degrees, 10 MPa where there is a confining or normal stress,
 /// all lanes alike: the loop of the press with another rig.
 void kind(benchmark::State& state, const char* which, Confinement sides) {
-  if (native_isa() < Isa::avx512) {
+  if (engine::native_isa() < engine::Isa::avx512) {
     state.SkipWithError("not measured: instruction set absent");
     return;
   }
@@ -95,14 +95,14 @@ void kind(benchmark::State& state, const char* which, Confinement sides) {
   recipe.test.confining_stress = recipe.test.normal_stress = 10e6;
   recipe.engine.precision = Precision::single_precision;
   const auto& packing = paper_specimens().front()->packing;
-  const auto specimen = std::make_shared<const Specimen>(make_specimens(packing, recipe).front());
-  GroupOptions options;
-  options.isa = Isa::avx512;
+  const auto specimen = std::make_shared<const Specimen>(genesis::make_specimens(packing, recipe).front());
+  engine::GroupOptions options;
+  options.isa = engine::Isa::avx512;
   options.precision = recipe.engine.precision;
   options.lanes = 16;
-  const auto group = make_group(specimen->packing, options);
-  std::vector<std::unique_ptr<LabTest>> tests;
-  for (int l = 0; l < options.lanes; ++l) tests.push_back(make_test(specimen, recipe, *group, l));
+  const auto group = engine::make_group(specimen->packing, options);
+  std::vector<std::unique_ptr<lab::LabTest>> tests;
+  for (int l = 0; l < options.lanes; ++l) tests.push_back(lab::make_test(specimen, recipe, *group, l));
   const auto block = [&] {
     group->advance();
     for (const auto& t : tests) t->after_block();
@@ -127,9 +127,9 @@ KIND(biaxial_walls, biaxial, walls);
 KIND(biaxial_jacket, biaxial, jacket);
 KIND(direct_shear, direct_shear, walls);
 
-#define PRESS(name, isa, precision, lanes, angles)                                          \
-  BENCHMARK_CAPTURE(press, name, Isa::isa, Precision::precision##_precision, lanes, angles) \
-      ->Unit(benchmark::kMillisecond)                                                       \
+#define PRESS(name, isa, precision, lanes, angles)                                                  \
+  BENCHMARK_CAPTURE(press, name, engine::Isa::isa, Precision::precision##_precision, lanes, angles) \
+      ->Unit(benchmark::kMillisecond)                                                               \
       ->MeasureProcessCPUTime()
 
 PRESS(one_angle_float16_avx512, avx512, single, 16, 1);

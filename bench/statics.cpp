@@ -15,7 +15,8 @@ const std::vector<Specimen>& paper_specimens() {
     Recipe r;
     r.bedding = {BeddingRecipe{}};
     r.test.angles = {0, 15, 30, 45, 60, 75, 90};
-    const std::vector<Specimen> angles = make_specimens(packing_of(r, default_cache_folder()), r);
+    const std::vector<Specimen> angles =
+        genesis::make_specimens(genesis::packing_of(r, genesis::default_cache_folder()), r);
     std::vector<Specimen> list;
     for (const auto& [n, s] : {std::pair{1.0, 1.0},
                                {0.25, 1.0},
@@ -35,8 +36,8 @@ const std::vector<Specimen>& paper_specimens() {
   return all;
 }
 
-ElasticOptions options(bool bilateral, bool sensitivities) {
-  ElasticOptions o;
+statics::ElasticOptions options(bool bilateral, bool sensitivities) {
+  statics::ElasticOptions o;
   o.bilateral = bilateral, o.sensitivities = sensitivities;
   return o;
 }
@@ -44,13 +45,13 @@ ElasticOptions options(bool bilateral, bool sensitivities) {
 /// Everything anew: network, order of elimination, factors, sensitivities.
 void one_angle(benchmark::State& state, bool bilateral) {
   const Specimen& specimen = paper_specimens()[static_cast<std::size_t>(state.range(0)) / 15];
-  for (auto _ : state) benchmark::DoNotOptimize(solve_uniaxial(specimen, options(bilateral, true)));
+  for (auto _ : state) benchmark::DoNotOptimize(statics::solve_uniaxial(specimen, options(bilateral, true)));
 }
 
 /// The same with the symbolic part kept: what each further angle or parameter set costs.
 void next_angle(benchmark::State& state, bool bilateral) {
   const Specimen& specimen = paper_specimens()[static_cast<std::size_t>(state.range(0)) / 15];
-  UniaxialStatics statics;
+  statics::UniaxialStatics statics;
   statics.solve(specimen, options(bilateral, true));
   for (auto _ : state) benchmark::DoNotOptimize(statics.solve(specimen, options(bilateral, true)));
 }
@@ -58,7 +59,7 @@ void next_angle(benchmark::State& state, bool bilateral) {
 void all_sets(benchmark::State& state, bool bilateral) {
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        solve_all(paper_specimens(), options(bilateral, false), static_cast<int>(state.range(0))));
+        statics::solve_all(paper_specimens(), options(bilateral, false), static_cast<int>(state.range(0))));
 }
 
 #define EACH(function, name, bilateral)        \

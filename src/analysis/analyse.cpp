@@ -8,7 +8,7 @@
 #include "analysis/elastic.hpp"
 #include "analysis/strength.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 std::vector<Number> elastic(const LoadingBranch& branch, const AxialOptions& options, StrainFrom from,
@@ -59,4 +59,4 @@ const Number* find(const std::vector<Number>& numbers, const std::string& name) 
   return nullptr;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -20,7 +20,7 @@
 #include "analysis/energy.hpp"
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 struct AxialOptions {
   WavePath path;
@@ -48,4 +48,4 @@ std::vector<Number> told(std::vector<Number> numbers);
 /// The number of that name, or nullptr.
 const Number* find(const std::vector<Number>& numbers, const std::string& name);
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -9,7 +9,7 @@
 #include "analysis/histories.test.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 std::vector<Number> numbers_of(const History& h, const std::vector<CrackEvent>& cracks,
@@ -116,4 +116,4 @@ TEST(Analyse, InfiniteEnergiesAreToldAsUnusable) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

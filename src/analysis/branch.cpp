@@ -7,7 +7,7 @@
 
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 LoadingBranch loading_branch(const History& history) {
   LoadingBranch branch;
@@ -68,4 +68,4 @@ std::string joined(std::string a, const std::string& b) {
   return a + b;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -7,7 +7,7 @@
 
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Rows from the first usable one to the one with the largest axial stress (the first of several). A row
 /// whose stress or strain is no number is not usable. Empty when the stress never rises above zero. Refers to
@@ -50,4 +50,4 @@ std::string branch_note(const LoadingBranch& branch);
 /// Joins two notes with "; ".
 std::string joined(std::string a, const std::string& b);
 
-}  // namespace phy
+}  // namespace phy::analysis

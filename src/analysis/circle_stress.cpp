@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 /// Share of the straight line from a to b inside the circle about the origin.
@@ -37,4 +37,4 @@ PlaneStress stress_in_circle(const Packing& packing, const Snapshot& snapshot, V
   return {sum.xx / area, sum.yy / area, sum.xy / area};
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -10,7 +10,7 @@
 
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Stress [Pa]; xy is the mean of both shear components.
 struct PlaneStress {
@@ -20,4 +20,4 @@ struct PlaneStress {
 /// Mean stress of a snapshot in the circle (centre, radius [m]) of the deformed packing.
 PlaneStress stress_in_circle(const Packing& packing, const Snapshot& snapshot, Vec2 centre, double radius);
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 struct Kind {
@@ -47,4 +47,4 @@ std::vector<Number> crack_numbers(const LoadingBranch& branch, const std::vector
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Number of cracks of each kind.
 struct CrackCounts {
@@ -19,4 +19,4 @@ CrackCounts count_cracks(const std::vector<CrackEvent>& cracks, double up_to_str
 /// the latter are NaN with a note.
 std::vector<Number> crack_numbers(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks);
 
-}  // namespace phy
+}  // namespace phy::analysis

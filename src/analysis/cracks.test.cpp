@@ -4,7 +4,7 @@
 
 #include "analysis/histories.test.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 /// 1 tension matrix, 2 shear matrix, 3 tension bedding, 4 shear bedding; the last of each kind after the peak
@@ -48,4 +48,4 @@ TEST(Cracks, WithoutAPeakTheTotalsRemain) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

@@ -8,7 +8,7 @@
 
 #include "base/stats.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -108,4 +108,4 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
   return n;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -15,7 +15,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Modulus as the slope in a range of stress [Pa]. NaN with a note: fewer than 3 rows in the range, strain at
 /// rest. With a note beside the value: no peak (fractions of the largest stress), range not covered, points
@@ -28,4 +28,4 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
 /// Poisson's ratio: lateral strain of the gauge over the axial strain named. Notes as for tangent_modulus.
 Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name);
 
-}  // namespace phy
+}  // namespace phy::analysis

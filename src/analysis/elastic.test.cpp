@@ -4,7 +4,7 @@
 
 #include "analysis/histories.test.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 constexpr StressRange middle = {0.4, 0.6};
@@ -165,4 +165,4 @@ TEST(Elastic, RowsWithoutANumberArePassedOver) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

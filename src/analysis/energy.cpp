@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 using Rows = std::span<const HistoryRow>;
@@ -157,4 +157,4 @@ std::vector<Number> run_checks(const LoadingBranch& branch, const History& histo
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// What a stress wave runs through. With density or length 0 the number of its transits is not known.
 struct WavePath {
@@ -32,4 +32,4 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
 ///   wave_transits        how often a wave crosses the specimen while the stress rises to its peak
 std::vector<Number> run_checks(const LoadingBranch& branch, const History& history, const WavePath& path);
 
-}  // namespace phy
+}  // namespace phy::analysis

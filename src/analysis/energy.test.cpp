@@ -4,7 +4,7 @@
 
 #include "analysis/histories.test.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 std::vector<Number> budget(const History& h) { return energy_budget(loading_branch(h), h); }
@@ -120,4 +120,4 @@ TEST(RunChecks, WaveTransitsCountByTheSpeedOfTheEnd) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

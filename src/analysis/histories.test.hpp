@@ -5,7 +5,7 @@
 
 #include "analysis/analyse.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Straight line of modulus E and Poisson's ratio nu up to ucs in n rows, then down to half of it in n/2
 /// rows. The gauge reads 0.9 of the platen strain.
@@ -44,4 +44,4 @@ inline std::string note(const std::vector<Number>& numbers, const std::string& n
   return n != nullptr ? n->note : "no number " + name;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

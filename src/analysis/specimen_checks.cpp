@@ -5,7 +5,7 @@
 
 #include "base/clusters.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 double mean_diameter(const std::vector<Disc>& discs) {
@@ -91,4 +91,4 @@ std::vector<Number> specimen_checks(const Specimen& specimen) {
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

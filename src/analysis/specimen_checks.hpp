@@ -5,7 +5,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// Measures, all [1]:
 ///   grains_across       smaller side of the specimen (diameter of a disc) over the mean grain diameter
@@ -20,4 +20,4 @@ namespace phy {
 /// are taken away one after the other, and all that is cut off from the largest part.
 std::vector<Number> specimen_checks(const Specimen& specimen);
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -7,7 +7,7 @@
 
 #include "analysis/histories.test.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 /// Discs of radius 1 in a box of 10 x 20, bonded as listed.
@@ -64,4 +64,4 @@ TEST(SpecimenChecks, TheSetThatMissesTheSpecimenCounts) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -88,4 +88,4 @@ Number crack_damage(const LoadingBranch& branch) {
   return n;
 }
 
-}  // namespace phy
+}  // namespace phy::analysis

@@ -11,7 +11,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::analysis {
 
 /// ucs [Pa] and peak_strain [1] (platens). NaN with a note when the stress never falls again.
 std::vector<Number> strength(const LoadingBranch& branch);
@@ -25,4 +25,4 @@ std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vec
 /// sigma_cd [Pa]. NaN with a note when the volumetric strain does not turn before the peak.
 Number crack_damage(const LoadingBranch& branch);
 
-}  // namespace phy
+}  // namespace phy::analysis

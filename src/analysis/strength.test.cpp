@@ -6,7 +6,7 @@
 
 #include "analysis/histories.test.hpp"
 
-namespace phy {
+namespace phy::analysis {
 namespace {
 
 constexpr double E = 50e9;  // of the marble, by platens
@@ -175,4 +175,4 @@ TEST(CrackDamage, NoLateralGauge) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::analysis

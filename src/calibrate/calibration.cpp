@@ -16,7 +16,7 @@
 #include "calibrate/foresee.hpp"
 #include "calibrate/strength_stage.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr int n_fit = 5;  // packings of the elastic fit
@@ -339,4 +339,4 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   return result;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -12,7 +12,7 @@
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 struct CalibrationOptions {
   bool elastic_only = false;
@@ -25,4 +25,4 @@ struct CalibrationOptions {
 /// VerdictStatus::interrupted.
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator);
 
-}  // namespace phy
+}  // namespace phy::calibrate

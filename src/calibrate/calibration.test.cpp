@@ -10,7 +10,7 @@
 #include "calibrate/reading.test.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 using testing::Contains;
@@ -22,12 +22,12 @@ Rock rock(double nu_factor = 1.0) {
   Rock made;
   made.name = "shale";
   made.model.bedding.resize(1);
-  const JointedRock macro{50e9, 90e9, 40e9, 0.25};
+  const theory::JointedRock macro{50e9, 90e9, 40e9, 0.25};
   Recipe truth = made.model;
   for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
     truth.bedding[0].theta = theta;
-    made.readings.push_back(reading(Property::E, theta, goodman_E(macro, theta)));
-    made.readings.push_back(reading(Property::nu, theta, nu_factor * goodman_nu(macro, theta)));
+    made.readings.push_back(reading(Property::E, theta, theory::goodman_E(macro, theta)));
+    made.readings.push_back(reading(Property::nu, theta, nu_factor * theory::goodman_nu(macro, theta)));
     made.readings.push_back(reading(Property::ucs, theta, PaperPress::ucs(truth)));
   }
   return made;
@@ -128,4 +128,4 @@ TEST(Calibrate, StopsInTheMiddleOfTheDirectSolutions) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -11,7 +11,7 @@
 #include "calibrate/elastic_problem.hpp"
 #include "calibrate/elastic_verdict.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 using Eigen::MatrixXd;
@@ -161,4 +161,4 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   return fit;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -19,7 +19,7 @@
 #include "calibrate/parameters.hpp"
 #include "calibrate/simulator.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 struct ElasticFit {
   Recipe recipe;                        ///< the rock's model with the fitted parameters
@@ -36,4 +36,4 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
                        const std::vector<std::int64_t>& spare, Simulator& simulator,
                        const std::function<void(const std::string&)>& say);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -10,7 +10,7 @@
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 using testing::Contains;
@@ -154,4 +154,4 @@ TEST_F(ElasticStage, AnIsotropicRockHasTwoParameters) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

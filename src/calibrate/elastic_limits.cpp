@@ -9,7 +9,7 @@
 #include "theory/jaeger_fit.hpp"
 #include "theory/layered_fit.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr std::size_t most_named = 4;
@@ -19,8 +19,8 @@ constexpr double clearly =
 constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
 
 /// E and nu; angles as they are or their complements.
-std::vector<LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
-  std::vector<LayeredReading> readings;
+std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
+  std::vector<theory::LayeredReading> readings;
   for (const Target& t : targets) {
     if (is_strength(t.property)) continue;
     const bool modulus = t.property == Property::E;
@@ -29,17 +29,18 @@ std::vector<LayeredReading> readings_of(const std::vector<Target>& targets, bool
   return readings;
 }
 
-bool has_modulus(const std::vector<LayeredReading>& readings) {
-  return std::any_of(readings.begin(), readings.end(), [](const LayeredReading& r) { return r.is_modulus; });
+bool has_modulus(const std::vector<theory::LayeredReading>& readings) {
+  return std::any_of(readings.begin(), readings.end(),
+                     [](const theory::LayeredReading& r) { return r.is_modulus; });
 }
 
-std::string number(const LayeredReading& r, double value) {
+std::string number(const theory::LayeredReading& r, double value) {
   return r.is_modulus ? fmt::format("{:.3g}", value * 1e-9) : fmt::format("{:.3f}", value);
 }
 
 /// A cell and the value that it should have.
 struct Misfit {
-  LayeredReading cell;
+  theory::LayeredReading cell;
   double wanted = 0.0;
   double errors() const { return std::fabs(wanted - cell.value) / cell.error; }
   std::string text(const char* of_wanted) const {
@@ -49,8 +50,8 @@ struct Misfit {
   }
 };
 
-double seen(const LayeredFit& fit, const LayeredReading& cell) {
-  const PlaneConstants c = fit.at(cell.theta);
+double seen(const theory::LayeredFit& fit, const theory::LayeredReading& cell) {
+  const theory::PlaneConstants c = fit.at(cell.theta);
   return cell.is_modulus ? c.E : c.nu;
 }
 
@@ -64,13 +65,13 @@ std::string list_of(const std::vector<Misfit>& cells, const char* of_wanted) {
 }
 
 /// Cells without which the others are those of a body, with the value that it has there; the nearest first.
-std::vector<Misfit> each_alone(const std::vector<LayeredReading>& readings) {
+std::vector<Misfit> each_alone(const std::vector<theory::LayeredReading>& readings) {
   std::vector<Misfit> cells;
   for (std::size_t i = 0; i < readings.size(); ++i) {
-    std::vector<LayeredReading> others = readings;
+    std::vector<theory::LayeredReading> others = readings;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     if (!has_modulus(others)) continue;
-    const LayeredFit fit = fit_layered(others, LayeredBody::any);
+    const theory::LayeredFit fit = theory::fit_layered(others, theory::LayeredBody::any);
     if (fit.met()) cells.push_back({readings[i], seen(fit, readings[i])});
   }
   std::stable_sort(cells.begin(), cells.end(),
@@ -79,9 +80,10 @@ std::vector<Misfit> each_alone(const std::vector<LayeredReading>& readings) {
 }
 
 /// Cells beyond `far_off` of a fit, the farthest in any case; it comes first.
-std::vector<Misfit> farthest(const std::vector<LayeredReading>& readings, const LayeredFit& fit) {
+std::vector<Misfit> farthest(const std::vector<theory::LayeredReading>& readings,
+                             const theory::LayeredFit& fit) {
   std::vector<Misfit> cells;
-  for (const LayeredReading& r : readings) cells.push_back({r, seen(fit, r)});
+  for (const theory::LayeredReading& r : readings) cells.push_back({r, seen(fit, r)});
   std::stable_sort(cells.begin(), cells.end(),
                    [](const Misfit& a, const Misfit& b) { return a.errors() > b.errors(); });
   const auto near = [](const Misfit& m) { return m.errors() < far_off; };
@@ -105,10 +107,11 @@ BothWays moduli_both_ways(const std::vector<Target>& targets) {
   if (E.empty()) return both;
   double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0};
   for (const bool exchanged : {false, true}) {
-    const std::vector<LayeredReading> readings = readings_of(E, exchanged);
-    const LayeredFit fit = fit_layered(readings, LayeredBody::planes_in_isotropic_rock);
+    const std::vector<theory::LayeredReading> readings = readings_of(E, exchanged);
+    const theory::LayeredFit fit =
+        theory::fit_layered(readings, theory::LayeredBody::planes_in_isotropic_rock);
     chi_square[exchanged] = fit.chi_square;
-    for (const LayeredReading& r : readings)
+    for (const theory::LayeredReading& r : readings)
       error[exchanged] += std::pow(seen(fit, r) / r.value - 1.0, 2.0) / static_cast<double>(readings.size());
   }
   both.ok = true;
@@ -124,12 +127,12 @@ BothWays strengths_both_ways(const std::vector<Target>& targets) {
   double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0}, matrix = 0.0;
   for (const Target& t : ucs) matrix = std::max(matrix, t.mean);
   for (const bool exchanged : {false, true}) {
-    std::vector<StrengthReading> readings;
+    std::vector<theory::StrengthReading> readings;
     for (const Target& t : ucs) readings.push_back({exchanged ? 90.0 - t.theta : t.theta, t.mean, 0.0});
-    const JaegerFit fit = fit_jaeger(readings, matrix);
+    const theory::JaegerFit fit = theory::fit_jaeger(readings, matrix);
     if (!fit.ok) return both;
     for (std::size_t i = 0; i < ucs.size(); ++i) {
-      const double d = jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
+      const double d = theory::jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
       error[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
       chi_square[exchanged] += std::pow(d / ucs[i].standard_error(), 2.0);
     }
@@ -149,17 +152,17 @@ std::string misfits(const BothWays& both, const char* of) {
 }  // namespace
 
 std::string elastic_limit(const std::vector<Target>& targets) {
-  const std::vector<LayeredReading> readings = readings_of(targets, false);
+  const std::vector<theory::LayeredReading> readings = readings_of(targets, false);
   if (!has_modulus(readings)) return "";
-  const LayeredFit any = fit_layered(readings, LayeredBody::any);
+  const theory::LayeredFit any = theory::fit_layered(readings, theory::LayeredBody::any);
   if (!any.met()) {
     const std::string text = fmt::format(
         "no layered elastic body has the E and nu of this table within their errors (chi-square {:.0f}; "
         "chance stays "
         "below {:.0f} in 99 of 100 tables): ",
         any.chi_square, any.limit());
-    const bool only_E =
-        std::all_of(readings.begin(), readings.end(), [](const LayeredReading& r) { return r.is_modulus; });
+    const bool only_E = std::all_of(readings.begin(), readings.end(),
+                                    [](const theory::LayeredReading& r) { return r.is_modulus; });
     const char* const how = only_E ? ""
                                    : ". nu counts as read in the plane of load and dip; a mean over the "
                                      "circumference is another number";
@@ -168,7 +171,8 @@ std::string elastic_limit(const std::vector<Target>& targets) {
     return text + (alone.size() > 1 ? "the odd one out may be any of " : "the odd one out is ") +
            list_of(alone, "the others want") + how;
   }
-  const LayeredFit planes = fit_layered(readings, LayeredBody::planes_in_isotropic_rock);
+  const theory::LayeredFit planes =
+      theory::fit_layered(readings, theory::LayeredBody::planes_in_isotropic_rock);
   if (planes.met()) return "";
   return "a layered elastic body has the E and nu of this table within their errors, but an isotropic rock "
          "to which "
@@ -191,4 +195,4 @@ std::string exchanged_angles(const std::vector<Target>& targets) {
          "the angle between load and bedding";
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -7,7 +7,7 @@
 
 #include "records/rock.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// What the E and nu of a bedded rock cannot be, with the cells that do not fit; empty: nothing of the kind.
 /// Cells without which the others are those of a body are named with the value that these want; where there
@@ -19,4 +19,4 @@ std::string elastic_limit(const std::vector<Target>& targets);
 /// nearer when the angles are read the other way, and the other is not clearly farther.
 std::string exchanged_angles(const std::vector<Target>& targets);
 
-}  // namespace phy
+}  // namespace phy::calibrate

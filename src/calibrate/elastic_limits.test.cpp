@@ -11,7 +11,7 @@
 #include "theory/jaeger.hpp"
 #include "theory/transverse_isotropy.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 using testing::AllOf;
@@ -22,24 +22,24 @@ using testing::Not;
 const std::vector<double> angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
 
 /// E and nu of a body at seven angles, known to 2 % and 0.01.
-std::vector<Target> table_of(const TransverseIsotropy& m) {
+std::vector<Target> table_of(const theory::TransverseIsotropy& m) {
   std::vector<Target> targets;
   for (const Property p : {Property::E, Property::nu})
     for (const double theta : angles) {
       const bool modulus = p == Property::E;
-      const double value = modulus ? ti_E(m, theta) : ti_nu(m, theta);
+      const double value = modulus ? theory::ti_E(m, theta) : theory::ti_nu(m, theta);
       targets.push_back({p, theta, value, modulus ? 0.02 * value : 0.01, 1, false});
     }
   return targets;
 }
 
 /// K_n far from K_s: nu/E differs much between 0 and 45 degrees.
-const TransverseIsotropy jointed = ti_from_goodman({60e9, 40e9, 12e9, 0.25});
+const theory::TransverseIsotropy jointed = theory::ti_from_goodman({60e9, 40e9, 12e9, 0.25});
 /// Stiffer across its bedding than along it.
-const TransverseIsotropy reversed{22e9, 40e9, 0.2, 0.22, 11e9};
+const theory::TransverseIsotropy reversed{22e9, 40e9, 0.2, 0.22, 11e9};
 
 TEST(ElasticLimit, TablesOfOneTensorPassWithoutAWord) {
-  ASSERT_GT(std::fabs(ti_nu(jointed, 45.0) / ti_E(jointed, 45.0) / (0.25 / 60e9) - 1.0), 0.5);
+  ASSERT_GT(std::fabs(theory::ti_nu(jointed, 45.0) / theory::ti_E(jointed, 45.0) / (0.25 / 60e9) - 1.0), 0.5);
   EXPECT_EQ(elastic_limit(table_of(jointed)), "");
   std::vector<Target> noisy = table_of(jointed);
   double sign = 1.0;
@@ -98,12 +98,12 @@ TEST(ElasticLimit, ALayeredBodyThatNoPlanesMakeIsToldApart) {
 
 void add_ucs(std::vector<Target>& targets, bool exchanged) {
   for (const double theta : angles) {
-    const double ucs = jaeger_sigma_1({20e6, 25.0}, 150e6, exchanged ? 90.0 - theta : theta, 0.0);
+    const double ucs = theory::jaeger_sigma_1({20e6, 25.0}, 150e6, exchanged ? 90.0 - theta : theta, 0.0);
     targets.push_back({Property::ucs, theta, ucs, 0.05 * ucs, 3, false});
   }
 }
 
-std::vector<Target> exchanged_table(const TransverseIsotropy& m) {
+std::vector<Target> exchanged_table(const theory::TransverseIsotropy& m) {
   std::vector<Target> targets = table_of(m);
   for (Target& t : targets) t.theta = 90.0 - t.theta;
   return targets;
@@ -144,4 +144,4 @@ TEST(ExchangedAngles, AreNotSuspectedWhereTheDataDoNotDecide) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -7,7 +7,7 @@
 #include "calibrate/elastic_response.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr double wall = 20.0;          // per logarithm outside the box: a soft but certain stop
@@ -19,14 +19,14 @@ constexpr double usual_factor = 0.97, usual_addition = 0.05;
 double rate(const Sensitivity& s, Property property) { return property == Property::E ? s.dE : s.dnu; }
 
 /// Eq. 1 by least squares; where it refuses, a guess of usual joints.
-JointedRock macro_of(const Evidence& evidence) {
-  std::vector<ModulusReading> readings;
+theory::JointedRock macro_of(const Evidence& evidence) {
+  std::vector<theory::ModulusReading> readings;
   for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
-  Eq1Options options;
-  options.reference = Eq1Reference::free;
-  const Eq1Fit eq1 = fit_eq1(readings, options);
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::free;
+  const theory::Eq1Fit eq1 = theory::fit_eq1(readings, options);
   const double stiffest = evidence.scales.modulus;
-  return eq1.ok() ? eq1.rock : JointedRock{stiffest, 4.0 * stiffest, 2.0 * stiffest, 0.25};
+  return eq1.ok() ? eq1.rock : theory::JointedRock{stiffest, 4.0 * stiffest, 2.0 * stiffest, 0.25};
 }
 
 }  // namespace
@@ -181,4 +181,4 @@ double ElasticProblem::unit_of_misfit(const Row& row) const {
   return std::hypot(counted_error(t), row.packing_error) / nu_weight_;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -20,7 +20,7 @@
 #include "calibrate/parameters.hpp"
 #include "calibrate/simulator.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// E or nu of one target with derivatives by the logarithms of the parameters, mean over packings.
 struct ElasticAnswer {
@@ -95,4 +95,4 @@ class ElasticProblem {
   double unit_of_misfit(const Row& row) const;
 };
 
-}  // namespace phy
+}  // namespace phy::calibrate

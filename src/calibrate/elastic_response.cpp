@@ -3,14 +3,14 @@
 #include "base/stats.hpp"
 #include "genesis/specimen.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
   Recipe one = recipe;
   one.packing.seed = seed;
   one.test.angles.clear();
   one.test.intact = false;
-  if (!one.bedding.empty()) one.bedding = turned(recipe.bedding, theta);
+  if (!one.bedding.empty()) one.bedding = genesis::turned(recipe.bedding, theta);
   return one;
 }
 
@@ -49,4 +49,4 @@ std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector
   return rows;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -7,7 +7,7 @@
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// The recipe's one specimen at an angle of the table, on the packing of a seed.
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed);
@@ -25,4 +25,4 @@ std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
 std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
                                          const std::vector<std::int64_t>& seeds, Simulator& simulator);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -8,7 +8,7 @@
 #include "base/lines.hpp"
 #include "calibrate/elastic_limits.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr double at_edge = 0.01;  // of a logarithm
@@ -83,4 +83,4 @@ ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
   return verdict;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

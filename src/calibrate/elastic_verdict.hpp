@@ -5,7 +5,7 @@
 
 #include "calibrate/elastic_fit.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// Largest deviation of mean E from the laboratory that passes without a word.
 constexpr double elastic_tolerance = 0.02;
@@ -24,4 +24,4 @@ struct ElasticVerdict {
 };
 ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence);
 
-}  // namespace phy
+}  // namespace phy::calibrate

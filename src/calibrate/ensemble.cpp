@@ -4,7 +4,7 @@
 
 #include "base/rng.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
                           std::uint32_t seed) {
@@ -36,4 +36,4 @@ std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers,
   return draws;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace phy {
+namespace phy::calibrate {
 
 using Point = std::vector<double>;
 using LogDensity = std::function<double(const Point&)>;  ///< -infinity where nothing is possible
@@ -17,4 +17,4 @@ using LogDensity = std::function<double(const Point&)>;  ///< -infinity where no
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
                           std::uint32_t seed);
 
-}  // namespace phy
+}  // namespace phy::calibrate

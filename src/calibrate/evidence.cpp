@@ -5,7 +5,7 @@
 
 #include "calibrate/strength_tests.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
 
@@ -37,4 +37,4 @@ double counted_error(const Target& modulus) {
 
 double excusing_error(const Target& t) { return t.sd_assumed ? 0.0 : t.standard_error(); }
 
-}  // namespace phy
+}  // namespace phy::calibrate

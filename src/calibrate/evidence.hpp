@@ -6,7 +6,7 @@
 
 #include "records/rock.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// What a rock measures its parameters by: boxes of quantities are multiples of these (parameters.hpp).
 struct Scales {
@@ -42,4 +42,4 @@ double counted_error(const Target& modulus);
 /// Standard error that may excuse a miss: an assumed scatter excuses nothing.
 double excusing_error(const Target& t);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -9,7 +9,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr int n_angles = 7;
@@ -184,4 +184,4 @@ Foretold foretold_strength(const Recipe& recipe, Property property, double theta
           0.2, 0.06};
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -21,7 +21,7 @@
 #include "records/calibration.hpp"
 #include "records/recipe.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// The ratios that were learnt, in the order of the regression, with bedding and without.
 std::vector<const StrengthParameter*> experienced_ratios(bool bedded);
@@ -52,4 +52,4 @@ class Experience {
 /// tension and Brazilian tests.
 Foretold foretold_strength(const Recipe& recipe, Property property, double theta);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 Recipe paper_rock() {
@@ -79,4 +79,4 @@ TEST(Experience, TensionAcrossThePlanesIsThatOfThePlanesAlongThemThatOfTheMatrix
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -9,7 +9,7 @@
 #include "calibrate/elastic_limits.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr double z_95 = 1.959964;
@@ -17,8 +17,8 @@ constexpr double z_95 = 1.959964;
 constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
 
 /// The curve through the table: Eq. 1 with everything free, or a guess of usual joints where it refuses.
-JointedRock first_rock(const Evidence& evidence) {
-  std::vector<ModulusReading> readings;
+theory::JointedRock first_rock(const Evidence& evidence) {
+  std::vector<theory::ModulusReading> readings;
   double nu = 0.25;
   for (const Target& t : evidence.moduli) {
     if (t.property == Property::E) readings.push_back({t.theta, t.mean});
@@ -26,9 +26,9 @@ JointedRock first_rock(const Evidence& evidence) {
   }
   const double stiffest = evidence.scales.modulus;
   if (!evidence.rock.bedded) return {stiffest, no_joint * stiffest, no_joint * stiffest, nu};
-  Eq1Options options;
-  options.reference = Eq1Reference::free;
-  const Eq1Fit fit = fit_eq1(readings, options);
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::free;
+  const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
   if (fit.ok()) return {fit.rock.E, fit.rock.K_n_delta, fit.rock.K_s_delta, nu};
   return {stiffest, 2.0 * stiffest, stiffest, nu};
 }
@@ -41,10 +41,11 @@ double prior_sd(const ElasticParameter& p) {
 }
 
 /// E or nu (E by its logarithm) of a rock of which one number has moved by a small step.
-double moved(JointedRock rock, const ElasticParameter& p, double step, const Target& t) {
+double moved(theory::JointedRock rock, const ElasticParameter& p, double step, const Target& t) {
   double& number = rock.*p.acts_on;
   number = by_number(p) ? number + step : std::exp(std::log(number) + step);
-  return t.property == Property::E ? std::log(goodman_E(rock, t.theta)) : goodman_nu(rock, t.theta);
+  return t.property == Property::E ? std::log(theory::goodman_E(rock, t.theta))
+                                   : theory::goodman_nu(rock, t.theta);
 }
 
 /// Standard deviations that the table can give, of what the parameters act on; without E that of the prior
@@ -57,7 +58,7 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
   if (!evidence.has(Property::E)) return sd;
   Eigen::MatrixXd information =
       Eigen::Map<const Eigen::ArrayXd>(sd.data(), n).square().inverse().matrix().asDiagonal();
-  const JointedRock rock = first_rock(evidence);
+  const theory::JointedRock rock = first_rock(evidence);
   for (const Target& t : evidence.moduli) {
     Eigen::VectorXd slope(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -158,4 +159,4 @@ std::vector<std::string> advice(const Evidence& evidence) {
   return lines;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -12,7 +12,7 @@
 #include "calibrate/evidence.hpp"
 #include "calibrate/parameters.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// One estimate per parameter, with intervals for the elastic ones (values NaN: it has none before the fit).
 std::vector<Estimate> foresee(const Evidence& evidence);
@@ -20,4 +20,4 @@ std::vector<Estimate> foresee(const Evidence& evidence);
 /// Sentences for the user: what the table holds, what is missing, what a further test would bring.
 std::vector<std::string> advice(const Evidence& evidence);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -9,17 +9,17 @@
 #include "calibrate/reading.test.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 /// E and nu of a jointed rock at seven angles.
 Rock layered_rock() {
-  const JointedRock truth{60e9, 40e9, 12e9, 0.25};
+  const theory::JointedRock truth{60e9, 40e9, 12e9, 0.25};
   Rock rock;
   rock.model.bedding.resize(1);
   for (const double theta : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
-    rock.readings.push_back(reading(Property::E, theta, goodman_E(truth, theta)));
-    rock.readings.push_back(reading(Property::nu, theta, goodman_nu(truth, theta)));
+    rock.readings.push_back(reading(Property::E, theta, theory::goodman_E(truth, theta)));
+    rock.readings.push_back(reading(Property::nu, theta, theory::goodman_nu(truth, theta)));
   }
   return rock;
 }
@@ -119,9 +119,9 @@ TEST(Foresee, NoTestIsAdvisedThatNoTableCanHold) {
 TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
   Rock rock;
   rock.model.bedding.resize(1);
-  const JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
+  const theory::JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
   for (const double theta : {0.0, 45.0, 90.0})
-    rock.readings.push_back(reading(Property::E, theta, goodman_E(stiff, theta)));
+    rock.readings.push_back(reading(Property::E, theta, theory::goodman_E(stiff, theta)));
   EXPECT_EQ(foreseen(rock, "bedding[0].k_n").next_test, "more specimens of E at 0 or 15 degrees");
   EXPECT_EQ(foreseen(rock, "matrix.ks_over_kn").next_test, "Poisson's ratio, best at 0 and 90 degrees");
   std::erase_if(rock.readings, [](const RockReading& r) { return r.theta == 0.0; });
@@ -172,4 +172,4 @@ TEST(Foresee, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -11,7 +11,7 @@
 #include "calibrate/simulator.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 class PaperPress : public Simulator {
  public:
@@ -30,10 +30,10 @@ class PaperPress : public Simulator {
     if (stops_statics) throw Stopped{};
     std::vector<ElasticResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
-      const JointedRock rock = rock_of(recipes[i]);
+      const theory::JointedRock rock = rock_of(recipes[i]);
       results[i].E_gauge =
-          goodman_E(rock, theta_of(recipes[i])) * std::exp(modulus_scatter * draw(recipes[i], 0));
-      results[i].nu_gauge = goodman_nu(rock, theta_of(recipes[i]));
+          theory::goodman_E(rock, theta_of(recipes[i])) * std::exp(modulus_scatter * draw(recipes[i], 0));
+      results[i].nu_gauge = theory::goodman_nu(rock, theta_of(recipes[i]));
       if (!carries_load) results[i].E_gauge = results[i].nu_gauge = std::nan("");
     }
     return results;
@@ -55,9 +55,10 @@ class PaperPress : public Simulator {
                               {"first_crack_x", first_crack, "1", "", ""},
                               {"first_crack_y", 0.0, "1", "", ""}};
       else
-        results[i].numbers = {{"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
-                              {"E_tangent", tangent * goodman_E(rock_of(r), theta_of(r)), "Pa", "", ""},
-                              {"nu", goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
+        results[i].numbers = {
+            {"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
+            {"E_tangent", tangent * theory::goodman_E(rock_of(r), theta_of(r)), "Pa", "", ""},
+            {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
     }
     return results;
   }
@@ -98,7 +99,7 @@ class PaperPress : public Simulator {
 
  private:
   static double theta_of(const Recipe& r) { return r.bedding.empty() ? 0.0 : r.bedding.front().theta; }
-  static JointedRock rock_of(const Recipe& r) {
+  static theory::JointedRock rock_of(const Recipe& r) {
     const double E = 0.9 * (r.matrix.E_c + r.matrix.E_b);
     if (r.bedding.empty()) return {E, 1e20, 1e20, 0.25};
     const BeddingRecipe& b = r.bedding.front();
@@ -113,4 +114,4 @@ class PaperPress : public Simulator {
   }
 };
 
-}  // namespace phy
+}  // namespace phy::calibrate

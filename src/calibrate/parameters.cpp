@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 const BeddingRecipe& joint(const Recipe& r) { return r.bedding.front(); }
@@ -26,7 +26,7 @@ const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
                                    .usual = 0.5,
                                    .set = [](Recipe& r, double v) { r.matrix.E_c = r.matrix.E_b = v; }},
                                   {"matrix.E_c", "matrix.E_b"},
-                                  &JointedRock::E,
+                                  &theory::JointedRock::E,
                                   0.0,
                                   0.0,
                                   [](const FirstSight& s) { return s.E_c * s.macro.E / s.E; },
@@ -46,7 +46,7 @@ const ElasticParameter matrix_ks_over_kn{
      .usual = 0.3,
      .set = [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }},
     {"ks_over_kn"},
-    &JointedRock::nu,
+    &theory::JointedRock::nu,
     4.0 * 0.3 / (3.3 * 3.3),
     0.15,
     nullptr,
@@ -64,7 +64,7 @@ const ElasticParameter joint_k_n{{.key = "bedding[0].k_n",
                                   .usual = 0.5,
                                   .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; }},
                                  {"bedding[0].k_n"},
-                                 &JointedRock::K_n_delta,
+                                 &theory::JointedRock::K_n_delta,
                                  0.0,
                                  0.0,
                                  [](const FirstSight& s) { return s.macro.K_n_delta / s.joint_length; },
@@ -82,7 +82,7 @@ const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                   .usual = 0.2,
                                   .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; }},
                                  {"bedding[0].k_s"},
-                                 &JointedRock::K_s_delta,
+                                 &theory::JointedRock::K_s_delta,
                                  0.0,
                                  0.0,
                                  [](const FirstSight& s) { return s.macro.K_s_delta / s.joint_length; },
@@ -294,4 +294,4 @@ Estimate number_of_recipe(const CalibratedParameter& p) {
   return e;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -16,7 +16,7 @@
 #include "records/calibration.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// Admissible values and where the data do not speak: logarithms of SI.
 struct LogBox {
@@ -61,7 +61,7 @@ struct LabReading {
 
 /// What a fit of Eq. 1 and one solution of the bare recipe tell before the search.
 struct FirstSight {
-  JointedRock macro;
+  theory::JointedRock macro;
   double E_c = 0.0, E = 0.0;  ///< [Pa] of the contacts of the bare recipe, and what its specimen has
   double joint_length = 0.0;  ///< [m] spacing times length of joints per length of plane
 };
@@ -71,7 +71,7 @@ struct ElasticParameter : CalibratedParameter {
   std::array<std::string_view, 2> rates;  ///< sensitivities of the direct solution that move together with it
   /// The number of the closed form that it acts on: by its logarithm; or as it is, where the number falls by
   /// `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
-  double JointedRock::*acts_on;
+  double theory::JointedRock::*acts_on;
   double per_log = 0.0, prior_sd = 0.0;
   double (*first_guess)(const FirstSight&);   ///< nullptr: the usual value
   LabReading bedded_reading, intact_reading;  ///< that tells most of it, with bedding and without
@@ -102,4 +102,4 @@ std::vector<const StrengthParameter*> strength_ratios(bool bedded);
 extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, joint_cohesion, joint_sigma_n,
     joint_mu;
 
-}  // namespace phy
+}  // namespace phy::calibrate

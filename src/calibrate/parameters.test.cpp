@@ -12,7 +12,7 @@
 #include "calibrate/reading.test.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 std::vector<const CalibratedParameter*> all() {
@@ -142,4 +142,4 @@ TEST(CalibratedParameters, ExperienceSpeaksOfRatiosThatAreSought) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

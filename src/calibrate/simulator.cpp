@@ -17,13 +17,13 @@
 #include "study/experiment.hpp"
 #include "study/runner.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr double statics_tolerance = 1e-4;  // of E, of nu: a hundredth of what packings differ by
 
 std::string packing_name(const Recipe& r) {
-  return r.packing.file + packing_key(r.specimen, r.packing, r.matrix);
+  return r.packing.file + genesis::packing_key(r.specimen, r.packing, r.matrix);
 }
 
 /// The file of a store that nobody asked to keep.
@@ -51,7 +51,7 @@ class Clockwork {
  public:
   void announce(const std::vector<Recipe>& recipes) {
     to_come_.clear();
-    for (const Recipe& r : recipes) to_come_.push_back(expected_cost(r));
+    for (const Recipe& r : recipes) to_come_.push_back(study::expected_cost(r));
   }
   void begin(std::size_t n_tests) {
     to_come_.erase(to_come_.begin(),
@@ -59,14 +59,14 @@ class Clockwork {
     start_ = std::chrono::steady_clock::now();
   }
   /// Expected cost of all that is left, scaled by what finished tests took, over the speed so far.
-  double seconds_left(const StudyProgress& now) const {
+  double seconds_left(const study::StudyProgress& now) const {
     const double work = work_ + now.work, cost = cost_new_ + now.cost_new, took = work_new_ + now.work_new;
     if (!(work > 0.0) || !(took > 0.0)) return 0.0;
     const double later = std::accumulate(to_come_.begin(), to_come_.end(), 0.0);
     const double left = took / cost * (now.cost_new + now.cost_left + later) - now.work;
     return (seconds_ + since_start()) / work * std::max(0.0, left);
   }
-  void end(const StudyProgress& last) {
+  void end(const study::StudyProgress& last) {
     seconds_ += since_start();
     work_ += last.work, work_new_ += last.work_new, cost_new_ += last.cost_new;
   }
@@ -83,7 +83,7 @@ class Clockwork {
 class OwnSimulator : public Simulator {
  public:
   explicit OwnSimulator(SimulatorOptions options) : options_(std::move(options)) {
-    if (!options_.store.empty()) store_ = std::make_unique<Store>(options_.store);
+    if (!options_.store.empty()) store_ = std::make_unique<study::Store>(options_.store);
   }
 
   std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool bilateral) override {
@@ -91,26 +91,26 @@ class OwnSimulator : public Simulator {
     std::vector<Specimen> specimens(recipes.size());
     for_all(recipes.size(), options_.threads, [&] {
       return [&](std::size_t i) {
-        specimens[i] = *specimen_of(packings_.at(packing_name(recipes[i])), recipes[i]);
+        specimens[i] = *study::specimen_of(packings_.at(packing_name(recipes[i])), recipes[i]);
       };
     });
-    ElasticOptions how;
+    statics::ElasticOptions how;
     how.bilateral = bilateral;
     how.tolerance = statics_tolerance;
     how.stop = options_.stop;
-    std::vector<ElasticResult> results = solve_all(specimens, how, options_.threads);
+    std::vector<ElasticResult> results = statics::solve_all(specimens, how, options_.threads);
     if (stopped()) throw Stopped{};
     return results;
   }
 
   std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
     clockwork_.begin(recipes.size());
-    const Plan plan = plan_of(recipes);
+    const study::Plan plan = study::plan_of(recipes);
     run(plan);
     std::vector<std::string> keys;
-    for (const Run& r : plan.runs) keys.push_back(plan.tests[r.test].key);
-    StudyRows rows = store().rows(keys);
-    if (options_.with_untrusted) rows = with_untrusted(std::move(rows));
+    for (const study::Run& r : plan.runs) keys.push_back(plan.tests[r.test].key);
+    study::StudyRows rows = store().rows(keys);
+    if (options_.with_untrusted) rows = study::with_untrusted(std::move(rows));
     std::vector<TestResult> results(recipes.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i])
@@ -127,14 +127,14 @@ class OwnSimulator : public Simulator {
  private:
   SimulatorOptions options_;
   std::unique_ptr<TemporaryFile> temporary_;
-  std::unique_ptr<Store> store_;
+  std::unique_ptr<study::Store> store_;
   std::map<std::string, std::shared_ptr<const Packing>> packings_;
   Clockwork clockwork_;
 
-  Store& store() {
+  study::Store& store() {
     if (!store_) {
       temporary_ = std::make_unique<TemporaryFile>();
-      store_ = std::make_unique<Store>(temporary_->path());
+      store_ = std::make_unique<study::Store>(temporary_->path());
     }
     return *store_;
   }
@@ -146,21 +146,21 @@ class OwnSimulator : public Simulator {
     const std::vector<std::pair<std::string, const Recipe*>> list(missing.begin(), missing.end());
     std::vector<std::shared_ptr<const Packing>> made(list.size());
     for_all(list.size(), options_.threads,
-            [&] { return [&](std::size_t i) { made[i] = packing_of(*list[i].second); }; });
+            [&] { return [&](std::size_t i) { made[i] = study::packing_of(*list[i].second); }; });
     for (std::size_t i = 0; i < list.size(); ++i) packings_[list[i].first] = made[i];
   }
 
-  void run(const Plan& plan) {
-    StudyHooks hooks;
+  void run(const study::Plan& plan) {
+    study::StudyHooks hooks;
     hooks.stop = options_.stop;
     if (options_.on_progress)
-      hooks.on_progress = [&](const StudyProgress& p) {
+      hooks.on_progress = [&](const study::StudyProgress& p) {
         options_.on_progress({p.n_done, p.n_total, clockwork_.seconds_left(p)});
       };
-    StoreDesk desk(plan, store(), hooks, options_.threads);
-    MachineOptions machine;
-    machine.threads = options_.threads, machine.isa = native_isa();
-    work_at(desk, plan, machine);
+    study::StoreDesk desk(plan, store(), hooks, options_.threads);
+    study::MachineOptions machine;
+    machine.threads = options_.threads, machine.isa = engine::native_isa();
+    study::work_at(desk, plan, machine);
     clockwork_.end(desk.progress());
   }
 };
@@ -171,4 +171,4 @@ std::unique_ptr<Simulator> make_simulator(SimulatorOptions options) {
   return std::make_unique<OwnSimulator>(std::move(options));
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

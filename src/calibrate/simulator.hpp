@@ -11,7 +11,7 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// The user has asked to stop: what elastic() throws instead of half an answer.
 struct Stopped {};
@@ -48,4 +48,4 @@ struct SimulatorOptions {
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.
 std::unique_ptr<Simulator> make_simulator(SimulatorOptions options);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "calibrate/experience.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 namespace {
 
@@ -214,4 +214,4 @@ std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::v
   return chosen;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

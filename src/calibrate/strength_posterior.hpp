@@ -20,7 +20,7 @@
 #include "calibrate/parameters.hpp"
 #include "calibrate/surrogate.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// Points are vectors: log sigma_c, then the places of the ratios in their boxes.
 class StrengthPosterior {
@@ -87,4 +87,4 @@ std::size_t middle(const StrengthPosterior& posterior, const std::vector<Point>&
 std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::vector<Point>& draws,
                                 std::size_t n);
 
-}  // namespace phy
+}  // namespace phy::calibrate

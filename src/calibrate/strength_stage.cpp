@@ -9,7 +9,7 @@
 #include "base/rng.hpp"
 #include "calibrate/strength_posterior.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr std::int64_t most_points = 36;
@@ -241,4 +241,4 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   return fit;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -20,7 +20,7 @@
 #include "calibrate/parameters.hpp"
 #include "calibrate/strength_tests.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// Fewest points of the search; each costs one test per strength of the table, of which the budget counts
 /// those of UCS: tests in tension end at a fraction of the strain.
@@ -45,4 +45,4 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -15,7 +15,7 @@
 #include "calibrate/reading.test.hpp"
 #include "calibrate/strength_stage.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
@@ -461,4 +461,4 @@ TEST(StrengthStage, StopsWhenTheUserDoes) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

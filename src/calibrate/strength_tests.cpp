@@ -13,7 +13,7 @@
 #include "records/test_description.hpp"
 #include "study/expected.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,8 +33,8 @@ std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>
   const std::vector<ElasticResult> elastic = simulator.elastic(recipes, true);
   std::vector<double> strains;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    strains.push_back((targets[i].property == Property::brazilian ? disc_approach : 1.0) * targets[i].mean /
-                      elastic[i].E_gauge);
+    strains.push_back((targets[i].property == Property::brazilian ? lab::disc_approach : 1.0) *
+                      targets[i].mean / elastic[i].E_gauge);
   return strains;
 }
 
@@ -45,7 +45,7 @@ double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
   double speed = infinity;
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].property == property) {
-      const double factor = property == Property::brazilian ? disc_approach : 1.0;
+      const double factor = property == Property::brazilian ? lab::disc_approach : 1.0;
       const double wave = std::sqrt(factor * targets[i].mean / strains[i] / recipe.matrix.density);
       speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
     }
@@ -71,7 +71,8 @@ const Procedure* procedure_of(Property property) {
 /// Did a Brazilian disc begin to break outside the central third?
 bool is_invalid(const TestResult& result) {
   for (const char* place : {"first_crack_x", "first_crack_y"})
-    if (const Number* n = find(result.numbers, place); n != nullptr && std::fabs(n->value) > central_third)
+    if (const Number* n = analysis::find(result.numbers, place);
+        n != nullptr && std::fabs(n->value) > lab::central_third)
       return true;
   return false;
 }
@@ -79,7 +80,7 @@ bool is_invalid(const TestResult& result) {
 /// NaN where a test has not come to its peak.
 double number_of(const TestResult& result, const char* name) {
   if (result.outcome.status != Status::peaked) return std::nan("");
-  const Number* n = find(result.numbers, name);
+  const Number* n = analysis::find(result.numbers, name);
   return n != nullptr ? n->value : std::nan("");
 }
 
@@ -145,7 +146,7 @@ Recipe coarse(Recipe r) {
   return r;
 }
 bool has_coarse(const Recipe& r) {
-  return r.packing.file.empty() && expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
+  return r.packing.file.empty() && study::expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
 
 bool can_test(Property property) { return procedure_of(property) != nullptr; }
@@ -186,4 +187,4 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   return rows;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

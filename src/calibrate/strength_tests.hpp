@@ -8,7 +8,7 @@
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 /// True for the strengths that this program can test.
 bool can_test(Property property);
@@ -50,4 +50,4 @@ Recipe coarse(Recipe recipe);
 /// Are there grains enough for a coarse packing?
 bool has_coarse(const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 // Amplitudes in units of log(strength); slopes per half box: by maximum likelihood from 240 runs of UCS at
@@ -92,4 +92,4 @@ Surrogate::Value Surrogate::at(std::span<const double> z) const {
   return {foretold_.value(z) + k.dot(vector_of(weights_)), std::max(0.0, prior - known)};
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace phy {
+namespace phy::calibrate {
 
 struct SurrogateRun {
   std::vector<double> z;  ///< point of the box, every component in [-1, 1]
@@ -54,4 +54,4 @@ class Surrogate {
   double response_kernel(std::span<const double> a, std::span<const double> b) const;
 };
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -8,7 +8,7 @@
 #include "calibrate/ensemble.hpp"
 #include "calibrate/surrogate.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 namespace {
 
 /// In [-size, size].
@@ -125,4 +125,4 @@ TEST(Ensemble, NeverLeavesWhereTheDensityIsZero) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -9,7 +9,7 @@
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/strength_tests.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<double>& angles,
                                       const std::vector<std::int64_t>& seeds, Simulator& simulator) {
@@ -63,4 +63,4 @@ std::string readings_csv(const std::vector<RockReading>& readings, bool bedded) 
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::calibrate

@@ -10,7 +10,7 @@
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::calibrate {
 
 struct TwinOptions {
   std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};  ///< [deg]
@@ -31,4 +31,4 @@ std::vector<RockReading> twin_readings(const std::vector<Comparison>& response, 
 /// The readings as a table that parse_readings reads; without bedding it has no column theta.
 std::string readings_csv(const std::vector<RockReading>& readings, bool bedded);
 
-}  // namespace phy
+}  // namespace phy::calibrate

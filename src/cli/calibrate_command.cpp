@@ -17,7 +17,7 @@
 #include "report/calibration_tables.hpp"
 #include "study/store.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 struct Arguments {
@@ -27,11 +27,11 @@ struct Arguments {
 };
 
 /// Everything that the answer follows from.
-std::string fingerprint(const Evidence& evidence, const Arguments& args) {
+std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& args) {
   const Rock& rock = evidence.rock;
   Hash hash;
   hash.add(rock.name);
-  hash.add(write_recipe(rock.model));
+  hash.add(io::write_recipe(rock.model));
   hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
   for (const Target& t : evidence.targets) {
@@ -42,7 +42,7 @@ std::string fingerprint(const Evidence& evidence, const Arguments& args) {
 }
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
-std::string label(const Evidence& evidence, const Arguments& args) {
+std::string label(const calibrate::Evidence& evidence, const Arguments& args) {
   return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", evidence.rock.name,
                      comment_text(args.rock), args.elastic ? ", --elastic" : "",
                      args.with_untrusted ? ", --with-untrusted" : "", args.max_tests,
@@ -51,7 +51,7 @@ std::string label(const Evidence& evidence, const Arguments& args) {
 
 /// Throws InputError where --resume would write one calibration over another.
 void check_same(const std::string& file, const std::string& expected, const Arguments& args) {
-  const std::string found = std::filesystem::exists(file) ? read_file(file) : "";
+  const std::string found = std::filesystem::exists(file) ? io::read_file(file) : "";
   const auto key = [](const std::string& text) {  // the rock file may have moved
     const std::size_t end = text.find('\n');
     return end == text.npos ? "" : text.substr(end + 1);
@@ -79,19 +79,19 @@ std::string store_in(const Arguments& args, const std::string& label) {
   const fs::path folder(args.out);
   std::string store = (folder / "runs.sqlite").string();
   const std::string label_file = (folder / "calibration-of.txt").string();
-  check_outputs(files_in(args.out));
-  check_writable(args.out);
+  io::check_outputs(files_in(args.out));
+  io::check_writable(args.out);
   const bool begun =
-      fs::exists(folder / "calibration.json") || (fs::exists(store) && Store(store).size() > 0);
+      fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
   if (begun && !args.resume)
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
   if (begun) check_same(label_file, label, args);
-  write_output(label_file, label);
+  io::write_output(label_file, label);
   return store;
 }
 
-std::string progress_text(const TestProgress& p) {
+std::string progress_text(const calibrate::TestProgress& p) {
   const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
                            : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
                                                   : "not yet known";
@@ -100,39 +100,41 @@ std::string progress_text(const TestProgress& p) {
 }
 
 std::string tables_of(const Calibration& c, int width) {
-  return fmt::format("{}\n{}\n{}\n{}", parameter_tables(c, width), macro_table(c, width),
-                     verdict_text(c, width), budget_text(c, width));
+  return fmt::format("{}\n{}\n{}\n{}", report::parameter_tables(c, width), report::macro_table(c, width),
+                     report::verdict_text(c, width), report::budget_text(c, width));
 }
 
 void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
   const std::filesystem::path out(folder);
-  write_output((out / "calibrated.toml").string(), write_recipe(c.recipe));
-  write_output((out / "calibrated.p2dat").string(), pfc_commands(c.recipe));
-  write_output((out / "calibrated-yade.py").string(), yade_script(c.recipe));
-  write_output((out / "calibration.json").string(), calibration_json(c, PHY_VERSION));
-  write_output((out / "tables.txt").string(), tables);
+  io::write_output((out / "calibrated.toml").string(), io::write_recipe(c.recipe));
+  io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
+  io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
+  io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
+  io::write_output((out / "tables.txt").string(), tables);
 }
 
 int run_calibration(const Arguments& args, const Session& session) {
-  const Evidence evidence(read_rock(args.rock));
+  const calibrate::Evidence evidence(io::read_rock(args.rock));
   const Rock& rock = evidence.rock;
   const int width = session.terminal_width;
-  SimulatorOptions machine;
+  calibrate::SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
   machine.with_untrusted = args.with_untrusted;
   machine.store = store_in(args, label(evidence, args));
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  print_out("\n{}\n", target_table(evidence.targets, width));
+  print_out("\n{}\n", report::target_table(evidence.targets, width));
   flush_out();
   ProgressLine line;
-  machine.on_progress = [&](const TestProgress& p) { line.show([&](double) { return progress_text(p); }); };
-  CalibrationOptions options;
+  machine.on_progress = [&](const calibrate::TestProgress& p) {
+    line.show([&](double) { return progress_text(p); });
+  };
+  calibrate::CalibrationOptions options;
   options.elastic_only = args.elastic, options.max_tests = args.max_tests;
   options.say = [&](const std::string& text) { line.note(text); };
-  const auto simulator = make_simulator(machine);
-  const Calibration result = calibrate(evidence, options, *simulator);
+  const auto simulator = calibrate::make_simulator(machine);
+  const Calibration result = calibrate::calibrate(evidence, options, *simulator);
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
@@ -168,4 +170,4 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

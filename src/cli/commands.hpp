@@ -3,7 +3,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
-namespace phy {
+namespace phy::cli {
 
 /// State shared by the verbs of one call.
 struct Session {
@@ -29,4 +29,4 @@ void add_envelope_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
 void add_elastic_command(CLI::App& app, Session& session);
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -16,7 +16,7 @@
 #include "lab/contact_bench.hpp"
 #include "verification/contact_witness.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 constexpr const char* path_header = "closure [m],slide [m],rotation [rad]";
@@ -47,9 +47,9 @@ bool read_number(std::string_view text, double& value) {
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-const LawInfo& find_law(const std::string& name) {
+const lab::LawInfo& find_law(const std::string& name) {
   std::string known;
-  for (const LawInfo& law : law_infos()) {
+  for (const lab::LawInfo& law : lab::law_infos()) {
     if (name == law.name) return law;
     known += (known.empty() ? "" : ", ") + std::string(law.name);
   }
@@ -58,13 +58,13 @@ const LawInfo& find_law(const std::string& name) {
 }
 
 /// One "name=number unit" onto the parameters; a problem when it does not fit.
-void set_parameter(const LawInfo& law, const std::string& text, std::vector<double>& v,
+void set_parameter(const lab::LawInfo& law, const std::string& text, std::vector<double>& v,
                    std::vector<Problem>& problems) {
   const std::string name = text.substr(0, text.find('='));
   const std::string_view rest =
       text.size() > name.size() ? std::string_view(text).substr(name.size() + 1) : "";
   for (std::size_t i = 0; i < law.parameters.size(); ++i) {
-    const ParameterInfo& p = law.parameters[i];
+    const laws::ParameterInfo& p = law.parameters[i];
     if (name != p.name) continue;
     const bool bare = std::string_view(p.unit) == "1";
     std::string_view number = rest;
@@ -80,14 +80,15 @@ void set_parameter(const LawInfo& law, const std::string& text, std::vector<doub
     return;
   }
   std::string known;
-  for (const ParameterInfo& p : law.parameters) known += (known.empty() ? "" : ", ") + std::string(p.name);
+  for (const laws::ParameterInfo& p : law.parameters)
+    known += (known.empty() ? "" : ", ") + std::string(p.name);
   problems.push_back({"command line", "--set", text, "NAME=VALUE with a name of " + known, ""});
 }
 
-std::vector<double> parameters_of(const LawInfo& law, const ContactArguments& args,
+std::vector<double> parameters_of(const lab::LawInfo& law, const ContactArguments& args,
                                   std::vector<Problem>& problems) {
   std::vector<double> v;
-  for (const ParameterInfo& p : law.parameters) v.push_back(p.typical);
+  for (const laws::ParameterInfo& p : law.parameters) v.push_back(p.typical);
   for (const std::string& text : args.values) set_parameter(law, text, v, problems);
   const auto value = [&](std::string_view name) {
     for (std::size_t i = 0; i < v.size(); ++i)
@@ -121,7 +122,7 @@ std::vector<ContactPoint> read_path(const std::string& file, std::vector<Problem
   std::vector<ContactPoint> corners;
   int number = 0;
   bool header = false;
-  const std::string content = read_file(file);
+  const std::string content = io::read_file(file);
   for (const std::string_view line : split(content, '\n')) {
     ++number;
     if (line.empty() || line.front() == '#') continue;
@@ -152,20 +153,20 @@ std::vector<ContactPoint> default_path() {
 }
 
 void explain_laws(int width) {
-  for (const LawInfo& law : law_infos()) {
+  for (const lab::LawInfo& law : lab::law_infos()) {
     print_wrapped(width, 2, "{}: {}\n", law.name, law.sentence);
-    for (const ParameterInfo& p : law.parameters)
+    for (const laws::ParameterInfo& p : law.parameters)
       print_wrapped(width, 31, "  {:<9} {:<6} {:>10.4g}  ({:g} to {:g})  {}; PFC {}\n", p.name, p.unit,
                     p.typical, p.min, p.max, p.meaning, p.pfc_name);
   }
 }
 
-std::string table(const std::vector<BenchRow>& rows, const std::vector<ContactForces>& exact) {
+std::string table(const std::vector<lab::BenchRow>& rows, const std::vector<ContactForces>& exact) {
   std::string text =
       "step,closure [m],slide [m],rotation [rad],F_n [N/m],F_s [N/m],M [N],F_n exact [N/m],F_s exact [N/m],"
       "M exact [N],dissipated [J/m],released [J/m],stored [J/m],broke\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const BenchRow& r = rows[i];
+    const lab::BenchRow& r = rows[i];
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, r.at.closure, r.at.slide,
                         r.at.rotation, r.forces.F_n, r.forces.F_s, r.forces.M, exact[i].F_n, exact[i].F_s,
                         exact[i].M, r.dissipated, r.released, r.stored,
@@ -176,7 +177,7 @@ std::string table(const std::vector<BenchRow>& rows, const std::vector<ContactFo
   return text;
 }
 
-std::string summary(const std::vector<BenchRow>& rows, const std::vector<ContactForces>& exact) {
+std::string summary(const std::vector<lab::BenchRow>& rows, const std::vector<ContactForces>& exact) {
   ContactForces off, most;
   const auto widen = [](double& a, double b) { a = std::max(a, std::fabs(b)); };
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -193,7 +194,7 @@ std::string summary(const std::vector<BenchRow>& rows, const std::vector<Contact
 
 void contact(const ContactArguments& args, int width) {
   if (args.law.empty()) return explain_laws(width);
-  const LawInfo& law = find_law(args.law);
+  const lab::LawInfo& law = find_law(args.law);
   std::vector<Problem> problems;
   const std::vector<double> v = parameters_of(law, args, problems);
   std::vector<ContactPoint> corners;
@@ -201,16 +202,16 @@ void contact(const ContactArguments& args, int width) {
   if (!args.path.empty()) corners = read_path(args.path, problems);
   if (!problems.empty()) throw InputError(problems);
   if (corners.empty()) corners = default_path();
-  if (!args.out.empty()) check_outputs({args.out});
-  const auto bench = bench_contact(law.name, v);
-  const std::vector<BenchRow> rows = drive(*bench, corners, args.steps);
-  const std::vector<ContactForces> exact = witness(law.name, v, corners, args.steps);
+  if (!args.out.empty()) io::check_outputs({args.out});
+  const auto bench = lab::bench_contact(law.name, v);
+  const std::vector<lab::BenchRow> rows = lab::drive(*bench, corners, args.steps);
+  const std::vector<ContactForces> exact = verification::witness(law.name, v, corners, args.steps);
   PHY_CHECK(exact.size() == rows.size(), "every law of the list has a closed form");
   const std::string text = table(rows, exact);
   if (args.out.empty())
     write_out(text);
   else
-    write_output(args.out, text);
+    io::write_output(args.out, text);
   flush_out();
   write_err(summary(rows, exact));
 }
@@ -237,4 +238,4 @@ void add_contact_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -17,7 +17,7 @@
 #include "study/press_check.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 struct ElasticArguments {
@@ -46,27 +46,28 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
   Recipe with_intact = study.recipe;
   with_intact.test.intact = true;
   with_intact.test.kind = TestKind("uniaxial");  // the whole specimen, whatever test the recipe names
-  study.specimens = make_specimens(packing_of(recipe, default_cache_folder()), with_intact);
+  study.specimens =
+      genesis::make_specimens(genesis::packing_of(recipe, genesis::default_cache_folder()), with_intact);
   const auto start = std::chrono::steady_clock::now();
-  ElasticOptions options;
-  options.platens = args.glued ? Platens::glued : Platens::frictionless;
-  study.one_sided = solve_all(study.specimens, options, threads);
+  statics::ElasticOptions options;
+  options.platens = args.glued ? statics::Platens::glued : statics::Platens::frictionless;
+  study.one_sided = statics::solve_all(study.specimens, options, threads);
   options.bilateral = true;
-  study.bilateral = solve_all(study.specimens, options, threads);
+  study.bilateral = statics::solve_all(study.specimens, options, threads);
   study.seconds = seconds_since(start);
   return study;
 }
 
 /// A column with one cell per specimen, or per angle if `n` says so.
 template <class Cell>
-Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
-  Column c{std::move(head), std::move(unit), {}};
+report::Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
+  report::Column c{std::move(head), std::move(unit), {}};
   for (std::size_t i = 0; i < n; ++i) c.cells.push_back(cell(i));
   return c;
 }
 
-Column names_of(const ElasticStudy& study) {
-  Column c =
+report::Column names_of(const ElasticStudy& study) {
+  report::Column c =
       column("specimen", "", study.specimens.size(), [&](std::size_t i) { return study.one_sided[i].name; });
   c.left = true;
   return c;
@@ -84,17 +85,18 @@ void print_moduli(const ElasticStudy& study, int width) {
     return 100.0 * static_cast<double>(r.n_open) /
            static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
   };
-  const Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
-                           of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
-                           of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
-                           of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
-  const Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
-                           of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
-  const Columns solution = {of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
-                            of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
-                            of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
-                            of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
-  print_out("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
+  const report::Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
+                                   of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
+                                   of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
+                                   of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
+  const report::Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
+                                   of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
+  const report::Columns solution = {
+      of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
+      of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
+      of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
+      of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
+  print_out("\n{}", report::text_table(names_of(study), {pushing, pulling, solution}, width));
   print_wrapped(width, 0,
                 "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
                 "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
@@ -120,27 +122,27 @@ bool print_outcomes(const ElasticStudy& study, int width) {
 /// Eq. 1 fitted with one kind of contacts and one reference.
 struct NamedFit {
   std::string name;
-  Eq1Fit fit;
+  theory::Eq1Fit fit;
 };
 
 std::vector<NamedFit> fit_all(const ElasticStudy& study, bool modulus_loss) {
   std::vector<NamedFit> fits;
   for (const bool bilateral : {false, true}) {
     const std::vector<ElasticResult>& results = bilateral ? study.bilateral : study.one_sided;
-    std::vector<ModulusReading> readings;
+    std::vector<theory::ModulusReading> readings;
     for (std::size_t i = 0; i < study.n_angles(); ++i)
       readings.push_back({study.theta(i), results[i].E_gauge});
-    const auto fit = [&](const char* name, Eq1Reference reference) {
-      Eq1Options options;
-      options.loss = modulus_loss ? Eq1Loss::modulus : Eq1Loss::compliance;
+    const auto fit = [&](const char* name, theory::Eq1Reference reference) {
+      theory::Eq1Options options;
+      options.loss = modulus_loss ? theory::Eq1Loss::modulus : theory::Eq1Loss::compliance;
       options.reference = reference;
       options.E = results.back().E_gauge;
-      fits.push_back(
-          {fmt::format("{}, {}", bilateral ? "pulling" : "pushing", name), fit_eq1(readings, options)});
+      fits.push_back({fmt::format("{}, {}", bilateral ? "pulling" : "pushing", name),
+                      theory::fit_eq1(readings, options)});
     };
-    fit("intact", Eq1Reference::given);
-    fit("90 deg", Eq1Reference::measured_90);
-    fit("free", Eq1Reference::free);
+    fit("intact", theory::Eq1Reference::given);
+    fit("90 deg", theory::Eq1Reference::measured_90);
+    fit("free", theory::Eq1Reference::free);
   }
   return fits;
 }
@@ -153,21 +155,23 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
     return column(head, unit, fits.size(),
                   [&](std::size_t i) { return fits[i].fit.ok() ? cell(fits[i].fit) : std::string("-"); });
   };
-  using F = const Eq1Fit&;
+  using F = const theory::Eq1Fit&;
   const auto error = [&](double se) { return std::isfinite(se) ? fixed(se * scale, 1) : std::string("-"); };
-  Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
+  report::Column label =
+      column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
   label.left = true;
-  const Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
-                          of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
-                          of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
-  const Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
-                         of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
-  const Columns shape = {of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
-                           return f.shape.type == CurveType::shoulder ? fixed(f.shape.theta_star, 1) : "none";
-                         })};
+  const report::Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
+                                  of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
+                                  of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
+  const report::Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
+                                 of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
+  const report::Columns shape = {
+      of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
+        return f.shape.type == theory::CurveType::shoulder ? fixed(f.shape.theta_star, 1) : "none";
+      })};
   print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
                 modulus_loss ? "modulus" : "compliance", spacing * 1e3);
-  print_out("{}", text_table(label, {normal, shear, shape}, width));
+  print_out("{}", report::text_table(label, {normal, shear, shape}, width));
   std::vector<std::string> missing;
   for (const NamedFit& f : fits)
     if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
@@ -181,13 +185,13 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     return a.sensitivities.size() < b.sensitivities.size();
   });
   const std::size_t n = longest->sensitivities.size();
-  Column label = column("", "", n, [&](std::size_t row) {
+  report::Column label = column("", "", n, [&](std::size_t row) {
     const std::string& name = longest->sensitivities[row].parameter;
     return name == "ks_over_kn" ? "both ks_over_kn" : name;
   });
   label.left = true;
   for (const bool modulus : {true, false}) {
-    Columns columns;
+    report::Columns columns;
     for (std::size_t i = 0; i < results.size(); ++i)
       columns.push_back(column(i < study.n_angles() ? fmt::format("{:g} deg", study.theta(i)) : "intact", "",
                                n, [&, &r = results[i]](std::size_t row) {
@@ -198,7 +202,7 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     print_out(
         "\n{}\n{}",
         modulus ? "change of E in % per % of the parameter" : "change of nu in 0.01 per % of the parameter",
-        text_table(label, {columns}, width));
+        report::text_table(label, {columns}, width));
   }
 }
 
@@ -218,18 +222,18 @@ void print_packing(const ElasticStudy& study, int width) {
     });
   };
   using B = const BeddingReport&;
-  const Column theta = column("theta", "deg", study.n_angles(),
-                              [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
-  const Columns bedding = {
+  const report::Column theta = column("theta", "deg", study.n_angles(),
+                                      [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
+  const report::Columns bedding = {
       of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
       of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
       of("off the plane", "% of joints",
          [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); }),
       of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); })};
-  print_out("\n{}", text_table(theta, {bedding}, width));
+  print_out("\n{}", report::text_table(theta, {bedding}, width));
 }
 
-Columns direct_columns(const ElasticStudy& study) {
+report::Columns direct_columns(const ElasticStudy& study) {
   const std::size_t n = study.specimens.size();
   return {column("E direct", "GPa", n,
                  [&](std::size_t i) { return fixed(study.one_sided[i].E_gauge * 1e-9, 3); }),
@@ -237,12 +241,13 @@ Columns direct_columns(const ElasticStudy& study) {
 }
 
 /// Moduli of the press and by how much they differ from the direct solution.
-Columns press_columns(const ElasticStudy& study, const char* head, const std::vector<PressModuli>& press) {
+report::Columns press_columns(const ElasticStudy& study, const char* head,
+                              const std::vector<study::PressModuli>& press) {
   const auto of = [&](const char* name, const char* unit, const auto& cell) {
     return column(name, unit, press.size(),
                   [&](std::size_t i) { return cell(press[i], study.one_sided[i]); });
   };
-  using M = const PressModuli&;
+  using M = const study::PressModuli&;
   using D = const ElasticResult&;
   return {of(head, "GPa", [](M m, D) { return fixed(m.E * 1e-9, 3); }),
           of("+-", "%", [](M m, D d) { return fmt::format("{:+.2f}", 100.0 * (m.E / d.E_gauge - 1.0)); }),
@@ -252,18 +257,18 @@ Columns press_columns(const ElasticStudy& study, const char* head, const std::ve
 
 /// Runs the specimens under the press too, without and with slip and cracking. Returns whether all runs
 /// ended.
-bool print_press(const ElasticStudy& study, const MachineOptions& machine, int width) {
-  const auto held = press_moduli(study.specimens, study.recipe, machine, true);
-  const auto free = press_moduli(study.specimens, study.recipe, machine, false);
-  const Columns slip = {
+bool print_press(const ElasticStudy& study, const study::MachineOptions& machine, int width) {
+  const auto held = study::press_moduli(study.specimens, study.recipe, machine, true);
+  const auto free = study::press_moduli(study.specimens, study.recipe, machine, false);
+  const report::Columns slip = {
       column("cracks", "", free.size(), [&](std::size_t i) { return std::to_string(free[i].n_cracks); }),
       column("slip", "%", free.size(), [&](std::size_t i) { return fixed(100.0 * free[i].slip_share, 3); })};
   print_wrapped(width, 0, "\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
-                press_check_strain);
-  print_out("{}", text_table(names_of(study),
-                             {direct_columns(study), press_columns(study, "E held", held),
-                              press_columns(study, "E press", free), slip},
-                             width));
+                study::press_check_strain);
+  print_out("{}", report::text_table(names_of(study),
+                                     {direct_columns(study), press_columns(study, "E held", held),
+                                      press_columns(study, "E press", free), slip},
+                                     width));
   bool all_ended = true;
   for (const auto* moduli : {&held, &free})
     for (std::size_t i = 0; i < moduli->size(); ++i)
@@ -279,7 +284,7 @@ bool print_press(const ElasticStudy& study, const MachineOptions& machine, int w
 
 int elastic(const ElasticArguments& args, const Session& session) {
   const int threads = n_threads(session), width = session.terminal_width;
-  const Recipe recipe = read_recipe(args.recipe);
+  const Recipe recipe = io::read_recipe(args.recipe);
   if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads, width);
   const ElasticStudy study = solve_recipe(recipe, args, threads);
   print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
@@ -309,4 +314,4 @@ void add_elastic_command(CLI::App& app, Session& session) {
   verb->callback([args, &session] { session.exit_code = elastic(*args, session); });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -4,7 +4,7 @@
 
 #include "records/recipe.hpp"
 
-namespace phy {
+namespace phy::cli {
 
 /// Runs recipe.sweep (of the recipe read from `path`, and of the one that it names in `also`), prints the
 /// lines for a terminal of so many columns, writes lines.csv, fig4.csv and moduli.csv into the folder `out`.
@@ -12,4 +12,4 @@ namespace phy {
 int run_elastic_sweep(const Recipe& recipe, const std::string& path, const std::string& out, int threads,
                       int terminal_width);
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -27,7 +27,7 @@
 #include "study/envelope.hpp"
 #include "study/table.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +40,7 @@ struct EnvelopeArguments {
 
 /// Tests of one stress stand in a folder as `phyllite run` leaves it.
 std::string folder_of(double sigma_3) {
-  return folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
+  return io::folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
 }
 
 const Field& confining_field() {
@@ -93,10 +93,10 @@ class Findings {
   std::vector<Finding> told_;
 };
 
-Column column(std::string head, std::string unit, const Envelope& envelope,
-              const std::function<std::string(const SpecimenEnvelope&)>& cell) {
-  Column c{std::move(head), std::move(unit), {}};
-  for (const SpecimenEnvelope& s : envelope.specimens) c.cells.push_back(cell(s));
+report::Column column(std::string head, std::string unit, const study::Envelope& envelope,
+                      const std::function<std::string(const study::SpecimenEnvelope&)>& cell) {
+  report::Column c{std::move(head), std::move(unit), {}};
+  for (const study::SpecimenEnvelope& s : envelope.specimens) c.cells.push_back(cell(s));
   return c;
 }
 
@@ -106,48 +106,49 @@ double R2_of(const Fit& fit) {
   return fit.ok ? fit.R2 : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string with_error(const Estimate& e, double scale, int digits) {
+std::string with_error(const theory::Estimate& e, double scale, int digits) {
   if (!std::isfinite(e.value)) return "-";
   if (!std::isfinite(e.se)) return fmt::format("{:.{}f}", e.value * scale, digits);
   return fmt::format("{:.{}f} +- {:.{}f}", e.value * scale, digits, e.se * scale, digits);
 }
 
-Column names_of(const char* head, const Envelope& envelope) {
-  Column c = column(head, "", envelope, [](const SpecimenEnvelope& s) { return s.name; });
+report::Column names_of(const char* head, const study::Envelope& envelope) {
+  report::Column c = column(head, "", envelope, [](const study::SpecimenEnvelope& s) { return s.name; });
   c.left = true;
   return c;
 }
 
-void print_strengths(const EnvelopeTests& tests, const Envelope& envelope, int width) {
-  Columns strengths;
+void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& envelope, int width) {
+  report::Columns strengths;
   for (std::size_t i = 0; i < tests.confining.size(); ++i) {
-    Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
+    report::Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
     for (const TestResult& r : tests.results[i]) {
-      const Number* n = r.outcome.status == Status::peaked ? find(r.numbers, "sigma_1") : nullptr;
+      const Number* n = r.outcome.status == Status::peaked ? analysis::find(r.numbers, "sigma_1") : nullptr;
       c.cells.push_back(n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6)
                                                                 : "-");
     }
     strengths.push_back(std::move(c));
   }
   print_out("\nsigma_1 [MPa] at the peak\n{}",
-            text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+            report::text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
-void print_fits(const Envelope& envelope, int width) {
-  using S = const SpecimenEnvelope&;
+void print_fits(const study::Envelope& envelope, int width) {
+  using S = const study::SpecimenEnvelope&;
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, envelope, cell);
   };
-  const Columns mohr_coulomb = {
+  const report::Columns mohr_coulomb = {
       of("c", "MPa", [](S s) { return with_error(s.mohr_coulomb.cohesion, 1e-6, 2); }),
       of("phi", "deg", [](S s) { return with_error(s.mohr_coulomb.friction, 1.0, 2); }),
       of("R2", "", [](S s) { return with_error({R2_of(s.mohr_coulomb)}, 1.0, 4); })};
-  const Columns hoek_brown = {of("ucs_hb", "MPa", [](S s) { return with_error(s.hoek_brown.ucs, 1e-6, 2); }),
-                              of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
-                              of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
-  const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
-  print_out("\n{}",
-            text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
+  const report::Columns hoek_brown = {
+      of("ucs_hb", "MPa", [](S s) { return with_error(s.hoek_brown.ucs, 1e-6, 2); }),
+      of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
+      of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
+  const report::Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
+  print_out("\n{}", report::text_table(names_of("least squares", envelope),
+                                       {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");
@@ -170,7 +171,7 @@ void print_fits(const Envelope& envelope, int width) {
 
 /// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do. Remarks
 /// of the others.
-void print_outcomes(const EnvelopeTests& tests, int width) {
+void print_outcomes(const study::EnvelopeTests& tests, int width) {
   Findings findings;
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
@@ -187,15 +188,15 @@ void print_outcomes(const EnvelopeTests& tests, int width) {
   findings.print(width);
 }
 
-std::string strengths_csv(const EnvelopeTests& tests) {
+std::string strengths_csv(const study::EnvelopeTests& tests) {
   std::string text =
       "specimen,theta [deg],sigma_3 [Pa],sigma_1 [Pa],confinement_error,status,quality,result_hash\n";
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i]) {
       const bool stored = r.outcome.status != Status::interrupted;
       const auto value = [&](const char* name) {
-        const Number* n = stored ? find(r.numbers, name) : nullptr;
-        return n == nullptr ? std::string() : csv_cell(n->value);
+        const Number* n = stored ? analysis::find(r.numbers, name) : nullptr;
+        return n == nullptr ? std::string() : study::csv_cell(n->value);
       };
       text += fmt::format("{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
@@ -205,45 +206,45 @@ std::string strengths_csv(const EnvelopeTests& tests) {
   return text;
 }
 
-std::string fits_csv(const Envelope& envelope) {
+std::string fits_csv(const study::Envelope& envelope) {
   std::string text =
       "specimen,theta [deg],cohesion [Pa],cohesion_se [Pa],friction [deg],friction_se [deg],R2_mohr_coulomb,"
       "ucs_hb [Pa],ucs_hb_se [Pa],m_i,m_i_se,R2_hoek_brown,k,k_se\n";
-  for (const SpecimenEnvelope& s : envelope.specimens) {
+  for (const study::SpecimenEnvelope& s : envelope.specimens) {
     text += s.name + "," + (s.intact ? "" : print_number(s.theta));
     for (const double v :
          {s.mohr_coulomb.cohesion.value, s.mohr_coulomb.cohesion.se, s.mohr_coulomb.friction.value,
           s.mohr_coulomb.friction.se, R2_of(s.mohr_coulomb), s.hoek_brown.ucs.value, s.hoek_brown.ucs.se,
           s.hoek_brown.m_i.value, s.hoek_brown.m_i.se, R2_of(s.hoek_brown), s.k.value, s.k.se})
-      text += "," + csv_cell(v);
+      text += "," + study::csv_cell(v);
     text += "\n";
   }
   return text;
 }
 
 /// The tests, stress by stress. Each is on disk as soon as it has ended; Ctrl-C ends the others.
-EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specimens, const Recipe& recipe,
-                      const std::vector<double>& confining, const fs::path& out,
-                      const MachineOptions& machine) {
-  EnvelopeTests tests{confining, {}};
+study::EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                             const Recipe& recipe, const std::vector<double>& confining, const fs::path& out,
+                             const study::MachineOptions& machine) {
+  study::EnvelopeTests tests{confining, {}};
   ProgressLine line;
-  Progress before{0, confining.size() * specimens.size(), 0.0};
+  study::Progress before{0, confining.size() * specimens.size(), 0.0};
   for (const double sigma_3 : confining) {
-    Progress now;
-    const Recipe confined = confined_recipe(recipe, sigma_3);
-    ScheduleHooks hooks;
+    study::Progress now;
+    const Recipe confined = study::confined_recipe(recipe, sigma_3);
+    study::ScheduleHooks hooks;
     hooks.stop = stop_on_interrupt();
-    hooks.on_progress = [&](const Progress& p) {
+    hooks.on_progress = [&](const study::Progress& p) {
       now = p;
       line.update({before.n_done + p.n_done, before.n_total, before.steps_done + p.steps_done});
     };
     hooks.on_result = [&](std::size_t k, const TestResult& r) {
       if (r.outcome.status == Status::interrupted) return;
-      write_result((out / folder_of(sigma_3) / folder_name(r.name)).string(), confined, PHY_VERSION,
-                   *specimens[k], r);
+      io::write_result((out / folder_of(sigma_3) / io::folder_name(r.name)).string(), confined, PHY_VERSION,
+                       *specimens[k], r);
       line.note(fmt::format("{:g} MPa, {}: {}", sigma_3 * 1e-6, r.name, r.outcome.reason));
     };
-    tests.results.push_back(run_tests(specimens, confined, machine, hooks));
+    tests.results.push_back(study::run_tests(specimens, confined, machine, hooks));
     before.n_done += specimens.size(), before.steps_done += now.steps_done;
   }
   line.finish();
@@ -252,34 +253,36 @@ EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>& specim
 
 int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::vector<double> confining = read_stresses(args.confining);
-  const Recipe recipe = read_recipe(args.recipe);
+  const Recipe recipe = io::read_recipe(args.recipe);
   const fs::path out(args.out);
   const int width = session.terminal_width;
   std::vector<Problem> others;
   for (const double sigma_3 : confining)
-    for (Problem& p : problems_of_others((out / folder_of(sigma_3)).string(),
-                                         confined_recipe(recipe, sigma_3), args.recipe, "use another --out"))
+    for (Problem& p :
+         problems_of_others((out / folder_of(sigma_3)).string(), study::confined_recipe(recipe, sigma_3),
+                            args.recipe, "use another --out"))
       others.push_back(std::move(p));
   if (!others.empty()) throw InputError(std::move(others));
   for (const double sigma_3 : confining)
     for (const std::string& name : specimen_names(recipe))
-      check_result_place((out / folder_of(sigma_3) / folder_name(name)).string());
+      io::check_result_place((out / folder_of(sigma_3) / io::folder_name(name)).string());
   const std::string strengths = (out / "envelope.csv").string(), fits = (out / "fits.csv").string();
-  check_outputs({strengths, fits});
-  check_writable(args.out);
-  const auto packing = packing_of(recipe, default_cache_folder());
+  io::check_outputs({strengths, fits});
+  io::check_writable(args.out);
+  const auto packing = genesis::packing_of(recipe, genesis::default_cache_folder());
   std::vector<std::shared_ptr<const Specimen>> specimens;
-  for (Specimen& s : make_specimens(packing, confined_recipe(recipe, confining.front())))
+  for (Specimen& s : genesis::make_specimens(packing, study::confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  check_load_path(*specimens.front(), confined_recipe(recipe, confining.front()));
+  lab::check_load_path(*specimens.front(), study::confined_recipe(recipe, confining.front()));
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
   flush_out();
-  const EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
-  const Envelope envelope = fit_envelope(args.with_untrusted ? with_untrusted(tests) : tests);
-  write_output(strengths, strengths_csv(tests));
-  write_output(fits, fits_csv(envelope));
+  const study::EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
+  const study::Envelope envelope =
+      study::fit_envelope(args.with_untrusted ? study::with_untrusted(tests) : tests);
+  io::write_output(strengths, strengths_csv(tests));
+  io::write_output(fits, fits_csv(envelope));
   print_strengths(tests, envelope, width);
   print_outcomes(tests, width);
   if (stop_on_interrupt()->load())
@@ -315,4 +318,4 @@ void add_envelope_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -13,11 +13,12 @@
 #include "io/rock_in.hpp"
 #include "report/figures.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
-const std::map<std::string, FigureFormat> formats = {
-    {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}, {"png", FigureFormat::png}};
+const std::map<std::string, report::FigureFormat> formats = {{"svg", report::FigureFormat::svg},
+                                                             {"pdf", report::FigureFormat::pdf},
+                                                             {"png", report::FigureFormat::png}};
 constexpr double least_width = 30.0, most_width = 1000.0;  // [mm]
 
 struct FigureArguments {
@@ -25,23 +26,23 @@ struct FigureArguments {
   double width = 0.0;
 };
 
-FigureData data_for(const FigureKind& kind, const FigureArguments& args) {
-  FigureData data;
-  if (kind.varied != holds_variations(args.result))
+report::FigureData data_for(const report::FigureKind& kind, const FigureArguments& args) {
+  report::FigureData data;
+  if (kind.varied != io::holds_variations(args.result))
     throw InputError(Problem{args.result, "--kind", args.kind,
                              kind.varied ? "the folder of a study or of `phyllite elastic` with a [sweep]"
                                          : "the folder of `phyllite run`",
                              "`phyllite figure --help` tells which kind is of which results"});
   if (kind.varied) {
-    data.variations = read_variations(args.result);
+    data.variations = io::read_variations(args.result);
     if (data.variations.front().parameters.empty())
       throw InputError(Problem{args.result, "", "",
                                "parameters that vary one at a time around the first point",
                                "use the designs one_at_a_time or full_factorial"});
   } else {
-    data.run = read_run(args.result);
+    data.run = io::read_run(args.result);
   }
-  if (!args.rock.empty()) data.laboratory = targets_of(read_rock(args.rock));
+  if (!args.rock.empty()) data.laboratory = targets_of(io::read_rock(args.rock));
   return data;
 }
 
@@ -58,7 +59,7 @@ std::string format_of(const FigureArguments& args) {
 
 void draw(FigureArguments args) {
   const std::string format = format_of(args);
-  const FigureKind& kind = figure_kind(args.kind);
+  const report::FigureKind& kind = report::figure_kind(args.kind);
   if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))
     throw InputError(Problem{"command line", "--width", fmt::format("{:g}", args.width),
                              fmt::format("{:g} to {:g} mm", least_width, most_width),
@@ -66,18 +67,18 @@ void draw(FigureArguments args) {
   if (!is_plain(args.out))
     throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
                              "gnuplot has no way to write others"});
-  const FigureData data = data_for(kind, args);
+  const report::FigureData data = data_for(kind, args);
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
-    const std::string script = figure_script(kind, data, formats.at(format), args.width, temporary);
-    run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
+    const std::string script = report::figure_script(kind, data, formats.at(format), args.width, temporary);
+    io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.out);
 }
 
 std::string kinds_text() {
   std::string text = "what to draw:";
-  for (const FigureKind& k : figure_kinds())
+  for (const report::FigureKind& k : report::figure_kinds())
     text += fmt::format("\n{}{}: {}", k.name, *k.paper != 0 ? fmt::format(" or {}", k.paper) : "", k.meaning);
   return text;
 }
@@ -101,4 +102,4 @@ void add_figure_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

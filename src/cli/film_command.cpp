@@ -10,20 +10,20 @@
 #include "io/program.hpp"
 #include "report/film.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 struct FilmArguments {
   std::string result, out = "film.webm";
-  FilmOptions film;
+  report::FilmOptions film;
 };
 
 void make_film(const FilmArguments& args) {
-  const RunRecord run = read_run(args.result);
-  const Film film(run, args.film);
+  const RunRecord run = io::read_run(args.result);
+  const report::Film film(run, args.film);
   const std::atomic<bool>* stop = stop_on_interrupt();
   make_file_or_stop(args.out, [&](const std::string& temporary) {
-    run_program("ffmpeg", film.encoder_arguments(temporary), "ffmpeg", [&](const auto& write) {
+    io::run_program("ffmpeg", film.encoder_arguments(temporary), "ffmpeg", [&](const auto& write) {
       for (int i = 0; i < film.n_frames(); ++i) {
         if (*stop) throw IoError("stopped");
         write(film.frame(i).rgb());
@@ -62,4 +62,4 @@ void add_film_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -8,7 +8,7 @@
 
 #include "cli/terminal.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 constexpr int least_columns = 72, least_rows = 24, most_columns = 120, height = 14;
@@ -42,7 +42,7 @@ int room() {
 }  // namespace
 
 void LivePlot::add(std::size_t specimen, double strain, double stress) {
-  TerminalCurve& c = curves_.at(specimen);
+  report::TerminalCurve& c = curves_.at(specimen);
   if (!c.x.empty() && 100.0 * strain < c.x.back()) c.x.clear(), c.y.clear();
   c.x.push_back(100.0 * strain), c.y.push_back(1e-6 * stress);
 }
@@ -50,7 +50,7 @@ void LivePlot::add(std::size_t specimen, double strain, double stress) {
 std::vector<std::string> LivePlot::lines() const {
   const int columns = room();
   if (columns == 0) return {};
-  return terminal_plot(curves_, "%", "MPa", columns, height, environment("NO_COLOR").empty());
+  return report::terminal_plot(curves_, "%", "MPa", columns, height, environment("NO_COLOR").empty());
 }
 
-}  // namespace phy
+}  // namespace phy::cli

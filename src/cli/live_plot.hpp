@@ -6,11 +6,11 @@
 
 #include "report/terminal_plot.hpp"
 
-namespace phy {
+namespace phy::cli {
 
 class LivePlot {
  public:
-  explicit LivePlot(std::vector<TerminalCurve> curves) : curves_(std::move(curves)) {}
+  explicit LivePlot(std::vector<report::TerminalCurve> curves) : curves_(std::move(curves)) {}
   /// Strain and stress [Pa] of one specimen, growing while it is loaded. A test that starts over gives a
   /// smaller strain, and its curve begins anew.
   void add(std::size_t specimen, double strain, double stress);
@@ -19,7 +19,7 @@ class LivePlot {
   std::vector<std::string> lines() const;
 
  private:
-  std::vector<TerminalCurve> curves_;
+  std::vector<report::TerminalCurve> curves_;
 };
 
-}  // namespace phy
+}  // namespace phy::cli

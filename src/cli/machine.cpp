@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "io/program.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 std::atomic<bool> stop_requested{false};
@@ -43,9 +43,9 @@ int available_cores() {
 
 int n_threads(const Session& session) { return session.threads > 0 ? session.threads : available_cores(); }
 
-MachineOptions machine_of(const Session& session) {
-  MachineOptions machine;
-  machine.isa = native_isa();
+study::MachineOptions machine_of(const Session& session) {
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.threads = n_threads(session);
   return machine;
 }
@@ -60,7 +60,7 @@ void make_file_or_stop(const std::string& path,
                        const std::function<void(const std::string& temporary)>& make) {
   stop_on_interrupt();
   try {
-    make_file(path, [&](const std::string& temporary) {
+    io::make_file(path, [&](const std::string& temporary) {
       make(temporary);
       if (stop_requested) throw IoError("stopped");
     });
@@ -70,4 +70,4 @@ void make_file_or_stop(const std::string& path,
   }
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -7,13 +7,13 @@
 #include "cli/commands.hpp"
 #include "study/scheduler.hpp"
 
-namespace phy {
+namespace phy::cli {
 
 /// --threads, or all cores that this process may use.
 int n_threads(const Session& session);
 
 /// Those threads with the widest instructions of this processor.
-MachineOptions machine_of(const Session& session);
+study::MachineOptions machine_of(const Session& session);
 
 /// From the first call on, the first Ctrl-C, SIGTERM or SIGHUP sets the flag that is returned and a second
 /// one ends at once: what is finished is on disk already. Verbs call it before anything else.
@@ -23,4 +23,4 @@ const std::atomic<bool>* stop_on_interrupt();
 void make_file_or_stop(const std::string& path,
                        const std::function<void(const std::string& temporary)>& make);
 
-}  // namespace phy
+}  // namespace phy::cli

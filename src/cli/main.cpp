@@ -67,28 +67,28 @@ phy::InputError wrong_command_line(const CLI::App& app, const CLI::ParseError& e
 }
 
 int run(int argc, char** argv) {
-  phy::Session session;
-  session.terminal_width = phy::terminal_size(STDOUT_FILENO).columns;
+  phy::cli::Session session;
+  session.terminal_width = phy::cli::terminal_size(STDOUT_FILENO).columns;
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));
   app.require_subcommand(1);
   app.fallthrough();
-  phy::add_run_command(app, session);
-  phy::add_specimen_command(app, session);
-  phy::add_verify_command(app, session);
-  phy::add_recipe_command(app, session);
-  phy::add_contact_command(app, session);
-  phy::add_study_command(app, session);
-  phy::add_elastic_command(app, session);
-  phy::add_rock_command(app, session);
-  phy::add_show_command(app, session);
-  phy::add_calibrate_command(app, session);
-  phy::add_report_command(app, session);
-  phy::add_figure_command(app, session);
-  phy::add_film_command(app, session);
-  phy::add_envelope_command(app, session);
+  phy::cli::add_run_command(app, session);
+  phy::cli::add_specimen_command(app, session);
+  phy::cli::add_verify_command(app, session);
+  phy::cli::add_recipe_command(app, session);
+  phy::cli::add_contact_command(app, session);
+  phy::cli::add_study_command(app, session);
+  phy::cli::add_elastic_command(app, session);
+  phy::cli::add_rock_command(app, session);
+  phy::cli::add_show_command(app, session);
+  phy::cli::add_calibrate_command(app, session);
+  phy::cli::add_report_command(app, session);
+  phy::cli::add_figure_command(app, session);
+  phy::cli::add_film_command(app, session);
+  phy::cli::add_envelope_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -96,8 +96,8 @@ int run(int argc, char** argv) {
     app.exit(e);  // --help, --version
     std::cout.flush();
   }
-  if (const int error = phy::lost_output(); error != 0) {
-    phy::write_err(fmt::format("standard output cannot be written: {}\n", std::strerror(error)));
+  if (const int error = phy::cli::lost_output(); error != 0) {
+    phy::cli::write_err(fmt::format("standard output cannot be written: {}\n", std::strerror(error)));
     return 3;
   }
   return session.exit_code;
@@ -105,14 +105,14 @@ int run(int argc, char** argv) {
 
 /// Says what went wrong, without asking for memory; the exit code.
 int say(int exit_code, const char* begin, const char* what) {
-  for (const char* part : {begin, what, "\n"}) phy::write_err(part);
+  for (const char* part : {begin, what, "\n"}) phy::cli::write_err(part);
   return exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  phy::guard_standard_streams();
+  phy::cli::guard_standard_streams();
   try {
     return run(argc, argv);
   } catch (const phy::InputError& e) {

@@ -5,16 +5,16 @@
 
 #include "io/load.hpp"
 
-namespace phy {
+namespace phy::cli {
 
-std::vector<std::pair<std::string, RecipeDifference>> results_of_others(const std::string& folder,
-                                                                        const Recipe& recipe) {
-  std::vector<std::pair<std::string, RecipeDifference>> others;
+std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(const std::string& folder,
+                                                                               const Recipe& recipe) {
+  std::vector<std::pair<std::string, study::RecipeDifference>> others;
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none)) return others;
-  for (const std::string& result : result_folders(folder)) {
+  for (const std::string& result : io::result_folders(folder)) {
     try {
-      if (const auto d = first_difference(read_result_recipe(result), recipe))
+      if (const auto d = study::first_difference(io::read_result_recipe(result), recipe))
         others.emplace_back(result, *d);
     } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
     }
@@ -38,4 +38,4 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
   return problems;
 }
 
-}  // namespace phy
+}  // namespace phy::cli

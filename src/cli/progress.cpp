@@ -9,7 +9,7 @@
 #include "base/clock.hpp"
 #include "cli/terminal.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 /// A line that fills the terminal would push the cursor onto the next one.
@@ -24,7 +24,7 @@ ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clo
 
 // A test's length is not known before its peak, so the remaining time is estimated from finished specimens
 // only.
-void ProgressLine::update(const Progress& p) {
+void ProgressLine::update(const study::Progress& p) {
   show([&](double seconds) {
     std::string left = "remaining time unknown until the first specimen ends";
     if (p.n_done > 0)
@@ -67,7 +67,7 @@ void ProgressLine::draw_lines() {
 void ProgressLine::note(const std::string& text) {
   clear();
   const std::string safe = terminal_text(text);
-  write_err((terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
+  write_err((terminal_ ? report::wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
 }
 
 void ProgressLine::finish() {
@@ -76,4 +76,4 @@ void ProgressLine::finish() {
   n_drawn_ = 0;  // what stands now stays
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -7,12 +7,12 @@
 
 #include "study/scheduler.hpp"
 
-namespace phy {
+namespace phy::cli {
 
 class ProgressLine {
  public:
   ProgressLine();
-  void update(const Progress& progress);
+  void update(const study::Progress& progress);
   /// Shows `text(seconds since the start)` unless the last update was a moment ago.
   void show(const std::function<std::string(double)>& text);
   /// Lines to be drawn above the line of progress on a terminal, asked for with every drawing. The last ones
@@ -32,4 +32,4 @@ class ProgressLine {
   Clock::time_point start_, shown_;
 };
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -8,7 +8,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 Recipe with_one_set() {
@@ -68,7 +68,7 @@ std::string reference_markdown() {
   return text;
 }
 
-std::string template_recipe() { return commented_recipe(with_one_set()); }
+std::string template_recipe() { return io::commented_recipe(with_one_set()); }
 
 void add_recipe_command(CLI::App& app, Session& session) {
   struct Arguments {
@@ -91,7 +91,7 @@ void add_recipe_command(CLI::App& app, Session& session) {
     else if (args->print_template)
       text = template_recipe();
     else if (!args->file.empty())
-      text = write_recipe(read_recipe(args->file));
+      text = io::write_recipe(io::read_recipe(args->file));
     else
       throw InputError(Problem{"command line", "recipe", "",
                                "a file, --explain KEY, --reference or --template",
@@ -100,4 +100,4 @@ void add_recipe_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

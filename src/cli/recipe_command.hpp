@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-namespace phy {
+namespace phy::cli {
 
 /// Meaning, allowed values, default, units and PFC name of a key: "theta", "bedding.theta",
 /// "bedding[0].theta" as in messages, or PFC's name of it. A key of several tables is explained once for
@@ -13,4 +13,4 @@ std::string reference_markdown();
 /// A complete recipe with comments: the paper's specimen with one set of bedding.
 std::string template_recipe();
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -12,7 +12,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 using testing::HasSubstr;
@@ -62,7 +62,7 @@ TEST(RecipeCommand, TheTemplateIsThePaperSpecimenAndReadsBack) {
   EXPECT_EQ(a.code, 0);
   Recipe r;
   r.bedding.resize(1);
-  EXPECT_EQ(write_recipe(parse_recipe(a.text, "template")), write_recipe(r));
+  EXPECT_EQ(io::write_recipe(io::parse_recipe(a.text, "template")), io::write_recipe(r));
 }
 
 TEST(RecipeCommand, TheReferenceHasARowForEveryKey) {
@@ -76,11 +76,11 @@ class RecipeFile : public InFolder {};
 
 TEST_F(RecipeFile, IsCheckedAndCompleted) {
   const std::string path = at("r.toml");
-  write_file(path, "[matrix]\nmu = 0.7\n");
+  io::write_file(path, "[matrix]\nmu = 0.7\n");
   const Answer good = phyllite("recipe " + path);
   EXPECT_EQ(good.code, 0);
-  EXPECT_EQ(parse_recipe(good.text, "out").matrix.mu, 0.7);
-  write_file(path, "[matrix]\nmu = 700\n");
+  EXPECT_EQ(io::parse_recipe(good.text, "out").matrix.mu, 0.7);
+  io::write_file(path, "[matrix]\nmu = 700\n");
   const Answer bad = phyllite("recipe " + path);
   EXPECT_EQ(bad.code, 2);
   EXPECT_THAT(bad.text, HasSubstr(path + ":2: matrix.mu = 700: expected 0 <= value <= 10"));
@@ -89,4 +89,4 @@ TEST_F(RecipeFile, IsCheckedAndCompleted) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::cli

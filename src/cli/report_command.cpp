@@ -18,7 +18,7 @@
 #include "io/toml_in.hpp"
 #include "report/page.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,11 +32,11 @@ bool has(const std::string& folder, const char* file) {
   return fs::exists(fs::path(folder) / file, none);
 }
 std::string text_of(const std::string& folder, const char* file) {
-  return has(folder, file) ? read_file((fs::path(folder) / file).string()) : "";
+  return has(folder, file) ? io::read_file((fs::path(folder) / file).string()) : "";
 }
 
-PageExtras of_calibration(const std::string& folder) {
-  PageExtras extras;
+report::PageExtras of_calibration(const std::string& folder) {
+  report::PageExtras extras;
   extras.calibration = text_of(folder, "calibration.json");
   try {
     const auto j = nlohmann::json::parse(extras.calibration);
@@ -49,35 +49,35 @@ PageExtras of_calibration(const std::string& folder) {
   return extras;
 }
 
-PageExtras of_variations(const std::string& folder) {
-  PageExtras extras;
-  extras.variations = read_variations(folder);
+report::PageExtras of_variations(const std::string& folder) {
+  report::PageExtras extras;
+  extras.variations = io::read_variations(folder);
   extras.name = extras.variations.size() == 1 ? extras.variations.front().name : "Sweep of joint stiffnesses";
   extras.recipe = text_of(folder, "recipe.toml");
   if (has(folder, "effects.csv")) {
-    const Table table = parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
+    const io::Table table = io::parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
     if (!table.problems.empty()) throw InputError(table.problems);
     extras.effects.push_back(table.header);
-    for (const TableRow& row : table.rows) extras.effects.push_back(row.cells);
+    for (const io::TableRow& row : table.rows) extras.effects.push_back(row.cells);
   }
   return extras;
 }
 
 void report(const ReportArguments& args) {
   RunRecord run;
-  PageExtras extras;
+  report::PageExtras extras;
   if (has(args.result, "calibration.json"))
     extras = of_calibration(args.result);
-  else if (holds_variations(args.result))
+  else if (io::holds_variations(args.result))
     extras = of_variations(args.result);
   else
-    run = read_run(args.result);
-  if (!args.rock.empty()) extras.laboratory = targets_of(read_rock(args.rock));
+    run = io::read_run(args.result);
+  if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
-  check_outputs({out});
+  io::check_outputs({out});
   const auto start = std::chrono::steady_clock::now();
-  const std::string page = report_page(run, extras);
-  write_output(out, page);
+  const std::string page = report::report_page(run, extras);
+  io::write_output(out, page);
   const double seconds = seconds_since(start);
   print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
             run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
@@ -103,4 +103,4 @@ void add_report_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -15,7 +15,7 @@
 #include "io/toml_in.hpp"
 #include "report/calibration_tables.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 /// Throws InputError unless the files NAME + ending can be made, and a TOML string can hold the name.
@@ -33,9 +33,9 @@ void check_free(const char* verb, const std::string& name, const std::vector<std
 int rock_new(const std::string& name) {
   check_free("rock new", name, {".toml", ".csv"});
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
-  write_file(csv.string(), rock_table_template());
+  io::write_file(csv.string(), io::rock_table_template());
   try {
-    write_file(toml.string(), rock_template(toml.stem().string()));
+    io::write_file(toml.string(), io::rock_template(toml.stem().string()));
   } catch (const IoError&) {
     std::filesystem::remove(csv);  // both or none: the next try wants free names
     throw;
@@ -46,33 +46,34 @@ int rock_new(const std::string& name) {
 }
 
 int rock_check(const std::string& path, int width) {
-  const Evidence evidence(read_rock(path));
+  const calibrate::Evidence evidence(io::read_rock(path));
   const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  const std::vector<Estimate> expected = foresee(evidence);
-  print_out("\n{}\n{}", target_table(evidence.targets, width),
-            foresight_table({expected.begin(), expected.end()}, width));
-  for (const std::string& line : advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
+  const std::vector<calibrate::Estimate> expected = calibrate::foresee(evidence);
+  print_out("\n{}\n{}", report::target_table(evidence.targets, width),
+            report::foresight_table({expected.begin(), expected.end()}, width));
+  for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
 
 int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
   check_free("rock twin", name, {".csv"});
-  Recipe truth = read_recipe(recipe_file);
-  TwinOptions options;
+  Recipe truth = io::read_recipe(recipe_file);
+  calibrate::TwinOptions options;
   if (truth.bedding.empty())
     options.angles = {0.0};
   else if (!truth.test.angles.empty())
     options.angles = truth.test.angles;
-  SimulatorOptions machine;
+  calibrate::SimulatorOptions machine;
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
-  const auto simulator = make_simulator(machine);
+  const auto simulator = calibrate::make_simulator(machine);
   std::vector<Comparison> response;
   try {
-    response = twin_response(truth, options.angles, options.seeds, *simulator);
-  } catch (const Stopped&) {  // in the middle of elastic solutions; the flag tells the same elsewhere
+    response = calibrate::twin_response(truth, options.angles, options.seeds, *simulator);
+  } catch (
+      const calibrate::Stopped&) {  // in the middle of elastic solutions; the flag tells the same elsewhere
   }
   if (simulator->stopped()) return print_out("stopped, nothing was written\n"), 1;
   const std::string about = fmt::format(
@@ -80,7 +81,8 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
       "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
       comment_text(recipe_file), options.seeds.size(), options.seeds.front(), options.seeds.back(),
       options.n_specimens, options.noise);
-  write_file(name + ".csv", about + readings_csv(twin_readings(response, options), !truth.bedding.empty()));
+  io::write_file(name + ".csv", about + calibrate::readings_csv(calibrate::twin_readings(response, options),
+                                                                !truth.bedding.empty()));
   print_out("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
   const std::size_t n = options.angles.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -115,4 +117,4 @@ void add_rock_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

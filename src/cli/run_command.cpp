@@ -24,7 +24,7 @@
 #include "report/tables.hpp"
 #include "study/experiment.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,13 +70,13 @@ struct Made {
 
 Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const auto start = Clock::now();
-  const fs::path folder = no_cache ? "" : default_cache_folder();
-  const bool cached = is_cached(recipe, folder);
+  const fs::path folder = no_cache ? "" : genesis::default_cache_folder();
+  const bool cached = genesis::is_cached(recipe, folder);
   Made made;
-  made.packing = packing_of(recipe, folder);
+  made.packing = genesis::packing_of(recipe, folder);
   const double seconds = seconds_since(start);
   print_packing(*made.packing, seconds, cached, width);
-  for (Specimen& s : make_specimens(made.packing, recipe))
+  for (Specimen& s : genesis::make_specimens(made.packing, recipe))
     made.specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
   if (!made.specimens.empty()) print_bedding(*made.specimens.front(), width);
   return made;
@@ -88,31 +88,31 @@ std::string page_of(const std::string& folder) { return (fs::path(folder) / "rep
 void write_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
   for (const TestResult& r : results) {
-    const auto place = fs::path(folder) / folder_name(r.name);
+    const auto place = fs::path(folder) / io::folder_name(r.name);
     if (r.outcome.status == Status::interrupted)
       run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
     else
-      run.tests.push_back(read_result(place.string()));
+      run.tests.push_back(io::read_result(place.string()));
   }
-  write_output(page_of(folder), report_page(run));
+  io::write_output(page_of(folder), report::report_page(run));
 }
 
 /// Names and colours of the curves on the terminal.
-std::vector<TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
-  std::vector<TerminalCurve> curves;
+std::vector<report::TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
+  std::vector<report::TerminalCurve> curves;
   for (const auto& s : specimens) {
     TestResult r;
     r.intact = s->bedding.empty();
     r.theta = r.intact ? 0.0 : s->bedding[0].theta;
-    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), angle_color(r), {}, {}});
+    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), report::angle_color(r), {}, {}});
   }
   return curves;
 }
 
 /// Threads, lanes and instruction set; prints them.
-MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
-                              std::size_t n_specimens) {
-  MachineOptions machine = machine_of(session);
+study::MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
+                                     std::size_t n_specimens) {
+  study::MachineOptions machine = machine_of(session);
   machine.lanes = args.lanes;
   machine.skew = args.skew;
   print_wrapped(session.terminal_width, 10,
@@ -120,7 +120,7 @@ MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, co
                 n_specimens, recipe.test.platen_speed,
                 recipe.engine.precision == Precision::double_precision ? "double" : "single",
                 args.lanes > 0 ? fmt::format("{} lane(s)", args.lanes) : "lanes as they fit",
-                to_string(machine.isa), machine.threads);
+                engine::to_string(machine.isa), machine.threads);
   return machine;
 }
 
@@ -147,13 +147,13 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   }
   if (!problems.empty()) throw InputError(std::move(problems));
   for (RecipeRun& job : jobs) {
-    job.recipe = read_recipe(job.path);
+    job.recipe = io::read_recipe(job.path);
     pages.push_back(page_of(job.folder));
     for (const std::string& name : specimen_names(job.recipe))
-      check_result_place((fs::path(job.folder) / folder_name(name)).string());
+      io::check_result_place((fs::path(job.folder) / io::folder_name(name)).string());
     if (args.replace) {
       for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe))
-        check_result_place(folder);
+        io::check_result_place(folder);
       continue;
     }
     for (Problem& p :
@@ -162,26 +162,26 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
       problems.push_back(std::move(p));
   }
   if (!problems.empty()) throw InputError(std::move(problems));
-  check_outputs(pages);
+  io::check_outputs(pages);
   return jobs;
 }
 
 /// Runs the tests; every result is on disk as soon as it is there.
-std::vector<TestResult> press(const RecipeRun& job, const Made& made, const MachineOptions& machine) {
+std::vector<TestResult> press(const RecipeRun& job, const Made& made, const study::MachineOptions& machine) {
   ProgressLine line;
   LivePlot plot(curves_of(made.specimens));
   line.draw_above([&] { return plot.lines(); });
-  ScheduleHooks hooks;
+  study::ScheduleHooks hooks;
   hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
   hooks.stop = stop_on_interrupt();
-  hooks.on_progress = [&](const Progress& p) { line.update(p); };
+  hooks.on_progress = [&](const study::Progress& p) { line.update(p); };
   hooks.on_result = [&](std::size_t i, const TestResult& result) {
     if (result.outcome.status == Status::interrupted) return;
-    write_result((fs::path(job.folder) / folder_name(result.name)).string(), job.recipe, PHY_VERSION,
-                 *made.specimens[i], result);
+    io::write_result((fs::path(job.folder) / io::folder_name(result.name)).string(), job.recipe, PHY_VERSION,
+                     *made.specimens[i], result);
     line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
   };
-  std::vector<TestResult> results = run_tests(made.specimens, job.recipe, machine, hooks);
+  std::vector<TestResult> results = study::run_tests(made.specimens, job.recipe, machine, hooks);
   line.finish();
   return results;
 }
@@ -195,8 +195,8 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
   if (any) write_report(job.folder, results);
-  print_out("\n{}\n", press_table(results, width));
-  const std::string trouble = outcome_lines(results);
+  print_out("\n{}\n", report::press_table(results, width));
+  const std::string trouble = report::outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
   const double seconds = seconds_since(start);
   if (any)
@@ -208,16 +208,17 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
 }
 
 int run_one(const RecipeRun& job, const RunArguments& args, const Session& session) {
-  check_writable(job.folder);
+  io::check_writable(job.folder);
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
   const Made made = make_all(job.recipe, args.no_cache, width);
-  check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
-  const MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
+  lab::check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
+  const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)
-    for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe)) remove_folder(folder);
+    for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe))
+      io::remove_folder(folder);
   return finish(job, press(job, made, machine), start, width);
 }
 
@@ -250,27 +251,27 @@ void add_specimen_command(CLI::App& app, Session& session) {
   verb->add_option("--out", *out, "folder for discs.csv and contacts.csv");
   verb->callback([path, out, &session] {
     session.exit_code = 0;
-    const Recipe recipe = read_recipe(*path);
+    const Recipe recipe = io::read_recipe(*path);
     const fs::path folder(*out);
     const std::string discs = (folder / "discs.csv").string();
     const auto contacts = [&](const std::string& name) {
-      return (folder / ("contacts_" + folder_name(name) + ".csv")).string();
+      return (folder / ("contacts_" + io::folder_name(name) + ".csv")).string();
     };
     if (!out->empty()) {
       std::vector<std::string> files = {discs};
       for (const std::string& name : specimen_names(recipe)) files.push_back(contacts(name));
-      check_outputs(files);
-      check_writable(*out);
+      io::check_outputs(files);
+      io::check_writable(*out);
     }
     const Made made = make_all(recipe, false, session.terminal_width);
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);
     if (!out->empty()) {
-      write_output(discs, discs_csv(*made.packing));
-      for (const auto& s : made.specimens) write_output(contacts(s->name), contacts_csv(*s));
+      io::write_output(discs, io::discs_csv(*made.packing));
+      for (const auto& s : made.specimens) io::write_output(contacts(s->name), io::contacts_csv(*s));
       print_out("discs and contacts in {}\n", *out);
     }
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

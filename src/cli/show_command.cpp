@@ -6,11 +6,11 @@
 #include "io/load.hpp"
 #include "report/tables.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 int show(const std::string& path, const Session& session) {
-  const RunRecord run = read_run(path);
+  const RunRecord run = io::read_run(path);
   const TestRecord& first = run.tests.front();
   std::vector<TestResult> results;
   bool all_peaked = run.missing.empty();
@@ -22,8 +22,8 @@ int show(const std::string& path, const Session& session) {
   print_wrapped(width, 10, "recipe    {} ({})\n", first.recipe.name, first.program);
   print_wrapped(width, 10, "packing   {} discs, porosity {:.4f}, coordination {:.3f}\n\n", first.n_grains,
                 first.packing.porosity, first.packing.coordination);
-  print_out("{}\n", press_table(results, width));
-  print_wrapped(width, 2, "{}", outcome_lines(results));
+  print_out("{}\n", report::press_table(results, width));
+  print_wrapped(width, 2, "{}", report::outcome_lines(results));
   for (const MissingTest& m : run.missing) print_wrapped(width, 2, "{}: missing: {}\n", m.name, m.reason);
   return all_peaked ? 0 : 1;
 }
@@ -38,4 +38,4 @@ void add_show_command(CLI::App& app, Session& session) {
   verb->callback([path, &session] { session.exit_code = show(*path, session); });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

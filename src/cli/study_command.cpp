@@ -25,7 +25,7 @@
 #include "study/study_in.hpp"
 #include "study/table.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,8 +45,8 @@ bool read_whole(std::string_view text, int& n) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-Shard parse_shard(const std::string& text) {
-  Shard shard;
+study::Shard parse_shard(const std::string& text) {
+  study::Shard shard;
   const std::size_t slash = std::min(text.find('/'), text.size());
   const bool ok = text.empty() || (slash < text.size() && read_whole(text.substr(0, slash), shard.i) &&
                                    read_whole(text.substr(slash + 1), shard.n) && shard.i >= 1 &&
@@ -58,7 +58,7 @@ Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-std::string store_file(const std::string& folder, const Shard& shard) {
+std::string store_file(const std::string& folder, const study::Shard& shard) {
   return (fs::path(folder) /
           (shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n)))
       .string();
@@ -71,35 +71,35 @@ std::string duration(double seconds) {
 }
 
 /// CPU seconds per cost: of finished tests, else the usual value.
-double seconds_per_cost(const Plan& plan, const StudyRows& rows) {
+double seconds_per_cost(const study::Plan& plan, const study::StudyRows& rows) {
   double seconds = 0.0, cost = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i]) seconds += rows[i]->result.seconds, cost += plan.tests[i].cost;
-  return cost > 0.0 ? seconds / cost : usual_seconds_per_cost(plan.study.base.engine.precision);
+  return cost > 0.0 ? seconds / cost : study::usual_seconds_per_cost(plan.study.base.engine.precision);
 }
 
-std::size_t n_packings_to_make(const Plan& plan) {
+std::size_t n_packings_to_make(const study::Plan& plan) {
   std::set<std::string> keys;  // batches may share a packing
-  for (const Batch& b : plan.batches) {
+  for (const study::Batch& b : plan.batches) {
     if (b.tests.empty()) continue;
     const Recipe& r = plan.tests[b.tests.front()].recipe;
-    if (r.packing.file.empty() && !is_cached(r, default_cache_folder()))
-      keys.insert(packing_key(r.specimen, r.packing, r.matrix));
+    if (r.packing.file.empty() && !genesis::is_cached(r, genesis::default_cache_folder()))
+      keys.insert(genesis::packing_key(r.specimen, r.packing, r.matrix));
   }
   return keys.size();
 }
 
-void print_plan(const Plan& plan, const StudyRows& rows, const Session& session) {
+void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Session& session) {
   std::size_t mine = 0, left = 0;
   double cost = 0.0;
-  for (const Batch& b : plan.batches)
+  for (const study::Batch& b : plan.batches)
     for (const std::size_t t : b.tests) {
       ++mine;
       if (!rows[t]) ++left, cost += plan.tests[t].cost;
     }
-  const Study& s = plan.study;
+  const study::Study& s = plan.study;
   const int threads = n_threads(session), width = session.terminal_width;
-  print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, to_string(s.design),
+  print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, study::to_string(s.design),
                 s.vary.size());
   print_wrapped(width, 10,
                 "          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
@@ -118,29 +118,29 @@ void print_plan(const Plan& plan, const StudyRows& rows, const Session& session)
 }
 
 /// Outcomes other than a peak, with advice. Returns their number.
-std::size_t print_failures(const Plan& plan, const StudyRows& rows, int width) {
+std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
     if (n++ == 0) print_out("\nwithout a peak, or not to be trusted:\n");
     const auto run =
-        std::find_if(plan.runs.begin(), plan.runs.end(), [&](const Run& r) { return r.test == t; });
+        std::find_if(plan.runs.begin(), plan.runs.end(), [&](const study::Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;
     print_wrapped(width, 4, "  {}, packing {}, {}: {}: {}{}{}\n", rows[t]->result.name, run->packing,
-                  describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
+                  study::describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
                   o.advice.empty() ? "" : "; ", o.advice);
   }
   return n;
 }
 
-std::size_t n_unfinished(const Plan& plan, const StudyRows& rows) {
+std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) {
   std::size_t n = 0;
-  for (const Batch& b : plan.batches)
+  for (const study::Batch& b : plan.batches)
     for (const std::size_t t : b.tests) n += rows[t] ? 0 : 1;
   return n;
 }
 
-std::string progress_text(const StudyProgress& p, double seconds, std::size_t n_total) {
+std::string progress_text(const study::StudyProgress& p, double seconds, std::size_t n_total) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without a good peak)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
@@ -150,24 +150,25 @@ std::string progress_text(const StudyProgress& p, double seconds, std::size_t n_
 }
 
 struct StudyRun {
-  WorkReport report;
+  study::WorkReport report;
   std::size_t n_new = 0, n_guest = 0;
 };
 
-StudyRun run_plan(const Plan& plan, Store& store, const Session& session, const Ranks* ranks) {
+StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& session,
+                  const study::Ranks* ranks) {
   ProgressLine line;
-  StudyHooks hooks;
+  study::StudyHooks hooks;
   hooks.stop = stop_on_interrupt();
-  hooks.on_progress = [&](const StudyProgress& p) {
+  hooks.on_progress = [&](const study::StudyProgress& p) {
     line.show([&](double seconds) { return progress_text(p, seconds, p.n_total); });
   };
-  hooks.on_result = [&](const PlannedTest&, const TestResult& r) {
+  hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
     if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);
   };
-  const MachineOptions machine = machine_of(session);
-  StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
-  const WorkReport report =
-      ranks != nullptr ? work_as_host(*ranks, desk, plan, machine) : work_at(desk, plan, machine);
+  const study::MachineOptions machine = machine_of(session);
+  study::StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
+  const study::WorkReport report = ranks != nullptr ? study::work_as_host(*ranks, desk, plan, machine)
+                                                    : study::work_at(desk, plan, machine);
   line.finish();
   return {report, desk.progress().n_new, desk.progress().n_guest};
 }
@@ -177,85 +178,87 @@ std::string in(const std::string& folder, const std::string& name) {
 }
 
 void check_effects(const std::string& folder) {
-  check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
+  io::check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
 }
 
 /// The tables of a whole store, and its page.
 void check_tables(const std::string& folder, const std::string& option) {
-  check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
-                 in(folder, "report.html")},
-                option);
+  io::check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
+                     in(folder, "report.html")},
+                    option);
 }
 
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
-void tell_effects(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
-  write_output(in(folder, "responses.csv"), responses_csv(plan, rows));
-  write_output(in(folder, "effects.csv"), effects_csv(plan, rows));
-  print_out("{}", effects_text(plan, rows, width));
+void tell_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
+                  int width) {
+  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, rows));
+  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, rows));
+  print_out("{}", study::effects_text(plan, rows, width));
 }
 
-std::ptrdiff_t n_finished(const StudyRows& rows) {
+std::ptrdiff_t n_finished(const study::StudyRows& rows) {
   return std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
 }
 
 /// The tables of a whole store.
-void write_tables(const Plan& plan, const StudyRows& rows, const std::string& folder, int width) {
-  write_output(in(folder, "results.csv"), study_csv(plan, rows));
+void write_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
+                  int width) {
+  io::write_output(in(folder, "results.csv"), study::study_csv(plan, rows));
   tell_effects(plan, rows, folder, width);
   print_out("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
 
-int finish_study(const Plan& plan, const Store& store, const std::string& folder, const Shard& shard,
-                 const StudyRun& run, const Session& session) {
-  const auto rows = rows_of(plan, store);
+int finish_study(const study::Plan& plan, const study::Store& store, const std::string& folder,
+                 const study::Shard& shard, const StudyRun& run, const Session& session) {
+  const auto rows = study::rows_of(plan, store);
   if (shard.n == 1 && n_finished(rows) > 0) write_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
-  const WorkReport& report = run.report;
+  const study::WorkReport& report = run.report;
   print_wrapped(session.terminal_width, 2,
                 "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
                 report.cpu_seconds, 100.0 * report.idle);
   if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
-  print_out("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));
   if (shard.n > 1) print_out("when all parts are done: phyllite study merge {}\n", sh_word(folder));
   return n_bad + n_left > 0 ? 1 : 0;
 }
 
 /// All but rank 0: work for rank 0's store, write and print nothing.
-int run_as_guest(const Plan& plan, const Ranks& ranks, const MachineOptions& machine) {
+int run_as_guest(const study::Plan& plan, const study::Ranks& ranks, const study::MachineOptions& machine) {
   ranks.sum(machine.threads);
-  work_as_guest(ranks, plan, machine, *stop_on_interrupt());
+  study::work_as_guest(ranks, plan, machine, *stop_on_interrupt());
   return 0;
 }
 
 /// A folder of an earlier run, with its study.
-Study study_in(const std::string& folder) {
+study::Study study_in(const std::string& folder) {
   const std::string file = (fs::path(folder) / "study.toml").string();
   if (!fs::exists(file))
     throw IoError(folder + ": is no folder of a study (no study.toml); name the --out of `phyllite study`");
-  return read_study(file);
+  return study::read_study(file);
 }
 
 std::vector<std::string> shards_in(const std::string& folder) {
   std::vector<std::string> shards;
-  for (const fs::path entry : list_folder(folder))
+  for (const fs::path entry : io::list_folder(folder))
     if (entry.filename().string().starts_with("shard-") && entry.extension() == ".sqlite")
       shards.push_back(entry.string());
   return shards;
 }
 
 /// A folder holds one study: of this name, on this base recipe. It may grow.
-void refuse_other_study(const Study& study, const std::string& folder) {
+void refuse_other_study(const study::Study& study, const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
-  const Study there = study_in(folder);
+  const study::Study there = study_in(folder);
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
   if (there.name != study.name)
     throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
-  if (const auto d = first_difference(there.base, study.base))
+  if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
 }
@@ -267,9 +270,9 @@ void refuse_unmerged(const std::string& folder) {
   const std::vector<std::string> parts = shards_in(folder);
   const std::string whole = store_file(folder, {});
   std::vector<std::string> known;
-  if (!parts.empty() && fs::exists(whole)) known = Store(whole).keys();
+  if (!parts.empty() && fs::exists(whole)) known = study::Store(whole).keys();
   for (const std::string& part : parts) {
-    const std::vector<std::string> keys = Store(part, Sharing::alone).keys();
+    const std::vector<std::string> keys = study::Store(part, study::Sharing::alone).keys();
     if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
       throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
                                 sh_word(folder)));
@@ -280,79 +283,80 @@ void refuse_unmerged(const std::string& folder) {
 using StudyFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// Before the folder is looked at: what it holds of an earlier run is no input.
-void check_study_outputs(const StudyFiles& files, const std::string& folder, const Shard& shard) {
+void check_study_outputs(const StudyFiles& files, const std::string& folder, const study::Shard& shard) {
   std::vector<std::string> fresh;
   for (const auto& [name, content] : files)
-    if (!holds(in(folder, name), content)) fresh.push_back(in(folder, name));
-  check_outputs(fresh);
+    if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
+  io::check_outputs(fresh);
   if (shard.n == 1) check_tables(folder, files.empty() ? "" : "--out");
 }
 
-int run_study(const Study& study, const StudyFiles& files, const StudyArguments& args,
+int run_study(const study::Study& study, const StudyFiles& files, const StudyArguments& args,
               const std::string& folder, const Session& session) {
-  const Shard shard = parse_shard(args.shard);
+  const study::Shard shard = parse_shard(args.shard);
   if (!args.dry_run) check_study_outputs(files, folder, shard);
   refuse_other_study(study, folder);
   if (shard.n == 1) refuse_unmerged(folder);
-  std::optional<Ranks> ranks;
+  std::optional<study::Ranks> ranks;
   if (args.mpi) ranks.emplace();
-  const Plan plan = make_plan(study, shard);
+  const study::Plan plan = study::make_plan(study, shard);
   if (ranks) ranks->check_same(plan);
   if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
   const std::string file = store_file(folder, shard);
   if (args.dry_run) {
-    StudyRows rows(plan.tests.size());
-    if (fs::exists(file)) rows = rows_of(plan, Store(file));
+    study::StudyRows rows(plan.tests.size());
+    if (fs::exists(file)) rows = study::rows_of(plan, study::Store(file));
     print_plan(plan, rows, session);
     return 0;
   }
-  check_writable(folder);
-  Store store(file, shard.n == 1 ? Sharing::shared : Sharing::alone);  // first: it may be somebody else's
-  for (const auto& [name, content] : files) write_output(in(folder, name), content);
-  print_plan(plan, rows_of(plan, store), session);
+  io::check_writable(folder);
+  study::Store store(file, shard.n == 1 ? study::Sharing::shared
+                                        : study::Sharing::alone);  // first: it may be somebody else's
+  for (const auto& [name, content] : files) io::write_output(in(folder, name), content);
+  print_plan(plan, study::rows_of(plan, store), session);
   flush_out();
   const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
   return finish_study(plan, store, folder, shard, run, session);
 }
 
 /// The whole store of a study that has run.
-Store store_in(const std::string& folder) {
+study::Store store_in(const std::string& folder) {
   const std::string file = store_file(folder, {});
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
                               shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
-  return Store(file);
+  return study::Store(file);
 }
 
 int status_of(const StudyArguments& args, const Session& session) {
-  const Plan plan = make_plan(study_in(args.folder));
-  const Store store = store_in(args.folder);
-  const auto rows = rows_of(plan, store);
+  const study::Plan plan = study::make_plan(study_in(args.folder));
+  const study::Store store = store_in(args.folder);
+  const auto rows = study::rows_of(plan, store);
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
   print_out("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
-            plan.tests.size(), store.n_claimed(), n_bad, hash_of(rows));
+            plan.tests.size(), store.n_claimed(), n_bad, study::hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }
 
 int export_study(const StudyArguments& args) {
-  const Plan plan = make_plan(study_in(args.folder));
-  if (!args.csv.empty()) check_outputs({args.csv}, "--csv");
-  const std::string text = study_csv(plan, rows_of(plan, store_in(args.folder)));
+  const study::Plan plan = study::make_plan(study_in(args.folder));
+  if (!args.csv.empty()) io::check_outputs({args.csv}, "--csv");
+  const std::string text = study::study_csv(plan, study::rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
     write_out(text);
   else
-    write_output(args.csv, text);
+    io::write_output(args.csv, text);
   return 0;
 }
 
 int effects_of_study(const StudyArguments& args, const Session& session) {
   const std::string folder = args.out.empty() ? args.folder : args.out;
   check_effects(folder);
-  const Plan plan = make_plan(study_in(args.folder));
-  StudyRows rows = rows_of(plan, store_in(args.folder));
-  if (args.with_untrusted) rows = with_untrusted(std::move(rows));
+  const study::Plan plan = study::make_plan(study_in(args.folder));
+  study::StudyRows rows = study::rows_of(plan, store_in(args.folder));
+  if (args.with_untrusted) rows = study::with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + sh_word(args.folder) + "`"});
@@ -371,25 +375,25 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   check_tables(args.folder, "");
   for (const std::string& name : stores)  // before the store is made
     if (!fs::exists(name)) throw IoError(name + ": cannot be read: no such file; check the name");
-  Store store(store_file(args.folder, {}));
+  study::Store store(store_file(args.folder, {}));
   std::size_t n_different = 0;
   for (const std::string& name : stores) {
-    const MergeReport report = store.merge(name);
+    const study::MergeReport report = store.merge(name);
     print_out("{}: {} added, {} known\n", name, report.n_added, report.n_known);
     for (const std::string& key : report.different)
       print_out("  {} differs from the row that is there, which stays\n", key);
     n_different += report.different.size();
   }
-  StudyRows rows = store.rows(store.keys());
+  study::StudyRows rows = store.rows(store.keys());
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
-    const Plan plan = make_plan(study_in(args.folder));
-    rows = rows_of(plan, store);
+    const study::Plan plan = study::make_plan(study_in(args.folder));
+    rows = study::rows_of(plan, store);
     write_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
                 sh_word(args.folder));
   }
-  print_out("{} finished with hash {}\n", n_finished(rows), hash_of(rows));
+  print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   return n_different > 0 ? 1 : 0;
 }
 
@@ -407,7 +411,7 @@ std::string slurm_script(const StudyArguments& args, const std::string& folder, 
       "#SBATCH --time=02:00:00\n"
       "exec phyllite --threads \"$SLURM_CPUS_PER_TASK\" study {0} --out {1} "
       "--shard \"$SLURM_ARRAY_TASK_ID/{2}\"\n",
-      sh_word(args.study), sh_word(folder), args.slurm, folder_name(fs::path(args.study).stem().string()),
+      sh_word(args.study), sh_word(folder), args.slurm, io::folder_name(fs::path(args.study).stem().string()),
       threads > 0 ? threads : 4);
 }
 
@@ -416,7 +420,7 @@ std::string reference() {
       "\n# Keys of a study\n\nWritten by `phyllite study --reference`. Quantities carry units as in a "
       "recipe.\n\n"
       "| table | key | allowed | meaning |\n|---|---|---|---|\n";
-  for (const StudyKey& k : study_keys())
+  for (const study::StudyKey& k : study::study_keys())
     text += fmt::format("| {} | `{}` | {} | {} |\n",
                         k.table.empty()     ? "top level"
                         : k.table == "vary" ? "[[vary]]"
@@ -433,14 +437,14 @@ int study_verb(const StudyArguments& args, const Session& session) {
   if (args.study.empty())
     throw InputError(
         Problem{"command line", "STUDY", "", "a study file", "phyllite study --help shows all verbs"});
-  const Study study = read_study(args.study);
+  const study::Study study = study::read_study(args.study);
   const std::string folder =
       args.out.empty() ? (fs::path("results") / fs::path(args.study).stem()).string() : args.out;
   if (args.slurm > 0) {
     print_out("{}", slurm_script(args, folder, session.threads));
     return 0;
   }
-  return run_study(study, study_files(study), args, folder, session);
+  return run_study(study, study::study_files(study), args, folder, session);
 }
 
 }  // namespace
@@ -512,4 +516,4 @@ void add_study_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

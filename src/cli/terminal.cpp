@@ -11,7 +11,7 @@
 
 #include "base/quote.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 int first_error = 0;  // of standard output
@@ -55,4 +55,4 @@ int lost_output() {
   return first_error;
 }
 
-}  // namespace phy
+}  // namespace phy::cli

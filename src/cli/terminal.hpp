@@ -11,7 +11,7 @@
 
 #include "report/text_table.hpp"
 
-namespace phy {
+namespace phy::cli {
 
 /// Zeros where there is no terminal, or none that says how large it is.
 struct TerminalSize {
@@ -43,7 +43,7 @@ void print_out(fmt::format_string<Values...> format, Values&&... values) {
 template <class... Values>
 void print_wrapped(int terminal_width, std::size_t indent, fmt::format_string<Values...> format,
                    Values&&... values) {
-  write_out(wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
+  write_out(report::wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
 }
 
-}  // namespace phy
+}  // namespace phy::cli

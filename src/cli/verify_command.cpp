@@ -8,11 +8,11 @@
 #include "cli/terminal.hpp"
 #include "verification/cases.hpp"
 
-namespace phy {
+namespace phy::cli {
 namespace {
 
 /// One check on one line if it fits, else its quantity, and the numbers below each other.
-void print_check(const Check& k, int width) {
+void print_check(const verification::Check& k, int width) {
   const char* verdict = k.passed() ? "ok  " : "FAIL";
   const std::string line =
       fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", verdict,
@@ -26,22 +26,23 @@ void print_check(const Check& k, int width) {
             k.expected, k.measured, k.tolerance);
 }
 
-void print_plain(const VerificationCase& c, const std::vector<Check>& checks, int width) {
+void print_plain(const verification::VerificationCase& c, const std::vector<verification::Check>& checks,
+                 int width) {
   print_wrapped(width, 5, "{:4} {}\n     source: {}\n     tolerance: {}\n", c.id, c.claim, c.source, c.why);
-  for (const Check& k : checks) print_check(k, width);
+  for (const verification::Check& k : checks) print_check(k, width);
 }
 
-void print_markdown(const VerificationCase& c, const std::vector<Check>& checks) {
+void print_markdown(const verification::VerificationCase& c, const std::vector<verification::Check>& checks) {
   print_out("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
   print_out("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
-  for (const Check& k : checks)
+  for (const verification::Check& k : checks)
     print_out("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
               k.passed() ? "ok" : "FAIL");
 }
 
 std::string names_of_cases() {
   std::vector<std::string> names;
-  for (const VerificationCase& c : verification_cases())
+  for (const verification::VerificationCase& c : verification::verification_cases())
     if (std::find(names.begin(), names.end(), c.id) == names.end()) names.push_back(c.id);
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
@@ -64,10 +65,10 @@ void add_verify_command(CLI::App& app, Session& session) {
           "# Verification\n\nWritten by `phyllite verify --markdown`. Every number below was computed by the "
           "program that users run.\nA tolerance is relative; where the expected value is 0 it is "
           "absolute.\n");
-    for (const VerificationCase& c : verification_cases()) {
+    for (const verification::VerificationCase& c : verification::verification_cases()) {
       if (!only->empty() && c.id != *only) continue;
-      const std::vector<Check> checks = c.run();
-      for (const Check& k : checks) n_failed += k.passed() ? 0 : 1, ++n_checks;
+      const std::vector<verification::Check> checks = c.run();
+      for (const verification::Check& k : checks) n_failed += k.passed() ? 0 : 1, ++n_checks;
       if (*markdown)
         print_markdown(c, checks);
       else
@@ -81,4 +82,4 @@ void add_verify_command(CLI::App& app, Session& session) {
   });
 }
 
-}  // namespace phy
+}  // namespace phy::cli

@@ -9,14 +9,14 @@ namespace phy::contact {
 namespace {
 
 double linear_stiffness_factor(const MatrixRecipe& m, double r1, double r2) {
-  return linear::stiffness_factor(m.stiffness_convention == StiffnessConvention::pfc5, r1, r2);
+  return laws::linear::stiffness_factor(m.stiffness_convention == StiffnessConvention::pfc5, r1, r2);
 }
 double tan_phi_of(const MatrixRecipe& m) {
   return m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi);
 }
 double radius(const Specimen& s, std::uint32_t grain) { return s.packing->discs[grain].r; }
-parallel_bond::Geometry bond_of(const Specimen& s, const Contact& c) {
-  return parallel_bond::geometry(s.matrix.radius_multiplier, radius(s, c.a), radius(s, c.b));
+laws::parallel_bond::Geometry bond_of(const Specimen& s, const Contact& c) {
+  return laws::parallel_bond::geometry(s.matrix.radius_multiplier, radius(s, c.a), radius(s, c.b));
 }
 
 constexpr ElasticParameter elastic_list[] = {
@@ -68,12 +68,12 @@ class LinearBondModel final : public ContactModel {
 
   Vec2 normal(const Specimen&, const Contact&, Vec2 branch) const override { return branch; }
 
-  Tangent<double> stiffness(const Specimen& s, const Contact& c, bool unbroken) const override {
+  laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool unbroken) const override {
     const MatrixRecipe& m = s.matrix;
     const double k_n = m.E_c * linear_stiffness_factor(m, radius(s, c.a), radius(s, c.b));
-    Tangent<double> k{k_n, m.ks_over_kn * k_n, 0.0};
+    laws::Tangent<double> k{k_n, m.ks_over_kn * k_n, 0.0};
     if (c.kind == ContactKind::bonded && unbroken) {
-      const parallel_bond::Geometry g = bond_of(s, c);
+      const laws::parallel_bond::Geometry g = bond_of(s, c);
       k.k_n += m.E_b / g.L * g.A;
       k.k_s += m.bond_ks_over_kn * m.E_b / g.L * g.A;
       k.k_m = m.E_b / g.L * g.I;
@@ -94,7 +94,7 @@ class LinearBondModel final : public ContactModel {
                            const ElasticParameter& p) const override {
     const MatrixRecipe& m = s.matrix;
     const Factors f = factors(s, c, gap);
-    constexpr Tangent<double> none{0.0, 0.0, 0.0};
+    constexpr laws::Tangent<double> none{0.0, 0.0, 0.0};
     if (p.matrix == &MatrixRecipe::E_c) return {{f.linear, m.ks_over_kn * f.linear, 0.0}, none};
     if (p.matrix == &MatrixRecipe::E_b) return {none, {f.bond, m.bond_ks_over_kn * f.bond, f.bend}};
     if (p.matrix == &MatrixRecipe::ks_over_kn) return {{0.0, m.E_c * f.linear, 0.0}, none};
@@ -155,7 +155,7 @@ class LinearBondModel final : public ContactModel {
     Factors f;
     if (gap <= touching_gap * 0.5 * (r1 + r2)) f.linear = linear_stiffness_factor(s.matrix, r1, r2);
     if (c.kind != ContactKind::bonded) return f;
-    const parallel_bond::Geometry g = bond_of(s, c);
+    const laws::parallel_bond::Geometry g = bond_of(s, c);
     f.bond = g.A / g.L, f.bend = g.I / g.L;
     return f;
   }

@@ -40,24 +40,24 @@ struct LinearBond {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt;
     const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * step.dt);
-    const linear::Parameters<R> pl{p[k_n] * R(g[linear_factor]), p[k_s] * R(g[linear_factor]),
-                                   p[inv_k_s] * R(g[inv_linear_factor]), p[mu]};
-    linear::State<R> sl{memory.load(shear)};
-    const Reaction<R> rl =
-        linear::respond(pl, sl, Motion<R>{-(k.stretch + R(step.gap)), d_closure, d_slide, R(0)});
-    const parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]),
-                                          p[kb_s] * R(g[bond_factor]),
-                                          p[kb_m] * R(g[bend_factor]),
-                                          p[arm] * R(g[inv_r_min]),
-                                          memory.load(shear_capacity),
-                                          p[tan_phi],
-                                          step.hold};
-    parallel_bond::State<R> sb{memory.load(bond_shear), memory.load(capacity)};
-    const Reaction<R> rb =
-        parallel_bond::respond(pb, sb, Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
+    const laws::linear::Parameters<R> pl{p[k_n] * R(g[linear_factor]), p[k_s] * R(g[linear_factor]),
+                                         p[inv_k_s] * R(g[inv_linear_factor]), p[mu]};
+    laws::linear::State<R> sl{memory.load(shear)};
+    const laws::Reaction<R> rl =
+        laws::linear::respond(pl, sl, laws::Motion<R>{-(k.stretch + R(step.gap)), d_closure, d_slide, R(0)});
+    const laws::parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]),
+                                                p[kb_s] * R(g[bond_factor]),
+                                                p[kb_m] * R(g[bend_factor]),
+                                                p[arm] * R(g[inv_r_min]),
+                                                memory.load(shear_capacity),
+                                                p[tan_phi],
+                                                step.hold};
+    laws::parallel_bond::State<R> sb{memory.load(bond_shear), memory.load(capacity)};
+    const laws::Reaction<R> rb =
+        laws::parallel_bond::respond(pb, sb, laws::Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
     memory.store(shear, sl.F_s);
     memory.store(bond_shear, sb.F_s);
-    if (any(phy::broke(rb) & memory.here)) {
+    if (any(phy::laws::broke(rb) & memory.here)) {
       memory.store(capacity, sb.capacity);
       broke(rb.broke_tension, rb.broke_shear, rb.released);
     }
@@ -65,8 +65,8 @@ struct LinearBond {
     const R F_n = rl.F_n + rb.F_n;
     const R F_s = rl.F_s + rb.F_s;
     if constexpr (sample) {
-      sums.linear += memory.only_here(linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
-      sums.bond += memory.only_here(parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
+      sums.linear += memory.only_here(laws::linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
+      sums.bond += memory.only_here(laws::parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
       sums.overlap = max(sums.overlap, memory.only_here(-(k.stretch + R(step.gap)) * R(g[inv_r_min]), R(0)));
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};

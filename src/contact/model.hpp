@@ -42,8 +42,8 @@ constexpr double touching_gap = 1e-6;
 
 /// Stiffness of a contact in the two parts that the direct solution tells apart.
 struct ElasticPart {
-  Tangent<double> push;  ///< acts only while the grains press on each other
-  Tangent<double> hold;  ///< acts always
+  laws::Tangent<double> push;  ///< acts only while the grains press on each other
+  laws::Tangent<double> hold;  ///< acts always
 };
 
 /// A parameter of the recipe that elastic constants depend on: of the matrix or of a bedding set.
@@ -84,8 +84,8 @@ class ContactModel {
   /// The largest stiffness that it shows as it is, unbroken or not: linear parts closed and sticking. The
   /// stable step follows from it, and every bit of a run from the step: the order of its operations is part
   /// of it.
-  virtual Tangent<double> stiffness(const Specimen& specimen, const Contact& contact,
-                                    bool unbroken) const = 0;
+  virtual laws::Tangent<double> stiffness(const Specimen& specimen, const Contact& contact,
+                                          bool unbroken) const = 0;
   /// The same for the direct solution, in parts, as a product of moduli and factors of the geometry.
   virtual ElasticPart elastic(const Specimen& specimen, const Contact& contact, double gap) const = 0;
   /// Parameters of the recipe that `elastic` depends on.

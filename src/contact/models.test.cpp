@@ -76,7 +76,7 @@ template <class Model>
 void expect_one_model(const Specimen& s, const Contact& c) {
   Moved<Model> hot(s, c);
   const Push<double> f = hot.step(1e-8, 2e-10, 3e-7);
-  const Tangent<double> k = Model::model().stiffness(s, c, true);
+  const laws::Tangent<double> k = Model::model().stiffness(s, c, true);
   EXPECT_NEAR(f.fx, k.k_n * 1e-8, tiny * std::fabs(f.fx));
   EXPECT_NEAR(f.fy, -k.k_s * 2e-10, tiny * std::fabs(f.fy));
   EXPECT_NEAR(f.M, -k.k_m * 3e-7, tiny * k.k_m * 3e-7);
@@ -155,8 +155,8 @@ TEST(Wall, RatesAreDerivativesOfItsStiffness) {
     for (const ElasticParameter& p : LinearBond::model().elastic_parameters()) {
       MatrixRecipe up = m, down = m;
       up.*p.matrix *= 1.01, down.*p.matrix *= 0.99;
-      const Tangent<double> rate = wall::elastic_rate(m, smooth, p), a = wall::elastic(up, smooth),
-                            b = wall::elastic(down, smooth);
+      const laws::Tangent<double> rate = wall::elastic_rate(m, smooth, p), a = wall::elastic(up, smooth),
+                                  b = wall::elastic(down, smooth);
       const double step = 0.02 * m.*p.matrix;
       EXPECT_NEAR(rate.k_n, (a.k_n - b.k_n) / step, 1e-9 * std::fabs(rate.k_n));
       EXPECT_NEAR(rate.k_s, (a.k_s - b.k_s) / step, 1e-9 * std::fabs(rate.k_s));

@@ -19,7 +19,7 @@ Vec2 plane_normal(const BeddingRecipe& set) {
 }
 double area_of(const Specimen& s, const Contact& c) {
   const std::vector<Disc>& d = s.packing->discs;
-  return smooth_joint::area(s.bedding[c.set].radius_multiplier, d[c.a].r, d[c.b].r);
+  return laws::smooth_joint::area(s.bedding[c.set].radius_multiplier, d[c.a].r, d[c.b].r);
 }
 
 class SmoothJointModel final : public ContactModel {
@@ -60,7 +60,7 @@ class SmoothJointModel final : public ContactModel {
     return static_cast<double>(c.side) * plane_normal(s.bedding[c.set]);
   }
 
-  Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
+  laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
     const double A = area_of(s, c);
     return {s.bedding[c.set].k_n * A, s.bedding[c.set].k_s * A, 0.0};
   }
@@ -74,7 +74,7 @@ class SmoothJointModel final : public ContactModel {
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double,
                            const ElasticParameter& p) const override {
     const double A = area_of(s, c);
-    constexpr Tangent<double> none{0.0, 0.0, 0.0};
+    constexpr laws::Tangent<double> none{0.0, 0.0, 0.0};
     if (p.bedding == &BeddingRecipe::k_n) return {none, {A, 0.0, 0.0}};
     if (p.bedding == &BeddingRecipe::k_s) return {none, {0.0, A, 0.0}};
     return {none, none};

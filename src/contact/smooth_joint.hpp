@@ -28,25 +28,25 @@ struct SmoothJoint {
     const R normal_x = step.side * p[nx];
     const R normal_y = step.side * p[ny];
     const R dt = step.dt;
-    const Motion<R> m{R(0), -((k.vx * normal_x + k.vy * normal_y) * dt),
-                      (k.vy * normal_x - k.vx * normal_y) * dt, R(0)};
+    const laws::Motion<R> m{R(0), -((k.vx * normal_x + k.vy * normal_y) * dt),
+                            (k.vy * normal_x - k.vx * normal_y) * dt, R(0)};
     const R A(g[area]);
-    const smooth_joint::Parameters<R> law{p[k_n] * A, p[k_s] * A, p[mu],    p[S_0] * A,
-                                          p[tan_phi], p[tan_psi], step.hold};
+    const laws::smooth_joint::Parameters<R> law{p[k_n] * A, p[k_s] * A, p[mu],    p[S_0] * A,
+                                                p[tan_phi], p[tan_psi], step.hold};
     // Lanes without a joint here pass as bonded, or their broken bonds would call the law's rare branches.
     const R holds = select(memory.here, memory.load(capacity), R(1));
-    smooth_joint::State<R> st{memory.load(shear), memory.load(closure), holds, memory.load(dilation)};
-    const Reaction<R> r = smooth_joint::respond(law, st, m);
+    laws::smooth_joint::State<R> st{memory.load(shear), memory.load(closure), holds, memory.load(dilation)};
+    const laws::Reaction<R> r = laws::smooth_joint::respond(law, st, m);
     memory.store(shear, st.F_s);
     memory.store(closure, st.closure);
     memory.store(dilation, st.dilation);
-    if (any(phy::broke(r) & memory.here)) {
+    if (any(phy::laws::broke(r) & memory.here)) {
       memory.store(capacity, st.capacity);
       broke(r.broke_tension, r.broke_shear, r.released);
     }
     sums.slip += memory.only_here(r.dissipated, R(0));
     if constexpr (sample)
-      sums.joint += memory.only_here(smooth_joint::strain_energy(law, r.F_n, r.F_s), R(0));
+      sums.joint += memory.only_here(laws::smooth_joint::strain_energy(law, r.F_n, r.F_s), R(0));
     return {r.F_n * normal_x - r.F_s * normal_y, r.F_n * normal_y + r.F_s * normal_x, R(0)};
   }
 };

@@ -9,7 +9,7 @@ namespace phy::contact::wall {
 enum Parameter { k_n, k_s, inv_k_s, mu, n_parameters };
 
 /// Normal stiffness [N/m per m]; the shear stiffness is ks_over_kn of it.
-inline double normal_stiffness(const MatrixRecipe& m) { return linear::wall_stiffness_factor * m.E_c; }
+inline double normal_stiffness(const MatrixRecipe& m) { return laws::linear::wall_stiffness_factor * m.E_c; }
 
 inline void parameters(const MatrixRecipe& m, double friction, double* out) {
   const double k = normal_stiffness(m);
@@ -18,32 +18,33 @@ inline void parameters(const MatrixRecipe& m, double friction, double* out) {
 
 /// p[i]: parameters as above. `rough`: 1 where the tool has friction, else 0.
 template <class R>
-linear::Parameters<R> law(const R* p, R rough) {
+laws::linear::Parameters<R> law(const R* p, R rough) {
   return {p[k_n], p[k_s], p[inv_k_s], p[mu] * rough};
 }
 
 /// Normal and shear force [N/m] at a closure and a step of sliding; `shear` is its memory.
 template <class R>
-PHY_HOT inline Reaction<R> respond(const linear::Parameters<R>& p, R& shear, R closure, R d_slide) {
-  linear::State<R> state{shear};
-  const Reaction<R> r = linear::respond(p, state, Motion<R>{closure, R(0), d_slide, R(0)});
+PHY_HOT inline laws::Reaction<R> respond(const laws::linear::Parameters<R>& p, R& shear, R closure,
+                                         R d_slide) {
+  laws::linear::State<R> state{shear};
+  const laws::Reaction<R> r = laws::linear::respond(p, state, laws::Motion<R>{closure, R(0), d_slide, R(0)});
   shear = state.F_s;
   return r;
 }
 
 template <class R>
-R strain_energy(const linear::Parameters<R>& p, const Reaction<R>& r) {
-  return linear::strain_energy(p, r.F_n, r.F_s);
+R strain_energy(const laws::linear::Parameters<R>& p, const laws::Reaction<R>& r) {
+  return laws::linear::strain_energy(p, r.F_n, r.F_s);
 }
 
 /// For the direct solution. `smooth`: slides without resistance.
-inline Tangent<double> elastic(const MatrixRecipe& m, bool smooth) {
-  const double k = m.E_c * linear::wall_stiffness_factor;
+inline laws::Tangent<double> elastic(const MatrixRecipe& m, bool smooth) {
+  const double k = m.E_c * laws::linear::wall_stiffness_factor;
   return {k, smooth ? 0.0 : m.ks_over_kn * k, 0.0};
 }
 /// Its derivative with respect to a parameter of the matrix.
-inline Tangent<double> elastic_rate(const MatrixRecipe& m, bool smooth, const ElasticParameter& p) {
-  constexpr double factor = linear::wall_stiffness_factor;
+inline laws::Tangent<double> elastic_rate(const MatrixRecipe& m, bool smooth, const ElasticParameter& p) {
+  constexpr double factor = laws::linear::wall_stiffness_factor;
   const double rub = smooth ? 0.0 : factor;
   if (p.matrix == &MatrixRecipe::E_c) return {factor, m.ks_over_kn * rub, 0.0};
   if (p.matrix == &MatrixRecipe::ks_over_kn) return {0.0, m.E_c * rub, 0.0};

@@ -2,7 +2,7 @@
 
 #include "base/check.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 constexpr double servo_proportional = 0.6;
@@ -292,4 +292,4 @@ void Boundary<T>::enter(GroupView<T>& v) {
 template class Boundary<double>;
 template class Boundary<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

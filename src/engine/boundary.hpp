@@ -9,7 +9,7 @@
 #include "engine/neighbour_list.hpp"
 #include "engine/rig.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 /// A tool in a lane.
 struct ToolMotion {
@@ -114,4 +114,4 @@ class Boundary {
   void list_loads();
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

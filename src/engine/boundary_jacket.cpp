@@ -4,7 +4,7 @@
 #include "engine/boundary.hpp"
 #include "engine/jacket.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the surface is missed
@@ -90,4 +90,4 @@ template std::vector<double> Boundary<float>::push(std::size_t) const;
 template bool Boundary<double>::fit_jackets(NeighbourList<double>&);
 template bool Boundary<float>::fit_jackets(NeighbourList<float>&);
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -6,7 +6,7 @@
 #include <memory>
 #include <new>
 
-namespace phy::group {
+namespace phy::engine::group {
 
 template <class T>
 class Buffer {
@@ -29,4 +29,4 @@ class Buffer {
   std::unique_ptr<T, Free> data_;
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 template <class T>
 ContactMemory<T>::ContactMemory(const GrainMemory<T>& grains, const contact::Models& models)
@@ -217,4 +217,4 @@ void ContactMemory<T>::enter(GroupView<T>& view) {
 template class ContactMemory<double>;
 template class ContactMemory<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

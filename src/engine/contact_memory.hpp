@@ -10,7 +10,7 @@
 #include "contact/models.hpp"
 #include "engine/grain_memory.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 constexpr std::uint8_t no_set = 255;
 
@@ -131,4 +131,4 @@ void ContactMemory<T>::affine_start(std::size_t l, const Specimen& specimen, con
   }
 }
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -1,6 +1,6 @@
 #include "engine/energy_balance.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 void EnergyBalance::begin(const HistoryRow& r) {
   work = slip = damping = released = 0.0;
@@ -19,4 +19,4 @@ void EnergyBalance::write(HistoryRow& r) {
   r.energy_error = work > 0.0 ? (work - spent) / work : 0.0;
 }
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

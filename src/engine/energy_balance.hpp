@@ -10,7 +10,7 @@
 #pragma once
 #include "records/result.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 class EnergyBalance {
  public:
@@ -31,4 +31,4 @@ class EnergyBalance {
   bool settle_ = false;
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -15,7 +15,7 @@
 #include "engine/stable_step.hpp"
 #include "records/assembly.hpp"
 
-namespace phy {
+namespace phy::engine {
 namespace {
 
 std::vector<Disc> scattered(std::uint32_t n, double box) {
@@ -339,4 +339,4 @@ TEST(Balance, FindsTheGrainsThatCarryTheForce) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::engine

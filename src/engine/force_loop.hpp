@@ -24,7 +24,7 @@
 #include "engine/tool_loop.hpp"
 #include "engine/view.hpp"
 
-namespace phy {
+namespace phy::engine {
 inline namespace PHY_ISA {
 
 /// The loop over one group, with the lane constants at hand. Models: a combination of contact models
@@ -316,4 +316,4 @@ void advance_block(GroupView<ScalarOf<R>>& view, int n_steps) {
 }
 
 }  // namespace PHY_ISA
-}  // namespace phy
+}  // namespace phy::engine

@@ -3,7 +3,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 constexpr double skin_factor = 0.25;  // of the smallest radius
@@ -57,4 +57,4 @@ std::vector<GrainState> GrainMemory<T>::states(std::size_t lane) const {
 template class GrainMemory<double>;
 template class GrainMemory<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

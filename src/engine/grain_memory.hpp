@@ -8,7 +8,7 @@
 #include "engine/view.hpp"
 #include "records/result.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 template <class T>
 class GrainMemory {
@@ -74,4 +74,4 @@ class GrainMemory {
   Buffer<T> state_;
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -3,7 +3,7 @@
 #include "base/check.hpp"
 #include "contact/wall.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 template <class T>
@@ -262,9 +262,9 @@ Snapshot Group<T>::snapshot(int lane) const {
 template class Group<double>;
 template class Group<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group
 
-namespace phy {
+namespace phy::engine {
 
 std::unique_ptr<LaneGroup> make_group(std::shared_ptr<const Packing> packing, const GroupOptions& options) {
   if (options.precision == Precision::single_precision)
@@ -272,4 +272,4 @@ std::unique_ptr<LaneGroup> make_group(std::shared_ptr<const Packing> packing, co
   return std::make_unique<group::Group<double>>(std::move(packing), options);
 }
 
-}  // namespace phy
+}  // namespace phy::engine

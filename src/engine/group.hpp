@@ -21,7 +21,7 @@
 #include "engine/neighbour_list.hpp"
 #include "engine/stable_step.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 /// What the group knows about one specimen beside its places in the parts.
 struct Lane {
@@ -134,4 +134,4 @@ class Group final : public LaneGroup {
   std::string deepest_overlap(std::size_t lane) const;
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

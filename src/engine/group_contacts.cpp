@@ -3,7 +3,7 @@
 
 #include "engine/group.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 /// Searches lanes whose lists would not last; the others keep theirs. A pair that holds something stays.
 template <class T>
@@ -144,4 +144,4 @@ void Group<T>::tighten_bound(std::size_t l) {
 template class Group<double>;
 template class Group<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -6,7 +6,7 @@
 #include "engine/force_loop.hpp"
 #include "engine/kernels.hpp"
 
-namespace phy {
+namespace phy::engine {
 namespace {
 
 /// The kernel of one line of the list of combinations.
@@ -48,4 +48,4 @@ AdvanceBlock<float> PHY_JOIN(float_kernel_, PHY_ISA)(std::size_t combination, in
   }
 }
 
-}  // namespace phy
+}  // namespace phy::engine

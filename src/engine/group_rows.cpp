@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "engine/group.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 constexpr double worst_overlap = 1.0;  // of the smaller radius: beyond it the state is nonsense
@@ -185,4 +185,4 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
 template class Group<double>;
 template class Group<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace phy {
+namespace phy::engine {
 namespace {
 
 /// What the rays of one side have met so far.
@@ -49,4 +49,4 @@ std::vector<double> jacket_heights(std::span<const Vec2> x, std::span<const doub
   return heights;
 }
 
-}  // namespace phy
+}  // namespace phy::engine

@@ -14,11 +14,11 @@
 
 #include "base/vec.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// Height [m] of each disc that the jacket presses on, on the left > 0 (it pushes along +x), on the right <
 /// 0. Centres `x` and radii `r`; the jacket covers 0 ... `height` by rays `spacing` apart, or a little less.
 std::vector<double> jacket_heights(std::span<const Vec2> x, std::span<const double> r, double height,
                                    double spacing);
 
-}  // namespace phy
+}  // namespace phy::engine

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace phy {
+namespace phy::engine {
 
 AdvanceBlock<double> double_kernel_sse2(std::size_t combination, int lanes);
 AdvanceBlock<float> float_kernel_sse2(std::size_t combination, int lanes);
@@ -66,4 +66,4 @@ const ContactPhysics& physics() {
 
 const ContactPhysics& standard_contacts() { return physics<0>(); }
 
-}  // namespace phy
+}  // namespace phy::engine

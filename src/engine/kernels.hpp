@@ -5,7 +5,7 @@
 #include "contact/models.hpp"
 #include "engine/view.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// Instruction sets in rising order; the hot loop is built for each.
 enum class Isa { sse2, avx2, avx512 };
@@ -26,4 +26,4 @@ struct ContactPhysics {
 /// The first line of the list (contact/models.hpp).
 const ContactPhysics& standard_contacts();
 
-}  // namespace phy
+}  // namespace phy::engine

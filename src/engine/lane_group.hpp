@@ -17,7 +17,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// Numerics of a group; never changes a bit, except `interval`.
 struct GroupOptions {
@@ -105,4 +105,4 @@ class LaneGroup {
 
 std::unique_ptr<LaneGroup> make_group(std::shared_ptr<const Packing> packing, const GroupOptions& options);
 
-}  // namespace phy
+}  // namespace phy::engine

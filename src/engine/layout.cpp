@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace phy {
+namespace phy::engine {
 
 Layout make_layout(const Packing& packing, double skin) {
   double r_max = 0.0;
@@ -116,4 +116,4 @@ GaugeWeights gauge_weights(const Packing& packing) {
   return w;
 }
 
-}  // namespace phy
+}  // namespace phy::engine

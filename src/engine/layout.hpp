@@ -8,7 +8,7 @@
 #include "base/vec.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// Grains sorted into horizontal rows (bottom to top), by x within a row. A row is a little higher than the
 /// largest grain, so that contacts join a row with itself or its neighbour.
@@ -40,4 +40,4 @@ struct GaugeWeights {
 };
 GaugeWeights gauge_weights(const Packing& packing);
 
-}  // namespace phy
+}  // namespace phy::engine

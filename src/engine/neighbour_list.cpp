@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace phy::group {
+namespace phy::engine::group {
 namespace {
 
 constexpr double flight_margin = 2.0;   // over what a fast grain does in a block at its present speed
@@ -85,4 +85,4 @@ std::vector<PairKey> PairUnion::sorted() {
 template class NeighbourList<double>;
 template class NeighbourList<float>;
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -12,7 +12,7 @@
 
 #include "engine/grain_memory.hpp"
 
-namespace phy::group {
+namespace phy::engine::group {
 
 constexpr double meeting_gap = 0.02;  ///< a pair meets below this gap, of the smallest radius
 
@@ -101,4 +101,4 @@ class PairUnion {
   std::vector<std::vector<PairKey>> of_;
 };
 
-}  // namespace phy::group
+}  // namespace phy::engine::group

@@ -30,7 +30,7 @@
 
 #include "base/vec.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// A grain (packing number) that a tool may touch.
 struct Touch {
@@ -106,4 +106,4 @@ struct JacketState {
   double swept = 0.0;     ///< area since the rig was placed, inwards positive [m^2]
 };
 
-}  // namespace phy
+}  // namespace phy::engine

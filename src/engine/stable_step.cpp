@@ -7,7 +7,7 @@
 #include "base/exact_math.hpp"
 #include "contact/wall.hpp"
 
-namespace phy {
+namespace phy::engine {
 namespace {
 
 using Sym3 = std::array<double, 6>;  // xx yy zz xy xz yz
@@ -44,7 +44,7 @@ Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffne
 
 std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& b,
                                              const ContactStiffness& of) {
-  const Tangent<double>& k = of.k;
+  const laws::Tangent<double>& k = of.k;
   const std::array<double, 3> d = {k.k_n, k.k_s, k.k_m};
   std::array<std::array<double, 3>, 3> m{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -181,4 +181,4 @@ void FrequencyBound::add(const ContactStiffness& k) {
   bound_ = std::max({bound_, row_[a], row_[b]});
 }
 
-}  // namespace phy
+}  // namespace phy::engine

@@ -14,15 +14,15 @@
 #include "engine/rig.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::engine {
 
 /// Stiffness of one contact between grains a and b (packing numbers) in its own frame.
 struct ContactStiffness {
   std::uint32_t a = 0, b = 0;
-  Tangent<double> k{0.0, 0.0, 0.0};  ///< along and across `normal`, and against rotation
-  Vec2 normal;                       ///< a -> b: branch, or the plane's normal
-  Vec2 branch;                       ///< unit vector from centre a to centre b
-  double gap = 0.0;                  ///< between the discs [m]
+  laws::Tangent<double> k{0.0, 0.0, 0.0};  ///< along and across `normal`, and against rotation
+  Vec2 normal;                             ///< a -> b: branch, or the plane's normal
+  Vec2 branch;                             ///< unit vector from centre a to centre b
+  double gap = 0.0;                        ///< between the discs [m]
 };
 /// Stiffness of a contact as its model states it, for grains that touch with this unit branch vector.
 ContactStiffness stiffness_of(const contact::Models& models, const Specimen& specimen, const Contact& contact,
@@ -62,4 +62,4 @@ class FrequencyBound {
   double tight_ = 0.0;       // the same before any addition
 };
 
-}  // namespace phy
+}  // namespace phy::engine

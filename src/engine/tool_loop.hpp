@@ -12,7 +12,7 @@
 #include "contact/wall.hpp"
 #include "engine/view.hpp"
 
-namespace phy {
+namespace phy::engine {
 inline namespace PHY_ISA {
 
 template <class R>
@@ -180,7 +180,7 @@ class ToolLoop {
     const R d_slide = (nx * vy - ny * vx - load<R>(grain, g_w) * radius) * lane[l_dt];
     const auto law = contact::wall::law(wall(), R(p.rough));
     R shear = load<R>(v.touch_shear, place);
-    const Reaction<R> r = contact::wall::respond(law, shear, closure(p, at), d_slide);
+    const laws::Reaction<R> r = contact::wall::respond(law, shear, closure(p, at), d_slide);
     store(v.touch_shear, place, shear);
     const R fx = nx * r.F_n - ny * r.F_s, fy = ny * r.F_n + nx * r.F_s;
     add_to(grain, g_fx, fx);
@@ -193,4 +193,4 @@ class ToolLoop {
 };
 
 }  // namespace PHY_ISA
-}  // namespace phy
+}  // namespace phy::engine

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace phy {
+namespace phy::engine {
 
 /// Lane vectors of a grain, in this order.
 enum GrainField { g_ux, g_uy, g_rot, g_vx, g_vy, g_w, g_fx, g_fy, g_tq, n_grain_fields };
@@ -136,4 +136,4 @@ struct GroupView {
 template <class T>
 using AdvanceBlock = void (*)(GroupView<T>&, int n_steps);
 
-}  // namespace phy
+}  // namespace phy::engine

@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 constexpr double parallel = 1e-12;  // of the radii: difference of heights that is rounding
@@ -121,4 +121,4 @@ void lay_bedding(Specimen& specimen) {
   for (std::uint8_t set = 0; set < n_sets; ++set) specimen.bedding_report.push_back(report_on(specimen, set));
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

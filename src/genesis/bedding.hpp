@@ -19,7 +19,7 @@
 
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// The planes of one set in one specimen.
 class PlaneSet {
@@ -45,4 +45,4 @@ class PlaneSet {
 /// for the sets of specimen.bedding.
 void lay_bedding(Specimen& specimen);
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -9,7 +9,7 @@
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 BeddingRecipe plane(double theta, BeddingRule rule, double zone = 0.5, double spacing = 100.0) {
@@ -199,4 +199,4 @@ TEST(Specimens, OtherSetsTurnWithTheFirst) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "genesis/near_pairs.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
                      std::uint32_t b) {
@@ -40,4 +40,4 @@ std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
   return contacts;
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

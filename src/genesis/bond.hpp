@@ -11,7 +11,7 @@
 #include "base/rng.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// Strengths are redrawn beyond this many standard deviations.
 constexpr double strength_cut = 3.0;
@@ -23,4 +23,4 @@ double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, s
 /// All pairs with gap <= bond_gap times their mean radius, bonded, sorted by (a, b).
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix);
 
-}  // namespace phy
+}  // namespace phy::genesis

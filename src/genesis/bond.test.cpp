@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 constexpr std::uint32_t n_draws = 20000;
@@ -95,4 +95,4 @@ TEST(Bond, StrengthsDoNotDependOnOtherBonds) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

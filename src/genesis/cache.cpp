@@ -15,7 +15,7 @@
 #include "io/csv.hpp"
 #include "io/file.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 constexpr const char* first_line = "phyllite packing, format 1";
@@ -141,7 +141,7 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
   }
   auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix));
   try {
-    write_file(file.string(), to_text(key, *packing));
+    io::write_file(file.string(), to_text(key, *packing));
   } catch (const IoError&) {  // made anew next time
   }
   return packing;
@@ -150,7 +150,7 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
 std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::filesystem::path& folder) {
   if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, folder);
   return std::make_shared<const Packing>(
-      adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
+      adopt_packing(r.specimen, r.packing, r.matrix, io::read_discs(r.packing.file)));
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

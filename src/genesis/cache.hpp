@@ -13,7 +13,7 @@
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// $XDG_CACHE_HOME/phyllite, else $HOME/.cache/phyllite, else empty (no cache).
 std::filesystem::path default_cache_folder();
@@ -36,4 +36,4 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
 /// The packing of a recipe: of its file if it names one, else as cached_packing.
 std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::filesystem::path& folder);
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -10,7 +10,7 @@
 #include "base/in_folder.test.hpp"
 #include "genesis/packing.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST(CacheFolder, FollowsTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

@@ -6,7 +6,7 @@
 #include "genesis/packing.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 Packing cut_disc(const Packing& packing, double diameter) {
   PHY_CHECK(diameter > 0.0 && diameter <= std::min(packing.width, packing.height),
@@ -31,4 +31,4 @@ std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, co
                              : std::make_shared<const Packing>(cut_disc(*packing, diameter(recipe)));
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -5,7 +5,7 @@
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// The discs whose centres lie within diameter / 2 [m] of the box's centre, in their order, in a square box
 /// that holds them all, centre on centre. Centres decide, not outlines: on average the rough rim then lies at
@@ -16,4 +16,4 @@ Packing cut_disc(const Packing& packing, double diameter);
 /// The packing in the shape that the recipe's test needs: as it is, or the disc cut from it.
 std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -5,7 +5,7 @@
 #include "base/vec.hpp"
 #include "genesis/near_pairs.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 constexpr double growth_per_step = 1.002;  // small against the cage, or the disc would jump out of it
@@ -93,4 +93,4 @@ long grow_floaters(const SettleBox& box, std::vector<Disc>& discs, double overla
   return n;
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -9,7 +9,7 @@
 
 #include "genesis/settle.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// A floater grows to at most this multiple of its radius (Potyondy & Cundall's initial multiplier, 1.3):
 /// beyond it the disc would leave the range of radii by more than the range is wide.
@@ -22,4 +22,4 @@ std::vector<std::uint32_t> find_floaters(const SettleBox& box, const std::vector
 /// Returns how many grew; the assembly is to be settled again afterwards.
 long grow_floaters(const SettleBox& box, std::vector<Disc>& discs, double overlap);
 
-}  // namespace phy
+}  // namespace phy::genesis

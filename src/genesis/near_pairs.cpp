@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 /// Discs sorted into square cells by counting; within a cell in ascending number.
@@ -76,4 +76,4 @@ std::vector<Pair> near_pairs(const std::vector<Disc>& discs, double reach) {
   return pairs;
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

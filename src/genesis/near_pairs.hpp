@@ -9,7 +9,7 @@
 
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// Two discs, a < b.
 struct Pair {
@@ -24,4 +24,4 @@ std::vector<Pair> near_pairs(const std::vector<Disc>& discs, double reach);
 /// Gap between two discs [m]; negative where they overlap.
 double gap(const Disc& a, const Disc& b);
 
-}  // namespace phy
+}  // namespace phy::genesis

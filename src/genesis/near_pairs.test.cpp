@@ -5,7 +5,7 @@
 
 #include "base/rng.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 TEST(NearPairs, SameAsDoubleLoop) {
@@ -34,4 +34,4 @@ TEST(NearPairs, GapIsNegativeInOverlap) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

@@ -12,7 +12,7 @@
 #include "genesis/near_pairs.hpp"
 #include "genesis/settle.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 constexpr double balanced = 1e-6;          // mean unbalanced / mean contact force of the finished packing
@@ -221,4 +221,4 @@ Packing adopt_packing(const SpecimenSize& size, const PackingRecipe& recipe, con
   return finish(box, recipe, matrix, std::move(discs), e);
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

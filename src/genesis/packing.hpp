@@ -20,7 +20,7 @@
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// Changes whenever the same recipe would give other discs; part of the key of the cache.
 constexpr int packing_generation = 1;
@@ -38,4 +38,4 @@ Packing adopt_packing(const SpecimenSize& size, const PackingRecipe& recipe, con
 /// Fingerprint of the discs' bits.
 std::string packing_hash(const std::vector<Disc>& discs);
 
-}  // namespace phy
+}  // namespace phy::genesis

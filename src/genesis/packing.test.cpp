@@ -9,7 +9,7 @@
 #include "base/exact_math.hpp"
 #include "genesis/near_pairs.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 Recipe small(std::int64_t seed) {
@@ -174,4 +174,4 @@ TEST(Packing, AdoptsDiscsAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

@@ -7,7 +7,7 @@
 #include "genesis/near_pairs.hpp"
 #include "laws/linear/linear.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 // FIRE's constants: the authors' (0.1, 0.99, 1.1, 0.5, 20), except the largest step, which is bounded by
@@ -68,17 +68,17 @@ class Fire {
     const bool pfc5 = box_.stiffness == StiffnessConvention::pfc5;
     springs_.clear();
     for (const Pair& p : near_pairs(discs_, skin_))
-      springs_.push_back({p.a, p.b, linear::stiffness_factor(pfc5, discs_[p.a].r, discs_[p.b].r)});
+      springs_.push_back({p.a, p.b, laws::linear::stiffness_factor(pfc5, discs_[p.a].r, discs_[p.b].r)});
     at_search_ = discs_;
   }
 
   void add_wall(ContactSums& s, double overlap, double r, double& component, double direction) {
     if (overlap <= 0.0) return;
-    const double f = linear::wall_stiffness_factor * overlap;
+    const double f = laws::linear::wall_stiffness_factor * overlap;
     component += direction * f;
     s.force += f;
     s.virial += f * (r - overlap);
-    s.stiffness += linear::wall_stiffness_factor * r * r;
+    s.stiffness += laws::linear::wall_stiffness_factor * r * r;
     ++s.n_walls;
   }
 
@@ -186,4 +186,4 @@ double radius_change(double volume, double d_stress, double stiffness) {
   return 2.0 * volume * d_stress / stiffness;
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

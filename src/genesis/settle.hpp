@@ -15,7 +15,7 @@
 
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// The box and the springs in it.
 struct SettleBox {
@@ -45,4 +45,4 @@ Equilibrium settle(const SettleBox& box, std::vector<Disc>& discs, double tolera
 /// lattice that just touches. Stress and stiffness in the same unit of modulus; volume [m^2 per m].
 double radius_change(double volume, double d_stress, double stiffness);
 
-}  // namespace phy
+}  // namespace phy::genesis

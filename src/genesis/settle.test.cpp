@@ -7,7 +7,7 @@
 
 #include "genesis/floaters.hpp"
 
-namespace phy {
+namespace phy::genesis {
 namespace {
 
 TEST(Settle, TwoDiscsBetweenWallsAreSpringsInSeries) {
@@ -82,4 +82,4 @@ TEST(Floaters, InTooLargeACageStayAsTheyWere) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::genesis

@@ -9,7 +9,7 @@
 #include "genesis/cut.hpp"
 #include "records/test_record.hpp"
 
-namespace phy {
+namespace phy::genesis {
 Specimen make_specimen(std::shared_ptr<const Packing> packing, const MatrixRecipe& matrix,
                        std::vector<BeddingRecipe> bedding, std::string name) {
   PHY_CHECK(packing != nullptr, "a specimen is made from a packing");
@@ -52,4 +52,4 @@ std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, con
   return specimens;
 }
 
-}  // namespace phy
+}  // namespace phy::genesis

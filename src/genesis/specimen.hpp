@@ -10,7 +10,7 @@
 
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::genesis {
 
 /// One specimen with the given sets of bedding; without any it is intact.
 Specimen make_specimen(std::shared_ptr<const Packing> packing, const MatrixRecipe& matrix,
@@ -26,4 +26,4 @@ std::vector<BeddingRecipe> turned(std::vector<BeddingRecipe> bedding, double the
 /// for angles without bedding. For a Brazilian test they are discs, cut from the packing (cut.hpp).
 std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::genesis

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace phy {
+namespace phy::io {
 
 inline std::string base64(std::string_view bytes) {
   constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -20,4 +20,4 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -14,7 +14,7 @@
 #include "io/file.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 constexpr const char* disc_header = "x [m],y [m],r [m]";
@@ -155,7 +155,7 @@ std::string contacts_csv(const Specimen& s) {
     const Vec2 branch = (1.0 / norm(d)) * d, point = Vec2{a.x, a.y} + (a.r + 0.5 * gap) * branch;
     const contact::ContactModel& model = contact::standard_models().of(c.kind);
     const Vec2 normal = model.normal(s, c, branch);
-    const Tangent<double> k = model.stiffness(s, c, true);
+    const laws::Tangent<double> k = model.stiffness(s, c, true);
     text +=
         std::to_string(c.a) + "," + std::to_string(c.b) + "," + word(c.kind) + "," + std::to_string(c.set);
     for (const double v :
@@ -272,4 +272,4 @@ std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& w
   return cracks;
 }
 
-}  // namespace phy
+}  // namespace phy::io

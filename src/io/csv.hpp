@@ -8,7 +8,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Discs of a file with the box that its comment line names; 0 where it names none.
 struct DiscFile {
@@ -35,4 +35,4 @@ std::string cracks_csv(const std::vector<CrackEvent>& cracks, TestKind kind);
 History parse_history(std::string_view text, const std::string& where);
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where);
 
-}  // namespace phy
+}  // namespace phy::io

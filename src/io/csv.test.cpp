@@ -12,7 +12,7 @@
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 using testing::HasSubstr;
@@ -146,4 +146,4 @@ TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

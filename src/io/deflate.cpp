@@ -6,7 +6,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::io {
 
 std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
@@ -37,4 +37,4 @@ std::optional<std::string> inflated(std::string_view bytes, std::size_t most) {
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 std::string long_text() {
@@ -33,4 +33,4 @@ TEST(Deflate, StopsBeyondWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

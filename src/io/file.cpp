@@ -16,7 +16,7 @@
 #include "base/check.hpp"
 #include "io/output.hpp"
 
-namespace phy {
+namespace phy::io {
 
 int write_all(int fd, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
@@ -253,4 +253,4 @@ void NewFolder::publish() {
   sync_folder(parent_of(folder_));
 }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace phy {
+namespace phy::io {
 
 /// The content of a file of at most 256 MB.
 std::string read_file(const std::string& path);
@@ -61,4 +61,4 @@ class NewFolder {
   std::string list_;               // of its files, io/output.hpp
 };
 
-}  // namespace phy
+}  // namespace phy::io

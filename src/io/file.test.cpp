@@ -12,7 +12,7 @@
 #include "base/in_folder.test.hpp"
 #include "base/parallel.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ TEST_F(Files, ForeignFoldersAndFilesAreNotReplaced) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

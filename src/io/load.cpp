@@ -13,7 +13,7 @@
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -201,4 +201,4 @@ RunRecord read_run(const std::string& path) {
   return run;
 }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -5,7 +5,7 @@
 
 #include "records/test_record.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// One result folder. A folder without cracks or scene (results of other programs) gives a record without
 /// them. Throws IoError (unreadable), or InputError when a file is no result of this format.
@@ -21,4 +21,4 @@ Recipe read_result_recipe(const std::string& folder);
 /// `missing`. Throws InputError when there is no result at all.
 RunRecord read_run(const std::string& path);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -17,7 +17,7 @@
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ TEST_F(Load, AFolderWithoutResultsIsRefused) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

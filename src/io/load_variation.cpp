@@ -18,7 +18,7 @@
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -287,4 +287,4 @@ std::vector<Variation> read_variations(const std::string& folder) {
   return read_sweep_tables(folder);
 }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -6,7 +6,7 @@
 
 #include "records/variation.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// True if the folder holds what read_variations reads.
 bool holds_variations(const std::string& folder);
@@ -16,4 +16,4 @@ bool holds_variations(const std::string& folder);
 /// when a table is not one of ours. No parameters where nothing varies one at a time (sampled designs).
 std::vector<Variation> read_variations(const std::string& folder);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -10,7 +10,7 @@
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 class LoadVariation : public InFolder {};
@@ -104,4 +104,4 @@ TEST_F(LoadVariation, WhatIsNoneIsTold) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

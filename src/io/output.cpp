@@ -13,7 +13,7 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ void write_output(const std::string& file, const std::string& content) {
   write_file(file, content);
 }
 
-}  // namespace phy
+}  // namespace phy::io

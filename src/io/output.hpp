@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phy {
+namespace phy::io {
 
 /// Name of the list, in the folder of the files.
 constexpr const char* written_list = ".written-by-phyllite";
@@ -31,4 +31,4 @@ void check_outputs(const std::vector<std::string>& files, const std::string& opt
 /// write_file(), where nothing is in the way. A file that holds this content already is left as it is.
 void write_output(const std::string& file, const std::string& content);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -10,7 +10,7 @@
 #include "base/in_folder.test.hpp"
 #include "io/file.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST_F(Outputs, AllInTheWayAreToldAndStreamsNever) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

@@ -17,7 +17,7 @@
 
 extern char** environ;
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ void make_file(const std::string& path, const std::function<void(const std::stri
   throw IoError(path + ": cannot be written: " + error.message() + "; check the folder");
 }
 
-}  // namespace phy
+}  // namespace phy::io

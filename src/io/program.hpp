@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace phy {
+namespace phy::io {
 
 /// Starts `program` (looked for along PATH) with its standard input open, lets `feed` write to it, and waits.
 /// Throws IoError when it is not installed (naming `package`) or does not succeed (with what it said).
@@ -17,4 +17,4 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
 /// from which programs tell formats.
 void make_file(const std::string& path, const std::function<void(const std::string& temporary)>& make);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -10,7 +10,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 using testing::HasSubstr;
@@ -303,4 +303,4 @@ TEST(Recipe, DamagedTextIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

@@ -8,7 +8,7 @@
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 using testing::AllOf;
@@ -327,4 +327,4 @@ TEST(TableText, QuotedCellsMayHoldTheDelimiter) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

@@ -18,7 +18,7 @@
 #include "records/recipe_schema.hpp"
 #include "records/rock_remarks.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -379,4 +379,4 @@ std::string rock_table_template() {
          "0,,,,,,,\n15,,,,,,,\n30,,,,,,,\n45,,,,,,,\n60,,,,,,,\n75,,,,,,,\n90,,,,,,,\n";
 }
 
-}  // namespace phy
+}  // namespace phy::io

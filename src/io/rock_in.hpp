@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "records/rock.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.
@@ -15,4 +15,4 @@ Rock read_rock(const std::string& path);
 std::string rock_template(const std::string& name);
 std::string rock_table_template();
 
-}  // namespace phy
+}  // namespace phy::io

@@ -12,7 +12,7 @@
 #include "base/units.hpp"
 #include "io/table.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -261,4 +261,4 @@ std::vector<RockReading> parse_readings(std::string_view text, const std::string
   return ReadingReader(table, where, problems, notes).read(confining, bedded);
 }
 
-}  // namespace phy
+}  // namespace phy::io

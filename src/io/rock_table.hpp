@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "records/rock.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Laboratory values from the text of a table. `where` names it in messages. `confining` [Pa]: of the rows of
 /// a table with several confining pressures only these; NaN: all. Appends what could not be understood to
@@ -17,4 +17,4 @@ std::vector<RockReading> parse_readings(std::string_view text, const std::string
                                         bool& bedded, std::vector<Problem>& problems,
                                         std::vector<std::string>& notes);
 
-}  // namespace phy
+}  // namespace phy::io

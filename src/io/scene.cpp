@@ -8,7 +8,7 @@
 #include "io/deflate.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -262,4 +262,4 @@ Scene unpack_scene(std::string_view bytes, const std::string& where) {
   }
 }
 
-}  // namespace phy
+}  // namespace phy::io

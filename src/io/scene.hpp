@@ -11,11 +11,11 @@
 
 #include "records/scene.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// The kind of test says what frames and forces are filed under (TestDescription::loading_column).
 std::string pack_scene(const Scene& scene, TestKind kind);
 /// Throws InputError, naming `where`, when the bytes are no scene.
 Scene unpack_scene(std::string_view bytes, const std::string& where);
 
-}  // namespace phy
+}  // namespace phy::io

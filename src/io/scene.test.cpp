@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
@@ -42,4 +42,4 @@ TEST(Scene, OfAnOrdinaryTestSaysNothingOfLosses) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

@@ -9,7 +9,7 @@
 #include "base/check.hpp"
 #include "io/file.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 std::string remedy_for(int code) {
@@ -129,4 +129,4 @@ double Statement::number(int column) const {
 
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
 
-}  // namespace phy
+}  // namespace phy::io

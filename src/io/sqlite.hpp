@@ -9,7 +9,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace phy {
+namespace phy::io {
 
 class Database {
  public:
@@ -63,4 +63,4 @@ class Statement {
   int n_bound_ = 0;
 };
 
-}  // namespace phy
+}  // namespace phy::io

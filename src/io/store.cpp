@@ -12,7 +12,7 @@
 #include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -159,4 +159,4 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   place.publish();
 }
 
-}  // namespace phy
+}  // namespace phy::io

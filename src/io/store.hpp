@@ -10,7 +10,7 @@
 #include "records/specimen.hpp"
 #include "records/test_record.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Version of the result folder's layout, stored in every result.json.
 constexpr int result_format = 1;
@@ -30,4 +30,4 @@ void check_result_place(const std::string& folder);
 void write_result(const std::string& folder, const Recipe& recipe, const std::string& version,
                   const Specimen& specimen, const TestResult& result);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -15,7 +15,7 @@
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ TEST_F(Store, HistoryReadsBackToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

@@ -5,7 +5,7 @@
 
 #include "base/quote.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 std::string trimmed(std::string_view s) {
@@ -162,4 +162,4 @@ class Reader {
 
 Table parse_table(std::string_view text, const std::string& where) { return Reader(text, where).read(); }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -11,7 +11,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::io {
 
 struct TableRow {
   int line = 0;                    ///< in the file, from 1
@@ -29,4 +29,4 @@ struct Table {
 /// Never throws; `where` names the source in problems.
 Table parse_table(std::string_view text, const std::string& where);
 
-}  // namespace phy
+}  // namespace phy::io

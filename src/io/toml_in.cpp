@@ -25,7 +25,7 @@
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 constexpr std::size_t max_bytes = 1U << 20U;  // a recipe has some kilobytes
@@ -500,4 +500,4 @@ bool take_value(const Field& field, const TomlValue& value, double& number, std:
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }
 std::string commented_recipe(const Recipe& recipe) { return write(recipe, true); }
 
-}  // namespace phy
+}  // namespace phy::io

@@ -5,7 +5,7 @@
 
 #include "records/recipe.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Reads, checks and completes a recipe. packing.file is found from the recipe's folder, becomes absolute,
 /// and its box and grains are held against the recipe. Throws IoError (unreadable) or InputError with every
@@ -18,4 +18,4 @@ std::string write_recipe(const Recipe& recipe);
 /// As write_recipe, with meaning and range of every key as a comment.
 std::string commented_recipe(const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::io

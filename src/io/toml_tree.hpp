@@ -7,7 +7,7 @@
 
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::io {
 
 struct TomlValue {
   enum class Kind { text, integer, number, boolean, list, table, date };
@@ -40,4 +40,4 @@ bool within_range(const Field& field, double value);
 /// empty where range_text says it all).
 bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);
 
-}  // namespace phy
+}  // namespace phy::io

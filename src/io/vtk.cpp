@@ -9,7 +9,7 @@
 #include "base/units.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 /// Collects arrays and renders one PolyData file. Raw appended data: each block is its length, then its
@@ -145,4 +145,4 @@ std::string collection_pvd(const std::vector<std::pair<double, std::string>>& fi
   return text + "</Collection>\n</VTKFile>\n";
 }
 
-}  // namespace phy
+}  // namespace phy::io

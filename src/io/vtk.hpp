@@ -9,7 +9,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::io {
 
 /// Grains as points: radius, displacement, rotation.
 std::string grains_vtp(const Packing& packing, const Snapshot& shot);
@@ -20,4 +20,4 @@ std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind);
 /// Collection of files over axial strain (direct shear: displacement).
 std::string collection_pvd(const std::vector<std::pair<double, std::string>>& files);
 
-}  // namespace phy
+}  // namespace phy::io

@@ -9,7 +9,7 @@
 #include <limits>
 #include <regex>
 
-namespace phy {
+namespace phy::io {
 namespace {
 
 /// The numbers of one data array, found by its offset in the appended block.
@@ -101,4 +101,4 @@ TEST(Vtk, WhatIsNoNumberIsDrawnAtItsStart) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::io

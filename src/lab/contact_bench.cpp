@@ -2,14 +2,14 @@
 
 #include "laws/laws.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 template <class Law>
 class Bench final : public BenchContact {
  public:
   explicit Bench(std::span<const double> parameters) : law_(parameters) {}
-  Reaction<double> step(ContactPoint d) override {
+  laws::Reaction<double> step(ContactPoint d) override {
     at_ = at_ + d;
     motion_ = {at_.closure, d.closure, d.slide, at_.rotation};
     return last_ = law_.step(motion_);
@@ -20,8 +20,8 @@ class Bench final : public BenchContact {
  private:
   Law law_;
   ContactPoint at_;
-  Motion<double> motion_{};
-  Reaction<double> last_{};
+  laws::Motion<double> motion_{};
+  laws::Reaction<double> last_{};
 };
 
 /// Calls `use` with a null pointer of every law's type, in the order of the list.
@@ -29,7 +29,7 @@ template <class Use>
 void for_each_law(const Use& use) {
   [&]<class... Law>(const std::tuple<Law...>*) {
     (use(static_cast<Law*>(nullptr)), ...);
-  }(static_cast<Laws<double>*>(nullptr));
+  }(static_cast<laws::Laws<double>*>(nullptr));
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<BenchRow> drive(BenchContact& contact, std::span<const ContactPoint>
   for (const ContactPoint& corner : corners) {
     const ContactPoint increment = (1.0 / steps) * (corner - from);
     for (int i = 0; i < steps; ++i) {
-      const Reaction<double> r = contact.step(increment);
+      const laws::Reaction<double> r = contact.step(increment);
       BenchRow row = rows.back();
       row.at = from + ((i + 1.0) / steps) * (corner - from);
       row.forces = {r.F_n, r.F_s, r.M};
@@ -73,4 +73,4 @@ std::vector<BenchRow> drive(BenchContact& contact, std::span<const ContactPoint>
   return rows;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -11,13 +11,13 @@
 #include "laws/law.hpp"
 #include "records/contact_path.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// A law of the list, for people.
 struct LawInfo {
   const char* name;
   const char* sentence;
-  std::span<const ParameterInfo> parameters;
+  std::span<const laws::ParameterInfo> parameters;
 };
 /// All laws of the list.
 const std::vector<LawInfo>& law_infos();
@@ -27,7 +27,7 @@ class BenchContact {
  public:
   virtual ~BenchContact() = default;
   /// Moves disc 2 by an increment. Steps small against the events of interest follow them closely.
-  virtual Reaction<double> step(ContactPoint increment) = 0;
+  virtual laws::Reaction<double> step(ContactPoint increment) = 0;
   /// Strain energy held after the last step [J/m].
   virtual double energy() const = 0;
   /// Tensile capacity [N/m]; 0: broken, or a law without a bond.
@@ -49,4 +49,4 @@ struct BenchRow {
 /// first row is the state at the origin.
 std::vector<BenchRow> drive(BenchContact& contact, std::span<const ContactPoint> corners, int steps);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -9,7 +9,7 @@
 #include "lab/rigs.hpp"
 #include "lab/tests.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 constexpr double deep = 0.05;       // mean overlap over the mean radius: ordinary are 1e-5 ... 1e-3
@@ -99,4 +99,4 @@ std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe
   return Suspects(specimen, recipe, last, outran).text();
 }
 
-}  // namespace phy
+}  // namespace phy::lab

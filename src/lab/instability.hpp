@@ -6,7 +6,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// What to change, the likeliest first. `last`: the last row that the watchdog has let pass; zeros if there
 /// was none. A grain that `outran` its list of near pairs blames the interval at which that is made anew, and
@@ -14,4 +14,4 @@ namespace phy {
 std::string advice_on_instability(const Specimen& specimen, const Recipe& recipe, const HistoryRow& last,
                                   bool outran = false);
 
-}  // namespace phy
+}  // namespace phy::lab

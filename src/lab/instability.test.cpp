@@ -5,7 +5,7 @@
 
 #include "records/assembly.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 std::string advice(const Recipe& r, const HistoryRow& last = {}, bool stress_free = true) {
@@ -70,4 +70,4 @@ TEST(Instability, StateCountsBesideTheRecipe) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

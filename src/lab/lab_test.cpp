@@ -11,7 +11,7 @@
 #include "lab/tests.hpp"
 #include "records/quality.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 constexpr double settled = 1e-3;               // mean unbalanced force / mean contact force
@@ -21,7 +21,8 @@ constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are cha
 
 }  // namespace
 
-LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane)
+LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
+                 int lane)
     : specimen_(std::move(specimen)),
       recipe_(recipe),
       group_(&group),
@@ -32,11 +33,11 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       frames_(recipe.test.n_frames) {}
 
 void LabTest::begin() {
-  LaneSetup setup;
+  engine::LaneSetup setup;
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
   setup.tool_friction = recipe_.test.platen_friction;
-  setup.rig = std::make_shared<const Rig>(boundary_.rig);
+  setup.rig = std::make_shared<const engine::Rig>(boundary_.rig);
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
@@ -82,10 +83,10 @@ bool LabTest::end(Status status, std::string reason, std::string advice) {
 }
 
 /// What broke in the block that the watchdog has rejected is as little worth as its row.
-bool LabTest::end_unstable(const LaneHealth& health) {
+bool LabTest::end_unstable(const engine::LaneHealth& health) {
   const double last_good = row_.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
-                [&](const Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
+                [&](const engine::Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
   return end(Status::unstable, health.reason,
              advice_on_instability(*specimen_, recipe_, row_, health.outran));
 }
@@ -120,11 +121,11 @@ void LabTest::read_row() {
 
 /// Strain and stress, from what the tools and the jacket have done.
 void LabTest::write_load() {
-  const auto tool = [&](int number) -> const ToolState& { return group_->tool(lane_, number); };
-  const auto strain = [&](const LoadAxis& a, const LoadScale& over) {
+  const auto tool = [&](int number) -> const engine::ToolState& { return group_->tool(lane_, number); };
+  const auto strain = [&](const engine::LoadAxis& a, const LoadScale& over) {
     return a.travel(tool(a.lo).displacement, tool(a.hi).displacement) / over.length;
   };
-  const LoadAxis &along = boundary_.rig.axial, &across = boundary_.rig.lateral;
+  const engine::LoadAxis &along = boundary_.rig.axial, &across = boundary_.rig.lateral;
   row_.axial_strain = strain(along, boundary_.axial) - zero_axial_;
   row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_.axial.area;
   row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_.axial.area;
@@ -135,7 +136,7 @@ void LabTest::write_load() {
     row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_.lateral.area;
   }
   if (boundary_.rig.jacket) {
-    const JacketState jacket = group_->jacket(lane_);
+    const engine::JacketState jacket = group_->jacket(lane_);
     row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
     row_.lateral_stress = jacket.pressure;
   }
@@ -154,7 +155,7 @@ bool LabTest::after_block() {
   ++blocks_;
   read_row();
   const HistoryRow& row = row_;
-  if (const LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
+  if (const engine::LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
     if (row.unbalanced <= settled) {
@@ -264,7 +265,7 @@ void LabTest::interrupt() {
         "run the same recipe again");
 }
 
-void LabTest::move_to(LaneGroup& group, int lane) {
+void LabTest::move_to(engine::LaneGroup& group, int lane) {
   group_->move_lane(lane_, group, lane);
   group_ = &group;
   lane_ = lane;
@@ -280,8 +281,8 @@ double LabTest::progress() const {
 
 void LabTest::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
-  result_.numbers = told(numbers({density, packing().height}));
-  for (Number& n : specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
+  result_.numbers = analysis::told(numbers({density, packing().height}));
+  for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
   if (grade_of(result_.numbers) != Grade::untrusted) return;
@@ -292,7 +293,7 @@ void LabTest::read_numbers() {
 }
 
 TestResult LabTest::take_result() {
-  for (const Breakage& broken : group_->cracks(lane_)) {
+  for (const engine::Breakage& broken : group_->cracks(lane_)) {
     result_.cracks.push_back(broken.crack);
     result_.cracks.back().strain = broken.travel / boundary_.axial.length - zero_axial_;
   }
@@ -317,4 +318,4 @@ TestResult blank_result(const Specimen& specimen, TestKind kind) {
   return r;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -25,7 +25,7 @@
 #include "records/specimen.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 class LabTest {
  public:
@@ -36,7 +36,7 @@ class LabTest {
   /// Ends an unfinished test.
   void interrupt();
   /// Goes on in a lane of another group of the same packing; no bit of the result changes.
-  void move_to(LaneGroup& group, int lane);
+  void move_to(engine::LaneGroup& group, int lane);
   /// The result; call once, when over.
   TestResult take_result();
   /// Strain over the strain at which the test would give up: a lower bound of the progress, 0 ... 1.
@@ -50,7 +50,7 @@ class LabTest {
 
  protected:
   /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
-  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, LaneGroup& group, int lane);
+  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group, int lane);
   /// Loads the specimen into the lane; also used to start over.
   void begin();
   /// The rig is in place: prepare, or call start_loading.
@@ -63,7 +63,7 @@ class LabTest {
   /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
   virtual double first_stop_strain() const { return 0.0; }
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
-  virtual std::vector<Number> numbers(const WavePath& path) const = 0;
+  virtual std::vector<Number> numbers(const analysis::WavePath& path) const = 0;
 
   void start_loading();
   /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
@@ -79,7 +79,7 @@ class LabTest {
 
   std::shared_ptr<const Specimen> specimen_;
   const Recipe& recipe_;
-  LaneGroup* group_;
+  engine::LaneGroup* group_;
   int lane_;
   TestResult result_;
 
@@ -101,7 +101,7 @@ class LabTest {
   void read_numbers();
   bool check_stop();
   bool end_without_peak(const Reading& now);
-  bool end_unstable(const LaneHealth& health);
+  bool end_unstable(const engine::LaneHealth& health);
 
   TestBoundary boundary_;
   HistoryRow row_;
@@ -118,4 +118,4 @@ class LabTest {
 /// The result of a test that has not begun: it knows whose it is.
 TestResult blank_result(const Specimen& specimen, TestKind kind);
 
-}  // namespace phy
+}  // namespace phy::lab

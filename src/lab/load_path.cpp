@@ -6,15 +6,15 @@
 #include "base/clusters.hpp"
 #include "lab/tests.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 /// What the tool reaches joins the cluster of `hub`. Returns how many grains it reaches.
-std::size_t reach(const Tool& tool, const Packing& packing, std::uint32_t hub, Clusters& clusters) {
+std::size_t reach(const engine::Tool& tool, const Packing& packing, std::uint32_t hub, Clusters& clusters) {
   std::size_t n = 0;
-  for (const Touch& t : tool.touches)
+  for (const engine::Touch& t : tool.touches)
     if (t.gap < packing.discs[t.grain].r) clusters.join(t.grain, hub), ++n;
-  for (const Grip& g : tool.grips) clusters.join(g.grain, hub), ++n;
+  for (const engine::Grip& g : tool.grips) clusters.join(g.grain, hub), ++n;
   return n;
 }
 
@@ -22,14 +22,14 @@ std::size_t reach(const Tool& tool, const Packing& packing, std::uint32_t hub, C
 
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
-  const Rig rig = boundary_of(packing, recipe).rig;
+  const engine::Rig rig = boundary_of(packing, recipe).rig;
   const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
   Clusters clusters(n + 2);  // the grains and the two tools
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
   std::string lost;
   bool no_reach = false;
   for (const auto& [number, hub] : {std::pair(rig.axial.lo, lo), std::pair(rig.axial.hi, hi)}) {
-    const Tool& tool = rig.tools[static_cast<std::size_t>(number)];
+    const engine::Tool& tool = rig.tools[static_cast<std::size_t>(number)];
     if (reach(tool, packing, hub, clusters) == 0)
       no_reach = true, lost = "the " + tool.name + " reaches no disc";
   }
@@ -58,4 +58,4 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
                                 : ": lower it, or raise matrix.bond_gap")});
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace phy {
+namespace phy::lab {
 
 template <class Moment>
 class Moments {
@@ -36,4 +36,4 @@ class Moments {
   std::vector<Moment> kept_;
 };
 
-}  // namespace phy
+}  // namespace phy::lab

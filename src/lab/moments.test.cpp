@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 struct Row {
@@ -32,4 +32,4 @@ TEST(Moments, BetweenNAndTwiceNAtEqualStepsAndTheLast) {
 TEST(Moments, NoneWantedLeavesTheLast) { EXPECT_EQ(kept(0, 50).size(), 1U); }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 namespace {
 
@@ -20,8 +20,8 @@ void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale
   boundary.axial = scale;
 }
 
-Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough) {
-  Tool wall;
+engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough) {
+  engine::Tool wall;
   wall.name = std::move(name);
   wall.rough = rough;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
@@ -58,4 +58,4 @@ double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
   return std::sqrt(contact_modulus(matrix) * matrix.density) * area / time;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

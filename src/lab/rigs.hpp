@@ -8,7 +8,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// What the travel and force of two opposite tools are over.
 struct LoadScale {
@@ -18,7 +18,7 @@ struct LoadScale {
 
 /// The boundary of a test: tools, and what their travel and force are as strain and stress.
 struct TestBoundary {
-  Rig rig;
+  engine::Rig rig;
   LoadScale axial, lateral;
 };
 
@@ -26,7 +26,7 @@ struct TestBoundary {
 void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale scale);
 
 /// A rigid flat wall through `point` whose `normal` (unit) points into the specimen. All grains may touch it.
-Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough);
+engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough);
 
 /// Two flat platens at the bottom and the top of the box: the press. Tools 0 and 1.
 TestBoundary platens(const Packing& packing);
@@ -42,4 +42,4 @@ double contact_modulus(const MatrixRecipe& matrix);
 /// as an elastic wave [N/m per m].
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -8,7 +8,7 @@
 #include "lab/rigs.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// The key that decides which grains the tools hold: what to change where they hold none.
 struct HoldKey {
@@ -24,7 +24,7 @@ struct TestRoom {
   std::string (*rig_name)(const Recipe&) = nullptr;
   TestBoundary (*boundary)(const Packing&, const Recipe&) = nullptr;
   /// The procedure, in a lane of the group.
-  std::unique_ptr<LabTest> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&, LaneGroup&,
+  std::unique_ptr<LabTest> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&, engine::LaneGroup&,
                                     int lane) = nullptr;
   HoldKey hold = {};
 };
@@ -32,8 +32,8 @@ struct TestRoom {
 /// TestRoom::begin of a procedure.
 template <class Procedure>
 std::unique_ptr<LabTest> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                    LaneGroup& group, int lane) {
+                                    engine::LaneGroup& group, int lane) {
   return std::make_unique<Procedure>(specimen, recipe, group, lane);
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -11,7 +11,7 @@
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// 8 x 16 mm, 330 grains, no bedding.
 inline Recipe small_rock(TestKind kind) {
@@ -25,24 +25,24 @@ inline Recipe small_rock(TestKind kind) {
 }
 
 inline std::shared_ptr<const Packing> small_packing(const Recipe& r) {
-  return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  return std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
 }
 
 /// The first specimen of the recipe, tested alone.
 inline TestResult run_alone(const Recipe& r) {
-  return run_alone(std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front()), r);
+  return run_alone(std::make_shared<const Specimen>(genesis::make_specimens(small_packing(r), r).front()), r);
 }
 
 /// The marble of the analysis' tests as a history of that test.
 inline History marble_of(const char* test) {
-  History h = marble();
+  History h = analysis::marble();
   h.kind = TestKind(test), h.width = h.height = 0.1;
   return h;
 }
 
 /// Definitions name the stress of their test; only the press's is an axial one.
 inline void expect_speaks_of(const std::string& stress, const std::vector<Number>& numbers) {
-  const Number* first = find(numbers, "sigma_first_crack");
+  const Number* first = analysis::find(numbers, "sigma_first_crack");
   ASSERT_NE(first, nullptr);
   EXPECT_EQ(first->definition, stress + " at the first crack");
   for (const Number& n : numbers) {
@@ -52,9 +52,9 @@ inline void expect_speaks_of(const std::string& stress, const std::vector<Number
 }
 
 inline const Number& number(const TestResult& r, const std::string& name) {
-  const Number* n = find(r.numbers, name);
+  const Number* n = analysis::find(r.numbers, name);
   static const Number absent{"", std::nan(""), "", "", "absent"};
   return n == nullptr ? absent : *n;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

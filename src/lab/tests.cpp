@@ -9,7 +9,7 @@
 #include "lab/direct_tension/direct_tension.hpp"
 #include "lab/uniaxial/uniaxial.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 /// In the order of `phyllite recipe --explain`.
@@ -44,19 +44,19 @@ TestBoundary boundary_of(const Packing& packing, const Recipe& recipe) {
 }
 
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane) {
+                                   engine::LaneGroup& group, int lane) {
   return room_of(recipe).begin(specimen, recipe, group, lane);
 }
 
 TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe) {
-  GroupOptions options;
-  options.isa = native_isa();
+  engine::GroupOptions options;
+  options.isa = engine::native_isa();
   options.interval = static_cast<int>(recipe.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
+  const auto group = engine::make_group(specimen->packing, options);
   const auto test = make_test(specimen, recipe, *group, 0);
   do group->advance();
   while (!test->after_block());
   return test->take_result();
 }
 
-}  // namespace phy
+}  // namespace phy::lab

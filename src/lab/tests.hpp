@@ -6,7 +6,7 @@
 #include "lab/lab_test.hpp"
 #include "lab/room.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// The room of the recipe's test.
 const TestRoom& room_of(const Recipe& recipe);
@@ -19,9 +19,9 @@ TestBoundary boundary_of(const Packing& packing, const Recipe& recipe);
 
 /// The recipe's test, in a lane of the group.
 std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   LaneGroup& group, int lane);
+                                   engine::LaneGroup& group, int lane);
 
 /// Runs the recipe's test on one specimen to its end, alone and in double precision.
 TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 Recipe recipe_of(const TestDescription& test) {
@@ -79,4 +79,4 @@ TEST(LaboratoryTests, AColumnAddedOrMovedChangesNoHash) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

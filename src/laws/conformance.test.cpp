@@ -10,7 +10,7 @@
 #include "base/rng.hpp"
 #include "laws/laws.hpp"
 
-namespace phy {
+namespace phy::laws {
 namespace {
 
 /// One contact of a law from the list, with its typical parameters; what is typically 0 (angles) is not.
@@ -165,4 +165,4 @@ TEST(Lanes, EqualTheScalarBitByBit) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::laws

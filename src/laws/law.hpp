@@ -17,7 +17,7 @@
 
 #include "base/pack.hpp"
 
-namespace phy {
+namespace phy::laws {
 
 template <class R>
 struct Motion {
@@ -69,4 +69,4 @@ struct ParameterInfo {
   const char* meaning;
 };
 
-}  // namespace phy
+}  // namespace phy::laws

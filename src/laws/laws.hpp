@@ -8,7 +8,7 @@
 #include "laws/parallel_bond/parallel_bond.hpp"
 #include "laws/smooth_joint/smooth_joint.hpp"
 
-namespace phy {
+namespace phy::laws {
 
 template <class R>
 using Laws = std::tuple<linear::Contact<R>,         //
@@ -16,4 +16,4 @@ using Laws = std::tuple<linear::Contact<R>,         //
                         parallel_bond::Contact<R>,  //
                         smooth_joint::Contact<R>>;
 
-}  // namespace phy
+}  // namespace phy::laws

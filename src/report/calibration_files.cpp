@@ -6,7 +6,7 @@
 
 #include "base/quote.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -195,4 +195,4 @@ std::string yade_script(const Recipe& r) {
              jointed ? "True" : "False");
 }
 
-}  // namespace phy
+}  // namespace phy::report

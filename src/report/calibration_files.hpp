@@ -4,7 +4,7 @@
 
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// Version of calibration.json (docs/formats.md).
 constexpr int calibration_format = 1;
@@ -20,4 +20,4 @@ std::string pfc_commands(const Recipe& recipe);
 /// model; the head of the file says where the two differ.
 std::string yade_script(const Recipe& recipe);
 
-}  // namespace phy
+}  // namespace phy::report

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

@@ -10,7 +10,7 @@
 #include "base/lines.hpp"
 #include "report/text_table.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 /// Factor and name of the unit in which a property is printed.
@@ -231,4 +231,4 @@ std::string budget_text(const Calibration& c, int terminal_width) {
       terminal_width, 2);
 }
 
-}  // namespace phy
+}  // namespace phy::report

@@ -6,7 +6,7 @@
 
 #include "records/calibration.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// The laboratory's table as it was understood: means, scatter, specimens, one row per angle.
 std::string target_table(const std::vector<Target>& targets, int terminal_width);
@@ -26,4 +26,4 @@ std::string verdict_text(const Calibration& calibration, int terminal_width);
 /// Numbers of tests.
 std::string budget_text(const Calibration& calibration, int terminal_width);
 
-}  // namespace phy
+}  // namespace phy::report

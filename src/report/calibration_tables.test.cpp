@@ -8,7 +8,7 @@
 
 #include "report/calibration_files.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

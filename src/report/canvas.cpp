@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phy {
+namespace phy::report {
 
 Canvas::Canvas(int width, int height, std::uint32_t background) : width_(width), height_(height) {
   const std::size_t n_pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -48,4 +48,4 @@ void Canvas::line(double x0, double y0, double x1, double y1, double width, std:
         std::max(y0, y1) + half, color, cover);
 }
 
-}  // namespace phy
+}  // namespace phy::report

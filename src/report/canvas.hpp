@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace phy {
+namespace phy::report {
 
 class Canvas {
  public:
@@ -23,4 +23,4 @@ class Canvas {
   std::string pixels_;
 };
 
-}  // namespace phy
+}  // namespace phy::report

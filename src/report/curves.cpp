@@ -11,7 +11,7 @@
 #include "theory/eq1_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 AngleCurve sampled(std::string note, const std::function<double(double)>& value) {
@@ -33,21 +33,21 @@ const TestRecord* intact_of(const RunRecord& run) {
 
 /// E of Eq. 1 is that of the specimen at 90 degrees where there is one, else of the intact specimen, else
 /// free.
-Eq1Options reference_for(const RunRecord& run) {
-  Eq1Options options;
-  options.reference = Eq1Reference::free;
+theory::Eq1Options reference_for(const RunRecord& run) {
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::free;
   if (const TestRecord* intact = intact_of(run); intact != nullptr && value_of(*intact, "E_tangent") > 0.0) {
-    options.reference = Eq1Reference::given;
+    options.reference = theory::Eq1Reference::given;
     options.E = value_of(*intact, "E_tangent");
   }
   for (const TestRecord& t : run.tests)
     if (!t.result.intact && t.result.theta == 90.0 && value_of(t, "E_tangent") > 0.0)
-      options.reference = Eq1Reference::measured_90;
+      options.reference = theory::Eq1Reference::measured_90;
   return options;
 }
 
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
-  std::vector<ModulusReading> readings;
+  std::vector<theory::ModulusReading> readings;
   double nu_90 = std::numeric_limits<double>::quiet_NaN(), spacing = 0.0;
   for (const TestRecord& t : run.tests) {
     if (t.result.intact) continue;
@@ -55,31 +55,31 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
     if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
     if (!t.recipe.bedding.empty()) spacing = t.recipe.bedding[0].spacing;
   }
-  const Eq1Options options = reference_for(run);
-  const Eq1Fit fit = fit_eq1(readings, options);
+  const theory::Eq1Options options = reference_for(run);
+  const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
   if (!fit.ok() || spacing <= 0.0) {
     curves.E.note = curves.nu.note = "No theory curve: " + (fit.ok() ? "no bedding" : fit.reason) + ".";
     return;
   }
-  const char* reference = options.reference == Eq1Reference::measured_90 ? "E taken at 90°"
-                          : options.reference == Eq1Reference::given     ? "E of the intact specimen"
-                                                                         : "E fitted";
-  JointedRock rock = fit.rock;
+  const char* reference = options.reference == theory::Eq1Reference::measured_90 ? "E taken at 90°"
+                          : options.reference == theory::Eq1Reference::given     ? "E of the intact specimen"
+                                                                                 : "E fitted";
+  theory::JointedRock rock = fit.rock;
   curves.E = sampled(
       fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance, {}: E = {:.1f} "
                   "GPa, K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m, R² = {:.3f}.",
                   reference, rock.E * 1e-9, rock.K_n_delta * 1e-9 / spacing, rock.K_s_delta * 1e-9 / spacing,
                   fit.R2),
-      [&](double theta) { return goodman_E(rock, theta); });
+      [&](double theta) { return theory::goodman_E(rock, theta); });
   rock.nu = nu_90;
   curves.nu.note = "No theory curve: it starts from ν at 90°.";
   if (std::isfinite(nu_90))
     curves.nu = sampled("Dashed: the same continuum, with ν at 90°; nothing fitted here.",
-                        [&](double theta) { return goodman_nu(rock, theta); });
+                        [&](double theta) { return theory::goodman_nu(rock, theta); });
 }
 
 void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
-  std::vector<StrengthReading> readings;
+  std::vector<theory::StrengthReading> readings;
   double ends = 0.0, n_ends = 0.0, strongest = 0.0;
   for (const TestRecord& t : run.tests) {
     const double ucs = value_of(t, "ucs");
@@ -89,7 +89,7 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
     if (t.result.theta == 0.0 || t.result.theta == 90.0) ends += ucs, n_ends += 1.0;
   }
   const double matrix = n_ends > 0.0 ? ends / n_ends : strongest;
-  const JaegerFit fit = fit_jaeger(readings, matrix);
+  const theory::JaegerFit fit = theory::fit_jaeger(readings, matrix);
   if (!fit.ok) {
     curves.ucs.note = "No theory curve: " + fit.reason + ".";
     return;
@@ -99,7 +99,7 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
                           "({}): c = {:.1f} MPa, φ = {:.1f}°, R² = {:.3f}.",
                           matrix * 1e-6, n_ends > 0.0 ? "mean at 0° and 90°" : "the strongest",
                           fit.plane.cohesion * 1e-6, fit.plane.friction, fit.R2),
-              [&](double theta) { return jaeger_sigma_1(fit.plane, matrix, theta, 0.0); });
+              [&](double theta) { return theory::jaeger_sigma_1(fit.plane, matrix, theta, 0.0); });
 }
 
 }  // namespace
@@ -130,17 +130,17 @@ Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
   return rose;
 }
 
-Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact) {
-  std::vector<ModulusReading> readings;
-  Eq1Options options;
-  options.reference = E_intact > 0.0 ? Eq1Reference::given : Eq1Reference::free;
+theory::Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact) {
+  std::vector<theory::ModulusReading> readings;
+  theory::Eq1Options options;
+  options.reference = E_intact > 0.0 ? theory::Eq1Reference::given : theory::Eq1Reference::free;
   options.E = E_intact;
   for (const AngleValue& a : E) {
     if (a.value.n == 0) continue;
     readings.push_back({a.theta, a.value.mean});
-    if (a.theta == 90.0) options.reference = Eq1Reference::measured_90;
+    if (a.theta == 90.0) options.reference = theory::Eq1Reference::measured_90;
   }
-  return fit_eq1(readings, options);
+  return theory::fit_eq1(readings, options);
 }
 
 std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& p) {
@@ -150,11 +150,11 @@ std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& 
     if (v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
     std::vector<double> K_n, K_s;
     for (const auto& E : s.E_each.empty() ? std::vector<std::vector<AngleValue>>{s.E} : s.E_each)
-      if (const Eq1Fit fit = fit_moduli(E, v.E_intact); fit.ok())
+      if (const theory::Eq1Fit fit = fit_moduli(E, v.E_intact); fit.ok())
         K_n.push_back(fit.rock.K_n_delta / v.spacing), K_s.push_back(fit.rock.K_s_delta / v.spacing);
     if (!K_n.empty()) points.push_back({s.factor, summarise(K_n), summarise(K_s), 0.0});
   }
   return points;
 }
 
-}  // namespace phy
+}  // namespace phy::report

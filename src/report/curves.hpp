@@ -8,7 +8,7 @@
 #include "records/variation.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// A curve over the inclination; empty, with the reason in `note`, where there is none.
 struct AngleCurve {
@@ -33,7 +33,7 @@ struct Rose {
 Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins = 18);
 
 /// Eq. 1 fitted in compliance to E(theta); its E is that at 90 degrees, else `E_intact` [Pa], else free.
-Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact);
+theory::Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact);
 /// Macro stiffnesses over a parameter: those that came with it, else Eq. 1 fitted to every packing and bond
 /// seed by itself; where there is no fit, no point.
 std::vector<MacroPoint> macro_points(const Variation& variation, const VariedParameter& parameter);
@@ -41,4 +41,4 @@ std::vector<MacroPoint> macro_points(const Variation& variation, const VariedPar
 /// Value of a number for curves and fits: NaN where the result has none, or is not to be trusted.
 double value_of(const TestRecord& test, const std::string& name);
 
-}  // namespace phy
+}  // namespace phy::report

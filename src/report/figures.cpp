@@ -16,7 +16,7 @@
 #include "report/specimen_picture.hpp"
 #include "report/variation_figures.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Row = GnuplotScript::Row;
@@ -339,4 +339,4 @@ std::string figure_script(const FigureKind& kind, const FigureData& data, Figure
   return gnuplot_head(format, w, height, out) + script.text();
 }
 
-}  // namespace phy
+}  // namespace phy::report

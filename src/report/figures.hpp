@@ -10,7 +10,7 @@
 #include "records/variation.hpp"
 #include "report/gnuplot.hpp"
 
-namespace phy {
+namespace phy::report {
 
 struct FigureKind {
   const char* name;
@@ -35,4 +35,4 @@ struct FigureData {
 std::string figure_script(const FigureKind& kind, const FigureData& data, FigureFormat format, double width,
                           const std::string& out);
 
-}  // namespace phy
+}  // namespace phy::report

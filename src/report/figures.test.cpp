@@ -11,7 +11,7 @@
 #include "report/specimen_picture.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
@@ -24,13 +24,13 @@ Variation continuum(const std::vector<double>& factors) {
   v.spacing = spacing;
   VariedParameter p{"bedding.k_n", {}, {}};
   for (const double factor : factors) {
-    JointedRock rock;
+    theory::JointedRock rock;
     rock.E = 60e9, rock.K_n_delta = factor * 7e12 * spacing, rock.K_s_delta = 1.4e12 * spacing;
     VariedSetting s;
     s.text = fmt::format("{} GPa/m", 3000.0 * factor), s.factor = factor, s.base = factor == 1.0;
     for (const double theta : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
       AngleValue a;
-      a.theta = theta, a.value.n = 1, a.value.mean = goodman_E(rock, theta);
+      a.theta = theta, a.value.n = 1, a.value.mean = theory::goodman_E(rock, theta);
       s.E.push_back(a);
     }
     p.settings.push_back(s);
@@ -183,4 +183,4 @@ TEST(SpecimenPicture, FollowsTheTest) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "report/palette.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 constexpr double label_height = 34.0, curve_height = 190.0, edge = 14.0;  // [pixels]
@@ -119,4 +119,4 @@ std::vector<std::string> Film::encoder_arguments(const std::string& out) const {
   return arguments;
 }
 
-}  // namespace phy
+}  // namespace phy::report

@@ -8,7 +8,7 @@
 #include "records/test_record.hpp"
 #include "report/specimen_picture.hpp"
 
-namespace phy {
+namespace phy::report {
 
 struct FilmOptions {
   int width = 1280;      ///< [pixels]
@@ -44,4 +44,4 @@ class Film {
   double end_ = 0.0, strongest_ = 0.0;   // strain, stress [Pa] of the axes
 };
 
-}  // namespace phy
+}  // namespace phy::report

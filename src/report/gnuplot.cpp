@@ -5,7 +5,7 @@
 
 #include "base/quote.hpp"
 
-namespace phy {
+namespace phy::report {
 
 std::string GnuplotScript::block(const std::vector<Row>& rows) {
   std::string name = "$d" + std::to_string(n_blocks_++);
@@ -59,4 +59,4 @@ std::string gnuplot_head(FigureFormat format, double width, double height, const
          "set key samplen 1.6 spacing 0.95 width -1 font ',7' noopaque\n";
 }
 
-}  // namespace phy
+}  // namespace phy::report

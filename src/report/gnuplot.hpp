@@ -8,7 +8,7 @@
 
 #include "report/canvas.hpp"
 
-namespace phy {
+namespace phy::report {
 
 class GnuplotScript {
  public:
@@ -36,4 +36,4 @@ enum class FigureFormat { svg, pdf, png };
 /// The lines that set size [mm], letters and lines for print, and the file.
 std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out);
 
-}  // namespace phy
+}  // namespace phy::report

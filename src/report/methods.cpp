@@ -8,7 +8,7 @@
 #include "base/units.hpp"
 #include "records/test_description.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
@@ -131,4 +131,4 @@ std::vector<std::string> methods_text(const RunRecord& run) {
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::report

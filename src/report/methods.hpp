@@ -5,9 +5,9 @@
 
 #include "records/test_record.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// Paragraphs on model, specimens, loading and definitions, with the literature; ready to cite.
 std::vector<std::string> methods_text(const RunRecord& run);
 
-}  // namespace phy
+}  // namespace phy::report

@@ -7,7 +7,7 @@
 
 #include "records/assembly.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::AllOf;
@@ -93,4 +93,4 @@ TEST(Methods, OtherTestsAreDescribedByTheirOwnToolsAndEnds) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

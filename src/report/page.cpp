@@ -23,7 +23,7 @@ asm(".section .rodata\n"
     ".previous\n");
 extern "C" const char phy_page_begin[], phy_page_end[];
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -32,7 +32,7 @@ template <class T, class Items, class Value>
 std::string packed(const Items& items, Value value) {
   std::vector<T> numbers;
   for (const auto& item : items) numbers.push_back(static_cast<T>(value(item)));
-  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+  return io::base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
 /// Growing while the test loads, whatever the kind of test.
@@ -70,7 +70,7 @@ Json test_json(const TestRecord& t, std::size_t index) {
     bedding.push_back({{"theta", t.bedding[i].theta},
                        {"spacing", t.recipe.bedding[i].spacing},
                        {"offset", t.recipe.bedding[i].offset}});
-  return {{"result", Json::parse(result_json(t))},
+  return {{"result", Json::parse(io::result_json(t))},
           {"label", t.result.intact ? "intact" : print_number(t.result.theta) + "°"},
           {"history", history_json(t.result.history, axes)},
           {"cracks", cracks_json(t.result.cracks, axes.sign)},
@@ -133,7 +133,9 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   for (const Variation& v : extras.variations) j["variations"].push_back(variation_json(v));
   j["effects"] = extras.effects;
   j["methods"] = methods_text(run);
-  j["recipe"] = !extras.recipe.empty() ? extras.recipe : run.tests.empty() ? "" : write_recipe(first.recipe);
+  j["recipe"] = !extras.recipe.empty() ? extras.recipe
+                : run.tests.empty()    ? ""
+                                       : io::write_recipe(first.recipe);
   return j;
 }
 
@@ -150,8 +152,9 @@ std::string report_page(const RunRecord& run, const PageExtras& extras) {
   for (std::size_t i = 0; i < run.tests.size(); ++i)
     if (!run.tests[i].scene.frames.empty())
       text += "<script type=\"text/plain\" id=\"scene-" + std::to_string(i) + "\">" +
-              base64(pack_scene(run.tests[i].scene, run.tests[i].result.history.kind)) + "</script>\n";
+              io::base64(io::pack_scene(run.tests[i].scene, run.tests[i].result.history.kind)) +
+              "</script>\n";
   return text.append(page.substr(at + place.size()));
 }
 
-}  // namespace phy
+}  // namespace phy::report

@@ -9,7 +9,7 @@
 #include "records/test_record.hpp"
 #include "records/variation.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// What a report says beyond a run, or instead of one.
 struct PageExtras {
@@ -24,4 +24,4 @@ struct PageExtras {
 /// The page as text. A run without specimens gives a page that says so.
 std::string report_page(const RunRecord& run, const PageExtras& extras = {});
 
-}  // namespace phy
+}  // namespace phy::report

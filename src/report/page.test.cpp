@@ -14,7 +14,7 @@
 #include "report/curves.hpp"
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -64,7 +64,7 @@ TEST(Page, EveryNumberIsThatOfResultJson) {
   const Json data = data_of(report_page(run));
   ASSERT_EQ(data["tests"].size(), 3U);
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_EQ(data["tests"][i]["result"], Json::parse(result_json(run.tests[i])));
+    EXPECT_EQ(data["tests"][i]["result"], Json::parse(io::result_json(run.tests[i])));
   EXPECT_EQ(data["tests"][1]["result"]["numbers"]["ucs"]["value"].get<double>(),
             1e8 / 3.0 * (1.0 + 45.0 / 300.0));
   EXPECT_TRUE(data["tests"][1]["result"]["numbers"]["nu"]["value"].is_null());
@@ -163,18 +163,18 @@ TEST(Page, CarriesStudiesWithoutSpecimens) {
 
 TEST(TheoryCurves, GoThroughReadingsThatTheyMade) {
   RunRecord run;
-  const JointedRock rock{60e9, 40e9, 8e9, 0.2};
+  const theory::JointedRock rock{60e9, 40e9, 8e9, 0.2};
   for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0}) {
     TestRecord t = test_at(theta);
-    t.result.numbers = {{"E_tangent", goodman_E(rock, theta), "Pa", "", ""},
-                        {"nu", goodman_nu(rock, theta), "1", "", ""}};
+    t.result.numbers = {{"E_tangent", theory::goodman_E(rock, theta), "Pa", "", ""},
+                        {"nu", theory::goodman_nu(rock, theta), "1", "", ""}};
     run.tests.push_back(t);
   }
   const TheoryCurves curves = theory_curves(run);
   ASSERT_EQ(curves.E.theta.size(), 91U);
   for (const int theta : {10, 40, 77}) {
-    EXPECT_NEAR(curves.E.value[static_cast<std::size_t>(theta)] / goodman_E(rock, theta), 1.0, 1e-9);
-    EXPECT_NEAR(curves.nu.value[static_cast<std::size_t>(theta)], goodman_nu(rock, theta), 1e-9);
+    EXPECT_NEAR(curves.E.value[static_cast<std::size_t>(theta)] / theory::goodman_E(rock, theta), 1.0, 1e-9);
+    EXPECT_NEAR(curves.nu.value[static_cast<std::size_t>(theta)], theory::goodman_nu(rock, theta), 1e-9);
   }
   EXPECT_TRUE(curves.ucs.theta.empty());
   EXPECT_THAT(curves.ucs.note, HasSubstr("No theory curve"));
@@ -200,9 +200,9 @@ TEST(CrackRose, CountsCracksByTheirOwnDirection) {
 TEST(Base64, MatchesTheExamplesOfTheStandard) {
   for (const auto& [bytes, text] :
        {std::pair{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}})
-    EXPECT_EQ(base64(bytes), text);
-  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+    EXPECT_EQ(io::base64(bytes), text);
+  EXPECT_EQ(io::base64(std::string("\xff\x00\xfe", 3)), "/wD+");
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

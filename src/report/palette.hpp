@@ -11,7 +11,7 @@
 
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::report {
 
 using Color = std::uint32_t;  ///< 0xRRGGBB
 
@@ -38,4 +38,4 @@ inline Color angle_color(const TestResult& r) {
   return ordered[static_cast<std::size_t>(std::lround(6.0 * std::clamp(part, 0.0, 1.0)))];
 }
 
-}  // namespace phy
+}  // namespace phy::report

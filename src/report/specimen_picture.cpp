@@ -8,7 +8,7 @@
 #include "records/test_description.hpp"
 #include "report/palette.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 constexpr double thinnest = 1.2;  // line of a crack [pixels]
@@ -92,4 +92,4 @@ void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& v
   }
 }
 
-}  // namespace phy
+}  // namespace phy::report

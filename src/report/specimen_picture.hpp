@@ -3,7 +3,7 @@
 #include "records/test_record.hpp"
 #include "report/canvas.hpp"
 
-namespace phy {
+namespace phy::report {
 
 struct SpecimenView {
   double left = 0.0, top = 0.0;  ///< of the undeformed specimen [pixels]
@@ -20,4 +20,4 @@ void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& v
 /// (report/axes.hpp).
 double last_strain(const TestRecord& test);
 
-}  // namespace phy
+}  // namespace phy::report

@@ -12,7 +12,7 @@
 #include "records/test_description.hpp"
 #include "report/text_table.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Results = std::vector<TestResult>;
@@ -170,4 +170,4 @@ std::string outcome_lines(const Results& results) {
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::report

@@ -5,7 +5,7 @@
 
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::report {
 
 /// One row per specimen, units in the head, cracks of the whole test; readings of the curve and of cracks and
 /// run are the groups of text_table.
@@ -22,4 +22,4 @@ std::string missing_numbers(const std::vector<TestResult>& results);
 /// not succeed: why, and what to do; empty when all went well.
 std::string outcome_lines(const std::vector<TestResult>& results);
 
-}  // namespace phy
+}  // namespace phy::report

@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
@@ -156,4 +156,4 @@ TEST(OutcomeLines, SayWhatFailedAndWhatToDo) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

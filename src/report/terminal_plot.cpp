@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 constexpr int left = 8;  // characters for the numbers of the y axis, its line included
@@ -127,4 +127,4 @@ std::vector<std::string> terminal_plot(const std::vector<TerminalCurve>& curves,
   return lines;
 }
 
-}  // namespace phy
+}  // namespace phy::report

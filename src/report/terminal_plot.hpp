@@ -5,7 +5,7 @@
 
 #include "report/palette.hpp"
 
-namespace phy {
+namespace phy::report {
 
 struct TerminalCurve {
   std::string label;
@@ -19,4 +19,4 @@ struct TerminalCurve {
 std::vector<std::string> terminal_plot(const std::vector<TerminalCurve>& curves, const std::string& x_unit,
                                        const std::string& y_unit, int columns, int rows, bool colored);
 
-}  // namespace phy
+}  // namespace phy::report

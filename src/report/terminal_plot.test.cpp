@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST(TerminalPlot, NothingToDrawIsAnEmptyFrame) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

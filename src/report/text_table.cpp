@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 constexpr std::size_t gap = 2;  // spaces between columns
@@ -102,4 +102,4 @@ std::string wrapped(const std::string& text, int terminal_width, std::size_t ind
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::report

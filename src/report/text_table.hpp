@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace phy {
+namespace phy::report {
 
 /// One column; all cells are text. Numbers stand flush right, names (`left`) flush left.
 struct Column {
@@ -24,4 +24,4 @@ std::string text_table(const Column& label, const std::vector<Columns>& groups, 
 /// Lines that are too wide are broken at spaces; what continues a line is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int terminal_width, std::size_t indent = 0);
 
-}  // namespace phy
+}  // namespace phy::report

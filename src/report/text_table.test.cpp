@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 const Column label{"test", "", {"one", "second"}, true};
@@ -65,4 +65,4 @@ TEST(Wrapped, LeavesALongWordWhole) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::report

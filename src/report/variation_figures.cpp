@@ -11,7 +11,7 @@
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 
-namespace phy {
+namespace phy::report {
 namespace {
 
 using Row = GnuplotScript::Row;
@@ -101,11 +101,11 @@ std::string common_unit(const VariedParameter& p) {
   return unit;
 }
 
-std::vector<Row> eq1_line(const Eq1Fit& fit) {
+std::vector<Row> eq1_line(const theory::Eq1Fit& fit) {
   std::vector<Row> line;
   for (int half_degrees = 0; fit.ok() && half_degrees <= 180; ++half_degrees) {
     const double theta = 0.5 * half_degrees;
-    line.push_back({theta, 1e-9 * goodman_E(fit.rock, theta)});
+    line.push_back({theta, 1e-9 * theory::goodman_E(fit.rock, theta)});
   }
   return line;
 }
@@ -216,4 +216,4 @@ double draw_strength(GnuplotScript& s, const Variation& v, double width) {
   return angle_panels(s, parameters, false, v.E_intact, width);
 }
 
-}  // namespace phy
+}  // namespace phy::report

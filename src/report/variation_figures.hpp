@@ -6,7 +6,7 @@
 #include "records/variation.hpp"
 #include "report/gnuplot.hpp"
 
-namespace phy {
+namespace phy::report {
 
 // All return the height of the figure [mm] for its width.
 
@@ -17,4 +17,4 @@ double draw_modulus(GnuplotScript& script, const Variation& variation, double wi
 /// UCS(theta), one panel per parameter and one colour per value.
 double draw_strength(GnuplotScript& script, const Variation& variation, double width);
 
-}  // namespace phy
+}  // namespace phy::report

@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "contact/wall.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 double wrapped(double distance, double period) {
@@ -44,7 +44,7 @@ Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Mo
 
 bool frictionless(const Link& platen) { return platen.unilateral; }
 
-Tangent<double> operator+(Tangent<double> a, Tangent<double> b) {
+laws::Tangent<double> operator+(laws::Tangent<double> a, laws::Tangent<double> b) {
   return {a.k_n + b.k_n, a.k_s + b.k_s, a.k_m + b.k_m, a.k_ns + b.k_ns, a.k_nm + b.k_nm, a.k_sm + b.k_sm};
 }
 
@@ -82,12 +82,14 @@ void add_platens(Network& net, const Specimen& specimen, Platens platens) {
   }
 }
 
-Tangent<double> stiffness(const Link& l, bool active) { return active ? l.k.push + l.k.hold : l.k.hold; }
+laws::Tangent<double> stiffness(const Link& l, bool active) {
+  return active ? l.k.push + l.k.hold : l.k.hold;
+}
 
-std::vector<Tangent<double>> stiffness_rates(const Network& net, const Specimen& s,
-                                             const std::vector<char>& active,
-                                             const contact::ElasticParameter& p, std::uint8_t set) {
-  std::vector<Tangent<double>> rates(net.links.size(), Tangent<double>{0.0, 0.0, 0.0});
+std::vector<laws::Tangent<double>> stiffness_rates(const Network& net, const Specimen& s,
+                                                   const std::vector<char>& active,
+                                                   const contact::ElasticParameter& p, std::uint8_t set) {
+  std::vector<laws::Tangent<double>> rates(net.links.size(), laws::Tangent<double>{0.0, 0.0, 0.0});
   for (std::size_t i = 0; i < net.n_contacts; ++i) {
     const Contact& c = s.contacts[i];
     if (p.bedding != nullptr && (c.kind != ContactKind::joint || c.set != set)) continue;
@@ -117,7 +119,7 @@ std::array<double, 3> strains(const Link& l, std::span<const double> u, const Gr
   return {-dot(l.n, d), dot(tangent(l.n), d), u[b + 2] - u[a + 2]};
 }
 
-std::array<double, 3> resistance(const Tangent<double>& k, const std::array<double, 3>& e) {
+std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& e) {
   std::array<double, 3> q{k.k_n * e[0], k.k_s * e[1], k.k_m * e[2]};
   if (!k.coupled()) return q;
   q[0] += k.k_ns * e[1] + k.k_nm * e[2];
@@ -126,16 +128,16 @@ std::array<double, 3> resistance(const Tangent<double>& k, const std::array<doub
   return q;
 }
 
-std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 3>& strains) {
+std::array<double, 3> forces(const laws::Tangent<double>& k, const std::array<double, 3>& strains) {
   const std::array<double, 3> q = resistance(k, strains);
   return {q[0], -q[1], -q[2]};
 }
 
-std::vector<Tangent<double>> stiffnesses(const Network& net, const std::vector<char>& active) {
-  std::vector<Tangent<double>> k;
+std::vector<laws::Tangent<double>> stiffnesses(const Network& net, const std::vector<char>& active) {
+  std::vector<laws::Tangent<double>> k;
   k.reserve(net.links.size());
   for (std::size_t i = 0; i < net.links.size(); ++i) k.push_back(stiffness(net.links[i], active[i] != 0));
   return k;
 }
 
-}  // namespace phy
+}  // namespace phy::statics

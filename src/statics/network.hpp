@@ -25,7 +25,7 @@
 #include "contact/models.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::statics {
 
 /// Springs between two bodies.
 struct Link {
@@ -60,13 +60,14 @@ Network make_network(const Specimen& specimen, Vec2 period = {},
 void add_platens(Network& network, const Specimen& specimen, Platens platens);
 
 /// Stiffness of a link. `active`: its pushing part acts.
-Tangent<double> stiffness(const Link& link, bool active);
+laws::Tangent<double> stiffness(const Link& link, bool active);
 
 /// Derivative of all links' stiffnesses with respect to a parameter of the matrix, or of bedding set `set`;
 /// the specimen is the one that the network was made of.
-std::vector<Tangent<double>> stiffness_rates(const Network& network, const Specimen& specimen,
-                                             const std::vector<char>& active,
-                                             const contact::ElasticParameter& parameter, std::uint8_t set);
+std::vector<laws::Tangent<double>> stiffness_rates(const Network& network, const Specimen& specimen,
+                                                   const std::vector<char>& active,
+                                                   const contact::ElasticParameter& parameter,
+                                                   std::uint8_t set);
 
 /// Movement of body i: u[3 i] = u_x, u[3 i + 1] = u_y [m], u[3 i + 2] = rotation [rad].
 using Movements = std::vector<double>;
@@ -85,12 +86,12 @@ LinkRows rows(const Link& link);
 std::array<double, 3> strains(const Link& link, std::span<const double> u, const Gradient& gradient = {});
 
 /// What a stiffness answers closure, slide and rotation with: F_n, -F_s, -M [N/m, N/m, N].
-std::array<double, 3> resistance(const Tangent<double>& k, const std::array<double, 3>& strains);
+std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& strains);
 
 /// Forces F_n, F_s, M of a link (signs: laws/law.hpp) [N/m, N/m, N].
-std::array<double, 3> forces(const Tangent<double>& k, const std::array<double, 3>& strains);
+std::array<double, 3> forces(const laws::Tangent<double>& k, const std::array<double, 3>& strains);
 
 /// Stiffness of all links.
-std::vector<Tangent<double>> stiffnesses(const Network& network, const std::vector<char>& active);
+std::vector<laws::Tangent<double>> stiffnesses(const Network& network, const std::vector<char>& active);
 
-}  // namespace phy
+}  // namespace phy::statics

@@ -6,7 +6,7 @@
 
 #include "base/clusters.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 using Row = std::array<double, 3>;  // over a rigid motion (v_x, v_y, spin times length) about the origin of
@@ -39,7 +39,7 @@ bool leaves_no_motion(std::vector<Row> rows) {
 
 /// A stiffness that couples resists what its own rows resist: closure is against n, hence the sign. Rotations
 /// are compared with displacements by the network's length.
-void add_coupled(const Network& net, const Link& l, const Tangent<double>& k,
+void add_coupled(const Network& net, const Link& l, const laws::Tangent<double>& k,
                  const std::array<Row, 3>& motion, std::vector<Hold>& holds) {
   const double h = net.length, size = std::max({k.k_n, k.k_s, k.k_m / (h * h)});
   const double K[3][3] = {{k.k_n, -k.k_ns, -k.k_nm / h},
@@ -54,7 +54,7 @@ void add_coupled(const Network& net, const Link& l, const Tangent<double>& k,
 }
 
 /// Rows of a link against the rigid motion of b's cluster relative to a's.
-void add_holds(const Network& net, const Link& l, const Tangent<double>& k, std::vector<Hold>& holds) {
+void add_holds(const Network& net, const Link& l, const laws::Tangent<double>& k, std::vector<Hold>& holds) {
   const double scale = 1.0 / net.length;
   const Vec2 at = net.x[l.b] - l.arm_b * l.branch;  // a platen has no place, its grain has
   const auto along = [&](Vec2 axis) { return Row{axis.x, axis.y, cross(at, axis) * scale}; };
@@ -91,7 +91,7 @@ bool merge_pairs(std::vector<Hold>& holds, Clusters& clusters) {
 
 }  // namespace
 
-std::vector<char> loose_bodies(const Network& net, const std::vector<Tangent<double>>& k,
+std::vector<char> loose_bodies(const Network& net, const std::vector<laws::Tangent<double>>& k,
                                const std::vector<Freedom>& prescribed) {
   const auto n = static_cast<std::uint32_t>(net.x.size());
   Clusters clusters(n + 1);  // the last one is the ground
@@ -117,7 +117,7 @@ std::vector<char> loose_bodies(const Network& net, const std::vector<Tangent<dou
   return loose;
 }
 
-std::vector<std::uint32_t> connected_parts(const Network& net, const std::vector<Tangent<double>>& k) {
+std::vector<std::uint32_t> connected_parts(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   Clusters clusters(net.x.size());
   for (std::size_t i = 0; i < net.links.size(); ++i)
     if (k[i].k_n > 0.0 || k[i].k_s > 0.0) clusters.join(net.links[i].a, net.links[i].b);
@@ -126,4 +126,4 @@ std::vector<std::uint32_t> connected_parts(const Network& net, const std::vector
   return part;
 }
 
-}  // namespace phy
+}  // namespace phy::statics

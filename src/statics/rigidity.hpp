@@ -14,7 +14,7 @@
 
 #include "statics/network.hpp"
 
-namespace phy {
+namespace phy::statics {
 
 /// A degree of freedom: component 0 = u_x, 1 = u_y, 2 = rotation.
 struct Freedom {
@@ -23,11 +23,12 @@ struct Freedom {
 };
 
 /// Per body: 1 = loose.
-std::vector<char> loose_bodies(const Network& network, const std::vector<Tangent<double>>& k,
+std::vector<char> loose_bodies(const Network& network, const std::vector<laws::Tangent<double>>& k,
                                const std::vector<Freedom>& prescribed);
 
 /// Number of the connected part that each body belongs to (the lowest body in it); links of zero stiffness do
 /// not count.
-std::vector<std::uint32_t> connected_parts(const Network& network, const std::vector<Tangent<double>>& k);
+std::vector<std::uint32_t> connected_parts(const Network& network,
+                                           const std::vector<laws::Tangent<double>>& k);
 
-}  // namespace phy
+}  // namespace phy::statics

@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
@@ -40,7 +40,7 @@ std::vector<std::int32_t> elimination_order(const Network& net, const std::vecto
 }
 
 bool sound(double k) { return k >= 0.0 && std::isfinite(k); }
-bool sound(const Tangent<double>& k) {
+bool sound(const laws::Tangent<double>& k) {
   return sound(k.k_n) && sound(k.k_s) && sound(k.k_m) && std::isfinite(k.k_ns + k.k_nm + k.k_sm);
 }
 
@@ -50,7 +50,7 @@ ElasticOutcome bad(std::string reason, std::vector<std::uint32_t> grains) {
 }
 
 /// Negative, not finite or all zero: no matrix is made of these.
-ElasticOutcome check_stiffness(const Network& net, const std::vector<Tangent<double>>& k) {
+ElasticOutcome check_stiffness(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   double largest = 0.0;
   for (std::size_t i = 0; i < k.size(); ++i) {
     const Link& l = net.links[i];
@@ -154,7 +154,7 @@ bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& presc
   return true;
 }
 
-ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<Tangent<double>>& k) {
+ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   if (ElasticOutcome outcome = check_stiffness(net, k); !outcome.ok()) return outcome;
   loose_ = loose_bodies(net, k, prescribed_);
   double* K = numbers_->K.valuePtr();
@@ -196,7 +196,7 @@ Movements StiffnessSystem::solve(const std::vector<double>& f) const {
   return u;
 }
 
-Movements StiffnessSystem::solve(const Network& net, const std::vector<Tangent<double>>& k,
+Movements StiffnessSystem::solve(const Network& net, const std::vector<laws::Tangent<double>>& k,
                                  const Boundary& boundary) const {
   Movements given(equation_.size(), 0.0);
   for (const Given& m : boundary.movements) {
@@ -218,7 +218,7 @@ double StiffnessSystem::ground_share(const Movements& u, double force) const {
   return sum / force;
 }
 
-std::vector<double> inner_forces(const Network& net, const std::vector<Tangent<double>>& k,
+std::vector<double> inner_forces(const Network& net, const std::vector<laws::Tangent<double>>& k,
                                  const Movements& u, const Gradient& gradient) {
   std::vector<double> f(u.size(), 0.0);
   for (std::size_t i = 0; i < net.links.size(); ++i) {
@@ -243,7 +243,7 @@ LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<ch
   std::vector<Freedom> prescribed;
   for (const Given& m : boundary.movements) prescribed.push_back(m.where);
   StiffnessSystem system(net, std::move(prescribed));
-  const std::vector<Tangent<double>> k = stiffnesses(net, active);
+  const std::vector<laws::Tangent<double>> k = stiffnesses(net, active);
   LoadCase result;
   result.outcome = system.factor(net, k);
   if (!result.outcome.ok()) return result;
@@ -267,7 +267,7 @@ CellStiffness cell_stiffness(const Network& net, double area) {
   const std::array<Gradient, 3> cases{Gradient{1, 0, 0, 0}, Gradient{0, 0, 0, 1}, Gradient{0, 0.5, 0.5, 0}};
   const std::vector<Freedom> pinned{{0, 0}, {0, 1}};
   StiffnessSystem system(net, pinned);
-  const std::vector<Tangent<double>> k = stiffnesses(net, std::vector<char>(net.links.size(), 1));
+  const std::vector<laws::Tangent<double>> k = stiffnesses(net, std::vector<char>(net.links.size(), 1));
   CellStiffness cell;
   cell.outcome = system.factor(net, k);
   for (std::size_t c = 0; c < cases.size() && cell.outcome.ok(); ++c) {
@@ -287,4 +287,4 @@ CellStiffness cell_stiffness(const Network& net, double area) {
   return cell;
 }
 
-}  // namespace phy
+}  // namespace phy::statics

@@ -14,7 +14,7 @@
 #include "statics/network.hpp"
 #include "statics/rigidity.hpp"
 
-namespace phy {
+namespace phy::statics {
 
 /// A prescribed movement [m, rad] or an outer force or couple [N/m, N] at one degree of freedom.
 struct Given {
@@ -48,11 +48,11 @@ class StiffnessSystem {
   bool fits(const Network& network, const std::vector<Freedom>& prescribed) const;
 
   /// Numerical part. bad_stiffness or mechanism when there is no usable factor.
-  ElasticOutcome factor(const Network& network, const std::vector<Tangent<double>>& k);
+  ElasticOutcome factor(const Network& network, const std::vector<laws::Tangent<double>>& k);
 
   /// Equilibrium under `boundary`, whose movements are those prescribed (the rest of them is 0). Needs
   /// factor() before.
-  Movements solve(const Network& network, const std::vector<Tangent<double>>& k,
+  Movements solve(const Network& network, const std::vector<laws::Tangent<double>>& k,
                   const Boundary& boundary) const;
 
   /// K^-1 f for forces on all bodies; 0 where movements are prescribed.
@@ -81,7 +81,7 @@ class StiffnessSystem {
 
 /// Inner forces on all bodies, K u: what has to be applied to hold the movements (reactions where they are
 /// prescribed).
-std::vector<double> inner_forces(const Network& network, const std::vector<Tangent<double>>& k,
+std::vector<double> inner_forces(const Network& network, const std::vector<laws::Tangent<double>>& k,
                                  const Movements& u, const Gradient& gradient = {});
 
 /// Solution of one load case.
@@ -99,4 +99,4 @@ struct CellStiffness {
 };
 CellStiffness cell_stiffness(const Network& network, double area);
 
-}  // namespace phy
+}  // namespace phy::statics

@@ -8,7 +8,7 @@
 
 #include "records/assembly.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 constexpr double R = 1e-3;
@@ -237,7 +237,7 @@ TEST(System, CoupledStiffnessTurnsWhatItIsPressedOn) {
   Specimen s = assembly({{0.0, 0.0, R}, {2.0 * R, 0.0, R}}, stiff_matrix());
   bond_touching(s);
   Network net = make_network(s);
-  Tangent<double> k{k_1 + k_2, 4e9, (k_1 + k_2) * h * h};
+  laws::Tangent<double> k{k_1 + k_2, 4e9, (k_1 + k_2) * h * h};
   k.k_nm = (k_1 - k_2) * h;
   net.links[0].k = {{0.0, 0.0, 0.0}, k};
   Boundary boundary;
@@ -299,4 +299,4 @@ TEST(Rigidity, OneJointIsAHingeTwoAreNot) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::statics

@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "engine/layout.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -31,10 +31,10 @@ std::string listed(const std::vector<std::uint32_t>& grains) {
 /// The grain that keeps frictionless specimens from sliding away: most contacts in the largest connected
 /// part.
 std::uint32_t anchor(const Network& net) {
-  const Tangent<double> any{1.0, 1.0, 1.0};
+  const laws::Tangent<double> any{1.0, 1.0, 1.0};
   Network grains = net;
   std::erase_if(grains.links, [&](const Link& l) { return l.a >= net.n_grains; });
-  const auto part = connected_parts(grains, std::vector<Tangent<double>>(grains.links.size(), any));
+  const auto part = connected_parts(grains, std::vector<laws::Tangent<double>>(grains.links.size(), any));
   std::vector<std::uint32_t> size(net.x.size(), 0), contacts(net.x.size(), 0);
   for (const std::uint32_t p : part) ++size[p];
   for (const Link& l : grains.links) ++contacts[l.a], ++contacts[l.b];
@@ -48,7 +48,7 @@ std::uint32_t anchor(const Network& net) {
 
 /// Do contacts lead from the bottom to the top platen? If not: the grains that hang on one platen only, the
 /// smaller lot.
-ElasticOutcome check_load_path(const Network& net, const std::vector<Tangent<double>>& k) {
+ElasticOutcome check_load_path(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   const auto part = connected_parts(net, k);
   const std::size_t bottom = net.n_grains, top = bottom + 1;
   if (part[bottom] == part[top]) return {};
@@ -134,7 +134,7 @@ void UniaxialStatics::read(Reading& reading) {
   firm.discs.clear();
   for (std::size_t i = 0; i < network_.n_grains; ++i)
     if (!system_->loose()[i]) firm.discs.push_back(specimen_->packing->discs[i]), number.push_back(i);
-  const GaugeWeights w = gauge_weights(firm);
+  const engine::GaugeWeights w = engine::gauge_weights(firm);
   gauge_axial_.assign(u_.size(), 0.0), gauge_lateral_.assign(u_.size(), 0.0);
   reading.axial = reading.lateral = 0.0;
   for (std::size_t j = 0; j < number.size(); ++j) {
@@ -254,7 +254,7 @@ void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& re
     e_axial.push_back(strains(l, axial)), e_lateral.push_back(strains(l, lateral));
   }
   const auto sensitivity = [&](const contact::ElasticParameter& p, std::uint8_t set, double value) {
-    const std::vector<Tangent<double>> rates = stiffness_rates(network_, *specimen_, active_, p, set);
+    const std::vector<laws::Tangent<double>> rates = stiffness_rates(network_, *specimen_, active_, p, set);
     double dF = 0.0, d_axial = 0.0, d_lateral = 0.0;
     for (std::size_t i = 0; i < network_.links.size(); ++i) {
       const std::array<double, 3> q = resistance(rates[i], e[i]);
@@ -299,4 +299,4 @@ std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, con
   return results;
 }
 
-}  // namespace phy
+}  // namespace phy::statics

@@ -27,7 +27,7 @@
 #include "records/elastic.hpp"
 #include "statics/system.hpp"
 
-namespace phy {
+namespace phy::statics {
 
 struct ElasticOptions {
   bool bilateral = false;  ///< linear contacts also pull
@@ -75,7 +75,7 @@ class UniaxialStatics {
   Network network_;
   std::vector<Freedom> prescribed_;
   Boundary boundary_;
-  std::vector<Tangent<double>> k_;
+  std::vector<laws::Tangent<double>> k_;
   std::vector<char> active_;
   Movements u_;
   std::vector<double> gauge_axial_, gauge_lateral_;  // weights over all degrees of freedom
@@ -88,4 +88,4 @@ ElasticResult solve_uniaxial(const Specimen& specimen, const ElasticOptions& opt
 std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, const ElasticOptions& options,
                                      int threads);
 
-}  // namespace phy
+}  // namespace phy::statics

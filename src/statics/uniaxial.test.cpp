@@ -12,7 +12,7 @@
 #include "genesis/specimen.hpp"
 #include "records/assembly.hpp"
 
-namespace phy {
+namespace phy::statics {
 namespace {
 
 /// About 350 grains in 8 x 16 mm with two or three planes.
@@ -29,14 +29,14 @@ Recipe small_recipe() {
 std::shared_ptr<const Packing> small_packing() {
   static const auto packing = [] {
     const Recipe r = small_recipe();
-    return std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+    return std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   }();
   return packing;
 }
 
 Specimen small_specimen(double theta) {
   const Recipe r = small_recipe();
-  return make_specimen(small_packing(), r.matrix, turned(r.bedding, theta), "small");
+  return genesis::make_specimen(small_packing(), r.matrix, genesis::turned(r.bedding, theta), "small");
 }
 
 /// The same specimen with other discs; keeps contacts and bedding.
@@ -264,4 +264,4 @@ TEST(Uniaxial, SaysWhenContactsStillAlternate) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::statics

@@ -7,7 +7,7 @@
 #include "base/clock.hpp"
 #include "lab/tests.hpp"
 
-namespace phy {
+namespace phy::study {
 
 int fitting_lanes(std::size_t n, Precision precision, int widest) {
   int lanes = precision == Precision::single_precision ? 4 : 1;
@@ -18,7 +18,7 @@ int fitting_lanes(std::size_t n, Precision precision, int widest) {
 Crew::Crew(std::shared_ptr<const Packing> packing, const CrewOptions& options)
     : packing_(std::move(packing)),
       options_(options),
-      group_(make_group(packing_, options.group)),
+      group_(engine::make_group(packing_, options.group)),
       seats_(static_cast<std::size_t>(options.group.lanes)) {}
 
 void Crew::fill(const LaneHooks& hooks) {
@@ -29,7 +29,7 @@ void Crew::fill(const LaneHooks& hooks) {
     if (!job) return;
     seat.job = std::move(*job);
     seat.seconds = 0.0;
-    seat.test = make_test(seat.job.specimen, *seat.job.recipe, *group_, static_cast<int>(lane));
+    seat.test = lab::make_test(seat.job.specimen, *seat.job.recipe, *group_, static_cast<int>(lane));
   }
 }
 
@@ -51,7 +51,7 @@ void Crew::work(const LaneHooks& hooks) {
     if (!seat.test) continue;
     seat.seconds += seconds / n;
     bool over = seat.test->after_block();
-    if (const LabTest::Reading r = seat.test->latest(); hooks.reading)
+    if (const lab::LabTest::Reading r = seat.test->latest(); hooks.reading)
       hooks.reading(seat.job.index, r.strain, r.stress);
     if (!over && hooks.stopped()) seat.test->interrupt(), over = true;
     if (!over) continue;
@@ -149,4 +149,4 @@ void run_crew(std::unique_ptr<Crew> crew, const LaneHooks& hooks, CrewExchange& 
   }
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -20,7 +20,7 @@
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// One test for a lane.
 struct Job {
@@ -40,7 +40,7 @@ struct LaneHooks {
 
 /// Numerics of a crew's group.
 struct CrewOptions {
-  GroupOptions group;
+  engine::GroupOptions group;
   bool fixed = false;  ///< the number of lanes stays, and no test is given away
 };
 
@@ -64,14 +64,14 @@ class Crew {
   /// A test in a lane.
   struct Seat {
     Job job;
-    std::unique_ptr<LabTest> test;  // refers to the job's recipe; null: empty
+    std::unique_ptr<lab::LabTest> test;  // refers to the job's recipe; null: empty
     double seconds = 0.0;
   };
   void hand_over(const LaneHooks& hooks, Seat& seat);
 
   std::shared_ptr<const Packing> packing_;
   CrewOptions options_;
-  std::unique_ptr<LaneGroup> group_;
+  std::unique_ptr<engine::LaneGroup> group_;
   std::vector<Seat> seats_;
 };
 
@@ -104,4 +104,4 @@ class CrewExchange {
 /// Works until no test of the crew is left; shares with those who wait at the exchange.
 void run_crew(std::unique_ptr<Crew> crew, const LaneHooks& hooks, CrewExchange& exchange);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -11,13 +11,13 @@
 #include "study/experiment.hpp"
 #include "study/scheduler.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 using std::chrono::milliseconds;
 
 Recipe quick() {
-  Recipe r = small_rock(TestKind("uniaxial"));
+  Recipe r = lab::small_rock(TestKind("uniaxial"));
   r.test.max_strain = 0.004;
   r.test.platen_speed = 0.1;
   return r;
@@ -64,7 +64,7 @@ class Bench {
 
 CrewOptions eight(bool fixed) {
   CrewOptions o;
-  o.group.isa = native_isa();
+  o.group.isa = engine::native_isa();
   o.group.lanes = 8;
   o.group.interval = static_cast<int>(quick().test.history_interval);
   o.fixed = fixed;
@@ -193,12 +193,13 @@ TEST(RunTests, AfterAnExceptionTheOthersStopSoon) {
     if (thrown) ++n_later, std::this_thread::sleep_for(milliseconds(1));
     if (index == 1) thrown = true, throw std::runtime_error("no room for a reading");
   };
-  EXPECT_THROW(run_tests({specimen, specimen}, r, {2, 1, 4, native_isa()}, hooks), std::runtime_error);
+  EXPECT_THROW(run_tests({specimen, specimen}, r, {2, 1, 4, engine::native_isa()}, hooks),
+               std::runtime_error);
   EXPECT_LT(n_later, 100U) << "a whole test has many more";
 }
 
 TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
-  Recipe r = small_rock(TestKind("biaxial"));
+  Recipe r = lab::small_rock(TestKind("biaxial"));
   r.bedding.resize(1);
   r.test.angles = {30.0};
   r.test.intact = true;
@@ -207,7 +208,7 @@ TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
   const std::atomic<bool> stop{true};
   ScheduleHooks hooks;
   hooks.stop = &stop;
-  const auto results = run_tests(specimens, r, {1, 0, 4, native_isa()}, hooks);
+  const auto results = run_tests(specimens, r, {1, 0, 4, engine::native_isa()}, hooks);
   for (const TestResult& result : results) {
     EXPECT_EQ(result.outcome.reason, "not started");
     EXPECT_EQ(result.kind, TestKind("biaxial"));
@@ -218,4 +219,4 @@ TEST(Scheduler, ATestThatHasNotBegunKnowsWhoseItIs) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "base/rng.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 /// Random numbers of a study: a dimension and a running number.
@@ -215,4 +215,4 @@ std::string describe(const Study& study, const Point& point) {
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::study

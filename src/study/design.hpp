@@ -22,7 +22,7 @@
 #include "records/recipe.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::study {
 
 enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
 constexpr int n_designs = 7;
@@ -87,4 +87,4 @@ Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, s
 /// "bedding.k_n = 840 GPa/m, bedding.mu = 0.4"; empty if nothing varies.
 std::string describe(const Study& study, const Point& point);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -14,7 +14,7 @@
 #include "study/plan.hpp"
 #include "study/study_in.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,13 +24,13 @@ using testing::HasSubstr;
 class StudyFile : public InFolder {
  protected:
   void SetUp() override {
-    write_file(
+    io::write_file(
         at("base.toml"),
         "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\nseed = 7\n[[bedding]]\n"
         "spacing = \"2 mm\"\n[[bedding]]\ntheta = \"90 deg\"\nspacing = \"4 mm\"\nk_n = \"1000 GPa/m\"\n");
   }
   Study read(const std::string& text) const {
-    write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
+    io::write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
     return read_study(at("study.toml"));
   }
   std::string problems_of(const std::string& text) const {
@@ -143,27 +143,28 @@ TEST_F(StudyFile, SaltelliBlocksMixTwoPoints) {
 }
 
 TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
-  write_file(at("points.csv"),
-             "bedding.k_n [GPa/m], bedding.rule ,test.history_interval\r\n100,zone,30\n 200 ,crossing,40\n");
+  io::write_file(
+      at("points.csv"),
+      "bedding.k_n [GPa/m], bedding.rule ,test.history_interval\r\n100,zone,30\n 200 ,crossing,40\n");
   const Study s = read("design = \"list\"\nfile = \"points.csv\"\n");
   ASSERT_EQ(s.rows.size(), 2u);
   EXPECT_THAT(s.rows[0], ElementsAre(100e9, 1.0, 30.0));
   EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 40.0));
-  write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
+  io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
   const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
   for (const char* part : {"points.csv:2 = 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
                            "bedding.rule = ring", "points.csv:4"})
     EXPECT_THAT(told, HasSubstr(part));
-  write_file(at("points.csv"), "");
+  io::write_file(at("points.csv"), "");
   EXPECT_THAT(problems_of("design = \"list\"\nfile = \"points.csv\"\n"),
               HasSubstr("points.csv: expected a header"));
 }
 
 // Lists come from spreadsheets too: comments, a byte-order mark, semicolons with decimal commas.
 TEST_F(StudyFile, ListsMayBeWrittenByASpreadsheet) {
-  write_file(at("points.csv"),
-             "\xEF\xBB\xBF# two points\n\nbedding.k_n "
-             "[GPa/m];\"bedding.rule\"\r\n100,5;zone\r\n200,25;crossing\r\n");
+  io::write_file(at("points.csv"),
+                 "\xEF\xBB\xBF# two points\n\nbedding.k_n "
+                 "[GPa/m];\"bedding.rule\"\r\n100,5;zone\r\n200,25;crossing\r\n");
   const Study s = read("design = \"list\"\nfile = \"points.csv\"\n");
   ASSERT_EQ(s.rows.size(), 2u);
   EXPECT_THAT(s.rows[0], ElementsAre(100.5e9, 1.0));
@@ -206,23 +207,24 @@ TEST_F(StudyFile, SeedsAndAnglesHaveKeysOfTheirOwn) {
   EXPECT_THAT(problems_of(varied("matrix.bond_seed", "1, 2")), HasSubstr("bond_seeds = [1, 2, 3]"));
   const std::string theta = varied("bedding.theta", "\"30 deg\", \"60 deg\"");
   EXPECT_EQ(points_of(read(theta)).size(), 3u) << "without test.angles";
-  write_file(at("base.toml"), read_file(at("base.toml")) + "[test]\nangles = [\"0 deg\", \"90 deg\"]\n");
+  io::write_file(at("base.toml"),
+                 io::read_file(at("base.toml")) + "[test]\nangles = [\"0 deg\", \"90 deg\"]\n");
   EXPECT_THAT(problems_of(theta), HasSubstr("add the angles there"));
   EXPECT_EQ(points_of(read(varied("bedding[1].theta", "\"30 deg\", \"60 deg\""))).size(), 3u);
-  write_file(at("points.csv"), "bedding.theta [deg],packing.seed\n30,2\n");
+  io::write_file(at("points.csv"), "bedding.theta [deg],packing.seed\n30,2\n");
   const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
   EXPECT_THAT(told, HasSubstr("points.csv:1: column = packing.seed"));
   EXPECT_THAT(told, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
 }
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
-  write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
+  io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
   for (const std::string& text :
        {std::string(three_levels) + "[set]\n\"engine.precision\" = \"float\"\n",
         "design = \"sobol\"\n" + std::string(two_ranges),
         std::string("design = \"list\"\nfile = \"points.csv\"\npackings = [4, 5]\n")}) {
     const Study in = read(text);
-    for (const auto& [name, content] : study_files(in)) write_file(at(("copy/" + name).c_str()), content);
+    for (const auto& [name, content] : study_files(in)) io::write_file(at(("copy/" + name).c_str()), content);
     const Study out = read_study(at("copy/study.toml"));
     const Plan a = make_plan(in), b = make_plan(out);
     ASSERT_EQ(a.tests.size(), b.tests.size());
@@ -273,4 +275,4 @@ TEST(PaperStudy, LongTestsComeFirst) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -10,7 +10,7 @@
 #include "analysis/analyse.hpp"
 #include "records/test_record.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -27,7 +27,7 @@ std::size_t replicate_of(const Plan& plan, const Run& run) {
 const Number* number_of(const StudyRows& rows, const Run& run, const std::string& name) {
   const auto& row = rows[run.test];
   const bool counts = row && row->result.outcome.status == Status::peaked;
-  return counts ? find(row->result.numbers, name) : nullptr;
+  return counts ? analysis::find(row->result.numbers, name) : nullptr;
 }
 
 std::string name_of(const Recipe& single) {
@@ -93,7 +93,7 @@ void add_line(Collected& all, const Plan& plan, const Response& r, const std::ve
 
 /// The moduli of one point on one replicate.
 struct Readings {
-  std::vector<ModulusReading> layered;
+  std::vector<theory::ModulusReading> layered;
   double intact = nan, spacing = nan;
   bool whole = true;
 };
@@ -143,16 +143,16 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
 }
 
 JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
-                     Eq1Reference reference) {
+                     theory::Eq1Reference reference) {
   JointFits fits;
-  fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<Eq1Fit>>(plan.points.size()));
+  fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<theory::Eq1Fit>>(plan.points.size()));
   fits.K_n = {"K_n", "Pa/m", "all angles", no_values(plan)};
   fits.K_s = {"K_s", "Pa/m", "all angles", no_values(plan)};
   fits.R2 = {"R2_eq1", "1", "all angles", no_values(plan)};
   for (const auto& [place, r] : readings_of(plan, rows, modulus)) {
-    const bool has_reference = reference != Eq1Reference::given || std::isfinite(r.intact);
+    const bool has_reference = reference != theory::Eq1Reference::given || std::isfinite(r.intact);
     if (!r.whole || r.layered.empty() || !has_reference) continue;
-    const Eq1Fit fit = fit_eq1(r.layered, {Eq1Loss::compliance, reference, r.intact});
+    const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {theory::Eq1Loss::compliance, reference, r.intact});
     fits.fits[place.first][place.second] = fit;
     if (!fit.ok()) continue;
     fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
@@ -161,7 +161,7 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string&
     for (std::size_t i = 0; i < r.layered.size(); ++i) {
       const double theta = r.layered[i].theta;
       if (i == fits.E.size()) fits.E.push_back({"E_eq1", "Pa", specimen_name(theta), no_values(plan)});
-      fits.E[i].values[place.first][place.second] = goodman_E(fit.rock, theta);
+      fits.E[i].values[place.first][place.second] = theory::goodman_E(fit.rock, theta);
     }
   }
   return fits;
@@ -286,4 +286,4 @@ std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<dou
   return all;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -25,7 +25,7 @@
 #include "study/store.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::study {
 
 using StudyRows = std::vector<std::optional<StoredResult>>;  ///< belonging to Plan::tests
 
@@ -47,14 +47,14 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
 
 /// Eq. 1 on every replicate and point whose moduli are all there.
 struct JointFits {
-  std::vector<std::vector<std::optional<Eq1Fit>>> fits;  ///< by replicate, then by point
-  Response K_n, K_s;                                     ///< [Pa/m]
-  Response R2;                                           ///< of Eq. 1, in modulus
-  std::vector<Response> E;                               ///< E of Eq. 1, by angle [Pa]
+  std::vector<std::vector<std::optional<theory::Eq1Fit>>> fits;  ///< by replicate, then by point
+  Response K_n, K_s;                                             ///< [Pa/m]
+  Response R2;                                                   ///< of Eq. 1, in modulus
+  std::vector<Response> E;                                       ///< E of Eq. 1, by angle [Pa]
 };
 /// `modulus` names the number that is fitted; the reference `given` is that number of the intact specimen.
 JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
-                     Eq1Reference reference);
+                     theory::Eq1Reference reference);
 
 /// One effect of a parameter on a response, over the replicates.
 struct Effect {
@@ -104,4 +104,4 @@ std::string effects_csv(const Plan& plan, const StudyRows& rows);
 /// deviation, 95 % interval over the replicates.
 std::string responses_csv(const Plan& plan, const StudyRows& rows);
 
-}  // namespace phy
+}  // namespace phy::study

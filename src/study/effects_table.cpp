@@ -10,7 +10,7 @@
 #include "study/effects.hpp"
 #include "study/table.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 constexpr const char* modulus = "E_tangent";
@@ -58,12 +58,16 @@ std::string effect_table(const Plan& plan, const std::vector<Response>& of, int 
   const Headline h = headline(plan.study.design);
   const auto [own, unit] = readable(of.front().unit);
   const double scale = h.scale > 0.0 ? h.scale : own;
-  Column keys{"", "", {}, true};
+  report::Column keys{"", "", {}, true};
   for (const Factor& f : plan.study.vary) keys.cells.push_back(f.key.path());
-  Columns columns;
+  report::Columns columns;
   for (const Response& r : of) {
     const bool at_angle = r.specimen.starts_with("theta = ");
-    Column c{r.specimen == "all angles" ? r.number : at_angle ? r.specimen.substr(8) : r.specimen, "", {}};
+    report::Column c{r.specimen == "all angles" ? r.number
+                     : at_angle                 ? r.specimen.substr(8)
+                                                : r.specimen,
+                     "",
+                     {}};
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
       const auto effects = effects_of(plan, r, k);
       const Effect* e = named(effects, h.effect);
@@ -73,7 +77,8 @@ std::string effect_table(const Plan& plan, const std::vector<Response>& of, int 
   }
   const std::string title =
       fmt::format("{}: {}{}", of.front().number, h.meaning, h.scale > 0.0 ? "" : " [" + unit + "]");
-  return "\n" + wrapped(title, terminal_width) + "\n" + text_table(keys, {columns}, terminal_width);
+  return "\n" + report::wrapped(title, terminal_width) + "\n" +
+         report::text_table(keys, {columns}, terminal_width);
 }
 
 std::string line_text(const Plan& plan, const Response& K, const std::string& field) {
@@ -91,7 +96,7 @@ std::string line_text(const Plan& plan, const Response& K, const std::string& fi
 }
 
 std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
-  const JointFits fits = fit_joints(plan, rows, modulus, Eq1Reference::given);
+  const JointFits fits = fit_joints(plan, rows, modulus, theory::Eq1Reference::given);
   const auto any = [](const Response& r) {
     for (const auto& of : r.values)
       for (const double v : of)
@@ -105,7 +110,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
       modulus, with_interval(fits.K_n.at(0), 1e-9, 1), with_interval(fits.K_s.at(0), 1e-9, 1));
   if (plan.study.design == Design::one_at_a_time)
     text += line_text(plan, fits.K_n, "bedding.k_n") + line_text(plan, fits.K_s, "bedding.k_s");
-  return wrapped(text, terminal_width, 4) + effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
+  return report::wrapped(text, terminal_width, 4) + effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
 }
 
 /// All numbers of all specimens, then Eq. 1 on E at 50 % of ucs by every reference, and on E at small strain.
@@ -118,11 +123,11 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
         if (std::find(names.begin(), names.end(), n.name) == names.end()) names.push_back(n.name);
   for (const std::string& name : names)
     for (Response& r : responses(plan, rows, name)) all.push_back(std::move(r));
-  const std::tuple<const char*, Eq1Reference, const char*> fitted[] = {
-      {modulus, Eq1Reference::given, "reference intact"},
-      {modulus, Eq1Reference::measured_90, "reference E(90)"},
-      {modulus, Eq1Reference::free, "reference free"},
-      {"E_small", Eq1Reference::given, "reference intact (E_small)"}};
+  const std::tuple<const char*, theory::Eq1Reference, const char*> fitted[] = {
+      {modulus, theory::Eq1Reference::given, "reference intact"},
+      {modulus, theory::Eq1Reference::measured_90, "reference E(90)"},
+      {modulus, theory::Eq1Reference::free, "reference free"},
+      {"E_small", theory::Eq1Reference::given, "reference intact (E_small)"}};
   for (const auto& [from, reference, name] : fitted) {
     JointFits fits = fit_joints(plan, rows, from, reference);
     std::vector<Response> of = std::move(fits.E);
@@ -166,8 +171,8 @@ std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_w
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
       text += effect_table(plan, of, terminal_width);
   if (text.find("+-") != text.npos)
-    text += wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
-  return text + wrapped(left_out_text(rows), terminal_width);
+    text += report::wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
+  return text + report::wrapped(left_out_text(rows), terminal_width);
 }
 
 StudyRows with_untrusted(StudyRows rows) {
@@ -181,8 +186,8 @@ std::string effects_csv(const Plan& plan, const StudyRows& rows) {
   for (const Response& r : all_responses(plan, rows))
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
       for (const Effect& e : effects_of(plan, r, k))
-        text += fmt::format("{},{},{},{},{},{}\n", csv_cell(r.number), csv_cell(r.specimen),
-                            plan.study.vary[k].key.path(), e.name, csv_cell(e.unit), cells(e.value));
+        text += fmt::format("{},{},{},{},{},{}\n", phy::csv_cell(r.number), phy::csv_cell(r.specimen),
+                            plan.study.vary[k].key.path(), e.name, phy::csv_cell(e.unit), cells(e.value));
   return text;
 }
 
@@ -192,7 +197,8 @@ std::string responses_csv(const Plan& plan, const StudyRows& rows) {
   text += ",replicates,mean,sd,half width of 95 %\n";
   for (const Response& r : all_responses(plan, rows))
     for (std::size_t p = 0; p < plan.points.size(); ++p) {
-      text += fmt::format("{},{},{},{}", csv_cell(r.number), csv_cell(r.unit), csv_cell(r.specimen), p);
+      text += fmt::format("{},{},{},{}", phy::csv_cell(r.number), phy::csv_cell(r.unit),
+                          phy::csv_cell(r.specimen), p);
       for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
         text += "," + csv_cell(plan.study.vary[k].key, plan.points[p].values[k]);
       text += "," + cells(r.at(p)) + "\n";
@@ -200,4 +206,4 @@ std::string responses_csv(const Plan& plan, const StudyRows& rows) {
   return text;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -6,7 +6,7 @@
 
 #include "analysis/analyse.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
@@ -20,7 +20,7 @@ std::vector<SpecimenEnvelope> collect(const EnvelopeTests& tests) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       const TestResult& r = tests.results[i][k];
       all[k].name = r.name, all[k].intact = r.intact, all[k].theta = r.theta;
-      const Number* sigma_1 = find(r.numbers, "sigma_1");
+      const Number* sigma_1 = analysis::find(r.numbers, "sigma_1");
       if (r.outcome.status == Status::peaked && sigma_1 != nullptr && std::isfinite(sigma_1->value))
         all[k].readings.push_back({tests.confining[i], sigma_1->value});
     }
@@ -35,11 +35,11 @@ void fit_anisotropy(Envelope& envelope) {
     if (!s.intact && s.hoek_brown.ok && (across == nullptr || folded(s.theta) < folded(across->theta)))
       across = &s;
   if (across == nullptr || folded(across->theta) > across_planes) return;
-  const Estimate m_i = across->hoek_brown.m_i;
+  const theory::Estimate m_i = across->hoek_brown.m_i;
   envelope.m_i = m_i.value;
   for (SpecimenEnvelope& s : envelope.specimens) {
     if (s.intact || !s.hoek_brown.ok) continue;
-    const Estimate m = s.hoek_brown.m_i;
+    const theory::Estimate m = s.hoek_brown.m_i;
     s.k.value = m.value / m_i.value;
     s.k.se = &s == across ? 0.0 : s.k.value * std::hypot(m.se / m.value, m_i.se / m_i.value);
   }
@@ -47,10 +47,10 @@ void fit_anisotropy(Envelope& envelope) {
 
 void fit_plane(Envelope& envelope) {
   const SpecimenEnvelope* matrix = nullptr;
-  std::vector<StrengthReading> readings;
+  std::vector<theory::StrengthReading> readings;
   for (const SpecimenEnvelope& s : envelope.specimens) {
     if (!s.intact)
-      for (const EnvelopeReading& r : s.readings) readings.push_back({s.theta, r.sigma_1, r.sigma_3});
+      for (const theory::EnvelopeReading& r : s.readings) readings.push_back({s.theta, r.sigma_1, r.sigma_3});
     if (!s.mohr_coulomb.ok) continue;
     if (matrix == nullptr || s.mohr_coulomb.ucs.value > matrix->mohr_coulomb.ucs.value) matrix = &s;
   }
@@ -59,8 +59,9 @@ void fit_plane(Envelope& envelope) {
     return;
   }
   envelope.matrix = matrix->name;
-  const Coulomb rock{matrix->mohr_coulomb.cohesion.value, matrix->mohr_coulomb.friction.value};
-  envelope.plane = fit_jaeger(readings, [rock](double sigma_3) { return coulomb_sigma_1(rock, sigma_3); });
+  const theory::Coulomb rock{matrix->mohr_coulomb.cohesion.value, matrix->mohr_coulomb.friction.value};
+  envelope.plane =
+      theory::fit_jaeger(readings, [rock](double sigma_3) { return theory::coulomb_sigma_1(rock, sigma_3); });
 }
 
 }  // namespace
@@ -83,12 +84,12 @@ Envelope fit_envelope(const EnvelopeTests& tests) {
   Envelope envelope;
   envelope.specimens = collect(tests);
   for (SpecimenEnvelope& s : envelope.specimens) {
-    s.mohr_coulomb = fit_mohr_coulomb(s.readings);
-    s.hoek_brown = fit_hoek_brown(s.readings);
+    s.mohr_coulomb = theory::fit_mohr_coulomb(s.readings);
+    s.hoek_brown = theory::fit_hoek_brown(s.readings);
   }
   fit_anisotropy(envelope);
   fit_plane(envelope);
   return envelope;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -16,7 +16,7 @@
 #include "theory/envelope_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// The specimens of the recipe and their tests: results[i][k] is specimen k under confining[i] [Pa].
 struct EnvelopeTests {
@@ -31,17 +31,17 @@ Recipe confined_recipe(Recipe recipe, double confining_stress);
 struct SpecimenEnvelope {
   std::string name;
   bool intact = false;
-  double theta = 0.0;                     ///< [deg]
-  std::vector<EnvelopeReading> readings;  ///< of the tests that peaked
-  MohrCoulombFit mohr_coulomb;
-  HoekBrownFit hoek_brown;
-  Estimate k;  ///< Saroglou & Tsiambaos; NaN for the intact rock
+  double theta = 0.0;                             ///< [deg]
+  std::vector<theory::EnvelopeReading> readings;  ///< of the tests that peaked
+  theory::MohrCoulombFit mohr_coulomb;
+  theory::HoekBrownFit hoek_brown;
+  theory::Estimate k;  ///< Saroglou & Tsiambaos; NaN for the intact rock
 };
 
 struct Envelope {
   std::vector<SpecimenEnvelope> specimens;
   std::string matrix;  ///< name of the specimen taken as the matrix in Jaeger's theory
-  JaegerFit plane;
+  theory::JaegerFit plane;
   double m_i = std::numeric_limits<double>::quiet_NaN();  ///< of the specimen with k = 1
 };
 
@@ -50,4 +50,4 @@ Envelope fit_envelope(const EnvelopeTests& tests);
 /// Untrusted tests as if they had peaked and nothing more: for those who ask for fits with them.
 EnvelopeTests with_untrusted(EnvelopeTests tests);
 
-}  // namespace phy
+}  // namespace phy::study

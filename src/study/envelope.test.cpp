@@ -11,7 +11,7 @@
 #include "study/scheduler.hpp"
 #include "theory/hoek_brown.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 TestResult peak(double theta, double sigma_1) {
@@ -27,9 +27,9 @@ TestResult peak(double theta, double sigma_1) {
 TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
   EnvelopeTests tests{{0.0, 5e6, 10e6, 20e6}, {}};
   for (const double s : tests.confining)
-    tests.results.push_back({peak(0.0, saroglou_tsiambaos_sigma_1(90e6, 1.0, 10.0, s)),
-                             peak(45.0, saroglou_tsiambaos_sigma_1(50e6, 0.6, 10.0, s)),
-                             peak(60.0, saroglou_tsiambaos_sigma_1(40e6, 0.6, 10.0, s))});
+    tests.results.push_back({peak(0.0, theory::saroglou_tsiambaos_sigma_1(90e6, 1.0, 10.0, s)),
+                             peak(45.0, theory::saroglou_tsiambaos_sigma_1(50e6, 0.6, 10.0, s)),
+                             peak(60.0, theory::saroglou_tsiambaos_sigma_1(40e6, 0.6, 10.0, s))});
   tests.results[1][1].outcome.status = Status::unstable;
   tests.results[1][1].numbers[0].value = 1e9;
   const Envelope e = fit_envelope(tests);
@@ -54,12 +54,13 @@ TEST(Envelope, ConfinementStrengthensAndOneThreadGivesTheSameBits) {
   r.test.confinement = Confinement::jacket;
   r.test.stop_at = 0.9, r.test.max_strain = 0.05;
   r.engine.precision = Precision::single_precision;
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   std::vector<std::shared_ptr<const Specimen>> specimens;
-  for (Specimen& s : make_specimens(packing, r))
+  for (Specimen& s : genesis::make_specimens(packing, r))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
   MachineOptions one, two;
-  one.isa = two.isa = native_isa();
+  one.isa = two.isa = engine::native_isa();
   two.threads = 2, two.lanes = 4;
   std::vector<std::vector<TestResult>> a;
   for (const double sigma_3 : {0.0, 4e6, 8e6}) {
@@ -70,9 +71,10 @@ TEST(Envelope, ConfinementStrengthensAndOneThreadGivesTheSameBits) {
   }
   for (std::size_t k = 0; k < specimens.size(); ++k) {
     ASSERT_EQ(a[2][k].outcome.status, Status::peaked) << a[2][k].outcome.reason;
-    EXPECT_GT(find(a[2][k].numbers, "sigma_1")->value, find(a[0][k].numbers, "sigma_1")->value + 8e6);
+    EXPECT_GT(analysis::find(a[2][k].numbers, "sigma_1")->value,
+              analysis::find(a[0][k].numbers, "sigma_1")->value + 8e6);
   }
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -8,7 +8,7 @@
 #include "theory/goodman.hpp"
 #include "theory/jaeger.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 // Rules of thumb from the paper's specimen (docs/paper.md) and examples/lab: macro over micro.
@@ -58,12 +58,13 @@ double expected_peak_strain(const Recipe& r) {
   const double layers = b.rule == BeddingRule::zone ? b.zone_thickness / layer : 1.0;  // one behind the other
   const double factor = stiffness_factor * b.spacing / layers;
   const double cohesion = bridge_factor * m.tau_c + cohesion_factor * b.cohesion;
-  const JointedRock rock{E, factor * b.k_n, factor * b.k_s, 0.0};
+  const theory::JointedRock rock{E, factor * b.k_n, factor * b.k_s, 0.0};
   const double stress =
       expected.bedded > 0.0
           ? expected.strain_factor * expected.bedded * bond
-          : expected.strain_factor * jaeger_sigma_1({cohesion, b.phi}, bedded_factor * bond, b.theta, 0.0);
-  return stress / goodman_E(rock, b.theta);
+          : expected.strain_factor *
+                theory::jaeger_sigma_1({cohesion, b.phi}, bedded_factor * bond, b.theta, 0.0);
+  return stress / theory::goodman_E(rock, b.theta);
 }
 
 double usual_seconds_per_cost(Precision precision) {
@@ -71,4 +72,4 @@ double usual_seconds_per_cost(Precision precision) {
   return 2.6 * (precision == Precision::single_precision ? 3e-9 : 7e-9);
 }
 
-}  // namespace phy
+}  // namespace phy::study

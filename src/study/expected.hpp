@@ -3,7 +3,7 @@
 #pragma once
 #include "records/recipe.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// Grains of the specimen, near enough; of a Brazilian test those of the disc.
 double expected_grains(const Recipe& single);
@@ -19,4 +19,4 @@ double expected_peak_strain(const Recipe& single);
 /// Seconds of CPU per unit of cost when nothing has been measured.
 double usual_seconds_per_cost(Precision precision);
 
-}  // namespace phy
+}  // namespace phy::study

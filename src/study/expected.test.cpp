@@ -7,7 +7,7 @@
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 Recipe rock(TestKind kind) {
@@ -19,8 +19,9 @@ Recipe rock(TestKind kind) {
 }
 
 std::shared_ptr<const Specimen> specimen(const Recipe& r) {
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  return std::make_shared<const Specimen>(make_specimens(packing, r).front());
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  return std::make_shared<const Specimen>(genesis::make_specimens(packing, r).front());
 }
 
 // Some hundred radii are drawn, with a coefficient of variation of r^2 of 0.3; a rim of a disc cuts grains.
@@ -38,7 +39,7 @@ TEST(Expected, CostWithinAFactorOfTwo) {
     Recipe r = rock(kind);
     r.test.normal_stress = 5e6;
     r.test.max_strain = kind == TestKind("direct_shear") ? 0.004 : 0.01;
-    const TestResult result = run_alone(specimen(r), r);
+    const TestResult result = lab::run_alone(specimen(r), r);
     ASSERT_NE(result.outcome.status, Status::not_settled) << result.outcome.reason;
     const double ratio = static_cast<double>(result.n_steps * result.n_grains) / expected_cost(r);
     EXPECT_GT(ratio, 0.5) << kind->name;
@@ -47,4 +48,4 @@ TEST(Expected, CostWithinAFactorOfTwo) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -12,7 +12,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 /// What all specimens of a recipe have in common.
@@ -20,7 +20,7 @@ Recipe without_angles(Recipe r) {
   r.test.angles.clear();
   r.test.intact = false;
   r.sweep = {};
-  if (!r.bedding.empty()) r.bedding = turned(r.bedding, 0.0);
+  if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
 }
 
@@ -32,7 +32,7 @@ std::vector<Recipe> single_recipes(const Recipe& recipe) {
   one.test.angles.clear();
   one.test.intact = false;
   for (const double theta : recipe.test.angles) {
-    one.bedding = turned(recipe.bedding, theta);
+    one.bedding = genesis::turned(recipe.bedding, theta);
     singles.push_back(one);
   }
   one.bedding = recipe.bedding;
@@ -52,9 +52,9 @@ std::string specimen_key(const Recipe& single) {
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
   Hash h;
-  if (!r.packing.file.empty()) h.add(std::string_view(read_file(r.packing.file)));
+  if (!r.packing.file.empty()) h.add(std::string_view(io::read_file(r.packing.file)));
   r.packing.file.clear();
-  h.add(std::string_view(write_recipe(r)));
+  h.add(std::string_view(io::write_recipe(r)));
   return h.text();
 }
 
@@ -75,15 +75,16 @@ std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe
 }
 
 std::shared_ptr<const Packing> packing_of(const Recipe& r) {
-  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, default_cache_folder());
+  if (r.packing.file.empty())
+    return genesis::cached_packing(r.specimen, r.packing, r.matrix, genesis::default_cache_folder());
   return std::make_shared<const Packing>(
-      adopt_packing(r.specimen, r.packing, r.matrix, read_discs(r.packing.file)));
+      genesis::adopt_packing(r.specimen, r.packing, r.matrix, io::read_discs(r.packing.file)));
 }
 
 std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single) {
-  std::vector<Specimen> made = make_specimens(std::move(packing), single);
+  std::vector<Specimen> made = genesis::make_specimens(std::move(packing), single);
   PHY_CHECK(made.size() == 1, "a single recipe makes one specimen");
   return std::make_shared<const Specimen>(std::move(made.front()));
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -12,7 +12,7 @@
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// One recipe per specimen, in the order of make_specimens: the angles, then the intact rock.
 std::vector<Recipe> single_recipes(const Recipe& recipe);
@@ -37,4 +37,4 @@ std::shared_ptr<const Packing> packing_of(const Recipe& recipe);
 /// The specimen of a single recipe.
 std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -11,7 +11,7 @@
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 Recipe seven_angles() {
@@ -28,8 +28,9 @@ Recipe seven_angles() {
 
 TEST(SingleRecipes, MakeTheSpecimensOfTheWholeRecipe) {
   const Recipe r = seven_angles();
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> all = make_specimens(packing, r);
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> all = genesis::make_specimens(packing, r);
   const std::vector<Recipe> singles = single_recipes(r);
   ASSERT_EQ(singles.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -42,7 +43,8 @@ TEST(SingleRecipes, MakeTheSpecimensOfTheWholeRecipe) {
     }
     EXPECT_EQ(single_recipes(singles[i]).size(), 1u);
     EXPECT_EQ(specimen_key(single_recipes(singles[i]).front()), specimen_key(singles[i]));
-    EXPECT_EQ(specimen_key(parse_recipe(write_recipe(singles[i]), "single")), specimen_key(singles[i]));
+    EXPECT_EQ(specimen_key(io::parse_recipe(io::write_recipe(singles[i]), "single")),
+              specimen_key(singles[i]));
   }
 }
 
@@ -81,7 +83,7 @@ TEST(RecipeDifference, IsTheFirstKeyThatIsNoAngle) {
   Recipe b = a;
   b.test.angles = {5, 10};
   b.test.intact = false;
-  b.bedding = turned(a.bedding, 30.0);
+  b.bedding = genesis::turned(a.bedding, 30.0);
   b.sweep.n_packings = 3;
   EXPECT_FALSE(first_difference(a, b));
   b.matrix.mu = 0.25;
@@ -100,7 +102,7 @@ class SpecimenKeyOfFiles : public InFolder {};
 TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
   Recipe r = single_recipes(seven_angles()).front();
   const auto key_of = [&](const std::string& name, const char* content) {
-    write_file(name, content);
+    io::write_file(name, content);
     r.packing.file = name;
     return specimen_key(r);
   };
@@ -110,4 +112,4 @@ TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

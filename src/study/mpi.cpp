@@ -16,7 +16,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::study {
 
 #ifndef PHY_MPI
 
@@ -69,8 +69,8 @@ json packed(const TestResult& r) {
           {"theta", r.theta},
           {"outcome", {static_cast<int>(r.outcome.status), r.outcome.reason, r.outcome.advice}},
           {"numbers", numbers},
-          {"history", history_csv(r.history)},
-          {"cracks", cracks_csv(r.cracks, r.history.kind)},
+          {"history", io::history_csv(r.history)},
+          {"cracks", io::cracks_csv(r.cracks, r.history.kind)},
           {"dt", r.dt},
           {"counts", {r.n_steps, r.n_contacts, r.n_grains}},
           {"seconds", r.seconds},
@@ -86,8 +86,8 @@ TestResult unpacked(const json& j) {
   r.name = j["name"], r.intact = j["intact"], r.theta = j["theta"];
   r.outcome = {static_cast<Status>(j["outcome"][0].get<int>()), j["outcome"][1], j["outcome"][2]};
   for (const json& n : j["numbers"]) r.numbers.push_back({n[0], number_or_nan(n[1]), n[2], n[3], n[4]});
-  r.history = parse_history(j["history"].get<std::string>(), "a result of another rank");
-  r.cracks = parse_cracks(j["cracks"].get<std::string>(), "a result of another rank");
+  r.history = io::parse_history(j["history"].get<std::string>(), "a result of another rank");
+  r.cracks = io::parse_cracks(j["cracks"].get<std::string>(), "a result of another rank");
   r.dt = number_or_nan(j["dt"]);
   r.n_steps = j["counts"][0], r.n_contacts = j["counts"][1], r.n_grains = j["counts"][2];
   r.seconds = j["seconds"], r.hash = j["hash"];
@@ -263,4 +263,4 @@ void work_as_guest(const Ranks&, const Plan& plan, const MachineOptions& machine
 
 #endif
 
-}  // namespace phy
+}  // namespace phy::study

@@ -11,7 +11,7 @@
 #pragma once
 #include "study/runner.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// MPI from construction to destruction; one object per process. Throws InputError if the program was built
 /// without MPI.
@@ -38,4 +38,4 @@ WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan, c
 void work_as_guest(const Ranks& ranks, const Plan& plan, const MachineOptions& machine,
                    const std::atomic<bool>& stop);
 
-}  // namespace phy
+}  // namespace phy::study

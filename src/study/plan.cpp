@@ -9,7 +9,7 @@
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
@@ -22,8 +22,8 @@ using BatchName =
     std::tuple<std::string, std::string, std::string, StiffnessConvention, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
-  return {r.packing.file,     packing_key(r.specimen, r.packing, r.matrix),
-          rig_name(r),        r.matrix.stiffness_convention,
+  return {r.packing.file,     genesis::packing_key(r.specimen, r.packing, r.matrix),
+          lab::rig_name(r),   r.matrix.stiffness_convention,
           r.engine.precision, r.test.history_interval};
 }
 
@@ -96,4 +96,4 @@ Plan make_plan(const Study& study, const Shard& shard) {
   return plan;
 }
 
-}  // namespace phy
+}  // namespace phy::study

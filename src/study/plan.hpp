@@ -15,7 +15,7 @@
 
 #include "study/design.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// A specimen's place in the design.
 struct Run {
@@ -57,4 +57,4 @@ Plan make_plan(const Study& study, const Shard& shard = {});
 /// A plan of given specimens without a study around them: run i is specimen i; equal ones are one test.
 Plan plan_of(const std::vector<Recipe>& singles);
 
-}  // namespace phy
+}  // namespace phy::study

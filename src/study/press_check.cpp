@@ -6,7 +6,7 @@
 
 #include "base/stats.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 // Per platen [m/s]. The first wave crosses a specimen of any size some 100 times until the strain is reached.
@@ -73,4 +73,4 @@ std::vector<PressModuli> press_moduli(const std::vector<Specimen>& specimens, co
   return moduli;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -13,7 +13,7 @@
 #include "records/specimen.hpp"
 #include "study/scheduler.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// Axial strain up to which the press is compared.
 constexpr double press_check_strain = 2e-4;
@@ -34,4 +34,4 @@ struct PressModuli {
 std::vector<PressModuli> press_moduli(const std::vector<Specimen>& specimens, const Recipe& recipe,
                                       const MachineOptions& machine, bool elastic);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -9,7 +9,7 @@
 #include "genesis/specimen.hpp"
 #include "statics/uniaxial.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 /// About 340 grains in 8 x 16 mm with seven planes, different ratios in contacts and bonds.
@@ -27,7 +27,7 @@ Recipe small_recipe() {
 
 MachineOptions machine() {
   MachineOptions m;
-  m.isa = native_isa();
+  m.isa = engine::native_isa();
   m.threads = 2;
   return m;
 }
@@ -37,9 +37,10 @@ class PressCheck : public testing::TestWithParam<BeddingRule> {};
 TEST_P(PressCheck, DirectSolutionIsTheSlopeOfThePress) {
   Recipe r = small_recipe();
   r.bedding[0].rule = GetParam();
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = make_specimens(packing, r);
-  const std::vector<ElasticResult> direct = solve_all(specimens, {}, 2);
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
+  const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
   const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
   ASSERT_EQ(press.size(), 8U);
   for (std::size_t i = 0; i < press.size(); ++i) {
@@ -61,8 +62,9 @@ TEST(PressCheckAsTheRecipeHasIt, IsOfTheUniaxialPress) {
   Recipe r = small_recipe();
   r.test.angles = {0.0};
   r.test.intact = false;
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = make_specimens(packing, r);
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
   const std::vector<PressModuli> uniaxial = press_moduli(specimens, r, machine(), true);
   r.test.kind = TestKind("direct_tension");
   const std::vector<PressModuli> other = press_moduli(specimens, r, machine(), true);
@@ -76,8 +78,9 @@ TEST(PressCheckAsTheRecipeHasIt, WeakJointsBreakAndSoften) {
   r.test.intact = false;
   r.bedding[0].sigma_n = r.bedding[0].cohesion = 0.5e6;
   r.bedding[0].mu = 0.1;
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = make_specimens(packing, r);
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
   const std::vector<PressModuli> held = press_moduli(specimens, r, machine(), true);
   const std::vector<PressModuli> free = press_moduli(specimens, r, machine(), false);
   EXPECT_EQ(held[1].n_cracks, 0);
@@ -87,4 +90,4 @@ TEST(PressCheckAsTheRecipeHasIt, WeakJointsBreakAndSoften) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -11,7 +11,7 @@
 #include "lab/load_path.hpp"
 #include "study/experiment.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 constexpr auto patience = std::chrono::milliseconds(300);  // between looks at what runs elsewhere
@@ -24,7 +24,7 @@ TestResult not_made(const PlannedTest& test, const std::string& reason) {
   r.theta = r.intact ? 0.0 : test.recipe.bedding.front().theta;
   r.name = "specimen not made";
   r.outcome = {Status::not_settled, reason, "change the packing or the bedding of this point"};
-  r.hash = hash_of(r);
+  r.hash = phy::hash_of(r);
   return r;
 }
 
@@ -83,7 +83,9 @@ class Worker {
     run_crew(std::move(crew), lanes, exchange_);
   }
   /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
-  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const { return shaped(packing_, recipe); }
+  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const {
+    return genesis::shaped(packing_, recipe);
+  }
   LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
     if (!next_job) next_job = [] { return std::optional<Job>(); };
     return {
@@ -100,7 +102,7 @@ class Worker {
       const Recipe& recipe = plan_.tests[*test].recipe;
       try {
         Job job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
-        check_load_path(*job.specimen, recipe);
+        lab::check_load_path(*job.specimen, recipe);
         return job;
       } catch (const InputError& e) {
         desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
@@ -251,7 +253,7 @@ std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std:
 void StoreDesk::deliver_from(const std::string& host, std::size_t test, const TestResult& result) {
   const PlannedTest& t = plan_.tests[test];
   if (result.outcome.status == Status::interrupted) return store_.release(t.key);
-  store_.put(t.key, write_recipe(t.recipe), result, host);
+  store_.put(t.key, io::write_recipe(t.recipe), result, host);
   const std::lock_guard lock(mutex_);
   finish(test, result.outcome.status != Status::peaked);
   ++progress_.n_new;
@@ -293,4 +295,4 @@ WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) 
   return report;
 }
 
-}  // namespace phy
+}  // namespace phy::study

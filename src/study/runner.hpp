@@ -20,7 +20,7 @@
 #include "study/scheduler.hpp"
 #include "study/store.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// Where a study stands.
 struct StudyProgress {
@@ -122,4 +122,4 @@ struct WorkReport {
 /// Works at the desk until it is finished or stopped. Rethrows the first exception of a worker.
 WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -12,7 +12,7 @@
 #include "study/study_in.hpp"
 #include "study/table.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,13 +21,13 @@ class Runner : public InFolder {
  protected:
   void SetUp() override {
     ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
-    write_file(at("base.toml"),
-               "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nn_grains = 143\n[matrix]\n"
-               "sigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
-               "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.5 m/s\"\n");
+    io::write_file(at("base.toml"),
+                   "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nn_grains = 143\n[matrix]\n"
+                   "sigma_c = \"40 MPa\"\ntau_c = \"40 MPa\"\n[[bedding]]\nspacing = \"2 mm\"\n[test]\n"
+                   "angles = [\"45 deg\", \"60 deg\"]\nintact = true\nplaten_speed = \"0.5 m/s\"\n");
   }
   Plan plan(const std::string& text, Shard shard = {}) const {
-    write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
+    io::write_file(at("study.toml"), "recipe = \"base.toml\"\n" + text);
     return make_plan(read_study(at("study.toml")), shard);
   }
   /// Progress at the end of a study by one worker.
@@ -35,13 +35,13 @@ class Runner : public InFolder {
     const StudyHooks none;
     StoreDesk desk(plan, store, none, 1);
     MachineOptions machine;
-    machine.isa = native_isa();
+    machine.isa = engine::native_isa();
     work_at(desk, plan, machine);
     return desk.progress();
   }
   static WorkReport work(const Plan& plan, Store& store, int threads, const StudyHooks& hooks = {}) {
     MachineOptions machine;
-    machine.isa = native_isa();
+    machine.isa = engine::native_isa();
     machine.threads = threads;
     StoreDesk desk(plan, store, hooks, threads);
     return work_at(desk, plan, machine);
@@ -102,11 +102,11 @@ TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
   work(p, store, 2);
   for (const std::size_t t : {std::size_t{0}, p.tests.size() - 1}) {
     const Recipe& r = p.tests[t].recipe;
-    const auto results = run_tests({specimen_of(packing_of(r), r)}, r, {1, 0, 4, native_isa()});
+    const auto results = run_tests({specimen_of(packing_of(r), r)}, r, {1, 0, 4, engine::native_isa()});
     const auto row = store.find(p.tests[t].key);
     ASSERT_TRUE(row);
     EXPECT_EQ(row->result.hash, results[0].hash);
-    EXPECT_EQ(hash_of(row->result).size(), results[0].hash.size());
+    EXPECT_EQ(phy::hash_of(row->result).size(), results[0].hash.size());
     EXPECT_EQ(row->result.history.rows.size(), results[0].history.rows.size());
   }
 }
@@ -119,7 +119,7 @@ TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
   work(p, store, 1);
   for (const PlannedTest& t : p.tests) {
     const auto alone =
-        run_tests({specimen_of(packing_of(t.recipe), t.recipe)}, t.recipe, {1, 0, 4, native_isa()});
+        run_tests({specimen_of(packing_of(t.recipe), t.recipe)}, t.recipe, {1, 0, 4, engine::native_isa()});
     const auto row = store.find(t.key);
     ASSERT_TRUE(row);
     EXPECT_EQ(row->result.hash, alone[0].hash) << alone[0].name;
@@ -128,10 +128,10 @@ TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
 
 // The file alone does not make the packing: its size and whether its overlaps carry stress are the recipe's.
 TEST_F(Runner, AnImportedPackingIsMadeForEverySize) {
-  write_file(at("discs.txt"),
-             "x [m],y [m],r [m]\n0.002,0.002,0.001\n0.004,0.002,0.001\n0.003,0.0037,0.001\n");
-  write_file(at("base.toml"),
-             "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nfile = \"discs.txt\"\n");
+  io::write_file(at("discs.txt"),
+                 "x [m],y [m],r [m]\n0.002,0.002,0.001\n0.004,0.002,0.001\n0.003,0.0037,0.001\n");
+  io::write_file(at("base.toml"),
+                 "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nfile = \"discs.txt\"\n");
   const Plan p = plan("[[vary]]\nkey = \"specimen.height\"\nvalues = [\"8 mm\", \"9 mm\"]\n");
   EXPECT_EQ(p.batches.size(), 2u);
 }
@@ -196,9 +196,9 @@ TEST_F(Runner, FailuresAreStoredWithAdviceAndTheStudyGoesOn) {
 
 // Of discs cut from a packing that is given by its porosity.
 TEST_F(Runner, WorkIsCountedInTheGrainsThatRan) {
-  write_file(at("base.toml"),
-             "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nporosity = 0.16\nn_grains = 0\n"
-             "[test]\nkind = \"brazilian\"\nplaten_speed = \"0.2 m/s\"\n");
+  io::write_file(at("base.toml"),
+                 "[specimen]\nwidth = \"7 mm\"\nheight = \"8 mm\"\n[packing]\nporosity = 0.16\nn_grains = 0\n"
+                 "[test]\nkind = \"brazilian\"\nplaten_speed = \"0.2 m/s\"\n");
   const Plan p = plan("packings = [1, 2]\n");
   Store store(at("s.sqlite"));
   const StudyProgress now = progress_after(p, store);
@@ -208,7 +208,7 @@ TEST_F(Runner, WorkIsCountedInTheGrainsThatRan) {
 
 // Discs beside the box cannot be adopted: that is an outcome of this point, not the end of the study.
 TEST_F(Runner, APackingThatCannotBeMadeIsAnOutcome) {
-  write_file(at("discs.csv"), "x [m],y [m],r [m]\n1,1,0.001\n");
+  io::write_file(at("discs.csv"), "x [m],y [m],r [m]\n1,1,0.001\n");
   const Plan p = plan("[set]\n\"packing.seed\" = 3\n");
   Plan broken = p;
   for (PlannedTest& t : broken.tests) t.recipe.packing.file = at("discs.csv");
@@ -236,4 +236,4 @@ TEST_F(Runner, TheTableHasARowPerSpecimenOfTheDesign) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

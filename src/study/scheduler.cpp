@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "study/expected.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 /// What the workers of run_tests share.
@@ -91,11 +91,11 @@ std::vector<std::size_t> longest_first(const std::vector<double>& cost) {
 
 CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine) {
   const Precision precision = recipe.engine.precision;
-  GroupOptions group;
+  engine::GroupOptions group;
   group.isa = machine.isa;
   group.precision = precision;
-  const int widest = precision == Precision::single_precision ? native_lanes<float>(machine.isa)
-                                                              : native_lanes<double>(machine.isa);
+  const int widest = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
+                                                              : engine::native_lanes<double>(machine.isa);
   group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, precision, widest);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
@@ -136,7 +136,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
-    desk.results[i] = blank_result(*specimens[i], recipe.test.kind);
+    desk.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
     desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
     cost.push_back(cost_of(*specimens[i], recipe));
   }
@@ -159,4 +159,4 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   return std::move(desk.results);
 }
 
-}  // namespace phy
+}  // namespace phy::study

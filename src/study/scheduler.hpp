@@ -16,14 +16,14 @@
 #include "records/specimen.hpp"
 #include "study/crew.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// How to use the machine. Changes no bit of any result.
 struct MachineOptions {
   int threads = 1;
   int lanes = 0;  ///< 0: as many as fill a register, fewer for few specimens or near the end; else fixed
   int skew = 4;
-  Isa isa = Isa::sse2;
+  engine::Isa isa = engine::Isa::sse2;
 };
 
 /// Progress of all running specimens.
@@ -55,4 +55,4 @@ CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const Ma
 std::vector<std::size_t> first_lots(const std::vector<double>& cost, std::size_t n_workers,
                                     Precision precision, int widest);
 
-}  // namespace phy
+}  // namespace phy::study

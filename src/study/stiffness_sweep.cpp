@@ -9,7 +9,7 @@
 #include "genesis/specimen.hpp"
 #include "statics/uniaxial.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 double mean_of(const std::vector<Specimen>& specimens, double BeddingReport::*number) {
@@ -31,7 +31,7 @@ void lay_out(SweptPacking& swept, const BeddingRecipe& base, std::vector<double>
   for (const double f : factors) swept.swept[1].push_back(number(base.k_n, f * base.k_s));
 }
 
-double K_of(const Eq1Fit& fit, SweptStiffness what, double spacing) {
+double K_of(const theory::Eq1Fit& fit, SweptStiffness what, double spacing) {
   return (what == SweptStiffness::normal ? fit.rock.K_n_delta : fit.rock.K_s_delta) / spacing;
 }
 
@@ -43,7 +43,7 @@ std::vector<std::shared_ptr<const Packing>> sweep_packings(const Recipe& recipe,
     return [&](std::size_t i) {
       Recipe r = recipe;
       r.packing.seed += static_cast<std::int64_t>(i);
-      packings[i] = packing_of(r, default_cache_folder());
+      packings[i] = genesis::packing_of(r, genesis::default_cache_folder());
     };
   });
   return packings;
@@ -57,7 +57,7 @@ SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std:
   Recipe base = recipe;
   base.test.intact = false;
   for (BeddingRecipe& set : base.bedding) set.rule = rule;
-  const std::vector<Specimen> angles = make_specimens(packing, base);
+  const std::vector<Specimen> angles = genesis::make_specimens(packing, base);
   swept.bedding = {mean_of(angles, &BeddingReport::overlap_ratio),
                    mean_of(angles, &BeddingReport::bridge_fraction),
                    mean_of(angles, &BeddingReport::non_crossing_fraction)};
@@ -68,12 +68,12 @@ SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std:
       all.push_back(s);
       all.back().bedding[0].k_n = set.k_n, all.back().bedding[0].k_s = set.k_s;
     }
-  all.push_back(make_specimen(packing, recipe.matrix, {}, "intact"));
+  all.push_back(genesis::make_specimen(packing, recipe.matrix, {}, "intact"));
   for (const std::size_t contacts : {0U, 1U}) {
-    ElasticOptions options;
+    statics::ElasticOptions options;
     options.bilateral = contacts == 1;
     options.sensitivities = false;
-    std::vector<ElasticResult> results = solve_all(all, options, threads);
+    std::vector<ElasticResult> results = statics::solve_all(all, options, threads);
     auto next = results.begin();
     for (SweptSet& set : swept.sets)
       for (std::size_t i = 0; i < angles.size(); ++i) set.results[contacts].push_back(std::move(*next++));
@@ -82,15 +82,15 @@ SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std:
   return swept;
 }
 
-Eq1Fit fit_macro(const SweptPacking& swept, const SweptSet& set, const MacroReading& reading) {
+theory::Eq1Fit fit_macro(const SweptPacking& swept, const SweptSet& set, const MacroReading& reading) {
   const auto E_of = [&](const ElasticResult& r) {
     return reading.strain == StrainReading::gauge ? r.E_gauge : r.E_platen;
   };
   const auto contacts = static_cast<std::size_t>(reading.contacts);
-  std::vector<ModulusReading> moduli;
+  std::vector<theory::ModulusReading> moduli;
   for (std::size_t i = 0; i < swept.angles.size(); ++i)
     moduli.push_back({swept.angles[i], E_of(set.results[contacts][i])});
-  return fit_eq1(moduli, {reading.loss, reading.reference, E_of(swept.intact[contacts])});
+  return theory::fit_eq1(moduli, {reading.loss, reading.reference, E_of(swept.intact[contacts])});
 }
 
 MacroLine fit_macro_line(std::span<const SweptPacking> packings, SweptStiffness what,
@@ -103,7 +103,7 @@ MacroLine fit_macro_line(std::span<const SweptPacking> packings, SweptStiffness 
     std::vector<double> k, K, K_other;
     const std::vector<std::size_t>& sweep = p.swept[static_cast<std::size_t>(what)];
     for (const std::size_t i : sweep) {
-      const Eq1Fit fit = fit_macro(p, p.sets[i], reading);
+      const theory::Eq1Fit fit = fit_macro(p, p.sets[i], reading);
       if (!fit.ok()) {
         line.refused = fit.reason;
         break;
@@ -121,4 +121,4 @@ MacroLine fit_macro_line(std::span<const SweptPacking> packings, SweptStiffness 
   return line;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -18,7 +18,7 @@
 #include "records/specimen.hpp"
 #include "theory/eq1_fit.hpp"
 
-namespace phy {
+namespace phy::study {
 
 enum class Contacts { pushing, pulling };     ///< linear contacts only push, or also pull (an idealisation)
 enum class StrainReading { gauge, platens };  ///< middle 60 % of the height, or approach of the platens
@@ -56,12 +56,12 @@ SweptPacking sweep_stiffness(const std::shared_ptr<const Packing>& packing, std:
 struct MacroReading {
   Contacts contacts = Contacts::pushing;
   StrainReading strain = StrainReading::gauge;
-  Eq1Loss loss = Eq1Loss::compliance;
-  Eq1Reference reference = Eq1Reference::given;
+  theory::Eq1Loss loss = theory::Eq1Loss::compliance;
+  theory::Eq1Reference reference = theory::Eq1Reference::given;
 };
 
 /// Eq. 1 fitted to one set of a packing.
-Eq1Fit fit_macro(const SweptPacking& swept, const SweptSet& set, const MacroReading& reading);
+theory::Eq1Fit fit_macro(const SweptPacking& swept, const SweptSet& set, const MacroReading& reading);
 
 /// K = slope k + intercept through a sweep: one line per packing, then mean and interval over the packings.
 struct MacroLine {
@@ -76,4 +76,4 @@ struct MacroLine {
 MacroLine fit_macro_line(std::span<const SweptPacking> packings, SweptStiffness what,
                          const MacroReading& reading);
 
-}  // namespace phy
+}  // namespace phy::study

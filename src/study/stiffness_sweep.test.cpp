@@ -10,7 +10,7 @@
 #include "genesis/specimen.hpp"
 #include "statics/uniaxial.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 Recipe small_recipe() {
@@ -28,8 +28,9 @@ Recipe small_recipe() {
 const SweptPacking& swept() {
   static const SweptPacking s = [] {
     const Recipe r = small_recipe();
-    return sweep_stiffness(std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix)), 1,
-                           r, BeddingRule::crossing, 2);
+    return sweep_stiffness(
+        std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix)), 1, r,
+        BeddingRule::crossing, 2);
   }();
   return s;
 }
@@ -52,18 +53,19 @@ TEST(StiffnessSweep, EverySetIsTheDirectSolutionOfItsSpecimen) {
   Recipe r = small_recipe();
   const SweptSet& set = s.sets[s.swept[1][2]];
   r.bedding[0].k_n = set.k_n, r.bedding[0].k_s = set.k_s;
-  const Specimen specimen = make_specimen(s.packing, r.matrix, turned(r.bedding, 45.0), "again");
-  ElasticOptions options;
+  const Specimen specimen =
+      genesis::make_specimen(s.packing, r.matrix, genesis::turned(r.bedding, 45.0), "again");
+  statics::ElasticOptions options;
   for (const bool bilateral : {false, true}) {
     options.bilateral = bilateral;
-    EXPECT_EQ(solve_uniaxial(specimen, options).E_gauge, set.results[bilateral ? 1 : 0][1].E_gauge);
+    EXPECT_EQ(statics::solve_uniaxial(specimen, options).E_gauge, set.results[bilateral ? 1 : 0][1].E_gauge);
   }
 }
 
 TEST(StiffnessSweep, LinesAreThoseOfTheFits) {
   const SweptPacking& s = swept();
-  const MacroReading reading{Contacts::pulling, StrainReading::gauge, Eq1Loss::compliance,
-                             Eq1Reference::measured_90};
+  const MacroReading reading{Contacts::pulling, StrainReading::gauge, theory::Eq1Loss::compliance,
+                             theory::Eq1Reference::measured_90};
   const MacroLine line = fit_macro_line(std::span(&s, 1), SweptStiffness::normal, reading);
   ASSERT_EQ(line.slope.n, 1U) << line.refused;
   double K[3];
@@ -85,7 +87,7 @@ TEST(StiffnessSweep, SoftJointsCarryAllTheStrainWithTheOverlapAsSlope) {
   r.bedding[0].k_n *= 1e-3, r.bedding[0].k_s *= 1e-3, r.bedding[0].spacing = 0.003;
   const SweptPacking s = sweep_stiffness(swept().packing, 1, r, BeddingRule::crossing, 2);
   const SweptSet& base = s.sets[s.swept[0][1]];
-  const Specimen level = make_specimen(s.packing, r.matrix, r.bedding, "level");
+  const Specimen level = genesis::make_specimen(s.packing, r.matrix, r.bedding, "level");
   const double n_planes = 5.0;  // of 16 mm, every 3 mm, one through the centre
   const double in_series = base.k_n * level.bedding_report[0].overlap_ratio * r.specimen.height / n_planes;
   EXPECT_NEAR(base.results[1][0].E_platen, in_series, 0.02 * in_series);
@@ -109,4 +111,4 @@ TEST(StiffnessSweep, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

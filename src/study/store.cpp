@@ -17,7 +17,7 @@
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
@@ -93,7 +93,7 @@ bool is_dead(const std::string& owner) {
 
 /// A history or a list of cracks.
 std::string unpacked(const std::string& blob, const std::string& path) {
-  std::optional<std::string> text = inflated(blob);
+  std::optional<std::string> text = io::inflated(blob);
   if (!text) throw IoError(path + ": a history is damaged; delete its row and run it again");
   return std::move(*text);
 }
@@ -114,7 +114,7 @@ Status status_from(const std::string& text, const std::string& path) {
   throw IoError(path + ": unknown outcome \"" + text + "\"; it was written by another version");
 }
 
-StoredResult read_specimen(const Statement& s, const std::string& path) {
+StoredResult read_specimen(const io::Statement& s, const std::string& path) {
   StoredResult r;
   TestResult& t = r.result;
   r.key = s.text(0), r.recipe = s.text(1), t.name = s.text(2), t.intact = s.integer(3) != 0;
@@ -126,25 +126,26 @@ StoredResult read_specimen(const Statement& s, const std::string& path) {
   return r;
 }
 
-void read_numbers(Database& database, StoredResult& r) {
-  Statement s(database,
-              "SELECT name, value, unit, definition, note FROM number WHERE key = ? ORDER BY place");
+void read_numbers(io::Database& database, StoredResult& r) {
+  io::Statement s(database,
+                  "SELECT name, value, unit, definition, note FROM number WHERE key = ? ORDER BY place");
   s.bind(r.key);
   while (s.step()) r.result.numbers.push_back({s.text(0), s.number(1), s.text(2), s.text(3), s.text(4)});
 }
 
-void write_specimen(Database& database, const std::string& key, const std::string& recipe,
+void write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
                     const TestResult& t, const std::string& host) {
-  Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
-                            ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  io::Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
+                                ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
   s.bind(t.seconds).bind(host.empty() ? host_name() : host).bind("phyllite " PHY_VERSION).bind(utc_now());
-  s.bind_blob(deflated(history_csv(t.history))).bind_blob(deflated(cracks_csv(t.cracks, t.history.kind)));
+  s.bind_blob(io::deflated(io::history_csv(t.history)))
+      .bind_blob(io::deflated(io::cracks_csv(t.cracks, t.history.kind)));
   s.run();
   if (database.n_changed() == 0) return;
-  Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");
+  io::Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");
   std::int64_t place = 0;
   for (const Number& n : t.numbers) {
     number.bind(key).bind(n.name).bind(place++).bind(n.value).bind(n.unit).bind(n.definition).bind(n.note);
@@ -185,10 +186,10 @@ Store::~Store() {
 void Store::make_tables(Sharing sharing) {
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   database_.transaction([&] {
-    Statement version(database_, "PRAGMA user_version");
+    io::Statement version(database_, "PRAGMA user_version");
     version.step();
     const std::int64_t found = version.integer(0);
-    Statement foreign(database_, "SELECT count(*) FROM sqlite_master");
+    io::Statement foreign(database_, "SELECT count(*) FROM sqlite_master");
     foreign.step();
     const bool empty = foreign.integer(0) == 0;
     if (!empty && found != store_format)
@@ -215,15 +216,15 @@ Claim Store::claim(const std::string& key) {
   const std::lock_guard lock(mutex_);
   Claim answer = Claim::mine;
   database_.transaction([&] {
-    Statement row(database_, "SELECT 1 FROM specimen WHERE key = ?");
+    io::Statement row(database_, "SELECT 1 FROM specimen WHERE key = ?");
     if (row.bind(key).step()) return void(answer = Claim::done);
-    Statement other(database_, "SELECT owner, until FROM claim WHERE key = ?");
+    io::Statement other(database_, "SELECT owner, until FROM claim WHERE key = ?");
     if (other.bind(key).step()) {
       const std::string owner = other.text(0);
       const bool free = owner != owner_ && (other.number(1) < now() || is_dead(owner));
       if (!free) return void(answer = Claim::elsewhere);
     }
-    Statement take(database_, "INSERT OR REPLACE INTO claim VALUES (?, ?, ?)");
+    io::Statement take(database_, "INSERT OR REPLACE INTO claim VALUES (?, ?, ?)");
     take.bind(key).bind(owner_).bind(now() + lease_seconds).run();
   });
   return answer;
@@ -231,7 +232,7 @@ Claim Store::claim(const std::string& key) {
 
 void Store::renew() {
   const std::lock_guard lock(mutex_);
-  Statement(database_, "UPDATE claim SET until = ? WHERE owner = ?")
+  io::Statement(database_, "UPDATE claim SET until = ? WHERE owner = ?")
       .bind(now() + lease_seconds)
       .bind(owner_)
       .run();
@@ -239,12 +240,12 @@ void Store::renew() {
 
 void Store::release(const std::string& key) {
   const std::lock_guard lock(mutex_);
-  Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
+  io::Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
 }
 
 void Store::release_all() {
   const std::lock_guard lock(mutex_);
-  Statement(database_, "DELETE FROM claim WHERE owner = ?").bind(owner_).run();
+  io::Statement(database_, "DELETE FROM claim WHERE owner = ?").bind(owner_).run();
 }
 
 void Store::put(const std::string& key, const std::string& recipe, const TestResult& result,
@@ -253,26 +254,26 @@ void Store::put(const std::string& key, const std::string& recipe, const TestRes
   const std::lock_guard lock(mutex_);
   database_.transaction([&] {
     write_specimen(database_, key, recipe, result, host);
-    Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
+    io::Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
   });
 }
 
 std::optional<StoredResult> Store::find(const std::string& key) const {
   const std::lock_guard lock(mutex_);
-  Statement s(database_,
-              std::string("SELECT ") + specimen_columns + ", history, cracks FROM specimen WHERE key = ?");
+  io::Statement s(
+      database_, std::string("SELECT ") + specimen_columns + ", history, cracks FROM specimen WHERE key = ?");
   if (!s.bind(key).step()) return {};
   StoredResult r = read_specimen(s, database_.path());
   read_numbers(database_, r);
-  r.result.history = parse_history(unpacked(s.blob(17), database_.path()), database_.path());
-  r.result.cracks = parse_cracks(unpacked(s.blob(18), database_.path()), database_.path());
+  r.result.history = io::parse_history(unpacked(s.blob(17), database_.path()), database_.path());
+  r.result.cracks = io::parse_cracks(unpacked(s.blob(18), database_.path()), database_.path());
   return r;
 }
 
 std::vector<StoredResult> Store::rows() const {
   const std::lock_guard lock(mutex_);
   std::vector<StoredResult> all;
-  Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen ORDER BY key");
+  io::Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen ORDER BY key");
   while (s.step()) {
     all.push_back(read_specimen(s, database_.path()));
     read_numbers(database_, all.back());
@@ -284,7 +285,7 @@ std::vector<std::optional<StoredResult>> Store::rows(const std::vector<std::stri
   const std::lock_guard lock(mutex_);
   std::vector<std::optional<StoredResult>> found(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen WHERE key = ?");
+    io::Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen WHERE key = ?");
     if (!s.bind(keys[i]).step()) continue;
     found[i] = read_specimen(s, database_.path());
     read_numbers(database_, *found[i]);
@@ -294,14 +295,14 @@ std::vector<std::optional<StoredResult>> Store::rows(const std::vector<std::stri
 
 std::size_t Store::size() const {
   const std::lock_guard lock(mutex_);
-  Statement s(database_, "SELECT count(*) FROM specimen");
+  io::Statement s(database_, "SELECT count(*) FROM specimen");
   s.step();
   return static_cast<std::size_t>(s.integer(0));
 }
 
 std::size_t Store::n_claimed() const {
   const std::lock_guard lock(mutex_);
-  Statement s(database_, "SELECT owner FROM claim WHERE until >= ?");
+  io::Statement s(database_, "SELECT owner FROM claim WHERE until >= ?");
   s.bind(now());
   std::size_t n = 0;
   while (s.step()) n += is_dead(s.text(0)) ? 0 : 1;
@@ -311,7 +312,7 @@ std::size_t Store::n_claimed() const {
 std::vector<std::string> Store::keys() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> keys;
-  Statement s(database_, "SELECT key FROM specimen ORDER BY key");
+  io::Statement s(database_, "SELECT key FROM specimen ORDER BY key");
   while (s.step()) keys.push_back(s.text(0));
   return keys;
 }
@@ -320,19 +321,19 @@ MergeReport Store::merge(const std::string& other_path) {
   if (!std::filesystem::exists(other_path)) throw IoError(other_path + ": cannot be read: no such file");
   { const Store check(other_path); }  // is it a store, and of this format?
   const std::lock_guard lock(mutex_);
-  Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
+  io::Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
   MergeReport report;
   database_.transaction([&] {
-    Statement clash(database_,
-                    "SELECT a.key FROM specimen a JOIN other.specimen b ON a.key = b.key "
-                    "WHERE a.result_hash <> b.result_hash OR a.status <> b.status ORDER BY a.key");
+    io::Statement clash(database_,
+                        "SELECT a.key FROM specimen a JOIN other.specimen b ON a.key = b.key "
+                        "WHERE a.result_hash <> b.result_hash OR a.status <> b.status ORDER BY a.key");
     while (clash.step()) report.different.push_back(clash.text(0));
     database_.execute(
         "INSERT INTO number SELECT * FROM other.number WHERE key NOT IN (SELECT key FROM specimen)");
     database_.execute(
         "INSERT INTO specimen SELECT * FROM other.specimen WHERE key NOT IN (SELECT key FROM specimen)");
     report.n_added = static_cast<std::size_t>(database_.n_changed());
-    Statement count(database_, "SELECT count(*) FROM other.specimen");
+    io::Statement count(database_, "SELECT count(*) FROM other.specimen");
     count.step();
     report.n_known = static_cast<std::size_t>(count.integer(0)) - report.n_added;
   });
@@ -340,4 +341,4 @@ MergeReport Store::merge(const std::string& other_path) {
   return report;
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -21,7 +21,7 @@
 #include "io/sqlite.hpp"
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// Version of the tables, kept as the file's user_version.
 constexpr int store_format = 1;
@@ -93,8 +93,8 @@ class Store {
  private:
   void make_tables(Sharing sharing);
   mutable std::mutex mutex_;
-  mutable Database database_;
+  mutable io::Database database_;
   std::string owner_;
 };
 
-}  // namespace phy
+}  // namespace phy::study

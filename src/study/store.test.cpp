@@ -17,7 +17,7 @@
 #include "base/check.hpp"
 #include "base/in_folder.test.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,7 +91,7 @@ TEST_F(StoreTest, GivesBackEveryBit) {
     }
   }
   EXPECT_TRUE(std::isnan(out.numbers[1].value));
-  EXPECT_EQ(hash_of(out), hash_of(in)) << "history and cracks, bit by bit";
+  EXPECT_EQ(phy::hash_of(out), phy::hash_of(in)) << "history and cracks, bit by bit";
   EXPECT_FALSE(store.find("other"));
   EXPECT_EQ(store.rows().size(), 1u);
   EXPECT_EQ(store.rows().front().result.numbers.size(), 3u);
@@ -142,8 +142,8 @@ TEST_F(StoreTest, ClaimsOfAKilledProcessAreFreeAtOnce) {
 TEST_F(StoreTest, ClaimsFromElsewhereLastAsLongAsTheirLease) {
   Store store(file());
   const auto foreign = [&](double seconds) {
-    Database database(file());
-    Statement(database, "INSERT OR REPLACE INTO claim VALUES ('k', 'other boot|1|1|1', unixepoch() + ?)")
+    io::Database database(file());
+    io::Statement(database, "INSERT OR REPLACE INTO claim VALUES ('k', 'other boot|1|1|1', unixepoch() + ?)")
         .bind(seconds)
         .run();
   };
@@ -156,10 +156,10 @@ TEST_F(StoreTest, ClaimsFromElsewhereLastAsLongAsTheirLease) {
 TEST_F(StoreTest, RenewingProlongsTheLease) {
   Store store(file());
   store.claim("k");
-  Database database(file());
+  io::Database database(file());
   database.execute("UPDATE claim SET until = 1");
   store.renew();
-  Statement until(database, "SELECT until > unixepoch() + 100 FROM claim");
+  io::Statement until(database, "SELECT until > unixepoch() + 100 FROM claim");
   ASSERT_TRUE(until.step());
   EXPECT_EQ(until.integer(0), 1);
 }
@@ -214,7 +214,7 @@ TEST_F(StoreTest, MergeAddsWhatIsMissingAndTellsWhatDiffers) {
   EXPECT_EQ(report.n_known, 2u);
   EXPECT_EQ(report.different, std::vector<std::string>{"2"});
   EXPECT_EQ(a.find("3")->result.numbers.size(), 3u);
-  EXPECT_EQ(hash_of(a.find("3")->result), hash_of(some_result(3)));
+  EXPECT_EQ(phy::hash_of(a.find("3")->result), phy::hash_of(some_result(3)));
   EXPECT_EQ(a.find("2")->result.hash, "hash2");
   EXPECT_THAT(message_of<IoError>([&] { a.merge(at("none.sqlite")); }), HasSubstr("no such file"));
   EXPECT_FALSE(fs::exists(at("none.sqlite")));
@@ -224,11 +224,11 @@ TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
   fs::create_directories(folder);
   std::ofstream(file()) << std::string(2000, 'x');
   EXPECT_THAT(message_of<IoError>([&] { Store s(file()); }), HasSubstr("no store or a damaged one"));
-  Database(at("foreign.sqlite")).execute("CREATE TABLE mine (x)");
+  io::Database(at("foreign.sqlite")).execute("CREATE TABLE mine (x)");
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("foreign.sqlite")); }),
               HasSubstr("is no store of phyllite"));
   { Store s(at("new.sqlite")); }
-  Database(at("new.sqlite")).execute("PRAGMA user_version = 99");
+  io::Database(at("new.sqlite")).execute("PRAGMA user_version = 99");
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("new.sqlite")); }), HasSubstr("has format 99"));
   fs::create_directories(at("folder.sqlite"));
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
@@ -239,7 +239,7 @@ TEST_F(StoreTest, AShardHasItsStoreForItself) {
     Store mine(file(), Sharing::alone);
     mine.put("k", "r", some_result(1));
     EXPECT_FALSE(fs::exists(file() + "-shm")) << "no memory shared with other processes";
-    Database other(file(), 10);
+    io::Database other(file(), 10);
     EXPECT_THAT(message_of<IoError>([&] { other.execute("SELECT * FROM specimen"); }),
                 HasSubstr("keeps it locked"));
   }
@@ -249,10 +249,10 @@ TEST_F(StoreTest, AShardHasItsStoreForItself) {
 TEST_F(StoreTest, ADamagedHistoryIsTold) {
   Store store(file());
   store.put("k", "r", some_result(1));
-  Database(file()).execute("UPDATE specimen SET history = substr(history, 1, 100)");
+  io::Database(file()).execute("UPDATE specimen SET history = substr(history, 1, 100)");
   EXPECT_THAT(message_of<IoError>([&] { store.find("k"); }), HasSubstr("a history is damaged"));
   EXPECT_EQ(store.rows().size(), 1u);
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::study

@@ -13,10 +13,10 @@
 #include "io/toml_tree.hpp"
 #include "study/experiment.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
-using Kind = TomlValue::Kind;
+using Kind = io::TomlValue::Kind;
 constexpr std::size_t max_told = 20;
 constexpr double max_specimens = 1e6;  // a slip of the pen, not a study
 
@@ -41,9 +41,9 @@ std::string key_hint(const std::string& path) {
 }
 
 /// A value of any key that travels as a number.
-bool take_any(const Field& f, const TomlValue& v, double& value, std::string& remedy) {
+bool take_any(const Field& f, const io::TomlValue& v, double& value, std::string& remedy) {
   if (f.kind == FieldKind::boolean) return value = v.number, v.kind == Kind::boolean;
-  if (f.kind != FieldKind::choice) return take_value(f, v, value, remedy);
+  if (f.kind != FieldKind::choice) return io::take_value(f, v, value, remedy);
   const auto it = std::find(f.choices.begin(), f.choices.end(), v.text);
   value = static_cast<double>(it - f.choices.begin());
   return v.kind == Kind::text && it != f.choices.end();
@@ -63,7 +63,7 @@ bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != F
 
 class Reader {
  public:
-  Reader(const std::string& path, std::vector<Problem> so_far, const TomlValue& root)
+  Reader(const std::string& path, std::vector<Problem> so_far, const io::TomlValue& root)
       : problems(std::move(so_far)), path_(path), root_(root) {}
 
   Study read() {
@@ -87,14 +87,14 @@ class Reader {
 
  private:
   std::string path_;
-  const TomlValue& root_;
+  const io::TomlValue& root_;
   Study study_;
   bool base_ok_ = false;
 
   std::string at(std::size_t line) const { return path_ + ":" + std::to_string(line); }
-  void tell(const TomlValue& v, const std::string& key, const std::string& expected,
+  void tell(const io::TomlValue& v, const std::string& key, const std::string& expected,
             const std::string& remedy) {
-    problems.push_back({at(v.line), key, as_written(v), expected, remedy});
+    problems.push_back({at(v.line), key, io::as_written(v), expected, remedy});
   }
   std::string beside(const std::string& name) const {
     return (std::filesystem::path(path_).parent_path() / name).string();
@@ -105,8 +105,8 @@ class Reader {
     return "";
   }
 
-  void check_keys(const TomlValue& table, const std::string& name, const std::string& prefix) {
-    for (const TomlValue::Key& key : table.keys) {
+  void check_keys(const io::TomlValue& table, const std::string& name, const std::string& prefix) {
+    for (const io::TomlValue::Key& key : table.keys) {
       std::vector<std::string> known;
       for (const StudyKey& k : study_keys()) {
         if (k.table == name) known.push_back(k.key);
@@ -126,7 +126,7 @@ class Reader {
   }
 
   std::string text(const char* key, const std::string& otherwise) {
-    const TomlValue* v = root_.find(key);
+    const io::TomlValue* v = root_.find(key);
     if (v == nullptr) return otherwise;
     if (v->kind == Kind::text) return v->text;
     tell(*v, key, "text in quotes", "");
@@ -141,7 +141,7 @@ class Reader {
       return;
     }
     try {
-      study_.base = read_recipe(beside(name));
+      study_.base = io::read_recipe(beside(name));
       base_ok_ = true;
     } catch (const InputError& e) {
       problems.insert(problems.end(), e.problems().begin(), e.problems().end());
@@ -150,7 +150,7 @@ class Reader {
     }
   }
   void read_design() {
-    const TomlValue* v = root_.find("design");
+    const io::TomlValue* v = root_.find("design");
     if (v == nullptr) return;
     for (int d = 0; d < n_designs; ++d)
       if (v->kind == Kind::text && v->text == to_string(static_cast<Design>(d)))
@@ -161,28 +161,28 @@ class Reader {
     tell(*v, "design", expected_of("", "design"), near.empty() ? "" : "did you mean \"" + near + "\"?");
   }
 
-  bool whole(const TomlValue& v, double least, double most) const {
+  bool whole(const io::TomlValue& v, double least, double most) const {
     return v.kind == Kind::integer && v.number >= least && v.number <= most;
   }
   void read_numbers() {
-    if (const TomlValue* v = root_.find("samples"))
+    if (const io::TomlValue* v = root_.find("samples"))
       whole(*v, 1, 100000) ? void(study_.samples = static_cast<std::int64_t>(v->number))
                            : tell(*v, "samples", expected_of("", "samples"), "");
-    if (const TomlValue* v = root_.find("seed"))
+    if (const io::TomlValue* v = root_.find("seed"))
       whole(*v, 0, 4e9) ? void(study_.seed = static_cast<std::int64_t>(v->number))
                         : tell(*v, "seed", expected_of("", "seed"), "");
     study_.packings = seeds("packings", study_.base.packing.seed);
     study_.bond_seeds = seeds("bond_seeds", study_.base.matrix.bond_seed);
-    if (const TomlValue* v = root_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
+    if (const io::TomlValue* v = root_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
       tell(*v, "packings", "no seeds with packing.file",
            "an imported packing has no seed; vary nothing here");
   }
   std::vector<std::int64_t> seeds(const char* key, std::int64_t base) {
-    const TomlValue* v = root_.find(key);
+    const io::TomlValue* v = root_.find(key);
     if (v == nullptr) return {base};
     std::vector<std::int64_t> list;
     bool ok = v->kind == Kind::list && !v->items.empty();
-    for (const TomlValue& item : v->items) {
+    for (const io::TomlValue& item : v->items) {
       ok = ok && whole(item, 0, 4294967295.0);
       const auto seed = static_cast<std::int64_t>(ok ? item.number : 0.0);
       ok = ok && std::find(list.begin(), list.end(), seed) == list.end();
@@ -209,7 +209,7 @@ class Reader {
     return {};
   }
   void read_set() {
-    const TomlValue* table = root_.find("set");
+    const io::TomlValue* table = root_.find("set");
     if (table == nullptr) return;
     if (table->kind != Kind::table) return tell(*table, "set", "a table", "write [set] on a line of its own");
     for (std::size_t i = 0; i < table->keys.size(); ++i) {
@@ -226,12 +226,12 @@ class Reader {
   }
 
   void read_vary() {
-    const TomlValue* tables = root_.find("vary");
+    const io::TomlValue* tables = root_.find("vary");
     if (tables == nullptr) return;
     if (tables->kind != Kind::list)
       return tell(*tables, "vary", "tables", "write [[vary]] above the keys of each parameter");
     for (std::size_t i = 0; i < tables->items.size(); ++i) {
-      const TomlValue& table = tables->items[i];
+      const io::TomlValue& table = tables->items[i];
       const std::string name = "vary[" + std::to_string(i) + "]";
       if (table.kind != Kind::table) {
         tell(table, name, "a table", "");
@@ -245,8 +245,8 @@ class Reader {
       if (++count[f.key.path()] == 2)
         problems.push_back({path_, "vary", f.key.path(), "every key once", "join the two tables"});
   }
-  void read_factor(const TomlValue& table, const std::string& name) {
-    const TomlValue* key = table.find("key");
+  void read_factor(const io::TomlValue& table, const std::string& name) {
+    const io::TomlValue* key = table.find("key");
     if (key == nullptr || key->kind != Kind::text)
       return tell(key != nullptr ? *key : table, name + ".key", "a key of the recipe in quotes",
                   "for example key = \"bedding.k_n\"");
@@ -255,8 +255,8 @@ class Reader {
     if (f.key.field == nullptr) return;
     if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
       return tell(*key, name + ".key", "a key that varies from point to point", remedy);
-    const TomlValue *values = table.find("values"), *times = table.find("times"), *from = table.find("from"),
-                    *to = table.find("to");
+    const io::TomlValue *values = table.find("values"), *times = table.find("times"),
+                        *from = table.find("from"), *to = table.find("to");
     const int n_ways = (values != nullptr) + (times != nullptr) + (from != nullptr || to != nullptr);
     if (n_ways != 1 || (from == nullptr) != (to == nullptr))
       return tell(table, name, "one of: values; times; from and to", "say once what " + key->text + " takes");
@@ -269,35 +269,35 @@ class Reader {
            "a range is for latin_hypercube, sobol, morris and saltelli");
     study_.vary.push_back(f);
   }
-  bool value_in(const Factor& f, const TomlValue& v, const std::string& name, double& value) {
+  bool value_in(const Factor& f, const io::TomlValue& v, const std::string& name, double& value) {
     std::string remedy;
     if (take_any(*f.key.field, v, value, remedy)) return true;
     tell(v, name, range_text(*f.key.field), remedy);
     return false;
   }
-  void read_values(Factor& f, const TomlValue& list, const std::string& name) {
+  void read_values(Factor& f, const io::TomlValue& list, const std::string& name) {
     if (list.kind != Kind::list || list.items.empty())
       return tell(list, name, "a list of values", "write [value, value, ...]");
-    for (const TomlValue& v : list.items)
+    for (const io::TomlValue& v : list.items)
       if (double value = 0.0; value_in(f, v, name, value)) f.levels.push_back(value);
   }
-  void read_times(Factor& f, const TomlValue& list, const std::string& name) {
+  void read_times(Factor& f, const io::TomlValue& list, const std::string& name) {
     const bool countable = f.key.field->kind == FieldKind::quantity || f.key.field->kind == FieldKind::number;
     if (list.kind != Kind::list || list.items.empty() || !countable)
       return tell(list, name, "a list of factors of a key that is a number",
                   "write [0.5, 1, 2], or use values");
     const double base = f.key.get(study_.base);
     const Field& field = *f.key.field;
-    for (const TomlValue& v : list.items) {
+    for (const io::TomlValue& v : list.items) {
       const double value = v.number * base;
-      if ((v.kind == Kind::integer || v.kind == Kind::number) && within_range(field, value))
+      if ((v.kind == Kind::integer || v.kind == Kind::number) && io::within_range(field, value))
         f.levels.push_back(value);
       else
         tell(v, name, "a factor that keeps " + f.key.path() + " within " + range_text(field), "");
     }
   }
-  void read_range(Factor& f, const TomlValue& table, const std::string& name) {
-    const TomlValue *from = table.find("from"), *to = table.find("to"), *scale = table.find("scale");
+  void read_range(Factor& f, const io::TomlValue& table, const std::string& name) {
+    const io::TomlValue *from = table.find("from"), *to = table.find("to"), *scale = table.find("scale");
     if (f.key.field->kind == FieldKind::choice || f.key.field->kind == FieldKind::boolean)
       return tell(*from, name, "values for this key", "a range is for numbers");
     if (!value_in(f, *from, name + ".from", f.from) || !value_in(f, *to, name + ".to", f.to)) return;
@@ -312,7 +312,7 @@ class Reader {
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
   void read_list() {
     const std::string name = text("file", "");
-    const TomlValue* v = root_.find("file");
+    const io::TomlValue* v = root_.find("file");
     if ((study_.design == Design::list) == name.empty()) {
       problems.push_back(
           {v != nullptr ? at(v->line) : path_, "file", "", "a CSV file exactly with design = \"list\"",
@@ -324,13 +324,13 @@ class Reader {
       problems.push_back(
           {path_, "vary", "", "no [[vary]] with design = \"list\"", "the columns name the keys"});
     const std::string where = beside(name);
-    const Table table = parse_table(read_file(where), where);
+    const io::Table table = io::parse_table(io::read_file(where), where);
     problems.insert(problems.end(), table.problems.begin(), table.problems.end());
     const std::vector<std::string> units = read_header(table, where);
-    for (const TableRow& row : table.rows)
+    for (const io::TableRow& row : table.rows)
       if (problems.size() < max_told) read_row(row, units, where);
   }
-  std::vector<std::string> read_header(const Table& table, const std::string& file) {
+  std::vector<std::string> read_header(const io::Table& table, const std::string& file) {
     std::vector<std::string> units;
     for (const std::string& cell : table.header) {
       const std::size_t open = cell.rfind(" [");
@@ -351,7 +351,7 @@ class Reader {
     }
     return units;
   }
-  void read_row(const TableRow& row, const std::vector<std::string>& units, const std::string& file) {
+  void read_row(const io::TableRow& row, const std::vector<std::string>& units, const std::string& file) {
     std::vector<double> values;
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
       const RecipeKey& key = study_.vary[k].key;
@@ -365,8 +365,8 @@ class Reader {
     }
     study_.rows.push_back(values);
   }
-  static TomlValue cell_value(const Field& f, const std::string& cell, const std::string& unit) {
-    TomlValue v;
+  static io::TomlValue cell_value(const Field& f, const std::string& cell, const std::string& unit) {
+    io::TomlValue v;
     v.kind = Kind::text, v.text = cell;
     if (f.kind == FieldKind::choice) return v;
     if (f.kind == FieldKind::boolean) {
@@ -459,7 +459,7 @@ const std::vector<StudyKey>& study_keys() {
 
 Study read_study(const std::string& path) {
   std::vector<Problem> problems;
-  const TomlValue root = parse_toml(read_file(path), path, problems);
+  const io::TomlValue root = io::parse_toml(io::read_file(path), path, problems);
   Reader reader(path, std::move(problems), root);
   Study study = reader.read();
   if (!reader.problems.empty()) throw InputError(std::move(reader.problems));
@@ -473,7 +473,7 @@ std::vector<std::pair<std::string, std::string>> study_files(const Study& study)
   text += "samples = " + whole(study.samples) + "\nseed = " + whole(study.seed) + "\n";
   if (study.base.packing.file.empty()) text += "packings = " + list_text(study.packings, whole) + "\n";
   text += "bond_seeds = " + list_text(study.bond_seeds, whole) + "\n";
-  std::vector<std::pair<std::string, std::string>> files = {{"recipe.toml", write_recipe(study.base)}};
+  std::vector<std::pair<std::string, std::string>> files = {{"recipe.toml", io::write_recipe(study.base)}};
   if (study.design == Design::list) {
     files.emplace_back("points.csv", points_csv(study));
     text += "file = \"points.csv\"\n";
@@ -492,4 +492,4 @@ std::vector<std::pair<std::string, std::string>> study_files(const Study& study)
   return files;
 }
 
-}  // namespace phy
+}  // namespace phy::study

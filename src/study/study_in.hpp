@@ -6,7 +6,7 @@
 
 #include "study/design.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// One key of a study file: THE list, from which the reader's hints and the reference come.
 struct StudyKey {
@@ -25,4 +25,4 @@ Study read_study(const std::string& path);
 /// and, for a list, points.csv. Pairs of name and content.
 std::vector<std::pair<std::string, std::string>> study_files(const Study& study);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -6,7 +6,7 @@
 #include "analysis/analyse.hpp"
 #include "records/quality.hpp"
 
-namespace phy {
+namespace phy::study {
 namespace {
 
 /// Names with units of all numbers, in the order of their first appearance.
@@ -26,7 +26,7 @@ std::string quality_cells(const TestResult& result) {
   const std::vector<QualityMark> marks = quality_marks(result.numbers);
   std::string names;
   for (const QualityMark& m : marks) names += (names.empty() ? "" : " ") + std::string(m.limit->number);
-  return std::string(to_string(grade_of(result.numbers))) + "," + names;
+  return std::string(phy::to_string(grade_of(result.numbers))) + "," + names;
 }
 
 }  // namespace
@@ -57,13 +57,13 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
       text += "," + csv_cell(plan.study.vary[k].key, plan.points[run.point].values[k]);
     const std::optional<StoredResult>& row = rows[run.test];
     for (const auto& [name, unit] : numbers) {
-      const Number* n = row ? find(row->result.numbers, name) : nullptr;
+      const Number* n = row ? analysis::find(row->result.numbers, name) : nullptr;
       text += "," + (n != nullptr ? csv_cell(n->value) : "");
     }
     if (row)
       text += "," + std::to_string(row->n_cracks) + "," + std::to_string(row->result.n_steps) + "," +
-              print_number(row->result.seconds) + "," + to_string(row->result.outcome.status) + "," +
-              csv_cell(row->result.outcome.reason) + "," + quality_cells(row->result) + "," +
+              print_number(row->result.seconds) + "," + phy::to_string(row->result.outcome.status) + "," +
+              phy::csv_cell(row->result.outcome.reason) + "," + quality_cells(row->result) + "," +
               row->result.hash + ",";
     else
       text += ",,,,not run,,,,,";
@@ -78,4 +78,4 @@ std::vector<std::optional<StoredResult>> rows_of(const Plan& plan, const Store& 
   return store.rows(keys);
 }
 
-}  // namespace phy
+}  // namespace phy::study

@@ -8,7 +8,7 @@
 #include "study/plan.hpp"
 #include "study/store.hpp"
 
-namespace phy {
+namespace phy::study {
 
 /// CSV with the point, the seeds, the specimen, every varied key, the outcome and every number that any
 /// specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows` belong to plan.tests.
@@ -22,4 +22,4 @@ std::string csv_head(const RecipeKey& key);  ///< "bedding.k_n [Pa/m]"
 /// The rows of all tests of the plan.
 std::vector<std::optional<StoredResult>> rows_of(const Plan& plan, const Store& store);
 
-}  // namespace phy
+}  // namespace phy::study

@@ -8,7 +8,7 @@
 #pragma once
 #include <cmath>
 
-namespace phy {
+namespace phy::theory {
 
 /// Angle between load axis and plane [deg] from the inclination theta [deg], and back (the rule is its own
 /// inverse).
@@ -23,4 +23,4 @@ inline double folded_theta(double theta) {
   return turn <= 90.0 ? turn : 180.0 - turn;
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 /// Where a + b lambda reaches 0 from below, for lambda >= 0; 2 when it does not on this leg.
@@ -113,4 +113,4 @@ void ExactJoint::leg(ContactPoint step, double) {
   slider.leg((1.0 - done) * step.closure, (1.0 - done) * step.slide);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -16,7 +16,7 @@
 #pragma once
 #include "records/contact_path.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 /// Springs with a Coulomb slider that may dilate.
 struct Slider {
@@ -75,4 +75,4 @@ struct ExactJoint {
   ContactForces forces() const { return cement.capacity > 0.0 ? cement.forces() : slider.forces(); }
 };
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -2,7 +2,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 double end_constraint_eta(const PlaneCompliance& S, double slenderness) {
   PHY_CHECK(slenderness > 0.0 && S.S_yy > 0.0 && S.S_ss > 0.0,
@@ -19,4 +19,4 @@ double end_constraint_mean_ratio(const PlaneCompliance& S, double slenderness) {
   return (1.0 - 2.0 / 3.0 * eta) / (1.0 - eta);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

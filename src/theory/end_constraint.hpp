@@ -17,7 +17,7 @@
 #pragma once
 #include "theory/transverse_isotropy.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 /// eta [-], 0 <= eta < 1; `S` is the compliance in specimen axes, `slenderness` is H/W > 0.
 double end_constraint_eta(const PlaneCompliance& S, double slenderness);
@@ -29,4 +29,4 @@ double end_constraint_ratio(const PlaneCompliance& S, double slenderness);
 /// centre-line stress.
 double end_constraint_mean_ratio(const PlaneCompliance& S, double slenderness);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 struct Strip {
@@ -87,4 +87,4 @@ TEST(EndConstraint, VanishesWithoutCouplingAndForSlenderSpecimens) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

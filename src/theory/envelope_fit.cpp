@@ -7,7 +7,7 @@
 
 #include "base/stats.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
@@ -120,4 +120,4 @@ HoekBrownFit fit_hoek_brown(const std::vector<EnvelopeReading>& readings) {
   return fit;
 }
 
-}  // namespace phy
+}  // namespace phy::theory

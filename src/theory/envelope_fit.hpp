@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace phy {
+namespace phy::theory {
 
 /// One peak [Pa].
 struct EnvelopeReading {
@@ -50,4 +50,4 @@ struct HoekBrownFit {
 /// Needs two different confining stresses and strengths that grow faster than sigma_3.
 HoekBrownFit fit_hoek_brown(const std::vector<EnvelopeReading>& readings);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -9,7 +9,7 @@
 #include "theory/hoek_brown.hpp"
 #include "theory/jaeger.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 std::vector<EnvelopeReading> readings(const std::vector<double>& confining, auto sigma_1) {
@@ -83,4 +83,4 @@ TEST(EnvelopeFits, SayWhyNot) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

@@ -9,7 +9,7 @@
 #include "base/exact_math.hpp"
 #include "theory/angles.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 constexpr double same_angle = 1e-6;  // [deg] readings closer than this are repeats of one angle
@@ -263,4 +263,4 @@ Eq1Fit fit_eq1(const std::vector<ModulusReading>& readings, const Eq1Options& op
   return conclude(fit, s, p, readings);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

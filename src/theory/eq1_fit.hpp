@@ -26,7 +26,7 @@
 
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 /// One laboratory or numerical test.
 struct ModulusReading {
@@ -78,4 +78,4 @@ struct Eq1Fit {
 /// Fits Eq. 1. Never throws for what the data are; see Eq1Status.
 Eq1Fit fit_eq1(const std::vector<ModulusReading>& readings, const Eq1Options& options);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -13,7 +13,7 @@
 #include "base/rng.hpp"
 #include "theory/transverse_isotropy.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 const std::vector<double> seven{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
@@ -238,4 +238,4 @@ TEST(Eq1Fit, FindsTheStiffnessesOfEveryElasticTensor) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

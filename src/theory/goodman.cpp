@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 double goodman_E(const JointedRock& rock, double theta) {
   const SinCos a = sin_cos_degrees(theta);
@@ -38,4 +38,4 @@ CurveShape goodman_shape(const JointedRock& rock) {
   return shape;
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -16,7 +16,7 @@
 // K_n and K_s never appear without delta, so the products [Pa] are the parameters. docs/theory/goodman.md
 #pragma once
 
-namespace phy {
+namespace phy::theory {
 
 /// Isotropic rock with one joint set. Infinite K_n_delta or K_s_delta: the planes do not yield in that
 /// direction.
@@ -51,4 +51,4 @@ struct CurveShape {
 /// Type, minimum and ends of the curve; needs K_n_delta > 0 and K_s_delta > 0.
 CurveShape goodman_shape(const JointedRock& rock);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -11,7 +11,7 @@
 #include "base/vec.hpp"
 #include "theory/angles.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 const JointedRock example{45e9, 6406e9 * 0.005, 1666e9 * 0.005, 0.24};
@@ -104,4 +104,4 @@ TEST(Angles, FoldingKeepsWhatAnAxialTestSees) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

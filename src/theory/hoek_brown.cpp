@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 double hoek_brown_sigma_1(double sigma_c, double m_i, double sigma_3) {
   return saroglou_tsiambaos_sigma_1(sigma_c, 1.0, m_i, sigma_3);
@@ -16,4 +16,4 @@ double saroglou_tsiambaos_sigma_1(double sigma_c_theta, double k_theta, double m
   return sigma_3 + sigma_c_theta * std::sqrt(inside);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

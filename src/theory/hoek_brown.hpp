@@ -12,7 +12,7 @@
 // (s < 1, GSI), tension beyond sigma_3 = -sigma_c / (k m_i). docs/theory/strength.md
 #pragma once
 
-namespace phy {
+namespace phy::theory {
 
 /// Peak sigma_1 [Pa]; sigma_c > 0 [Pa], m_i > 0 [-], sigma_3 >= -sigma_c / m_i [Pa].
 double hoek_brown_sigma_1(double sigma_c, double m_i, double sigma_3);
@@ -21,4 +21,4 @@ double hoek_brown_sigma_1(double sigma_c, double m_i, double sigma_3);
 /// inclination.
 double saroglou_tsiambaos_sigma_1(double sigma_c_theta, double k_theta, double m_i, double sigma_3);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 struct Arc {
@@ -57,4 +57,4 @@ double brazilian_strength(double P, double diameter, double thickness) {
   return 2.0 * P / (pi * diameter * thickness);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -23,7 +23,7 @@
 // that grows with the load. docs/theory/brazilian.md
 #pragma once
 
-namespace phy {
+namespace phy::theory {
 
 /// Disc and load. P is the whole force on one platen, compression positive.
 struct BrazilianDisc {
@@ -52,4 +52,4 @@ DiameterStress point_load_cross_diameter(const BrazilianDisc& disc, double rho);
 /// Indirect tensile strength 2P/(pi D t) [Pa], positive.
 double brazilian_strength(double P, double diameter, double thickness);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -9,7 +9,7 @@
 
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 const BrazilianDisc disc{0.05, 0.025, 8.0, 9e3};
@@ -108,4 +108,4 @@ TEST(Hondros, CentreOfTheDisc) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

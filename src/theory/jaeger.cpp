@@ -7,7 +7,7 @@
 #include "base/exact_math.hpp"
 #include "theory/angles.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 double coulomb_sigma_1(const Coulomb& rock, double sigma_3) {
   const double mu = tan_degrees(rock.friction);
@@ -41,4 +41,4 @@ SlipRange slip_range(const Coulomb& plane, double matrix_sigma_1, double sigma_3
   return {true, 0.5 * (plane.friction + rise), 0.5 * (plane.friction + 180.0 - rise)};
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -12,7 +12,7 @@
 // docs/theory/strength.md
 #pragma once
 
-namespace phy {
+namespace phy::theory {
 
 /// Coulomb shear strength tau = cohesion + sigma tan(friction).
 struct Coulomb {
@@ -50,4 +50,4 @@ struct SlipRange {
 /// phi) / (s1 - s3).
 SlipRange slip_range(const Coulomb& plane, double matrix_sigma_1, double sigma_3);
 
-}  // namespace phy
+}  // namespace phy::theory

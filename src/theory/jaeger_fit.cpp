@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 constexpr double largest_friction = 60.0;  // [deg]
@@ -80,4 +80,4 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
   return fit;
 }
 
-}  // namespace phy
+}  // namespace phy::theory

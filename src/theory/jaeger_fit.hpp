@@ -14,7 +14,7 @@
 
 #include "theory/jaeger.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 struct StrengthReading {
   double theta = 0.0;    ///< [deg]
@@ -37,4 +37,4 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix
 JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings,
                      const std::function<double(double)>& matrix);
 
-}  // namespace phy
+}  // namespace phy::theory

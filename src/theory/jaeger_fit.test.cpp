@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 std::vector<StrengthReading> rock_of(double cohesion, double tan_friction, double matrix) {
@@ -69,4 +69,4 @@ TEST(JaegerFit, FindsThePlaneOverConfiningStresses) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 using Eigen::MatrixXd;
@@ -107,4 +107,4 @@ LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody 
   return fit;
 }
 
-}  // namespace phy
+}  // namespace phy::theory

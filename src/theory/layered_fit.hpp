@@ -16,7 +16,7 @@
 
 #include "theory/transverse_isotropy.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 struct LayeredReading {
   double theta = 0.0;               ///< [deg]
@@ -40,4 +40,4 @@ struct LayeredFit {
 /// The nearest body. Needs a modulus among the readings.
 LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody kind);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 const double pi_ = std::acos(-1.0);
@@ -139,4 +139,4 @@ TEST(LayeredFit, TheLimitIsWhatChanceExceedsOnceInAHundred) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

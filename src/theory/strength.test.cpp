@@ -9,7 +9,7 @@
 #include "theory/jaeger.hpp"
 #include "theory/variable_cohesion.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 double degrees(double radians) { return radians * 180.0 / pi; }
@@ -122,4 +122,4 @@ TEST(VariableCohesion, McLamoreGrayBranchesAndExponent) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 bool is_admissible(const TransverseIsotropy& m) {
   return m.E > 0.0 && m.E_n > 0.0 && m.G_n > 0.0 && std::abs(m.nu) < 1.0 &&
@@ -146,4 +146,4 @@ TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, dou
   return {C_33 * (1.0 + 2.0 * epsilon), C_33, C_44, C_44 * (1.0 + 2.0 * gamma), std::sqrt(square) - C_44};
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -18,7 +18,7 @@
 #pragma once
 #include "theory/goodman.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 /// The five constants. Primes of the literature are written `_n`: "normal to the planes".
 struct TransverseIsotropy {
@@ -115,4 +115,4 @@ TiStiffness stiffness_from_ti(const TransverseIsotropy& m);
 /// Needs C_33 > C_44 > 0 and a right side >= 0.
 TiStiffness stiffness_from_thomsen(double C_33, double C_44, double epsilon, double gamma, double delta);
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -9,7 +9,7 @@
 
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::theory {
 namespace {
 
 const TransverseIsotropy shale{38e9, 19e9, 0.21, 0.16, 9e9};
@@ -167,4 +167,4 @@ TEST(TransverseIsotropy, AdmissibilityIsPositiveEnergy) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::theory

@@ -6,7 +6,7 @@
 #include "base/exact_math.hpp"
 #include "theory/angles.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 double OrientationLaw::at(double theta) const {
   PHY_CHECK(n >= 1, "an exponent of at least 1");
@@ -35,4 +35,4 @@ double mclamore_gray_sigma_1(const McLamoreGray& rock, double theta, double sigm
   return sigma_1_from(rock.cohesion.at(theta), rock.tan_friction.at(theta), sigma_3);
 }
 
-}  // namespace phy
+}  // namespace phy::theory

@@ -19,7 +19,7 @@
 #pragma once
 #include "theory/jaeger.hpp"
 
-namespace phy {
+namespace phy::theory {
 
 /// One branch: x = A - B cos^n.
 struct CosineBranch {
@@ -53,4 +53,4 @@ struct McLamoreGray {
 /// Peak sigma_1 [Pa].
 double mclamore_gray_sigma_1(const McLamoreGray& rock, double theta, double sigma_3);
 
-}  // namespace phy
+}  // namespace phy::theory

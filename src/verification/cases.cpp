@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace phy {
+namespace phy::verification {
 
 bool Check::passed() const {
   const double scale = expected == 0.0 ? 1.0 : std::fabs(expected);
@@ -20,4 +20,4 @@ const std::vector<VerificationCase>& verification_cases() {
   return cases;
 }
 
-}  // namespace phy
+}  // namespace phy::verification

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace phy {
+namespace phy::verification {
 
 /// One comparison of a case.
 struct Check {
@@ -35,4 +35,4 @@ std::vector<VerificationCase> statics_cases();   ///< V1-V3, V5, V13: direct ela
 std::vector<VerificationCase> specimen_cases();  ///< V18: genesis
 std::vector<VerificationCase> test_cases();      ///< V13, V20, V21: whole tests
 
-}  // namespace phy
+}  // namespace phy::verification

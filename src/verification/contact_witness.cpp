@@ -5,20 +5,20 @@
 
 #include "theory/contact_path.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
-using Exact = std::variant<ExactLinear, ExactBond, ExactJoint>;
+using Exact = std::variant<theory::ExactLinear, theory::ExactBond, theory::ExactJoint>;
 
 /// The closed form of a law, and the seconds that one step takes (dashpots).
 std::optional<Exact> exact(std::string_view law, std::span<const double> v, double& dt) {
   if (law == "linear") {
-    ExactLinear e;
+    theory::ExactLinear e;
     e.slider = {v[0], v[1], v[2]};
     return e;
   }
   if (law == "dashpot") {
-    ExactLinear e;
+    theory::ExactLinear e;
     const int mode = static_cast<int>(v[6]);
     e.slider = {v[0], v[1], v[2]};
     e.c_n = v[3], e.c_s = v[4];
@@ -27,9 +27,9 @@ std::optional<Exact> exact(std::string_view law, std::span<const double> v, doub
     dt = 1.0 / v[5];
     return e;
   }
-  if (law == "parallel_bond") return ExactBond{{v[0], v[1], v[2], v[3], v[4], v[5], v[6], {}}};
+  if (law == "parallel_bond") return theory::ExactBond{{v[0], v[1], v[2], v[3], v[4], v[5], v[6], {}}};
   if (law == "smooth_joint") {
-    ExactJoint e;
+    theory::ExactJoint e;
     e.cement = {v[0], v[1], 0.0, 0.0, v[3], v[4], v[6], {}};
     e.slider = {v[0], v[1], v[2], v[5]};
     return e;
@@ -63,4 +63,4 @@ std::vector<ContactForces> witness(std::string_view law, std::span<const double>
   return forces;
 }
 
-}  // namespace phy
+}  // namespace phy::verification

@@ -7,7 +7,7 @@
 
 #include "records/contact_path.hpp"
 
-namespace phy {
+namespace phy::verification {
 
 /// Forces that the closed form gives at every row of `drive(contact, corners, steps)`, each solved in one
 /// piece from the last corner. `parameters` in the order of the law's schema; empty when no closed form is
@@ -15,4 +15,4 @@ namespace phy {
 std::vector<ContactForces> witness(std::string_view law, std::span<const double> parameters,
                                    std::span<const ContactPoint> corners, int steps);
 
-}  // namespace phy
+}  // namespace phy::verification

@@ -9,7 +9,7 @@
 #include "base/rng.hpp"
 #include "lab/contact_bench.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
 /// Corners of a random walk. Where `closed`, the contact is never opened.
@@ -25,9 +25,9 @@ std::vector<ContactPoint> random_corners(std::uint32_t path, bool closed) {
   return corners;
 }
 
-std::vector<double> parameters_of(const LawInfo& law) {
+std::vector<double> parameters_of(const lab::LawInfo& law) {
   std::vector<double> v;
-  for (const ParameterInfo& p : law.parameters) {
+  for (const laws::ParameterInfo& p : law.parameters) {
     const bool angle = std::string_view(p.name).starts_with("tan");
     v.push_back(angle ? 0.2 : p.typical);
   }
@@ -39,10 +39,10 @@ struct Difference {
   int n_broken = 0;
 };
 
-Difference compare(const LawInfo& law, const std::vector<ContactPoint>& corners, int steps) {
+Difference compare(const lab::LawInfo& law, const std::vector<ContactPoint>& corners, int steps) {
   const std::vector<double> v = parameters_of(law);
-  const auto contact = bench_contact(law.name, v);
-  const auto rows = drive(*contact, corners, steps);
+  const auto contact = lab::bench_contact(law.name, v);
+  const auto rows = lab::drive(*contact, corners, steps);
   const auto exact = witness(law.name, v, corners, steps);
   EXPECT_EQ(exact.size(), rows.size()) << law.name << " has no closed form";
   Difference d;
@@ -60,7 +60,7 @@ Difference compare(const LawInfo& law, const std::vector<ContactPoint>& corners,
 // On straight legs of a closed contact every law is exact for steps of any size: Coulomb's limit, the bond's
 // strengths and the implicit dilation are all met at the end of the step in which they are reached.
 TEST(ContactBench, EqualsTheClosedFormWhileClosed) {
-  for (const LawInfo& law : law_infos()) {
+  for (const lab::LawInfo& law : lab::law_infos()) {
     for (std::uint32_t path = 0; path < 50; ++path) {
       std::vector<ContactPoint> corners{{1e-7, 0.0, 0.0}};  // the approach, without slide
       for (const ContactPoint& p : random_corners(path, true)) corners.push_back(p);
@@ -73,7 +73,7 @@ TEST(ContactBench, EqualsTheClosedFormWhileClosed) {
 // A contact that touches within a step slides for a part of it; the linear law counts the whole. The error is
 // the slide of one step, so it must fall in proportion to the step.
 TEST(ContactBench, ComesToTheClosedFormWhereContactsOpenAndClose) {
-  for (const LawInfo& law : law_infos()) {
+  for (const lab::LawInfo& law : lab::law_infos()) {
     double coarse = 0.0, fine = 0.0, force = 0.0;
     int n_broken = 0;
     for (std::uint32_t path = 0; path < 20; ++path) {
@@ -90,10 +90,10 @@ TEST(ContactBench, ComesToTheClosedFormWhereContactsOpenAndClose) {
 
 // Work put in = stored + dissipated + released along a fine path: the books of the bench close.
 TEST(ContactBench, BooksClose) {
-  for (const LawInfo& law : law_infos()) {
+  for (const lab::LawInfo& law : lab::law_infos()) {
     const std::vector<double> v = parameters_of(law);
-    const auto contact = bench_contact(law.name, v);
-    const auto rows = drive(*contact, random_corners(3, false), 20000);
+    const auto contact = lab::bench_contact(law.name, v);
+    const auto rows = lab::drive(*contact, random_corners(3, false), 20000);
     double work = 0.0, most = 0.0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
       const ContactPoint d = rows[i].at - rows[i - 1].at;
@@ -101,12 +101,12 @@ TEST(ContactBench, BooksClose) {
       work += 0.5 * ((a.F_n + b.F_n) * d.closure - (a.F_s + b.F_s) * d.slide - (a.M + b.M) * d.rotation);
       most = std::max(most, std::fabs(work));
     }
-    const BenchRow& end = rows.back();
+    const lab::BenchRow& end = rows.back();
     EXPECT_NEAR(work, end.stored + end.dissipated + end.released, 2e-3 * most) << law.name;
   }
 }
 
-TEST(ContactBench, UnknownLawIsNull) { EXPECT_EQ(bench_contact("rubber", {}), nullptr); }
+TEST(ContactBench, UnknownLawIsNull) { EXPECT_EQ(lab::bench_contact("rubber", {}), nullptr); }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::verification

@@ -12,23 +12,23 @@
 #include "records/assembly.hpp"
 #include "verification/cases.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
 /// One specimen in one lane, stepped one cycle at a time.
 struct Bench {
   std::shared_ptr<const Specimen> specimen;
-  std::unique_ptr<LaneGroup> group;
+  std::unique_ptr<engine::LaneGroup> group;
   Bench(Specimen s, double damping, int interval = 1, double safety = 0.5) {
     specimen = std::make_shared<const Specimen>(std::move(s));
-    GroupOptions options;
-    options.isa = native_isa();
+    engine::GroupOptions options;
+    options.isa = engine::native_isa();
     options.interval = interval;
-    group = make_group(specimen->packing, options);
-    LaneSetup setup;
+    group = engine::make_group(specimen->packing, options);
+    engine::LaneSetup setup;
     setup.damping = damping;
     setup.step_safety = safety;
-    setup.rig = std::make_shared<const Rig>(platens(*specimen->packing).rig);
+    setup.rig = std::make_shared<const engine::Rig>(lab::platens(*specimen->packing).rig);
     group->load(0, specimen, setup);
   }
   double dt() const { return group->time_step(0); }
@@ -226,7 +226,8 @@ std::vector<Check> energy_balance() {
 // closed forms.
 std::vector<Check> stable_step() {
   const auto ratio = [](const Specimen& s, double exact) {
-    return FrequencyBound(s, initial_stiffnesses(contact::standard_models(), s)).omega() / exact;
+    return engine::FrequencyBound(s, engine::initial_stiffnesses(contact::standard_models(), s)).omega() /
+           exact;
   };
   Specimen pair = bonded_pair();
   const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
@@ -272,4 +273,4 @@ std::vector<VerificationCase> dynamics_cases() {
   };
 }
 
-}  // namespace phy
+}  // namespace phy::verification

@@ -7,12 +7,12 @@
 #include "laws/laws.hpp"
 #include "verification/cases.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
 constexpr double huge = 1e30;
 
-smooth_joint::Parameters<double> joint(double psi) {
+laws::smooth_joint::Parameters<double> joint(double psi) {
   return {3360e9 * 6e-4, 960e9 * 6e-4, 0.4, huge, 0.0, tan_degrees(psi), 0.0};
 }
 
@@ -21,14 +21,14 @@ std::vector<Check> joint_friction() {
   std::vector<Check> checks;
   for (const double psi : {0.0, 10.0}) {
     const auto p = joint(psi);
-    smooth_joint::State<double> s{0.0, N0 / p.k_n, 0.0, 0.0};
+    laws::smooth_joint::State<double> s{0.0, N0 / p.k_n, 0.0, 0.0};
     const double du = 1e-9, u_slip = p.mu * N0 / p.k_s;
     double u = 0.0, opened = 0.0, onset = 0.0;
-    Reaction<double> r{};
+    laws::Reaction<double> r{};
     for (int i = 0; i < 20000; ++i) {  // constant normal load: the joint opens by what it dilates
       const double lift = s.dilation - opened;
       opened = s.dilation;
-      r = smooth_joint::respond(p, s, Motion<double>{0.0, -lift, du, 0.0});
+      r = laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, -lift, du, 0.0});
       u += du;
       if (onset == 0.0 && r.dissipated > 0.0) onset = u;
     }
@@ -48,11 +48,11 @@ std::vector<Check> joint_constant_stiffness() {
     auto p = joint(35.0);
     p.mu = mu_ks;
     if (mu_ks < p.tan_psi) p.tan_psi = tan_degrees(10.0);
-    smooth_joint::State<double> s{0.0, 5e3 / p.k_n, 0.0, 0.0};
+    laws::smooth_joint::State<double> s{0.0, 5e3 / p.k_n, 0.0, 0.0};
     const double du = 1e-9;
     double F1 = 0.0, F2 = 0.0;
     for (int i = 0; i < 20000; ++i) {
-      const auto r = smooth_joint::respond(p, s, Motion<double>{0.0, 0.0, du, 0.0});
+      const auto r = laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, 0.0, du, 0.0});
       if (i == 14999) F1 = r.F_n;
       if (i == 19999) F2 = r.F_n;
     }
@@ -66,39 +66,41 @@ std::vector<Check> joint_constant_stiffness() {
 
 std::vector<Check> joint_strength() {
   const double A = 6e-4, sigma_n = 10e6, c = 30e6, phi = 20.0;
-  smooth_joint::Parameters<double> p{3360e9 * A, 960e9 * A, 0.4, c * A, tan_degrees(phi), 0.0, 0.0};
-  smooth_joint::State<double> s{0.0, 0.0, sigma_n * A, 0.0};
+  laws::smooth_joint::Parameters<double> p{3360e9 * A, 960e9 * A, 0.4, c * A, tan_degrees(phi), 0.0, 0.0};
+  laws::smooth_joint::State<double> s{0.0, 0.0, sigma_n * A, 0.0};
   double opening = 0.0, peak = 0.0;
   const double du = 1e-12;
-  while (s.capacity > 0.0) smooth_joint::respond(p, s, Motion<double>{0.0, -du, 0.0, 0.0}), opening += du;
+  while (s.capacity > 0.0)
+    laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, -du, 0.0, 0.0}), opening += du;
   const double N = 8e3;
   s = {0.0, N / p.k_n, sigma_n * A, 0.0};
-  Reaction<double> r{};
+  laws::Reaction<double> r{};
   while (s.capacity > 0.0) {
     peak = -s.F_s;
-    r = smooth_joint::respond(p, s, Motion<double>{0.0, 0.0, 1e-11, 0.0});
+    r = laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, 0.0, 1e-11, 0.0});
   }
-  r = smooth_joint::respond(p, s, Motion<double>{0.0, 0.0, 1e-11, 0.0});
+  r = laws::smooth_joint::respond(p, s, laws::Motion<double>{0.0, 0.0, 1e-11, 0.0});
   return {{"opening at tensile break sigma_n/k_n [m]", sigma_n / 3360e9, opening, 1e-6},
           {"shear force at break (c + p tan phi) A [N/m]", c * A + N * tan_degrees(phi), peak, 1e-6},
           {"residual shear force mu p A [N/m]", p.mu * N, -r.F_s, 1e-12}};
 }
 
-parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double beta) {
-  const auto g = parallel_bond::geometry(1.0, r1, r2);
+laws::parallel_bond::Parameters<double> bond(double r1, double r2, double tau, double beta) {
+  const auto g = laws::parallel_bond::geometry(1.0, r1, r2);
   const double kb = 38e9 / g.L;
   return {kb * g.A, 0.3 * kb * g.A, kb * g.I, 3.0 * beta / g.R_bar, tau * g.A, 0.0, 0.0};
 }
 
 /// Drives a fresh bond along `d` (closure, slide, rotation per step) until it breaks; the motion of the last
 /// step.
-Motion<double> until_broken(const parallel_bond::Parameters<double>& p, double capacity, Motion<double> d) {
-  parallel_bond::State<double> s{0.0, capacity};
-  Motion<double> m{0.0, d.closure, d.d_slide, 0.0};
+laws::Motion<double> until_broken(const laws::parallel_bond::Parameters<double>& p, double capacity,
+                                  laws::Motion<double> d) {
+  laws::parallel_bond::State<double> s{0.0, capacity};
+  laws::Motion<double> m{0.0, d.closure, d.d_slide, 0.0};
   double slide = 0.0;
   while (s.capacity > 0.0) {
     m.closure += d.closure, m.rotation += d.rotation, slide += d.d_slide;
-    parallel_bond::respond(p, s, m);
+    laws::parallel_bond::respond(p, s, m);
   }
   return {m.closure, d.closure, slide, m.rotation};
 }
@@ -124,16 +126,16 @@ std::vector<Check> bond_strength() {
 /// contact that is pressed shut.
 double rebound(double beta, int mode, bool shear) {
   const double k = 38e9, m_c = 4e-4, omega = std::sqrt(k / m_c), dt = 5e-7 / omega, v0 = 0.1;
-  const double c = dashpot::coefficient(beta, m_c, k);
-  const dashpot::Parameters<double> p{{k, k, 1.0 / k, huge}, c, c, 1.0 / dt, mode};
-  dashpot::State<double> s{0.0};
+  const double c = laws::dashpot::coefficient(beta, m_c, k);
+  const laws::dashpot::Parameters<double> p{{k, k, 1.0 / k, huge}, c, c, 1.0 / dt, mode};
+  laws::dashpot::State<double> s{0.0};
   double x = 0.0, v = v0;
   while (true) {
     x += v * dt;
     if (x <= 0.0) return -v / v0;
-    const Motion<double> m =
-        shear ? Motion<double>{1e-6, 0.0, v * dt, 0.0} : Motion<double>{x, v * dt, 0.0, 0.0};
-    const Reaction<double> r = dashpot::respond(p, s, m);
+    const laws::Motion<double> m =
+        shear ? laws::Motion<double>{1e-6, 0.0, v * dt, 0.0} : laws::Motion<double>{x, v * dt, 0.0, 0.0};
+    const laws::Reaction<double> r = laws::dashpot::respond(p, s, m);
     v -= (shear ? -r.F_s : r.F_n) / m_c * dt;
   }
 }
@@ -174,4 +176,4 @@ std::vector<VerificationCase> law_cases() {
   };
 }
 
-}  // namespace phy
+}  // namespace phy::verification

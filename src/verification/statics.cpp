@@ -8,7 +8,7 @@
 #include "statics/system.hpp"
 #include "verification/cases.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
 constexpr double R = 1e-3;
@@ -40,9 +40,9 @@ struct Cell {
       }
     }
   }
-  Network network() const { return make_network(specimen, period); }
+  statics::Network network() const { return statics::make_network(specimen, period); }
   Eigen::Matrix3d stiffness() const {
-    const CellStiffness cell = cell_stiffness(network(), period.x * period.y);
+    const statics::CellStiffness cell = statics::cell_stiffness(network(), period.x * period.y);
     Eigen::Matrix3d C;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) C(i, j) = cell.C[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
@@ -119,15 +119,15 @@ std::vector<Check> cantilever() {
   for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R + 2.0 * R * i, R, R});
   Specimen s = assembly(discs, MatrixRecipe{});
   bond_touching(s);
-  const Network net = make_network(s);
-  const Tangent<double> bond = stiffness(net.links[0], false);
+  const statics::Network net = statics::make_network(s);
+  const laws::Tangent<double> bond = statics::stiffness(net.links[0], false);
   const std::vector<char> bonds_only(net.links.size(), 0);
-  Boundary boundary;
-  move_with(boundary, net, 0, {});
+  statics::Boundary boundary;
+  statics::move_with(boundary, net, 0, {});
   boundary.loads = {{{n, 1}, P}};
-  const Movements force = solve_once(net, boundary, bonds_only).u;
+  const statics::Movements force = statics::solve_once(net, boundary, bonds_only).u;
   boundary.loads = {{{n, 2}, P}};
-  const Movements moment = solve_once(net, boundary, bonds_only).u;
+  const statics::Movements moment = statics::solve_once(net, boundary, bonds_only).u;
   const double sag = P * (N * (4.0 * N * N - 1.0) * R * R / (3.0 * bond.k_m) + N / bond.k_s);
   return {{"deflection under a tip force [m]", sag, force[3 * n + 1], exact},
           {"rotation under a tip force [rad]", P * N * N * R / bond.k_m, force[3 * n + 2], exact},
@@ -137,16 +137,16 @@ std::vector<Check> cantilever() {
 
 std::vector<Check> contact_forces() {
   const Cell cell = hexagonal_cell(4, 4);
-  const Network net = cell.network();
+  const statics::Network net = cell.network();
   const double n = cell.K_n(), s = cell.K_s(), stress = 1e6;
   const Eigen::Vector3d e = cell.stiffness().inverse() * Eigen::Vector3d(0.0, -stress, 0.0);
-  Boundary boundary;
+  statics::Boundary boundary;
   boundary.movements = {{{0, 0}, 0.0}, {{0, 1}, 0.0}};
   boundary.gradient = {e[0], 0.5 * e[2], 0.5 * e[2], e[1]};
-  const Movements u = solve_once(net, boundary).u;
+  const statics::Movements u = statics::solve_once(net, boundary).u;
   double inclined_n = 0.0, inclined_s = 0.0, level_n = 0.0, couple = 0.0, level = 0.0, inclined = 0.0;
-  for (const Link& l : net.links) {
-    const auto q = forces(stiffness(l, true), strains(l, u, boundary.gradient));
+  for (const statics::Link& l : net.links) {
+    const auto q = statics::forces(statics::stiffness(l, true), statics::strains(l, u, boundary.gradient));
     couple = std::max(couple, std::fabs(q[2]) / (stress * R * R));
     if (std::fabs(l.n.y) < 0.1)
       level_n += q[0], level += 1.0;
@@ -174,4 +174,4 @@ std::vector<VerificationCase> statics_cases() {
       {"V13", "Contact forces of a hexagonal lattice under uniaxial stress", source, why, contact_forces}};
 }
 
-}  // namespace phy
+}  // namespace phy::verification

@@ -16,17 +16,17 @@
 #include "theory/hondros.hpp"
 #include "verification/cases.hpp"
 
-namespace phy {
+namespace phy::verification {
 namespace {
 
 constexpr double R = 3e-4;
 
 TestResult run(Specimen s, const Recipe& recipe) {
-  return run_alone(std::make_shared<const Specimen>(std::move(s)), recipe);
+  return lab::run_alone(std::make_shared<const Specimen>(std::move(s)), recipe);
 }
 
 double value(const TestResult& r, const char* name) {
-  const Number* n = find(r.numbers, name);
+  const Number* n = analysis::find(r.numbers, name);
   return n == nullptr ? std::nan("") : n->value;
 }
 
@@ -59,12 +59,12 @@ std::vector<Check> lattice_tension() {
 }
 
 /// Mean over a circle of radius a of a stress field that is biharmonic: f(0) + a^2/8 laplacian f(0).
-double mean_in_circle(const BrazilianDisc& disc, double a, double DiameterStress::*stress) {
+double mean_in_circle(const theory::BrazilianDisc& disc, double a, double theory::DiameterStress::*stress) {
   const double h = 1e-3, radius = 0.5 * disc.diameter;  // of the radius
-  const double centre = hondros_loaded_diameter(disc, 0.0).*stress;
+  const double centre = theory::hondros_loaded_diameter(disc, 0.0).*stress;
   const double laplacian = 2.0 *
-                           (hondros_loaded_diameter(disc, h).*stress - centre +
-                            (hondros_cross_diameter(disc, h).*stress - centre)) /
+                           (theory::hondros_loaded_diameter(disc, h).*stress - centre +
+                            (theory::hondros_cross_diameter(disc, h).*stress - centre)) /
                            (h * h * radius * radius);
   return centre + a * a / 8.0 * laplacian;
 }
@@ -76,7 +76,7 @@ struct CentreStress {
 /// Presses an elastic disc by two jaws of 10 degrees and reads the circle of radius D/8 in its middle.
 CentreStress centre_stress(const Packing& packing, double diameter) {
   Specimen s;
-  s.packing = std::make_shared<const Packing>(cut_disc(packing, diameter));
+  s.packing = std::make_shared<const Packing>(genesis::cut_disc(packing, diameter));
   s.matrix = soft_contact();
   bond_touching(s);
   Recipe r;
@@ -88,12 +88,13 @@ CentreStress centre_stress(const Packing& packing, double diameter) {
   const TestResult result = run(std::move(s), r);
   const Snapshot& last = result.snapshots.back();
   const double alpha = 0.5 * r.test.loading_angle;
-  const double P = last.axial_stress * 0.5 * pi * diameter / brazilian_arc_factor(alpha);
-  const BrazilianDisc theory{diameter, 1.0, alpha, P};
+  const double P = last.axial_stress * 0.5 * pi * diameter / lab::brazilian_arc_factor(alpha);
+  const theory::BrazilianDisc theory{diameter, 1.0, alpha, P};
   const double a = diameter / 8.0;
-  const PlaneStress m = stress_in_circle(*disc, last, {0.5 * disc->width, 0.5 * disc->height}, a);
-  return {m.xx / mean_in_circle(theory, a, &DiameterStress::sigma_x),
-          m.yy / mean_in_circle(theory, a, &DiameterStress::sigma_y)};
+  const analysis::PlaneStress m =
+      analysis::stress_in_circle(*disc, last, {0.5 * disc->width, 0.5 * disc->height}, a);
+  return {m.xx / mean_in_circle(theory, a, &theory::DiameterStress::sigma_x),
+          m.yy / mean_in_circle(theory, a, &theory::DiameterStress::sigma_y)};
 }
 
 std::vector<Check> brazilian_centre() {
@@ -107,7 +108,7 @@ std::vector<Check> brazilian_centre() {
   for (std::int64_t seed = 1; seed <= 5; ++seed) {
     PackingRecipe recipe;
     recipe.n_grains = 1031, recipe.seed = seed;
-    const CentreStress one = centre_stress(make_packing({D, D}, recipe, soft_contact()), D);
+    const CentreStress one = centre_stress(genesis::make_packing({D, D}, recipe, soft_contact()), D);
     mean.x += one.x / 5.0, mean.y += one.y / 5.0;
   }
   return {{"hexagonal disc: tension across the load over Hondros [-]", 1.0, hexagonal_disc.x, 0.03},
@@ -128,8 +129,9 @@ std::vector<Check> sheared_plane() {
   r.bedding.resize(1);
   BeddingRecipe& set = r.bedding.front();
   set.rule = BeddingRule::crossing, set.spacing = 0.05, set.phi = 20.0, set.mu = 0.4;
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
-  Specimen s = make_specimens(packing, r).front();
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  Specimen s = genesis::make_specimens(packing, r).front();
   const double overlap = s.bedding_report.front().overlap_ratio;
   const TestResult result = run(std::move(s), r);
   const double sigma = r.test.normal_stress;
@@ -153,4 +155,4 @@ std::vector<VerificationCase> test_cases() {
            "grains are 1/30 of the diameter; packings scatter by some 5 %", brazilian_centre}};
 }
 
-}  // namespace phy
+}  // namespace phy::verification

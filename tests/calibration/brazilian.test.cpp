@@ -13,15 +13,15 @@ namespace phy {
 namespace {
 
 TEST(BrazilianTargets, FifteenTimesWeakerInTensionIsOutOfReachOfAnIsotropicRock) {
-  const auto simulator = make_simulator(
+  const auto simulator = calibrate::make_simulator(
       {static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), "", nullptr, nullptr});
   Rock rock;
   rock.bedded = false, rock.model = magnified_model(4.0), rock.model.bedding.clear();
-  rock.readings = {reading(Property::E, 0.0, 40e9), reading(Property::ucs, 0.0, 150e6),
-                   reading(Property::brazilian, 0.0, 10e6)};
-  CalibrationOptions options;
+  rock.readings = {calibrate::reading(Property::E, 0.0, 40e9), calibrate::reading(Property::ucs, 0.0, 150e6),
+                   calibrate::reading(Property::brazilian, 0.0, 10e6)};
+  calibrate::CalibrationOptions options;
   options.max_tests = 25;
-  const Calibration c = calibrate(Evidence(rock), options, *simulator);
+  const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), options, *simulator);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings,
               testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0 in the laboratory")))

@@ -68,11 +68,11 @@ inline std::vector<std::int64_t> packings_from(std::int64_t first, int n) {
 /// What the calibration is given of a trial: the table alone, with noise.
 inline Rock rock_of(const Trial& trial, std::uint32_t k, const Recipe& model,
                     const std::vector<double>& angles) {
-  TwinOptions options;
+  calibrate::TwinOptions options;
   options.angles = angles, options.noise_seed = k;
   Rock rock;
   rock.name = fmt::format("twin {}", k), rock.model = model;
-  rock.readings = twin_readings(trial.response, options);
+  rock.readings = calibrate::twin_readings(trial.response, options);
   return rock;
 }
 
@@ -84,30 +84,30 @@ inline std::vector<std::int64_t> table_packings(std::uint32_t k, int n) {
 inline std::vector<std::int64_t> unseen_packings() { return packings_from(6, 5); }
 
 inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
-                       std::int64_t max_tests, Simulator& simulator, int n_table = 5) {
+                       std::int64_t max_tests, calibrate::Simulator& simulator, int n_table = 5) {
   Trial t;
   t.truth = trial_rock(k, model);
-  t.response = twin_response(t.truth, angles, table_packings(k, n_table), simulator);
-  t.unseen = twin_response(t.truth, angles, unseen_packings(), simulator);
-  CalibrationOptions how;
+  t.response = calibrate::twin_response(t.truth, angles, table_packings(k, n_table), simulator);
+  t.unseen = calibrate::twin_response(t.truth, angles, unseen_packings(), simulator);
+  calibrate::CalibrationOptions how;
   how.max_tests = max_tests;
-  t.found = calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
+  t.found = calibrate::calibrate(calibrate::Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
 /// The elastic part of a trial alone.
 inline Trial run_elastic_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
-                               Simulator& simulator, int n_table = 5) {
+                               calibrate::Simulator& simulator, int n_table = 5) {
   Trial t;
   t.truth = trial_rock(k, model);
   std::vector<Target> moduli;
   for (const Property p : {Property::E, Property::nu})
     for (const double theta : angles) moduli.push_back({p, theta, 1.0, 1.0, 1, true});
-  t.response = elastic_response(t.truth, moduli, table_packings(k, n_table), simulator);
-  t.unseen = elastic_response(t.truth, moduli, unseen_packings(), simulator);
-  CalibrationOptions how;
+  t.response = calibrate::elastic_response(t.truth, moduli, table_packings(k, n_table), simulator);
+  t.unseen = calibrate::elastic_response(t.truth, moduli, unseen_packings(), simulator);
+  calibrate::CalibrationOptions how;
   how.elastic_only = true;
-  t.found = calibrate(Evidence(rock_of(t, k, model, angles)), how, simulator);
+  t.found = calibrate::calibrate(calibrate::Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }
 
@@ -130,8 +130,8 @@ inline double rmse_against(const std::vector<Comparison>& rows, const std::vecto
 /// sought.
 inline double true_value(const Recipe& r, const ParameterEstimate& e) {
   if (e.number != nullptr) return e.number(r);
-  for (const StrengthParameter* p : strength_ratios(true))
-    if (e.key == sought(*p).key) return p->get(r);
+  for (const calibrate::StrengthParameter* p : calibrate::strength_ratios(true))
+    if (e.key == calibrate::sought(*p).key) return p->get(r);
   return std::nan("");
 }
 

@@ -11,7 +11,7 @@ namespace phy {
 namespace {
 
 TEST(TwinTrial, ThreeRocksAreRecoveredFromNoisyTables) {
-  const auto simulator = make_simulator(
+  const auto simulator = calibrate::make_simulator(
       {static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), "", nullptr, nullptr});
   const Recipe model = magnified_model(6.0);
   const std::vector<double> angles = {0, 30, 60, 90};

@@ -22,9 +22,10 @@ struct Rolling {
                                  Sums<R>& sums, const Broke&) {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, closure = -(k.stretch + R(step.gap));
-    const linear::Parameters<R> law{p[k_n], p[k_s], p[inv_k_s], p[mu]};
-    linear::State<R> state{memory.load(shear)};
-    const Reaction<R> r = linear::respond(law, state, Motion<R>{closure, R(0), d_slide, R(0)});
+    const laws::linear::Parameters<R> law{p[k_n], p[k_s], p[inv_k_s], p[mu]};
+    laws::linear::State<R> state{memory.load(shear)};
+    const laws::Reaction<R> r =
+        laws::linear::respond(law, state, laws::Motion<R>{closure, R(0), d_slide, R(0)});
     const R before = memory.load(couple), trial = before - p[k_r] * (k.rotation - memory.load(turned));
     const R M = clip(trial, R(g[reach]) * r.F_n);
     memory.store(shear, state.F_s);
@@ -33,7 +34,7 @@ struct Rolling {
     sums.slip += memory.only_here(r.dissipated + R(0.5f) * (before + M) * (trial - M) / p[k_r], R(0));
     if constexpr (sample) {
       sums.linear +=
-          memory.only_here(linear::strain_energy(law, r.F_n, r.F_s) + R(0.5f) * M * M / p[k_r], R(0));
+          memory.only_here(laws::linear::strain_energy(law, r.F_n, r.F_s) + R(0.5f) * M * M / p[k_r], R(0));
       sums.overlap = max(sums.overlap, memory.only_here(closure * R(g[inv_r_min]), R(0)));
     }
     return {r.F_n * k.nx - r.F_s * k.ny, r.F_n * k.ny + r.F_s * k.nx, M};
@@ -59,7 +60,7 @@ class RollingModel final : public ContactModel {
   void install(const Specimen&, const Contact&, double*) const override {}
   void meet(double, double*) const override {}
   Vec2 normal(const Specimen&, const Contact&, Vec2 branch) const override { return branch; }
-  Tangent<double> stiffness(const Specimen& s, const Contact&, bool) const override {
+  laws::Tangent<double> stiffness(const Specimen& s, const Contact&, bool) const override {
     return {s.matrix.E_c, s.matrix.ks_over_kn * s.matrix.E_c, F::rolling_stiffness};
   }
   ElasticPart elastic(const Specimen& s, const Contact& c, double) const override {

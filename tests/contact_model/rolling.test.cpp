@@ -19,19 +19,20 @@ namespace {
 
 using Combination = contact::Combination<contact::Rolling, contact::SmoothJoint>;
 
-const ContactPhysics rolling{
-    contact::models<Combination>(),
-    [](Isa, int lanes) -> AdvanceBlock<double> {
-      if (lanes == 1) return advance_block<double, Combination>;
-      return advance_block<Pack<double, 4>, Combination>;
-    },
-    [](Isa, int) -> AdvanceBlock<float> { return advance_block<Pack<float, 4>, Combination>; }};
+const engine::ContactPhysics rolling{contact::models<Combination>(),
+                                     [](engine::Isa, int lanes) -> engine::AdvanceBlock<double> {
+                                       if (lanes == 1) return engine::advance_block<double, Combination>;
+                                       return engine::advance_block<Pack<double, 4>, Combination>;
+                                     },
+                                     [](engine::Isa, int) -> engine::AdvanceBlock<float> {
+                                       return engine::advance_block<Pack<float, 4>, Combination>;
+                                     }};
 
 constexpr double R = 3e-4;
 
 /// Two discs pressed on each other by their overlap, the first one held, the second free to turn only, which
 /// it does at `spin`. Damping 0.
-std::unique_ptr<LaneGroup> turning(double overlap, double spin, int lanes, Precision precision) {
+std::unique_ptr<engine::LaneGroup> turning(double overlap, double spin, int lanes, Precision precision) {
   MatrixRecipe m;
   m.mu = 0.0;
   Specimen s = assembly({{R, R, R}, {3.0 * R - overlap, R, R}}, m);
@@ -39,17 +40,18 @@ std::unique_ptr<LaneGroup> turning(double overlap, double spin, int lanes, Preci
   packing->stress_free = false;
   s.packing = packing;
   s.contacts = {{0, 1, ContactKind::touching}};
-  Rig rig;
-  rig.tools = {Tool{"held", {}, {{0, true, true, true}}}, Tool{"axle", {}, {{1, true, true, false}}}};
-  GroupOptions options;
+  engine::Rig rig;
+  rig.tools = {engine::Tool{"held", {}, {{0, true, true, true}}},
+               engine::Tool{"axle", {}, {{1, true, true, false}}}};
+  engine::GroupOptions options;
   options.lanes = lanes;
   options.precision = precision;
   options.interval = 10;
   options.contacts = &rolling;
-  auto group = make_group(s.packing, options);
-  LaneSetup setup;
+  auto group = engine::make_group(s.packing, options);
+  engine::LaneSetup setup;
   setup.damping = 0.0, setup.step_safety = 0.3;
-  setup.rig = std::make_shared<const Rig>(rig);
+  setup.rig = std::make_shared<const engine::Rig>(rig);
   const int lane = lanes - 1;
   group->load(lane, std::make_shared<const Specimen>(s), setup);
   group->place_rig(lane);
@@ -99,12 +101,12 @@ TEST(RollingResistance, RunsInThePress) {
   recipe.packing.radius_min = 0.0004, recipe.packing.radius_max = 0.0006;
   recipe.test.max_strain = 0.004, recipe.test.platen_speed = 0.1;
   const auto packing =
-      std::make_shared<const Packing>(make_packing(recipe.specimen, recipe.packing, recipe.matrix));
-  const auto specimen = std::make_shared<const Specimen>(make_specimens(packing, recipe).front());
-  GroupOptions options;
+      std::make_shared<const Packing>(genesis::make_packing(recipe.specimen, recipe.packing, recipe.matrix));
+  const auto specimen = std::make_shared<const Specimen>(genesis::make_specimens(packing, recipe).front());
+  engine::GroupOptions options;
   options.contacts = &rolling;
-  const auto group = make_group(packing, options);
-  const auto test = make_test(specimen, recipe, *group, 0);
+  const auto group = engine::make_group(packing, options);
+  const auto test = lab::make_test(specimen, recipe, *group, 0);
   do group->advance();
   while (!test->after_block());
   const TestResult result = test->take_result();
@@ -122,12 +124,12 @@ TEST(RollingResistance, CantileverOfTheDirectSolution) {
   for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R + 2.0 * R * i, R, R});
   Specimen s = assembly(discs, MatrixRecipe{});
   bond_touching(s);
-  const Network net = make_network(s, {}, rolling.models);
-  Boundary boundary;
-  move_with(boundary, net, 0, {});
+  const statics::Network net = statics::make_network(s, {}, rolling.models);
+  statics::Boundary boundary;
+  statics::move_with(boundary, net, 0, {});
   const double C = 1e-3, N = n;
   boundary.loads = {{{n, 2}, C}};
-  const LoadCase answer = solve_once(net, boundary);
+  const statics::LoadCase answer = statics::solve_once(net, boundary);
   ASSERT_TRUE(answer.outcome.ok()) << answer.outcome.reason;
   const double turn = N * C / contact::Rolling::rolling_stiffness;
   EXPECT_NEAR(answer.u[3 * n + 2], turn, 1e-9 * turn);

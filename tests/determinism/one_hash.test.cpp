@@ -31,18 +31,19 @@ Recipe small_recipe(Precision precision) {
 }
 
 std::vector<std::shared_ptr<const Specimen>> specimens_of(const Recipe& r) {
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   std::vector<std::shared_ptr<const Specimen>> all;
-  for (Specimen& s : make_specimens(packing, r))
+  for (Specimen& s : genesis::make_specimens(packing, r))
     all.push_back(std::make_shared<const Specimen>(std::move(s)));
   return all;
 }
 
 std::vector<std::string> hashes(const Recipe& r,
                                 const std::vector<std::shared_ptr<const Specimen>>& specimens,
-                                const MachineOptions& machine) {
+                                const study::MachineOptions& machine) {
   std::vector<std::string> h;
-  for (const TestResult& result : run_tests(specimens, r, machine)) h.push_back(result.hash);
+  for (const TestResult& result : study::run_tests(specimens, r, machine)) h.push_back(result.hash);
   return h;
 }
 
@@ -56,9 +57,9 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
     r.test.shear_gap = 0.002;
     r.test.max_strain = 0.004;
     const auto specimens = specimens_of(r);
-    MachineOptions narrow, wide, shared;
+    study::MachineOptions narrow, wide, shared;
     narrow.lanes = 4, narrow.skew = 1;
-    wide.isa = native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
+    wide.isa = engine::native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
     shared.threads = 3;  // lanes 0: tests move to other groups
     const auto reference = hashes(r, specimens, narrow);
     EXPECT_EQ(reference, hashes(r, specimens, wide)) << test->name;
@@ -72,18 +73,19 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
   const bool single = GetParam() == Precision::single_precision;
-  MachineOptions machine;
+  study::MachineOptions machine;
   machine.lanes = single ? 4 : 1;
   const auto reference = hashes(r, specimens, machine);
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
-    if (isa > native_isa()) continue;
+  for (const engine::Isa isa : {engine::Isa::sse2, engine::Isa::avx2, engine::Isa::avx512}) {
+    if (isa > engine::native_isa()) continue;
     for (const int lanes : single ? std::vector<int>{4, 8, 16} : std::vector<int>{1, 2, 4, 8}) {
       machine = {};
       machine.isa = isa;
       machine.lanes = lanes;
       machine.threads = 1 + lanes % 3;
       machine.skew = 1 + lanes;
-      EXPECT_EQ(hashes(r, specimens, machine), reference) << to_string(isa) << ", " << lanes << " lanes";
+      EXPECT_EQ(hashes(r, specimens, machine), reference)
+          << engine::to_string(isa) << ", " << lanes << " lanes";
     }
   }
 }
@@ -93,12 +95,12 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
 TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
-  MachineOptions machine;
+  study::MachineOptions machine;
   machine.lanes = 4;
   const auto reference = hashes(r, specimens, machine);
   for (const int threads : {1, 2, 3, 5}) {
     machine = {};
-    machine.isa = native_isa();
+    machine.isa = engine::native_isa();
     machine.threads = threads;
     EXPECT_EQ(hashes(r, specimens, machine), reference) << threads << " threads";
   }
@@ -107,23 +109,23 @@ TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
 /// Hash of a test that goes to another group after every block, back and forth; `stay`: of one that does not.
 std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& specimen,
                      const std::shared_ptr<const Specimen>& mate, bool stay) {
-  GroupOptions options;
+  engine::GroupOptions options;
   options.precision = r.engine.precision;
-  options.isa = native_isa();
+  options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
   const std::array<int, 2> widths = {r.engine.precision == Precision::single_precision ? 4 : 2, 8};
-  std::array<std::unique_ptr<LaneGroup>, 2> groups;
+  std::array<std::unique_ptr<engine::LaneGroup>, 2> groups;
   for (const std::size_t i : {0U, 1U}) {
     options.lanes = widths[i];
-    groups[i] = make_group(specimen->packing, options);
+    groups[i] = engine::make_group(specimen->packing, options);
   }
   // In the other group a lane mate that is ahead, with contacts and touches of its own.
-  const auto other = make_test(mate, r, *groups[1], 5);
+  const auto other = lab::make_test(mate, r, *groups[1], 5);
   for (int block = 0; block < 20; ++block) {
     groups[1]->advance();
     if (other->after_block()) break;
   }
-  const auto test = make_test(specimen, r, *groups[0], 1);
+  const auto test = lab::make_test(specimen, r, *groups[0], 1);
   for (std::size_t at = 0;;) {
     groups[at]->advance();
     if (test->after_block()) return test->take_result().hash;
@@ -169,8 +171,8 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
 TEST_P(OneHash, ForASpecimenAlone) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.lanes = 4;
   const auto together = hashes(r, specimens, machine);
   for (std::size_t i = 0; i < specimens.size(); ++i) {
@@ -180,18 +182,19 @@ TEST_P(OneHash, ForASpecimenAlone) {
 
 TEST_P(OneHash, CoversBreakage) {
   const Recipe r = small_recipe(GetParam());
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   std::size_t n_cracks = 0;
-  for (const TestResult& result : run_tests(specimens_of(r), r, machine)) n_cracks += result.cracks.size();
+  for (const TestResult& result : study::run_tests(specimens_of(r), r, machine))
+    n_cracks += result.cracks.size();
   EXPECT_GT(n_cracks, 200U);
 }
 
 // Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
 TEST_P(OneHash, IsTheRecordedOne) {
   const Recipe r = small_recipe(GetParam());
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.lanes = 4;
   const auto h = hashes(r, specimens_of(r), machine);
   const std::map<Precision, std::string> golden = {{Precision::double_precision, "f355b0470b647180"},

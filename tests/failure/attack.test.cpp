@@ -125,10 +125,10 @@ TEST_F(Attack, PythonAndPfcSeeAComment) {
     phy::Recipe recipe;
     recipe.name = name;
     recipe.bedding.resize(1);
-    write("script.py", phy::yade_script(recipe));
+    write("script.py", phy::report::yade_script(recipe));
     EXPECT_EQ(here("python3 run.py script.py"), 0) << output;
     EXPECT_THAT(read(at("script.py")), HasSubstr("\n# " + phy::comment_text(name) + " - written by"));
-    const std::string pfc = phy::pfc_commands(recipe);
+    const std::string pfc = phy::report::pfc_commands(recipe);
     EXPECT_TRUE(pfc.starts_with("; " + phy::comment_text(name) + " - written by")) << pfc.substr(0, 200);
   }
 }

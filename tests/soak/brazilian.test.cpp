@@ -29,7 +29,7 @@ Recipe opening_rock(const Recipe& model) {
   return r;
 }
 
-std::vector<Comparison> response(const Recipe& truth, Simulator& simulator) {
+std::vector<Comparison> response(const Recipe& truth, calibrate::Simulator& simulator) {
   const std::vector<std::int64_t> seeds = packings_from(1001, 15);  // discs of so few grains scatter widely
   std::vector<Target> moduli, strengths;
   for (const Property p : {Property::E, Property::nu})
@@ -38,17 +38,19 @@ std::vector<Comparison> response(const Recipe& truth, Simulator& simulator) {
     strengths.push_back({Property::ucs, theta, 1.2 * truth.matrix.sigma_c, 1.0, 1, true});
   for (const double theta : bts_at)
     strengths.push_back({Property::brazilian, theta, 0.3 * truth.matrix.sigma_c, 1.0, 1, true});
-  std::vector<Comparison> rows = elastic_response(truth, moduli, seeds, simulator);
-  const Recipe settings = test_settings(truth, strengths, seeds.front(), simulator);
-  for (const Comparison& c : strength_response(settings, strengths, seeds, simulator)) rows.push_back(c);
+  std::vector<Comparison> rows = calibrate::elastic_response(truth, moduli, seeds, simulator);
+  const Recipe settings = calibrate::test_settings(truth, strengths, seeds.front(), simulator);
+  for (const Comparison& c : calibrate::strength_response(settings, strengths, seeds, simulator))
+    rows.push_back(c);
   return rows;
 }
 
-Calibration calibrated(const Recipe& model, const std::vector<Comparison>& table, Simulator& simulator) {
+Calibration calibrated(const Recipe& model, const std::vector<Comparison>& table,
+                       calibrate::Simulator& simulator) {
   Rock rock;
   rock.model = model, rock.name = "opening twin";
-  rock.readings = twin_readings(table, TwinOptions{});
-  const Calibration c = calibrate(Evidence(rock), {}, simulator);
+  rock.readings = calibrate::twin_readings(table, calibrate::TwinOptions{});
+  const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), {}, simulator);
   for (const Comparison& row : c.verification)
     if (is_strength(row.target.property))
       std::printf("%s(%2.0f): table %.2f MPa, unseen %.2f, %d of %d discs not from the centre\n",
@@ -61,7 +63,7 @@ Calibration calibrated(const Recipe& model, const std::vector<Comparison>& table
 }
 
 TEST(BrazilianTwin, LowWhereBeddingOpensIsAcceptedLowEverywhereIsNot) {
-  const auto simulator = make_simulator({threads(), "", nullptr, nullptr});
+  const auto simulator = calibrate::make_simulator({threads(), "", nullptr, nullptr});
   const Recipe model = magnified_model(2.5), truth = opening_rock(model);
   std::vector<Comparison> table = response(truth, *simulator);
   const Calibration accepted = calibrated(model, table, *simulator);

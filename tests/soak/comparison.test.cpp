@@ -34,7 +34,7 @@ const std::vector<std::int64_t> budgets = {100, 280};
 /// best when each budget was reached.
 class Laboratory {
  public:
-  explicit Laboratory(Simulator& simulator) : simulator_(simulator), best_(budgets.size()) {}
+  explicit Laboratory(calibrate::Simulator& simulator) : simulator_(simulator), best_(budgets.size()) {}
   bool can_pay(std::size_t tests) const {
     return spent_ + static_cast<std::int64_t>(tests) <= budgets.back();
   }
@@ -47,28 +47,28 @@ class Laboratory {
   std::vector<double> ucs(const Recipe& recipe, const std::vector<double>& at) {
     spent_ += static_cast<std::int64_t>(at.size());
     std::vector<Recipe> recipes;
-    for (const double theta : at) recipes.push_back(single_at(recipe, theta, 1));
+    for (const double theta : at) recipes.push_back(calibrate::single_at(recipe, theta, 1));
     std::vector<double> values;
     for (const TestResult& r : simulator_.test(recipes)) {
-      const Number* n = find(r.numbers, "ucs");
+      const Number* n = analysis::find(r.numbers, "ucs");
       values.push_back(n != nullptr && r.outcome.status == Status::peaked ? n->value : 1e3);
     }
     return values;
   }
 
  private:
-  Simulator& simulator_;
+  calibrate::Simulator& simulator_;
   std::int64_t spent_ = 0;
   std::vector<Recipe> best_;
 };
 
 /// Strengths from numbers in [0, 1] across the box.
 Recipe strengths_at(Recipe recipe, const std::vector<double>& x, double largest) {
-  Scales scales;
+  calibrate::Scales scales;
   scales.strength = largest;
   std::size_t i = 0;
-  for (const StrengthParameter* p : strength_parameters(true)) {
-    const LogBox box = p->box(scales);
+  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(true)) {
+    const calibrate::LogBox box = p->box(scales);
     p->set(recipe, std::exp(box.low + x[i++] * (box.high - box.low)));
   }
   return recipe;
@@ -83,13 +83,13 @@ double largest_of(const std::vector<Target>& ucs) {
 /// Where a user without knowledge would begin.
 std::vector<double> usual_start() {
   std::vector<double> x;
-  for (const StrengthParameter* p : strength_parameters(true))
+  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(true))
     x.push_back(0.5 * (p->place_of(p->usual) + 1.0));
   return x;
 }
 
 std::vector<Recipe> by_optimiser(const Recipe& elastic, const std::vector<Target>& ucs,
-                                 Simulator& simulator) {
+                                 calibrate::Simulator& simulator) {
   Laboratory laboratory(simulator);
   const double largest = largest_of(ucs);
   std::vector<double> best = usual_start();
@@ -124,12 +124,12 @@ std::vector<Recipe> by_optimiser(const Recipe& elastic, const std::vector<Target
 
 /// The paper's order, each strength against the angle that feels it most, by secants, round after round.
 std::vector<Recipe> by_sequence(const Rock& rock, const Recipe& settings, const std::vector<Target>& targets,
-                                Simulator& simulator) {
-  std::vector<ModulusReading> moduli;
+                                calibrate::Simulator& simulator) {
+  std::vector<theory::ModulusReading> moduli;
   for (const Target& t : of_property(targets, Property::E)) moduli.push_back({t.theta, t.mean});
-  Eq1Options options;
-  options.reference = Eq1Reference::free;
-  const Eq1Fit fit = fit_eq1(moduli, options);
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::free;
+  const theory::Eq1Fit fit = theory::fit_eq1(moduli, options);
   Recipe r = settings;
   r.matrix = rock.model.matrix, r.bedding = rock.model.bedding;
   const double spacing = r.bedding[0].spacing;
@@ -175,19 +175,19 @@ TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
   double ours_sum = 0.0, others_sum = 0.0;
   for (std::uint32_t k = first; k < last; ++k) {
-    const auto simulator = make_simulator({threads, "", nullptr, nullptr});
+    const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
     std::vector<Recipe> paper, global;
     for (std::size_t b = 0; b < budgets.size(); ++b) {
       const Trial t = run_trial(k, model, angles, budgets[b], *simulator, 15);
       const Rock rock = rock_of(t, k, model, angles);
       const std::vector<Target> targets = targets_of(rock), ucs = of_property(targets, Property::ucs);
       if (b == 0) {
-        const Recipe settings = test_settings(t.found.recipe, ucs, 1, *simulator);
+        const Recipe settings = calibrate::test_settings(t.found.recipe, ucs, 1, *simulator);
         paper = by_sequence(rock, settings, targets, *simulator);
         global = by_optimiser(settings, ucs, *simulator);
       }
       const auto error = [&](const Recipe& r) {
-        return rmse_against(strength_response(r, ucs, unseen_packings(), *simulator), t.unseen,
+        return rmse_against(calibrate::strength_response(r, ucs, unseen_packings(), *simulator), t.unseen,
                             Property::ucs);
       };
       const double ours = rmse_against(t.found.verification, t.unseen, Property::ucs),

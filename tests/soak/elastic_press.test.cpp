@@ -16,14 +16,16 @@ namespace {
 class PaperSpecimen : public testing::TestWithParam<const char*> {};
 
 TEST_P(PaperSpecimen, DirectSolutionIsTheSlopeOfThePress) {
-  const Recipe recipe = read_recipe(std::string(PHY_SOURCE_DIR "/examples/paper/") + GetParam() + ".toml");
-  const auto specimens = make_specimens(packing_of(recipe, default_cache_folder()), recipe);
+  const Recipe recipe =
+      io::read_recipe(std::string(PHY_SOURCE_DIR "/examples/paper/") + GetParam() + ".toml");
+  const auto specimens =
+      genesis::make_specimens(genesis::packing_of(recipe, genesis::default_cache_folder()), recipe);
   ASSERT_EQ(specimens.size(), 8U);  // seven angles and the intact rock
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.threads = 2;
-  const auto direct = solve_all(specimens, {}, 2);
-  const auto press = press_moduli(specimens, recipe, machine, true);
+  const auto direct = statics::solve_all(specimens, {}, 2);
+  const auto press = study::press_moduli(specimens, recipe, machine, true);
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     ASSERT_TRUE(direct[i].outcome.ok()) << direct[i].outcome.reason;
     ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;

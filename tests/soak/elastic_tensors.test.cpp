@@ -38,8 +38,8 @@ std::vector<Rock> tensors() {
       Rock rock;
       rock.model.bedding.resize(1);
       std::vector<Problem> problems;
-      rock.readings = parse_readings(header + "\n" + table, file.filename().string(), std::nan(""),
-                                     rock.bedded, problems, rock.notes);
+      rock.readings = io::parse_readings(header + "\n" + table, file.filename().string(), std::nan(""),
+                                         rock.bedded, problems, rock.notes);
       EXPECT_TRUE(problems.empty()) << file;
       rock.name = file.stem().string().substr(4) + " " + std::to_string(row / n_angles);
       rocks.push_back(rock);
@@ -65,11 +65,11 @@ TEST(ElasticTensors, ModulusWithinTwoPercentOrAVerdictThatNamesTheLimit) {
   int limited = 0, run = 0;
   for (int k = first; k < std::min(26, first + n); ++k, ++run) {
     const Rock& rock = all[static_cast<std::size_t>(k)];
-    const auto simulator = make_simulator({threads, "", nullptr, nullptr});
-    CalibrationOptions options;
+    const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
+    calibrate::CalibrationOptions options;
     options.elastic_only = true;
     const std::clock_t start = std::clock();
-    const Calibration c = calibrate(Evidence(rock), options, *simulator);
+    const Calibration c = calibrate::calibrate(calibrate::Evidence(rock), options, *simulator);
     const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const double fitted = worst_E(c.fitted), unseen = worst_E(c.verification);
     std::printf("| %s | %.1f | %.1f | %.0f | %lld | %s |", rock.name.c_str(), 100.0 * fitted, 100.0 * unseen,

@@ -39,7 +39,7 @@ Recipe recipe_of(std::uint32_t rock, std::uint32_t point, const Recipe& model, s
   Recipe r = trial_rock(first_rock + rock, model);
   z.clear();
   std::uint32_t i = 1;
-  for (const StrengthParameter* p : experienced_ratios(true)) {
+  for (const calibrate::StrengthParameter* p : calibrate::experienced_ratios(true)) {
     z.push_back(2.0 * uniform(point_seed, Stream::test, rock, point, i++) - 1.0);
     p->set(r, p->at_place(z.back()));
   }
@@ -57,27 +57,27 @@ std::vector<Target> guesses(const Recipe& r) {
   return targets;
 }
 
-std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, Simulator& simulator) {
+std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, calibrate::Simulator& simulator) {
   std::vector<Recipe> recipes;
   std::vector<Lesson> lessons;
   for (std::uint32_t p = 0; p < n_points; ++p) {
     std::vector<double> z;
     const Recipe point = recipe_of(rock, p, model, z);
     const std::int64_t seed = first_packing + (rock * n_points + p) / 2 % n_packings;
-    const Recipe ready = test_settings(point, guesses(point), seed, simulator);
+    const Recipe ready = calibrate::test_settings(point, guesses(point), seed, simulator);
     for (const double theta : angles) {
-      recipes.push_back(single_at(ready, theta, seed));
-      lessons.push_back({rock, theta, z, experience_moduli(ready), 0.0});
+      recipes.push_back(calibrate::single_at(ready, theta, seed));
+      lessons.push_back({rock, theta, z, calibrate::experience_moduli(ready), 0.0});
     }
-    recipes.push_back(single_at(ready, 0.0, seed));
+    recipes.push_back(calibrate::single_at(ready, 0.0, seed));
     recipes.back().bedding.clear();
-    z.resize(experienced_ratios(false).size());
-    lessons.push_back({rock, intact, z, experience_moduli(recipes.back()), 0.0});
+    z.resize(calibrate::experienced_ratios(false).size());
+    lessons.push_back({rock, intact, z, calibrate::experience_moduli(recipes.back()), 0.0});
   }
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Lesson> peaked;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (const Number* ucs = find(results[i].numbers, "ucs");
+    if (const Number* ucs = analysis::find(results[i].numbers, "ucs");
         ucs != nullptr && results[i].outcome.status == Status::peaked) {
       lessons[i].y = std::log(ucs->value / recipes[i].matrix.sigma_c);
       peaked.push_back(lessons[i]);
@@ -89,7 +89,7 @@ constexpr std::uint32_t n_folds = 8, no_fold = n_folds;
 std::uint32_t fold_of(const Lesson& l) { return l.rock % n_folds; }
 
 VectorXd features_of(const std::vector<double>& z, const std::vector<double>& moduli) {
-  const std::vector<double> f = experience_features(z, moduli);
+  const std::vector<double> f = calibrate::experience_features(z, moduli);
   return Eigen::Map<const VectorXd>(f.data(), static_cast<Eigen::Index>(f.size()));
 }
 
@@ -132,8 +132,8 @@ double left_out_error(const std::vector<Lesson>& all, double theta) {
 
 TEST(Experience, IsWhatItsTestsTeach) {
   const auto n = static_cast<std::uint32_t>(setting("PHY_EXPERIENCE_ROCKS", n_rocks));
-  const auto simulator = make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
-                                         text_setting("PHY_EXPERIENCE_STORE"), nullptr, nullptr});
+  const auto simulator = calibrate::make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
+                                                    text_setting("PHY_EXPERIENCE_STORE"), nullptr, nullptr});
   const Recipe model = magnified_model(2.5);
   std::vector<Lesson> all;
   for (std::uint32_t k = 0; k < n; ++k)
@@ -158,13 +158,14 @@ TEST(Experience, IsWhatItsTestsTeach) {
   if (n < n_rocks) return;
   for (std::uint32_t k = 0; k < 4; ++k) {  // the table in the program is this one, rounded
     Recipe rock = trial_rock(k, model);
-    const std::vector<double> z(experienced_ratios(true).size(), 0.25 * k);
+    const std::vector<double> z(calibrate::experienced_ratios(true).size(), 0.25 * k);
     for (std::size_t a = 0; a < angles.size(); ++a)
-      EXPECT_NEAR(Experience(rock, angles[a]).at(z), columns[a].dot(features_of(z, experience_moduli(rock))),
-                  5e-3);
+      EXPECT_NEAR(calibrate::Experience(rock, angles[a]).at(z),
+                  columns[a].dot(features_of(z, calibrate::experience_moduli(rock))), 5e-3);
     rock.bedding.clear();
-    const std::vector<double> two(experienced_ratios(false).size(), 0.25 * k);
-    EXPECT_NEAR(Experience(rock, 0.0).at(two), without.dot(features_of(two, experience_moduli(rock))), 5e-3);
+    const std::vector<double> two(calibrate::experienced_ratios(false).size(), 0.25 * k);
+    EXPECT_NEAR(calibrate::Experience(rock, 0.0).at(two),
+                without.dot(features_of(two, calibrate::experience_moduli(rock))), 5e-3);
   }
 }
 

@@ -32,14 +32,15 @@ Recipe coarse(std::int64_t seed, Precision precision) {
 }
 
 std::vector<TestResult> press(const Recipe& r) {
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   std::vector<std::shared_ptr<const Specimen>> specimens;
-  for (Specimen& s : make_specimens(packing, r))
+  for (Specimen& s : genesis::make_specimens(packing, r))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return run_tests(specimens, r, machine);
+  return study::run_tests(specimens, r, machine);
 }
 
 TEST(Jacket, MakesNoEnergy) {
@@ -53,10 +54,10 @@ TEST(Jacket, MakesNoEnergy) {
       for (const TestResult& result : press(coarse(seed, precision))) {
         EXPECT_EQ(result.outcome.status, Status::peaked)
             << "packing " << seed << ", " << result.name << ": " << result.outcome.reason;
-        const double error = find(result.numbers, "energy_error")->value;
+        const double error = analysis::find(result.numbers, "energy_error")->value;
         EXPECT_LT(error, 1e-3) << "packing " << seed << ", " << result.name;
         most = std::max(most, error);
-        fmt::print("{:>9.2f} {:>5.2f}", find(result.numbers, "sigma_1")->value * 1e-6, 1e3 * error);
+        fmt::print("{:>9.2f} {:>5.2f}", analysis::find(result.numbers, "sigma_1")->value * 1e-6, 1e3 * error);
       }
       fmt::print("\n");
     }

@@ -27,19 +27,19 @@ Series press(Recipe r, Precision precision, const std::shared_ptr<const Packing>
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (std::size_t seed = 1; seed <= n_seeds; ++seed) {
     r.matrix.bond_seed = static_cast<std::int64_t>(seed);
-    for (Specimen& s : make_specimens(packing, r))
+    for (Specimen& s : genesis::make_specimens(packing, r))
       specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
   }
-  MachineOptions machine;
-  machine.isa = native_isa();
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
   machine.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::vector<TestResult> results = run_tests(specimens, r, machine);
+  const std::vector<TestResult> results = study::run_tests(specimens, r, machine);
   Series s;
   s.ucs.resize(r.test.angles.size()), s.E.resize(r.test.angles.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i].outcome.status, Status::peaked) << results[i].name;
-    s.ucs[i % r.test.angles.size()].push_back(find(results[i].numbers, "ucs")->value);
-    s.E[i % r.test.angles.size()].push_back(find(results[i].numbers, "E_small")->value);
+    s.ucs[i % r.test.angles.size()].push_back(analysis::find(results[i].numbers, "ucs")->value);
+    s.E[i % r.test.angles.size()].push_back(analysis::find(results[i].numbers, "E_small")->value);
   }
   return s;
 }
@@ -52,7 +52,8 @@ TEST(Precision, SingleAgainstDoubleBesideBondSeeds) {
   r.bedding = {BeddingRecipe{}};
   r.test.angles = {0, 15, 30, 45, 60, 75, 90};
   r.test.n_snapshots = 0;
-  const auto packing = std::make_shared<const Packing>(make_packing(r.specimen, r.packing, r.matrix));
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
   const Series d = press(r, Precision::double_precision, packing),
                f = press(r, Precision::single_precision, packing);
   fmt::print("means of {} bond seeds +- standard deviation over them\n", n_seeds);

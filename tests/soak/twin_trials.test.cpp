@@ -48,7 +48,7 @@ TEST(TwinTrials, TwentyRocks) {
   std::vector<double> rmse_E, rmse_ucs;
   Coverage E, ucs, parameters;
   for (std::uint32_t k = first; k < n; ++k) {
-    const auto simulator = make_simulator({threads, store_of(k), nullptr, nullptr});
+    const auto simulator = calibrate::make_simulator({threads, store_of(k), nullptr, nullptr});
     const Trial t = run_trial(k, model, angles, 300, *simulator, n_table);
     rmse_E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
     rmse_ucs.push_back(rmse_against(t.found.verification, t.unseen, Property::ucs));
@@ -93,7 +93,7 @@ TEST(TwinTrials, ElasticPartOfTwentyRocksAtFullSize) {
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
   std::vector<double> rmse;
   Coverage E, parameters;
-  const auto simulator = make_simulator({threads, "", nullptr, nullptr});
+  const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
   for (std::uint32_t k = first; k < n; ++k) {
     const Trial t = run_elastic_trial(k, model, {0, 15, 30, 45, 60, 75, 90}, *simulator,
                                       static_cast<int>(setting("PHY_TWIN_TABLE", 5)));

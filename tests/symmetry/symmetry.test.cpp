@@ -32,20 +32,20 @@ Recipe base_recipe() {
 const Packing& base_packing() {
   static const Packing packing = [] {
     const Recipe r = base_recipe();
-    return make_packing(r.specimen, r.packing, r.matrix);
+    return genesis::make_packing(r.specimen, r.packing, r.matrix);
   }();
   return packing;
 }
 
 TestResult run(const Recipe& r, Packing packing) {
-  packing.hash = packing_hash(packing.discs);
+  packing.hash = genesis::packing_hash(packing.discs);
   std::vector<std::shared_ptr<const Specimen>> specimens;
-  for (Specimen& s : make_specimens(std::make_shared<const Packing>(std::move(packing)), r))
+  for (Specimen& s : genesis::make_specimens(std::make_shared<const Packing>(std::move(packing)), r))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  return run_tests(specimens, r, MachineOptions{}).front();
+  return study::run_tests(specimens, r, study::MachineOptions{}).front();
 }
 
-double ucs(const TestResult& r) { return find(r.numbers, "ucs")->value; }
+double ucs(const TestResult& r) { return analysis::find(r.numbers, "ucs")->value; }
 
 /// Lengths by 2^p, stresses by 2^q; densities by 2^s. Time then scales by 2^(p + (s - q)/2).
 void expect_scaled(int p, int q, int s) {

@@ -9,11 +9,11 @@
 #include "lab/biaxial/reading.hpp"
 #include "lab/rigs.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 TestBoundary confined_platens(const Packing& packing, const TestRecipe& test) {
   TestBoundary press = platens(packing);
-  Rig& rig = press.rig;
+  engine::Rig& rig = press.rig;
   if (test.confining_stress == 0.0) return press;
   if (test.confinement == Confinement::walls) {
     rig.tools.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
@@ -41,7 +41,7 @@ double block_stiffness(const Specimen& specimen, double area, double length, dou
 }  // namespace
 
 BiaxialTest::BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                         LaneGroup& group, int lane)
+                         engine::LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane) {
   begin();
 }
@@ -49,7 +49,7 @@ BiaxialTest::BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const 
 void BiaxialTest::confine(double stress, bool platens_too) {
   const Packing& p = packing();
   if (platens_too) {
-    Servo axial;
+    engine::Servo axial;
     axial.on = true;
     axial.force = stress * p.width;
     axial.stiffness = block_stiffness(*specimen_, p.width, p.height,
@@ -60,7 +60,7 @@ void BiaxialTest::confine(double stress, bool platens_too) {
     group_->drive(lane_, 1, {{}, 0.0, {}, axial});
   }
   if (recipe_.test.confinement == Confinement::jacket) return group_->press(lane_, stress);
-  Drive wall;
+  engine::Drive wall;
   wall.balance_x = {true, stress * p.height};
   group_->drive(lane_, 2, wall);
   wall.balance_x.force = -wall.balance_x.force;
@@ -97,7 +97,7 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
 
 void BiaxialTest::drive() { close_platens(packing().height); }
 
-std::vector<Number> BiaxialTest::numbers(const WavePath& path) const {
+std::vector<Number> BiaxialTest::numbers(const analysis::WavePath& path) const {
   return confined_numbers(result_.history, result_.cracks, recipe_.test.confining_stress, path);
 }
 
@@ -165,4 +165,4 @@ const TestRoom& biaxial_room() {
   return room;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

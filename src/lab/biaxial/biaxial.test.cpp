@@ -7,7 +7,7 @@
 #include "lab/biaxial/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 Recipe confined(double stress, Confinement sides) {
@@ -66,11 +66,12 @@ TEST(Biaxial, WallsKeepTheBooksAndConfinementStrengthens) {
 // Not the mean of two walls alone: each presses with its stress, in every step of every block.
 TEST(Biaxial, EachWallPressesWithItsStress) {
   const Recipe r = confined(5e6, Confinement::walls);
-  const auto specimen = std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front());
-  GroupOptions options;
-  options.isa = native_isa();
+  const auto specimen =
+      std::make_shared<const Specimen>(genesis::make_specimens(small_packing(r), r).front());
+  engine::GroupOptions options;
+  options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
-  const auto group = make_group(specimen->packing, options);
+  const auto group = engine::make_group(specimen->packing, options);
   const auto test = make_test(specimen, r, *group, 0);
   double least = 1e9, most = 0.0;
   for (bool over = false; !over;) {
@@ -96,7 +97,8 @@ TEST(Biaxial, JacketCoversTheSides) {
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);
-  const std::vector<double> heights = jacket_heights(x, radius, packing->height, 0.25 * r.packing.radius_min);
+  const std::vector<double> heights =
+      engine::jacket_heights(x, radius, packing->height, 0.25 * r.packing.radius_min);
   double left = 0.0, right = 0.0;
   for (std::size_t g = 0; g < heights.size(); ++g) {
     (heights[g] > 0.0 ? left : right) += std::fabs(heights[g]);
@@ -110,12 +112,12 @@ TEST(Biaxial, JacketCoversTheSides) {
 
 /// Alone in a group of the recipe's precision.
 TestResult run_in_precision(const std::shared_ptr<const Specimen>& specimen, const Recipe& r) {
-  GroupOptions options;
+  engine::GroupOptions options;
   options.precision = r.engine.precision;
-  options.isa = native_isa();
+  options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
   options.lanes = options.precision == Precision::single_precision ? 4 : 1;
-  const auto group = make_group(specimen->packing, options);
+  const auto group = engine::make_group(specimen->packing, options);
   const auto test = make_test(specimen, r, *group, 0);
   do group->advance();
   while (!test->after_block());
@@ -138,7 +140,8 @@ TEST(Biaxial, JacketKeepsTheBooksWhereGrainsComeLoose) {
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
     r.engine.precision = precision;
     r.packing.seed = precision == Precision::double_precision ? 3 : 1;
-    const auto specimen = std::make_shared<const Specimen>(make_specimens(small_packing(r), r).front());
+    const auto specimen =
+        std::make_shared<const Specimen>(genesis::make_specimens(small_packing(r), r).front());
     const TestResult result = run_in_precision(specimen, r);
     EXPECT_EQ(result.outcome.status, Status::peaked) << result.outcome.reason;
     EXPECT_LT(number(result, "energy_error").value, 1e-3);
@@ -150,4 +153,4 @@ TEST(Biaxial, DefinitionsSpeakOfTheDeviatoricStress) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

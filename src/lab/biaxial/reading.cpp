@@ -6,7 +6,7 @@
 
 #include "analysis/analyse.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 History deviatoric(History history) {
   for (HistoryRow& r : history.rows) {
@@ -15,15 +15,16 @@ History deviatoric(History history) {
   return history;
 }
 
-std::vector<Number> confined_strength(const History& history, const LoadingBranch& branch,
+std::vector<Number> confined_strength(const History& history, const analysis::LoadingBranch& branch,
                                       double confining_stress) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress", branch_note(branch)};
+  Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress",
+               analysis::branch_note(branch)};
   Number lateral{"sigma_3", nan, "Pa", "lateral stress at the largest deviatoric stress",
-                 branch_note(branch)};
+                 analysis::branch_note(branch)};
   Number error{"confinement_error", nan, "1",
                "largest |lateral stress / target - 1| from the start of loading to the peak",
-               branch_note(branch)};
+               analysis::branch_note(branch)};
   for (const HistoryRow& r : history.rows) {
     if (branch.empty() || r.axial_strain > branch.strain) break;
     if (confining_stress > 0.0)
@@ -36,13 +37,13 @@ std::vector<Number> confined_strength(const History& history, const LoadingBranc
 }
 
 std::vector<Number> confined_numbers(const History& history, const std::vector<CrackEvent>& cracks,
-                                     double confining_stress, const WavePath& path) {
+                                     double confining_stress, const analysis::WavePath& path) {
   const History q = deviatoric(history);
-  const LoadingBranch branch = loading_branch(q);
-  std::vector<Number> out = axial_numbers(q, branch, cracks, {path});
+  const analysis::LoadingBranch branch = analysis::loading_branch(q);
+  std::vector<Number> out = analysis::axial_numbers(q, branch, cracks, {path});
   const std::vector<Number> own = confined_strength(history, branch, confining_stress);
   out.insert(out.begin() + 2, own.begin(), own.end());
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -11,18 +11,18 @@
 #include "analysis/branch.hpp"
 #include "analysis/energy.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// The history with the deviatoric stress in the place of the axial stress; both platens alike.
 History deviatoric(History history);
 
 /// sigma_1, sigma_3 [Pa] and confinement_error [1] of a history as recorded, whose deviatoric branch is
 /// given.
-std::vector<Number> confined_strength(const History& history, const LoadingBranch& branch,
+std::vector<Number> confined_strength(const History& history, const analysis::LoadingBranch& branch,
                                       double confining_stress);
 
 /// All numbers of a history as recorded. `path`: of a wave between the platens.
 std::vector<Number> confined_numbers(const History& history, const std::vector<CrackEvent>& cracks,
-                                     double confining_stress, const WavePath& path);
+                                     double confining_stress, const analysis::WavePath& path);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -12,7 +12,7 @@
 #include "lab/brazilian/reading.hpp"
 #include "lab/rigs.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 double disc_diameter(const Recipe& recipe) {
   if (recipe.test.disc_diameter > 0.0) return recipe.test.disc_diameter;
@@ -44,8 +44,8 @@ double smallest_radius(const Packing& packing) {
 }
 
 /// A jaw on the arc of the rim around `up` = (0, +-1).
-Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
-  Tool tool{std::move(name), {}, {}, true};
+engine::Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
+  engine::Tool tool{std::move(name), {}, {}, true};
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
   const double arc = angle / 180.0 * pi * 0.5 * diameter;
   const int n = static_cast<int>(std::ceil(arc / (ray_spacing * smallest_radius(packing))));
@@ -68,7 +68,7 @@ Tool jaw(const Packing& packing, std::string name, double diameter, double angle
 
 TestBoundary jaws(const Packing& packing, double diameter, double angle) {
   TestBoundary splitter;
-  Rig& rig = splitter.rig;
+  engine::Rig& rig = splitter.rig;
   if (angle > 0.0) {
     rig.tools = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
                  jaw(packing, "top jaw", diameter, angle, 1.0)};
@@ -83,14 +83,14 @@ TestBoundary jaws(const Packing& packing, double diameter, double angle) {
 }
 
 BrazilianTest::BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                             LaneGroup& group, int lane)
+                             engine::LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane) {
   begin();
 }
 
 void BrazilianTest::drive() { close_platens(disc_diameter(recipe_)); }
 
-std::vector<Number> BrazilianTest::numbers(const WavePath& path) const {
+std::vector<Number> BrazilianTest::numbers(const analysis::WavePath& path) const {
   return disc_numbers(result_.history, result_.cracks, disc_diameter(recipe_), path.density);
 }
 
@@ -145,4 +145,4 @@ const TestRoom& brazilian_room() {
   return room;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -13,7 +13,7 @@
 #pragma once
 #include "lab/room.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// Diameter of the disc that the recipe's Brazilian test cuts [m]: test.disc_diameter, or the smaller side of
 /// the specimen where that is 0.
@@ -29,14 +29,14 @@ TestBoundary jaws(const Packing& packing, double diameter, double angle);
 
 class BrazilianTest final : public LabTest {
  public:
-  BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
-                int lane);
+  BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                engine::LaneGroup& group, int lane);
 
  private:
   void drive() override;
-  std::vector<Number> numbers(const WavePath& path) const override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
 };
 
 const TestRoom& brazilian_room();
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -8,7 +8,7 @@
 #include "lab/brazilian/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 Recipe small_disc() {
@@ -24,7 +24,7 @@ TEST(CutDisc, HoldsItsShareOfTheRockCentreOnCentre) {
   r.specimen = {0.016, 0.02}, r.packing.n_grains = 825;
   const auto packing = small_packing(r);
   const double D = 0.014;
-  const Packing disc = cut_disc(*packing, D);
+  const Packing disc = genesis::cut_disc(*packing, D);
   double area = 0.0, whole = 0.0;
   for (const Disc& d : packing->discs) whole += pi * d.r * d.r;
   for (const Disc& d : disc.discs) {
@@ -60,21 +60,22 @@ TEST(Brazilian, WeakPlaneAlongTheLoadSplitsAtALowerStress) {
 
 TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
   const Recipe r = small_disc();
-  const Packing disc = cut_disc(*small_packing(r), disc_diameter(r));
+  const Packing disc = genesis::cut_disc(*small_packing(r), disc_diameter(r));
   const Vec2 centre{0.5 * disc.width, 0.5 * disc.height};
-  const Rig wide = jaws(disc, disc_diameter(r), 20.0).rig, flat = jaws(disc, disc_diameter(r), 0.0).rig;
-  for (const Tool& tool : wide.tools) {
+  const engine::Rig wide = jaws(disc, disc_diameter(r), 20.0).rig,
+                    flat = jaws(disc, disc_diameter(r), 0.0).rig;
+  for (const engine::Tool& tool : wide.tools) {
     EXPECT_GE(tool.touches.size(), 3u);
     EXPECT_LE(tool.touches.size(), 8u);
-    for (const Touch& t : tool.touches) {
+    for (const engine::Touch& t : tool.touches) {
       const Vec2 out = Vec2{disc.discs[t.grain].x, disc.discs[t.grain].y} - centre;
       EXPECT_NEAR(dot(out, t.normal), -norm(out), 1e-12) << "along the radius, inwards";
       EXPECT_LT(std::fabs(out.x / out.y), std::tan(0.24)) << "within the arc and a radius beside it";
     }
   }
-  for (const Tool& tool : flat.tools) {
+  for (const engine::Tool& tool : flat.tools) {
     double least = 1.0;
-    for (const Touch& t : tool.touches) least = std::min(least, t.gap);
+    for (const engine::Touch& t : tool.touches) least = std::min(least, t.gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
   }
 }
@@ -85,4 +86,4 @@ TEST(Brazilian, DefinitionsSpeakOfTheTensionAtTheCentre) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

@@ -9,14 +9,14 @@
 #include "analysis/strength.hpp"
 #include "base/exact_math.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 double brazilian_arc_factor(double alpha) {
   if (alpha == 0.0) return 1.0;
   return (sin_cos_degrees(2.0 * alpha).sin - alpha * (pi / 180.0)) / sin_cos_degrees(alpha).sin;
 }
 
-std::vector<Number> place_of_splitting(const History& history, const LoadingBranch& branch,
+std::vector<Number> place_of_splitting(const History& history, const analysis::LoadingBranch& branch,
                                        const std::vector<CrackEvent>& cracks, double diameter) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Number y{"first_crack_y", nan, "1", "height of the first crack above the centre / diameter", ""};
@@ -45,19 +45,19 @@ std::vector<Number> place_of_splitting(const History& history, const LoadingBran
 
 std::vector<Number> disc_numbers(const History& history, const std::vector<CrackEvent>& cracks,
                                  double diameter, double density) {
-  const LoadingBranch branch = loading_branch(history);
-  std::vector<Number> out = strength(branch);
+  const analysis::LoadingBranch branch = analysis::loading_branch(history);
+  std::vector<Number> out = analysis::strength(branch);
   const std::vector<Number> place = place_of_splitting(history, branch, cracks, diameter);
   const double y = place[0].value, x = place[1].value;
   if (std::fmax(std::fabs(x), std::fabs(y)) > central_third)
-    out.front().note = joined(
+    out.front().note = analysis::joined(
         out.front().note, fmt::format("no tensile strength: the first crack came {:.2f} diameters from the "
                                       "centre, outside the central third",
                                       std::hypot(x, y)));
-  add(out, place);
-  add(out, crack_initiation(branch, cracks, 0.0));
-  add(out, common_numbers(history, branch, cracks, {density, diameter, disc_approach}));
+  analysis::add(out, place);
+  analysis::add(out, analysis::crack_initiation(branch, cracks, 0.0));
+  analysis::add(out, analysis::common_numbers(history, branch, cracks, {density, diameter, disc_approach}));
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

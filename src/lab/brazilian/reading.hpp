@@ -13,7 +13,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 constexpr double central_third = 1.0 / 6.0;  ///< of the diameter, to either side of the centre
 
@@ -28,11 +28,11 @@ double brazilian_arc_factor(double alpha);
 
 /// first_crack_y, first_crack_x, central_cracks [1] of a disc with its centre at (width, height) / 2; NaN
 /// with a note without cracks before the peak. `cracks` ordered in time.
-std::vector<Number> place_of_splitting(const History& history, const LoadingBranch& branch,
+std::vector<Number> place_of_splitting(const History& history, const analysis::LoadingBranch& branch,
                                        const std::vector<CrackEvent>& cracks, double diameter);
 
 /// All numbers of a disc of that diameter [m] and density [kg/m^3].
 std::vector<Number> disc_numbers(const History& history, const std::vector<CrackEvent>& cracks,
                                  double diameter, double density);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 TEST(BrazilianArcFactor, IsOneForPointLoadsAndFallsWithTheArc) {
@@ -16,4 +16,4 @@ TEST(BrazilianArcFactor, IsOneForPointLoadsAndFallsWithTheArc) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

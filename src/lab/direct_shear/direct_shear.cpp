@@ -10,11 +10,11 @@
 #include "lab/direct_shear/reading.hpp"
 #include "lab/rigs.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 TestBoundary shear_boxes(const Packing& packing, double gap) {
   TestBoundary box;
-  Rig& rig = box.rig;
+  engine::Rig& rig = box.rig;
   rig.tools = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
   const double middle = 0.5 * packing.height;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
@@ -41,9 +41,9 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
   for (Contact c : specimen.contacts) {
     if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
-    across += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+    across += engine::initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
     if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
-    sound += initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+    sound += engine::initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
   }
   for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));
@@ -52,7 +52,7 @@ double plane_stiffness(const Specimen& specimen, double gap) {
 }  // namespace
 
 DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                 LaneGroup& group, int lane)
+                                 engine::LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane), stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
   begin();
 }
@@ -61,9 +61,9 @@ DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen
 /// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo (rig.hpp) the
 /// stress swings for ever where its stiffness is less than 0.4 of what answers within a block; more only
 /// makes it slower.
-Servo DirectShearTest::normal_load(double stress, double spring, double offset) const {
+engine::Servo DirectShearTest::normal_load(double stress, double spring, double offset) const {
   const double length = packing().width;
-  Servo s;
+  engine::Servo s;
   s.on = true;
   const double block = result_.dt * static_cast<double>(recipe_.test.history_interval);
   const double wave = recipe_.test.shear_gap > 0.0 ? wave_stiffness(specimen_->matrix, length, block) : 0.0;
@@ -93,13 +93,13 @@ bool DirectShearTest::prepare(std::int64_t n_blocks) {
 void DirectShearTest::drive() {
   const double speed = recipe_.test.platen_speed;
   const double ramp = recipe_.test.ramp_strain * packing().width / speed;
-  const Servo load = normal_load(recipe_.test.normal_stress, recipe_.test.normal_stiffness,
-                                 group_->tool(lane_, 1).displacement.y);
+  const engine::Servo load = normal_load(recipe_.test.normal_stress, recipe_.test.normal_stiffness,
+                                         group_->tool(lane_, 1).displacement.y);
   group_->drive(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
   group_->drive(lane_, 1, {{speed, 0.0}, ramp, {}, load});
 }
 
-std::vector<Number> DirectShearTest::numbers(const WavePath& /*the boxes carry no wave*/) const {
+std::vector<Number> DirectShearTest::numbers(const analysis::WavePath& /*the boxes carry no wave*/) const {
   return shear_numbers(result_.history, result_.cracks,
                        {recipe_.test.normal_stress, recipe_.test.normal_stiffness});
 }
@@ -166,4 +166,4 @@ const TestRoom& direct_shear_room() {
   return room;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

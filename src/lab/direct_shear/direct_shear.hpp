@@ -16,7 +16,7 @@
 #pragma once
 #include "lab/room.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
@@ -24,20 +24,20 @@ TestBoundary shear_boxes(const Packing& packing, double gap);
 
 class DirectShearTest final : public LabTest {
  public:
-  DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
-                  int lane);
+  DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                  engine::LaneGroup& group, int lane);
 
  private:
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void drive() override;
-  std::vector<Number> numbers(const WavePath& path) const override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
-  Servo normal_load(double stress, double spring, double offset) const;
+  engine::Servo normal_load(double stress, double spring, double offset) const;
 
   double stiffness_;  // of what lies between the boxes, for the servo [N/m per m]
 };
 
 const TestRoom& direct_shear_room();
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -8,7 +8,7 @@
 #include "lab/direct_shear/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 Recipe box() {
@@ -77,7 +77,7 @@ TEST(DirectShear, BoxesHoldAllButTheGap) {
   const Recipe r = box();
   const auto packing = small_packing(r);
   for (const double gap : {0.0, 0.002}) {
-    const Rig rig = shear_boxes(*packing, gap).rig;
+    const engine::Rig rig = shear_boxes(*packing, gap).rig;
     std::size_t free = 0;
     for (const Disc& d : packing->discs) free += std::fabs(d.y - 0.5 * packing->height) < 0.5 * gap ? 1 : 0;
     EXPECT_EQ(rig.tools[0].grips.size() + rig.tools[1].grips.size() + free, packing->discs.size());
@@ -89,4 +89,4 @@ TEST(DirectShear, DefinitionsSpeakOfTheShearStress) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

@@ -9,7 +9,7 @@
 #include "analysis/strength.hpp"
 #include "base/stats.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -47,15 +47,15 @@ double load_error(const Rows& rows, const NormalLoad& load) {
 
 }  // namespace
 
-std::vector<Number> plane_numbers(const History& history, const LoadingBranch& branch,
+std::vector<Number> plane_numbers(const History& history, const analysis::LoadingBranch& branch,
                                   const NormalLoad& load) {
-  const std::string note = branch_note(branch);
+  const std::string note = analysis::branch_note(branch);
   const double end = history.rows.empty() ? nan : history.rows.back().axial_strain;
   const Rows rising = between(history, 0.0, branch.strain);
   const Rows residual = between(history, (1.0 - residual_part) * end, end);
   const Rows sliding = between(history, 0.5 * (branch.strain + end), end);
   Rows middle;
-  for (const HistoryRow& r : first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
+  for (const HistoryRow& r : analysis::first_passage(branch, {0.4, 0.6})) middle.push_back(&r);
   const double tau_residual = mean(residual, &HistoryRow::axial_stress);
   return {
       {"tau_peak", branch.peaked ? branch.largest : nan, "Pa",
@@ -80,11 +80,11 @@ std::vector<Number> plane_numbers(const History& history, const LoadingBranch& b
 
 std::vector<Number> shear_numbers(const History& history, const std::vector<CrackEvent>& cracks,
                                   const NormalLoad& load) {
-  const LoadingBranch branch = loading_branch(history);
+  const analysis::LoadingBranch branch = analysis::loading_branch(history);
   std::vector<Number> out = plane_numbers(history, branch, load);
-  add(out, crack_initiation(branch, cracks, 0.0));
-  add(out, common_numbers(history, branch, cracks, {}));  // the boxes carry no wave
+  analysis::add(out, analysis::crack_initiation(branch, cracks, 0.0));
+  analysis::add(out, analysis::common_numbers(history, branch, cracks, {}));  // the boxes carry no wave
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -14,7 +14,7 @@
 
 #include "analysis/branch.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// Normal load that the box was to keep: stress + stiffness * dilation [Pa, Pa/m].
 struct NormalLoad {
@@ -23,11 +23,11 @@ struct NormalLoad {
 };
 
 /// The numbers above.
-std::vector<Number> plane_numbers(const History& history, const LoadingBranch& branch,
+std::vector<Number> plane_numbers(const History& history, const analysis::LoadingBranch& branch,
                                   const NormalLoad& load);
 
 /// All numbers of a shear test.
 std::vector<Number> shear_numbers(const History& history, const std::vector<CrackEvent>& cracks,
                                   const NormalLoad& load);
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -7,7 +7,7 @@
 #include "base/units.hpp"
 #include "lab/direct_tension/reading.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 double grip_thickness(const Recipe& recipe, const Packing& packing) {
   if (recipe.test.grip_thickness > 0.0) return recipe.test.grip_thickness;
@@ -18,7 +18,7 @@ double grip_thickness(const Recipe& recipe, const Packing& packing) {
 
 TestBoundary grips(const Packing& packing, double thickness) {
   TestBoundary pull;
-  Rig& rig = pull.rig;
+  engine::Rig& rig = pull.rig;
   rig.tools = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y;
@@ -30,7 +30,7 @@ TestBoundary grips(const Packing& packing, double thickness) {
 }
 
 DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                     LaneGroup& group, int lane)
+                                     engine::LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane) {
   begin();
 }
@@ -45,7 +45,7 @@ void DirectTensionTest::drive() {
   });
 }
 
-std::vector<Number> DirectTensionTest::numbers(const WavePath& path) const {
+std::vector<Number> DirectTensionTest::numbers(const analysis::WavePath& path) const {
   return tension_numbers(result_.history, result_.cracks, grip_thickness(recipe_, packing()), path);
 }
 
@@ -94,4 +94,4 @@ const TestRoom& direct_tension_room() {
   return room;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

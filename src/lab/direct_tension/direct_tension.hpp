@@ -12,7 +12,7 @@
 #pragma once
 #include "lab/room.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// Thickness of a grip [m]: the recipe's, or four times the largest radius where that is 0.
 double grip_thickness(const Recipe& recipe, const Packing& packing);
@@ -22,14 +22,14 @@ TestBoundary grips(const Packing& packing, double thickness);
 
 class DirectTensionTest final : public LabTest {
  public:
-  DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
-                    int lane);
+  DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                    engine::LaneGroup& group, int lane);
 
  private:
   void drive() override;
-  std::vector<Number> numbers(const WavePath& path) const override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
 };
 
 const TestRoom& direct_tension_room();
 
-}  // namespace phy
+}  // namespace phy::lab

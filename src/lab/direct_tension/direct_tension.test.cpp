@@ -7,7 +7,7 @@
 #include "lab/direct_tension/reading.hpp"
 #include "lab/test_bench.test.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 const TestResult& pulled() {
@@ -32,12 +32,12 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
   const Recipe recipe = small_rock(TestKind("direct_tension"));
   const auto packing = small_packing(recipe);
   const TestBoundary pull = grips(*packing, grip_thickness(recipe, *packing));
-  const Rig& rig = pull.rig;
+  const engine::Rig& rig = pull.rig;
   const std::vector<GrainState>& u = r.snapshots.back().grains;
-  for (const Tool& tool : rig.tools) {
+  for (const engine::Tool& tool : rig.tools) {
     ASSERT_GT(tool.grips.size(), 10u);
     double least = 1.0, most = -1.0, turn = 0.0;
-    for (const Grip& p : tool.grips) {
+    for (const engine::Grip& p : tool.grips) {
       EXPECT_NEAR(u[p.grain].uy, u[tool.grips.front().grain].uy, 1e-15);
       least = std::min(least, u[p.grain].ux), most = std::max(most, u[p.grain].ux);
       turn = std::max(turn, std::fabs(u[p.grain].rotation));
@@ -91,4 +91,4 @@ TEST(DirectTension, DefinitionsSpeakOfTension) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

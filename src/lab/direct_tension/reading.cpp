@@ -6,7 +6,7 @@
 
 #include "analysis/analyse.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 constexpr double grip_reach = 1.5;  // of the grip's thickness: its edge concentrates the stress
@@ -54,16 +54,17 @@ std::vector<Number> place_of_failure(const History& history, const std::vector<C
 }
 
 std::vector<Number> tension_numbers(const History& history, const std::vector<CrackEvent>& cracks,
-                                    double grip_thickness, const WavePath& path) {
+                                    double grip_thickness, const analysis::WavePath& path) {
   const History pulled = mirrored(history);
-  const LoadingBranch branch = loading_branch(pulled);
-  std::vector<Number> out = axial_numbers(pulled, branch, mirrored(cracks), {path});
+  const analysis::LoadingBranch branch = analysis::loading_branch(pulled);
+  std::vector<Number> out = analysis::axial_numbers(pulled, branch, mirrored(cracks), {path});
   std::erase_if(out, [](const Number& n) { return n.name == "sigma_cd"; });  // a notion of compression
   const std::vector<Number> place = place_of_failure(history, cracks, -branch.strain, grip_thickness);
   if (place.back().value > 0.5)
-    out.front().note = joined(out.front().note, "failed at the grip: a lower bound of the strength");
+    out.front().note =
+        analysis::joined(out.front().note, "failed at the grip: a lower bound of the strength");
   out.insert(out.begin() + 2, place.begin(), place.end());
   return out;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

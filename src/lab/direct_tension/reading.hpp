@@ -14,7 +14,7 @@
 #include "analysis/energy.hpp"
 #include "records/result.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 /// The history and cracks of a tension test seen in a mirror: tension, elongation and widening positive.
 History mirrored(History history);
@@ -27,6 +27,6 @@ std::vector<Number> place_of_failure(const History& history, const std::vector<C
 
 /// All numbers of an unmirrored test. `path`: of a wave between the grips.
 std::vector<Number> tension_numbers(const History& history, const std::vector<CrackEvent>& cracks,
-                                    double grip_thickness, const WavePath& path);
+                                    double grip_thickness, const analysis::WavePath& path);
 
-}  // namespace phy
+}  // namespace phy::lab

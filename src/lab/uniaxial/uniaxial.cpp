@@ -3,7 +3,7 @@
 #include "analysis/analyse.hpp"
 #include "lab/rigs.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine strain
@@ -11,7 +11,7 @@ constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine st
 }  // namespace
 
 UniaxialTest::UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                           LaneGroup& group, int lane)
+                           engine::LaneGroup& group, int lane)
     : LabTest(specimen, recipe, group, lane), may_jump_(recipe.test.jump_strain > 0.0) {
   begin();
 }
@@ -34,10 +34,10 @@ bool UniaxialTest::prepare(std::int64_t n_blocks) {
 
 void UniaxialTest::drive() { close_platens(packing().height); }
 
-std::vector<Number> UniaxialTest::numbers(const WavePath& path) const {
+std::vector<Number> UniaxialTest::numbers(const analysis::WavePath& path) const {
   const History& history = result_.history;
-  return axial_numbers(history, loading_branch(history), result_.cracks,
-                       {path, jumped_ ? recipe_.test.jump_strain : 0.0});
+  return analysis::axial_numbers(history, analysis::loading_branch(history), result_.cracks,
+                                 {path, jumped_ ? recipe_.test.jump_strain : 0.0});
 }
 
 namespace {
@@ -74,4 +74,4 @@ const TestRoom& uniaxial_room() {
   return room;
 }
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -9,19 +9,19 @@
 #pragma once
 #include "lab/room.hpp"
 
-namespace phy {
+namespace phy::lab {
 
 class UniaxialTest final : public LabTest {
  public:
-  UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, LaneGroup& group,
-               int lane);
+  UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+               engine::LaneGroup& group, int lane);
 
  private:
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void drive() override;
   double first_stop_strain() const override { return 2e-4; }
-  std::vector<Number> numbers(const WavePath& path) const override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   bool may_jump_;
   bool jumped_ = false;  // the jump was made and kept
@@ -29,4 +29,4 @@ class UniaxialTest final : public LabTest {
 
 const TestRoom& uniaxial_room();
 
-}  // namespace phy
+}  // namespace phy::lab

@@ -9,7 +9,7 @@
 #include "analysis/analyse.hpp"
 #include "lab/test_bench.test.hpp"
 
-namespace phy {
+namespace phy::lab {
 namespace {
 
 TestResult press(double jump_strain) {
@@ -67,8 +67,8 @@ TEST(Uniaxial, SpecimenOfLooseGrainsIsNotToBePressedFurther) {
 
 TEST(Uniaxial, DefinitionsSpeakOfTheAxialStress) {
   const History h = marble_of("uniaxial");
-  expect_speaks_of("axial stress", axial_numbers(h, loading_branch(h), {}, {}));
+  expect_speaks_of("axial stress", analysis::axial_numbers(h, analysis::loading_branch(h), {}, {}));
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::lab

@@ -18,7 +18,7 @@
 
 #include "laws/linear/linear.hpp"
 
-namespace phy::dashpot {
+namespace phy::laws::dashpot {
 
 template <class R>
 struct Parameters {
@@ -81,4 +81,4 @@ struct Contact {
   R capacity() const { return R(0); }
 };
 
-}  // namespace phy::dashpot
+}  // namespace phy::laws::dashpot

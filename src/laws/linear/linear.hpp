@@ -14,7 +14,7 @@
 #pragma once
 #include "laws/law.hpp"
 
-namespace phy::linear {
+namespace phy::laws::linear {
 
 template <class R>
 struct Parameters {
@@ -79,4 +79,4 @@ struct Contact {
   R capacity() const { return R(0); }
 };
 
-}  // namespace phy::linear
+}  // namespace phy::laws::linear

@@ -7,7 +7,7 @@
 
 #include "laws/linear/dashpot.hpp"
 
-namespace phy {
+namespace phy::laws {
 namespace {
 
 linear::Parameters<double> springs() { return {40e9, 10e9, 1.0 / 10e9, 0.5}; }
@@ -92,4 +92,4 @@ TEST(Dashpot, CriticalDampingOfTwoGrains) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::laws

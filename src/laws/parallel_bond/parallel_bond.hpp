@@ -18,7 +18,7 @@
 #pragma once
 #include "laws/law.hpp"
 
-namespace phy::parallel_bond {
+namespace phy::laws::parallel_bond {
 
 template <class R>
 struct Parameters {
@@ -108,4 +108,4 @@ struct Contact {
   R capacity() const { return s.capacity; }
 };
 
-}  // namespace phy::parallel_bond
+}  // namespace phy::laws::parallel_bond

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::laws {
 namespace {
 
 parallel_bond::Parameters<double> cement(double tan_phi = 0.0) {
@@ -72,4 +72,4 @@ TEST(ParallelBond, HeldBondsDoNotBreak) {
 }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::laws

@@ -24,7 +24,7 @@
 #pragma once
 #include "laws/law.hpp"
 
-namespace phy::smooth_joint {
+namespace phy::laws::smooth_joint {
 
 template <class R>
 struct Parameters {
@@ -136,4 +136,4 @@ struct Contact {
   R capacity() const { return s.capacity; }
 };
 
-}  // namespace phy::smooth_joint
+}  // namespace phy::laws::smooth_joint

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace phy {
+namespace phy::laws {
 namespace {
 
 smooth_joint::Parameters<double> plane(double tan_phi = 0.0, double tan_psi = 0.0) {
@@ -65,4 +65,4 @@ TEST(SmoothJoint, SlidesOnlyWhileClosed) {
 TEST(SmoothJoint, AreaOfTheSmallerDisc) { EXPECT_DOUBLE_EQ(smooth_joint::area(0.5, 3e-3, 1e-3), 1e-3); }
 
 }  // namespace
-}  // namespace phy
+}  // namespace phy::laws
