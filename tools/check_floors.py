@@ -2,8 +2,8 @@
 """Checks that the floors hold: every include in src/ points to the same floor or a lower one.
 
 Also: theory never meets a room that makes results, analysis never meets engine, a law never meets another law nor a
-laboratory test another test, rooms do not include each other in circles, and no line is longer than 110 characters. Prints every violation with file and line;
-exit 1 if any.
+laboratory test another test, rooms do not include each other in circles, every room has a namespace of its own, and no line
+is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
 """
 import pathlib
 import re
@@ -23,6 +23,7 @@ MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "sta
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}
 NEVER |= {(room, "theory") for room in MAKES_RESULTS} | {("theory", room) for room in MAKES_RESULTS}
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
+COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
 MAX_LINE = 110
 root = pathlib.Path(__file__).resolve().parent.parent / "src"
 problems = []
@@ -49,6 +50,19 @@ def check_include(file, number, target):
         edges.setdefault(room, {}).setdefault(other, where)
 
 
+def check_namespace(file, number, line):
+    room = room_of(file)
+    home = "phy" if room in COMMON else f"phy::{room}"
+    opened = re.match(r"(?:inline )?namespace (phy(?:::\w+)*)", line)
+    if opened:
+        name = opened.group(1)
+        second = (name.split("::") + [""])[1]
+        if not (name + "::").startswith(home + "::") or (room in COMMON and second in FLOORS):
+            problems.append(f"src/{file}:{number}: opens namespace {name}; what {room} declares lives in {home}")
+    if line.startswith("using namespace"):
+        problems.append(f"src/{file}:{number}: a using-directive for the whole file; write the room before the name")
+
+
 def check_circles():
     def visit(room, path):
         for other in edges.get(room, {}):
@@ -70,6 +84,7 @@ for file in sorted(root.rglob("*.[ch]pp")):
     for number, line in enumerate(file.read_text().splitlines(), 1):
         if len(line) > MAX_LINE:
             problems.append(f"src/{relative}:{number}: {len(line)} characters, at most {MAX_LINE}")
+        check_namespace(relative, number, line)
         include = re.match(r'\s*#include "([^"]+)"', line)
         if include:
             check_include(relative, number, include.group(1))

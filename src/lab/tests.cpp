@@ -19,9 +19,7 @@ const auto& rooms() {
   return all;
 }
 
-}  // namespace
-
-std::span<const TestDescription* const> laboratory_tests() {
+std::span<const TestDescription* const> descriptions() {
   static const auto tests = [] {
     std::array<const TestDescription*, std::tuple_size_v<std::decay_t<decltype(rooms())>>> all{};
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = &rooms()[i]->description;
@@ -29,6 +27,8 @@ std::span<const TestDescription* const> laboratory_tests() {
   }();
   return tests;
 }
+
+}  // namespace
 
 const TestRoom& room_of(const Recipe& recipe) {
   for (const TestRoom* room : rooms())
@@ -60,3 +60,9 @@ TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Reci
 }
 
 }  // namespace phy::lab
+
+namespace phy {
+
+std::span<const TestDescription* const> laboratory_tests() { return lab::descriptions(); }
+
+}  // namespace phy
