@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/quote.hpp"
+#include "base/spelling.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "records/recipe_schema.hpp"

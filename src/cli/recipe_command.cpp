@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "base/spelling.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"

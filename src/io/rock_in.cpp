@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/quote.hpp"
+#include "base/spelling.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/rock_table.hpp"

@@ -20,6 +20,7 @@
 #include <tuple>
 
 #include "base/quote.hpp"
+#include "base/spelling.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
 #include "io/toml_tree.hpp"

@@ -61,8 +61,4 @@ TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Reci
 
 }  // namespace phy::lab
 
-namespace phy {
-
-std::span<const TestDescription* const> laboratory_tests() { return lab::descriptions(); }
-
-}  // namespace phy
+std::span<const phy::TestDescription* const> phy::laboratory_tests() { return lab::descriptions(); }

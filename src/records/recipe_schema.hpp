@@ -34,6 +34,9 @@ struct Field {
   std::string path() const { return table.empty() ? key : table + "." + key; }
 };
 
+/// 32 bit contact numbers and memory; hours of computing.
+constexpr std::int64_t max_recipe_grains = 200000;
+
 const std::vector<Field>& recipe_fields();
 
 /// "0 deg <= value < 180 deg", "one of zone, crossing", ...
@@ -50,7 +53,5 @@ bool has_pfc_name(const Field& field, const std::string& word);
 /// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what, or the
 /// nearest.
 std::string unknown_key_hint(const std::string& word, const std::string& table);
-/// The candidate nearest in spelling, or an empty string when none is near.
-std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace phy

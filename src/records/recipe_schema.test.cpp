@@ -1,4 +1,5 @@
 #include "records/recipe_schema.hpp"
+#include "base/spelling.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

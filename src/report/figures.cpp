@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/spelling.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/test_description.hpp"
 #include "report/curves.hpp"

@@ -1,0 +1,102 @@
+#include "cli/study_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cli/machine.hpp"
+#include "cli/terminal.hpp"
+#include "genesis/cache.hpp"
+#include "study/expected.hpp"
+
+namespace phy::cli {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// CPU seconds per cost: of finished tests, else the usual value.
+double seconds_per_cost(const study::Plan& plan, const study::StudyRows& rows) {
+  double seconds = 0.0, cost = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i]) seconds += rows[i]->result.seconds, cost += plan.tests[i].cost;
+  return cost > 0.0 ? seconds / cost : study::usual_seconds_per_cost(plan.study.base.engine.precision);
+}
+
+std::size_t n_packings_to_make(const study::Plan& plan) {
+  std::set<std::string> keys;  // batches may share a packing
+  for (const study::Batch& b : plan.batches) {
+    if (b.tests.empty()) continue;
+    const Recipe& r = plan.tests[b.tests.front()].recipe;
+    if (r.packing.file.empty() && !genesis::is_cached(r, genesis::default_cache_folder()))
+      keys.insert(genesis::packing_key(r.specimen, r.packing, r.matrix));
+  }
+  return keys.size();
+}
+
+}  // namespace
+
+void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Session& session) {
+  std::size_t mine = 0, left = 0;
+  double cost = 0.0;
+  for (const study::Batch& b : plan.batches)
+    for (const std::size_t t : b.tests) {
+      ++mine;
+      if (!rows[t]) ++left, cost += plan.tests[t].cost;
+    }
+  const study::Study& s = plan.study;
+  const int threads = n_threads(session), width = session.terminal_width;
+  print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, study::to_string(s.design),
+                s.vary.size());
+  print_wrapped(width, 10,
+                "          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
+                plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(),
+                plan.tests.size());
+  if (mine < plan.tests.size()) print_wrapped(width, 10, "shard     {} of them are this part's\n", mine);
+  print_wrapped(
+      width, 10, "press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
+      s.base.engine.precision == Precision::double_precision ? "double" : "single",
+      s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
+  if (left == 0) return;
+  const std::size_t to_make = n_packings_to_make(plan);
+  print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,
+                duration(cost * seconds_per_cost(plan, rows) / threads), threads,
+                to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
+}
+
+std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows, int width) {
+  std::size_t n = 0;
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
+    if (n++ == 0) print_out("\nwithout a peak, or not to be trusted:\n");
+    const auto run =
+        std::find_if(plan.runs.begin(), plan.runs.end(), [&](const study::Run& r) { return r.test == t; });
+    const Outcome& o = rows[t]->result.outcome;
+    print_wrapped(width, 4, "  {}, packing {}, {}: {}: {}{}{}\n", rows[t]->result.name, run->packing,
+                  study::describe(plan.study, plan.points[run->point]), to_string(o.status), o.reason,
+                  o.advice.empty() ? "" : "; ", o.advice);
+  }
+  return n;
+}
+
+std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) {
+  std::size_t n = 0;
+  for (const study::Batch& b : plan.batches)
+    for (const std::size_t t : b.tests) n += rows[t] ? 0 : 1;
+  return n;
+}
+
+std::string progress_text(const study::StudyProgress& p, double seconds, std::size_t n_total) {
+  std::string text = fmt::format("{}/{} specimens", p.n_done, n_total);
+  if (p.n_failed > 0) text += fmt::format(" ({} without a good peak)", p.n_failed);
+  text += fmt::format(", {:.0f} s", seconds);
+  if (p.work <= 0.0) return text + ", starting";
+  return text + fmt::format(", {:.0f} per minute, about {} left",
+                            60.0 * static_cast<double>(p.n_new) / seconds, duration(p.seconds_left(seconds)));
+}
+
+}  // namespace phy::cli

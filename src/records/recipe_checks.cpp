@@ -1,0 +1,197 @@
+// Problems between keys of a recipe that are each in range (cross_checks).
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/exact_math.hpp"
+#include "records/recipe_schema.hpp"
+#include "records/test_description.hpp"
+
+namespace phy {
+namespace {
+
+constexpr double min_grains_across = 10.0;  // fewer: the walls decide, not the rock
+constexpr std::int64_t min_grains = 16;     // fewer do not settle into a packing
+
+using Paths = std::vector<std::string>;
+
+/// Collects problems between keys; one function per table. A check names all keys that it compares and is
+/// left out if one of them could not be read: what it would say is about a default that nobody wrote.
+class CrossChecks {
+ public:
+  CrossChecks(const Recipe& recipe, const std::function<std::string(const std::string&)>& where,
+              const std::function<bool(const std::string&)>& is_known)
+      : r_(recipe), where_(where), is_known_(is_known) {}
+
+  std::vector<Problem> run() {
+    if (r_.packing.file.empty()) packing();
+    matrix();
+    for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
+    test();
+    if (!r_.sweep.factors.empty()) sweep();
+    return std::move(problems_);
+  }
+
+ private:
+  const Recipe& r_;
+  const std::function<std::string(const std::string&)>& where_;
+  const std::function<bool(const std::string&)>& is_known_;
+  std::vector<Problem> problems_;
+
+  /// `paths`: the key that is told, then those that it is held against.
+  void tell(const Paths& paths, const std::string& value, const std::string& expected,
+            const std::string& remedy) {
+    if (std::all_of(paths.begin(), paths.end(), is_known_))
+      problems_.push_back({where_(paths.front()), paths.front(), value, expected, remedy});
+  }
+  static std::string length(double v) { return print_quantity(v, Dimension::length); }
+
+  void packing() {
+    const PackingRecipe& p = r_.packing;
+    if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
+      tell({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
+           print_quantity(p.isotropic_stress, Dimension::pressure), "above 0 with isotropic",
+           "give the stress, for example \"0.5 MPa\"");
+    if (p.initial_stress == InitialStress::stress_free && p.isotropic_stress > 0.0)
+      tell({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
+           print_quantity(p.isotropic_stress, Dimension::pressure), "0 with stress_free",
+           "leave it out, or set initial_stress = \"isotropic\"");
+    if (p.radius_min > p.radius_max)
+      return tell({"packing.radius_min", "packing.radius_max", "packing.file"}, length(p.radius_min),
+                  "at most radius_max = " + length(p.radius_max), "exchange the two");
+    const SpecimenSize& size = r_.specimen;
+    const double least = min_grains_across * (p.radius_min + p.radius_max);
+    if (std::min(size.width, size.height) < least)
+      tell({size.width < size.height ? "specimen.width" : "specimen.height", "specimen.width",
+            "specimen.height", "packing.radius_min", "packing.radius_max", "packing.file"},
+           length(std::min(size.width, size.height)), "at least ten mean grain diameters, " + length(least),
+           "use smaller grains or a larger specimen");
+    if ((p.n_grains > 0) == (p.porosity > 0.0))
+      return tell({"packing.n_grains", "packing.porosity", "packing.file"}, std::to_string(p.n_grains),
+                  "exactly one of n_grains and porosity",
+                  p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
+    p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
+  }
+  void grains_fill_the_box() {
+    const PackingRecipe& p = r_.packing;
+    const double area = r_.specimen.width * r_.specimen.height, n = static_cast<double>(p.n_grains);
+    const double smallest = n * pi * p.radius_min * p.radius_min,
+                 largest = n * pi * p.radius_max * p.radius_max;
+    if (p.n_grains < min_grains)
+      tell({"packing.n_grains", "packing.file"}, std::to_string(p.n_grains),
+           "0, or at least " + std::to_string(min_grains), "");
+    else if (smallest > 1.05 * area || largest < 0.7 * area)
+      tell({"packing.n_grains", "specimen.width", "specimen.height", "packing.radius_min",
+            "packing.radius_max", "packing.file"},
+           std::to_string(p.n_grains), "a number of grains of this size that fills the specimen",
+           "give porosity instead (for example 0.16) and let the number follow");
+  }
+  void porosity_gives_a_number() {
+    const PackingRecipe& p = r_.packing;
+    const double solid = (1.0 - p.porosity) * r_.specimen.width * r_.specimen.height;
+    const double fewest = solid / (pi * p.radius_max * p.radius_max);
+    if (fewest > static_cast<double>(max_recipe_grains))
+      tell({"packing.porosity", "specimen.width", "specimen.height", "packing.radius_min",
+            "packing.radius_max", "packing.file"},
+           print_number(p.porosity),
+           "at most " + std::to_string(max_recipe_grains) + " grains; this gives more than " +
+               std::to_string(static_cast<std::int64_t>(std::min(fewest, 1e15))),
+           "use larger grains or a smaller specimen");
+  }
+
+  void matrix() {
+    const MatrixRecipe& m = r_.matrix;
+    if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
+      tell({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
+           "0 deg with shear_strength = \"constant\"",
+           "leave it out, or set shear_strength = \"cohesion_friction\"");
+  }
+
+  void bedding(std::size_t i) {
+    const BeddingRecipe& b = r_.bedding[i];
+    const double diameter = 2.0 * r_.packing.radius_max;
+    const std::string set = "bedding[" + std::to_string(i) + "].";
+    if (b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing)
+      tell({set + "zone_thickness", set + "spacing", set + "rule"}, length(b.zone_thickness),
+           "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
+    if (r_.packing.file.empty() && b.spacing < diameter)
+      tell({set + "spacing", "packing.radius_max", "packing.file"}, length(b.spacing),
+           "at least the largest grain diameter, " + length(diameter),
+           "use a wider spacing or smaller grains");
+    if (tan_degrees(b.psi) > b.mu)
+      tell({set + "psi", set + "mu"}, print_quantity(b.psi, Dimension::angle),
+           "tan(psi) <= mu = " + print_number(b.mu),
+           "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
+  }
+
+  void test() {
+    const TestRecipe& t = r_.test;
+    if (!t.angles.empty() && r_.bedding.empty())
+      tell({"test.angles", "bedding"}, "given", "a [[bedding]] set to turn",
+           "add [[bedding]], or remove test.angles");
+    std::vector<double> sorted = t.angles;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+      tell({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
+           "remove the second one; for another specimen change a seed");
+    test_of_kind();
+    for (const auto& [key, strain] :
+         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"jump_strain", t.jump_strain}})
+      if (strain >= t.max_strain)
+        tell({std::string("test.") + key, "test.max_strain"}, print_number(strain),
+             "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+  }
+
+  void test_of_kind() {
+    const TestRecipe& t = r_.test;
+    const double side = std::min(r_.specimen.width, r_.specimen.height);
+    const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
+    if (t.disc_diameter > side)
+      tell({"test.disc_diameter", "specimen.width", "specimen.height"}, length(t.disc_diameter),
+           "at most the smaller side, " + length(side),
+           "a disc is cut from the packing; use a larger specimen");
+    else if (t.disc_diameter > 0.0 && t.disc_diameter < least && r_.packing.file.empty())
+      tell({"test.disc_diameter", "packing.radius_min", "packing.radius_max", "packing.file"},
+           length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
+           "use a larger disc or smaller grains");
+    if (3.0 * t.grip_thickness > r_.specimen.height)
+      tell({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
+           "at most a third of the height", "the rock between the grips is what is tested");
+    if (t.shear_gap > 0.5 * r_.specimen.height)
+      tell({"test.shear_gap", "specimen.height"}, length(t.shear_gap), "at most half the height",
+           "the boxes have to hold something");
+    if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
+      tell({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
+           "give test.normal_stress, from which it grows");
+    if (t.jump_strain > 0.0 && !t.kind->may_jump)
+      tell({"test.jump_strain", "test.kind"}, print_number(t.jump_strain), "0 for this kind of test",
+           "only the uniaxial press can start loaded");
+  }
+
+  void sweep() {
+    const SweepRecipe& s = r_.sweep;
+    const std::set<double> distinct(s.factors.begin(), s.factors.end());
+    if (distinct.size() < 3 || distinct.size() < s.factors.size())
+      tell({"sweep.factors"}, std::to_string(s.factors.size()) + " factors", "at least three, each once",
+           "a line through fewer points says nothing; for example [0.25, 0.5, 1, 2, 4]");
+    if (r_.test.angles.size() < 3)
+      tell({"test.angles", "sweep.factors"}, std::to_string(r_.test.angles.size()) + " angles",
+           "at least three for a sweep",
+           "Eq. 1 has two unknowns; for example [\"0 deg\", \"45 deg\", \"90 deg\"]");
+    if (s.n_packings > 1 && !r_.packing.file.empty())
+      tell({"sweep.n_packings", "packing.file"}, std::to_string(s.n_packings), "1 with packing.file",
+           "a file holds one packing; leave one of the two out");
+  }
+};
+
+}  // namespace
+
+std::vector<Problem> cross_checks(const Recipe& r,
+                                  const std::function<std::string(const std::string&)>& where,
+                                  const std::function<bool(const std::string&)>& is_known) {
+  return CrossChecks(r, where, is_known).run();
+}
+
+}  // namespace phy

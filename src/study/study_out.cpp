@@ -1,0 +1,65 @@
+// The files that say what a study was, as they are kept in its folder; read_study reads them again.
+#include "base/quote.hpp"
+#include "io/toml_in.hpp"
+#include "study/study_in.hpp"
+
+namespace phy::study {
+namespace {
+
+std::string points_csv(const Study& study) {
+  std::string text;
+  for (const Factor& f : study.vary)
+    text += (text.empty() ? "" : ",") + f.key.path() +
+            (f.key.field->dimension == Dimension::none ? "" : " [" + f.key.unit() + "]");
+  text += "\n";
+  for (const auto& row : study.rows) {
+    for (std::size_t k = 0; k < row.size(); ++k)
+      text += (k == 0 ? "" : ",") + (study.vary[k].key.field->dimension == Dimension::none
+                                         ? study.vary[k].key.print(row[k])
+                                         : print_number(row[k]));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string value_text(const RecipeKey& key, double value) {
+  const bool quoted = key.field->dimension != Dimension::none || key.field->kind == FieldKind::choice;
+  return quoted ? toml_string(key.print(value)) : key.print(value);
+}
+
+template <class T, class Print>
+std::string list_text(const std::vector<T>& values, const Print& print) {
+  std::string text;
+  for (const T& v : values) text += (text.empty() ? "" : ", ") + print(v);
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> study_files(const Study& study) {
+  const auto whole = [](std::int64_t n) { return std::to_string(n); };
+  std::string text = "name = " + toml_string(study.name) + "\n";
+  text += "recipe = \"recipe.toml\"\ndesign = \"" + std::string(to_string(study.design)) + "\"\n";
+  text += "samples = " + whole(study.samples) + "\nseed = " + whole(study.seed) + "\n";
+  if (study.base.packing.file.empty()) text += "packings = " + list_text(study.packings, whole) + "\n";
+  text += "bond_seeds = " + list_text(study.bond_seeds, whole) + "\n";
+  std::vector<std::pair<std::string, std::string>> files = {{"recipe.toml", io::write_recipe(study.base)}};
+  if (study.design == Design::list) {
+    files.emplace_back("points.csv", points_csv(study));
+    text += "file = \"points.csv\"\n";
+  } else {
+    for (const Factor& f : study.vary) {
+      text += "\n[[vary]]\nkey = " + toml_string(f.key.path()) + "\n";
+      const auto print = [&](double v) { return value_text(f.key, v); };
+      if (!f.levels.empty())
+        text += "values = " + list_text(f.levels, print) + "\n";
+      else
+        text += "from = " + print(f.from) + "\nto = " + print(f.to) + "\nscale = \"" +
+                (f.logarithmic ? "log" : "linear") + "\"\n";
+    }
+  }
+  files.emplace_back("study.toml", text);
+  return files;
+}
+
+}  // namespace phy::study
