@@ -141,7 +141,6 @@ class LinearBondModel final : public ContactModel {
 
   void crack(const Standing& c, CrackEvent& out) const override {
     out.place = CrackPlace::matrix;
-    out.normal = (1.0 / norm(c.branch)) * c.branch;
     out.size = 2.0 * c.specimen.matrix.radius_multiplier * c.r_min;
   }
 

@@ -102,7 +102,7 @@ class ContactModel {
   virtual bool unbroken(const double* fields) const = 0;
   /// Kind, state, normal and forces for pictures.
   virtual void describe(const Standing& contact, ContactState& out) const = 0;
-  /// Place, normal and size of a crack of it.
+  /// Place and size of a crack of it, and its normal where that is not the branch, which it comes with.
   virtual void crack(const Standing& contact, CrackEvent& out) const = 0;
 };
 

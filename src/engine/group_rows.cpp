@@ -94,7 +94,8 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   e.a = std::min(pa, pb);
   e.b = std::max(pa, pb);
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
-  e.position = xa + grains_.radius(a) * ((1.0 / norm(xb - xa)) * (xb - xa));
+  e.normal = (1.0 / norm(xb - xa)) * (xb - xa);
+  e.position = xa + grains_.radius(a) * e.normal;
   contacts_.with(c, l, *lane.specimen, [&](const contact::ContactModel& model, const contact::Standing& now) {
     model.crack(now, e);
   });
