@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "contact/model.hpp"
 
 namespace phy::contact {
 namespace {
@@ -30,7 +31,6 @@ class LinearBondModel final : public ContactModel {
   using F = LinearBond;
 
  public:
-  const char* name() const override { return "linear_bond"; }
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
@@ -64,7 +64,7 @@ class LinearBondModel final : public ContactModel {
     fields[F::shear_capacity] = c.tau_c * A;
   }
 
-  void meet(double, double*) const override {}
+  void meet(double, double, double*) const override {}
 
   Vec2 normal(const Specimen&, const Contact&, Vec2 branch) const override { return branch; }
 

@@ -8,12 +8,13 @@
 //   bond     kb_n A = E_b lambda 2 r_min/(R1 + R2),   kb_n I = E_b lambda^3 (2/3) r_min^3/(R1 + R2)
 //   a unit of thickness throughout; strengths times A = 2 lambda r_min
 #pragma once
-#include "contact/model.hpp"
 #include "contact/step.hpp"
 #include "laws/linear/linear.hpp"
 #include "laws/parallel_bond/parallel_bond.hpp"
 
 namespace phy::contact {
+
+class ContactModel;
 
 struct LinearBond {
   enum Field {

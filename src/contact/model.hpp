@@ -3,12 +3,14 @@
 // step, statics, tables and pictures ask this one, and none of them names a law.
 //
 // A specimen has two models (models.hpp): that of the matrix, whose normal is the branch vector between the
-// grains, and that of the interfaces, whose normal is fixed. A contact belongs to one of them for ever. A
-// model whose bonds break keeps what is left: there is no handing over, a broken parallel bond is a linear
-// contact because the model holds both side by side.
+// grains, and that of the interfaces, whose normal is fixed. A contact belongs to one of them for ever; a
+// pair that was never bonded belongs to the matrix until it meets. A model whose bonds break keeps what is
+// left: there is no handing over, a broken parallel bond is a linear contact because the model holds both
+// side by side.
 //
 // Signs are those of laws/law.hpp: closure, compression and shortening positive, forces on grain 2.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -63,7 +65,6 @@ class ContactModel {
   };
   virtual ~ContactModel() = default;
 
-  virtual const char* name() const = 0;
   virtual Size size() const = 0;
   /// Specimens side by side in lanes share the geometry: may these two?
   virtual bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const = 0;
@@ -76,8 +77,9 @@ class ContactModel {
 
   /// Memory at the start of a test.
   virtual void install(const Specimen& specimen, const Contact& contact, double* fields) const = 0;
-  /// Memory of a contact between grains that meet during a test, unbonded, `gap` apart [m].
-  virtual void meet(double gap, double* fields) const = 0;
+  /// Memory of an interface between grains that meet during a test: broken, `gap` apart [m], with the shear
+  /// force [N/m] that they already pressed on each other with in the block that is over.
+  virtual void meet(double gap, double F_s, double* fields) const = 0;
 
   /// Unit normal from grain a to grain b, whose unit branch vector is `branch`.
   virtual Vec2 normal(const Specimen& specimen, const Contact& contact, Vec2 branch) const = 0;
@@ -105,5 +107,24 @@ class ContactModel {
   /// Place and size of a crack of it, and its normal where that is not the branch, which it comes with.
   virtual void crack(const Standing& contact, CrackEvent& out) const = 0;
 };
+
+/// The cold sides of a combination.
+struct Models {
+  const ContactModel* matrix;
+  const ContactModel* interface;
+  const ContactModel& of(ContactKind kind) const { return kind == ContactKind::joint ? *interface : *matrix; }
+  std::size_t n_fields() const { return std::max(matrix->size().fields, interface->size().fields); }
+  std::size_t n_geometry() const { return matrix->size().geometry + interface->size().geometry; }
+  std::size_t n_cracks() const { return std::max(matrix->size().cracks, interface->size().cracks); }
+};
+
+template <class C>
+Models models() {
+  return {&C::Matrix::model(), &C::Interface::model()};
+}
+
+/// The first line of the list (models.hpp): what engine, statics and tables ask unless they are told
+/// otherwise.
+const Models& standard_models();
 
 }  // namespace phy::contact

@@ -21,22 +21,4 @@ struct Combination {
 
 using Combinations = std::tuple<Combination<LinearBond, SmoothJoint>>;
 
-/// The cold sides of a combination.
-struct Models {
-  const ContactModel* matrix;
-  const ContactModel* interface;
-  const ContactModel& of(ContactKind kind) const { return kind == ContactKind::joint ? *interface : *matrix; }
-  std::size_t n_fields() const { return std::max(matrix->size().fields, interface->size().fields); }
-  std::size_t n_geometry() const { return matrix->size().geometry + interface->size().geometry; }
-  std::size_t n_cracks() const { return std::max(matrix->size().cracks, interface->size().cracks); }
-};
-
-template <class C>
-Models models() {
-  return {&C::Matrix::model(), &C::Interface::model()};
-}
-
-/// The first line of the list: what statics and tables ask unless they are told otherwise.
-inline Models standard_models() { return models<std::tuple_element_t<0, Combinations>>(); }
-
 }  // namespace phy::contact

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "contact/model.hpp"
 #include "contact/wall.hpp"
 #include "records/assembly.hpp"
 
@@ -141,7 +142,7 @@ TEST(Models, AffineStartIsWhatOneStepGives) {
     std::vector<double> fields = placed.fields;
     Model::model().affine_start(placed.standing(), {-4e-8, 3e-8}, fields.data());
     for (std::size_t i = 0; i < fields.size(); ++i)
-      EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << Model::model().name() << i;
+      EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << i;
   };
   Contact c = s.contacts[0];
   check(LinearBond{}, c);

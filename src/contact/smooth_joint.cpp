@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "contact/model.hpp"
 
 namespace phy::contact {
 namespace {
@@ -26,7 +27,6 @@ class SmoothJointModel final : public ContactModel {
   using F = SmoothJoint;
 
  public:
-  const char* name() const override { return "smooth_joint"; }
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
@@ -54,7 +54,10 @@ class SmoothJointModel final : public ContactModel {
     fields[F::capacity] = s.bedding[c.set].sigma_n * area_of(s, c);
   }
 
-  void meet(double gap, double* fields) const override { fields[F::closure] = -std::max(gap, 0.0); }
+  void meet(double gap, double F_s, double* fields) const override {
+    fields[F::closure] = -std::max(gap, 0.0);
+    fields[F::shear] = F_s;
+  }
 
   Vec2 normal(const Specimen& s, const Contact& c, Vec2) const override {
     return static_cast<double>(c.side) * plane_normal(s.bedding[c.set]);

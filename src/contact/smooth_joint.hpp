@@ -3,11 +3,12 @@
 // The law is in laws/smooth_joint; stiffnesses and strengths of the recipe are per area, A = 2 lambda r_min
 // per unit of thickness.
 #pragma once
-#include "contact/model.hpp"
 #include "contact/step.hpp"
 #include "laws/smooth_joint/smooth_joint.hpp"
 
 namespace phy::contact {
+
+class ContactModel;
 
 struct SmoothJoint {
   enum Field {

@@ -5,15 +5,18 @@
 //
 //   enum Field      ..., n_fields       lane vectors of memory that each contact has
 //   enum Parameter  ..., n_parameters   lane vectors of a row of parameters (ContactModel::parameters)
-//   enum Geometry   ..., n_geometry     numbers of each contact, the same in all lanes
-//   (ContactModel::geometry) template <bool sample, class R, class P, class Memory, class Broke> static
-//   Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
-//                          Sums<R>& sums, const Broke& broke);
+//   enum Geometry   ..., n_geometry     numbers of each contact in all lanes (ContactModel::geometry)
+//   static const ContactModel& model();                                   its cold side
 //
-// p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a field. `respond` turns the
-// kinematics into the motion of its laws, stores its memory, adds to the sums (energies only where `sample`)
-// and tells what broke: broke(tension, shear, released), at most once per step and ContactModel::Size::cracks
-// times in the life of a contact.
+//   template <bool sample, class R, class P, class Memory, class Broke>
+//   static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
+//                          const Step<R>& step, Sums<R>& sums, const Broke& broke);
+//
+// It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
+// fields have to be zero there. p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a
+// field. `respond` turns the kinematics into the motion of its laws, stores its memory, adds to the sums
+// (energies only where `sample`) and tells what broke: broke(tension, shear, released), at most once per step
+// and ContactModel::Size::cracks times in the life of a contact.
 #pragma once
 #include "base/lane_memory.hpp"
 

@@ -1,5 +1,7 @@
 #include "engine/boundary.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 
 namespace phy::engine::group {

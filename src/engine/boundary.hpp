@@ -24,7 +24,8 @@ struct ToolMotion {
 struct LaneBoundary {
   std::shared_ptr<const Rig> rig;  // null: none, or an empty lane
   bool placed = false;
-  double damping = 0.0, density = 1.0, dt = 0.0;  // of the lane: what drives a grain that nothing holds
+  double damping = 0.0, density = 1.0,
+         dt = 0.0;  // of the lane: for the way on which the jacket drives a free grain
   std::vector<ToolMotion> tools;
   double pressure = 0.0;        // of the jacket [Pa]
   double swept = 0.0;           // area that it has swept since it was placed [m^2]
@@ -38,7 +39,6 @@ class Boundary {
   /// interval: cycles per block.
   Boundary(const GrainMemory<T>& grains, int interval);
 
-  bool jacket() const { return jacket_; }
   LaneBoundary& lane(std::size_t l) { return lanes_[l]; }
   const LaneBoundary& lane(std::size_t l) const { return lanes_[l]; }
   void clear(std::size_t l);

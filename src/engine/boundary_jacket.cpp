@@ -1,4 +1,5 @@
 // The jacket of a boundary (jacket.hpp): fitted anew before every block, lane by lane.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/boundary.hpp"

@@ -1,5 +1,6 @@
 #include "engine/contact_memory.hpp"
 
+#include <iterator>
 #include <map>
 
 #include "base/check.hpp"
@@ -12,7 +13,7 @@ ContactMemory<T>::ContactMemory(const GrainMemory<T>& grains, const contact::Mod
   for (const contact::ContactModel* m : {models.matrix, models.interface})
     PHY_CHECK(m->size().fields <= most_numbers && m->size().parameters <= most_numbers &&
                   m->size().geometry <= most_numbers,
-              "a contact model has as many numbers as there is room for");
+              "a contact model has no more numbers than there is room for");
   matrix_table_.assign(models.matrix->size().parameters * W_);
 }
 
@@ -114,12 +115,14 @@ void ContactMemory<T>::install(std::size_t l, const Specimen& specimen) {
 }
 
 template <class T>
-void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, std::uint8_t set, int side, double gap) {
+void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, const Specimen& specimen,
+                                      std::uint8_t set, int side, double gap) {
+  const double F_s = state(c, l, specimen).F_s;
+  std::array<double, most_numbers> fields{};
+  models_.interface->meet(gap, F_s, fields.data());
   at(c, c_side, l) = T(side);
   set_[c * W_ + l] = set;
-  std::array<double, most_numbers> state = fields(c, l);
-  models_.interface->meet(gap, state.data());
-  set_fields(c, l, state.data());
+  set_fields(c, l, fields.data());
 }
 
 template <class T>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/models.hpp"
+#include "contact/model.hpp"
 #include "engine/grain_memory.hpp"
 
 namespace phy::engine::group {
@@ -58,7 +58,8 @@ class ContactMemory {
   /// Bonds and interfaces of a specimen as its test begins. All its pairs have places.
   void install(std::size_t lane, const Specimen& specimen);
   /// An unbonded pair becomes a broken interface of a bedding set, `gap` apart.
-  void make_interface(std::size_t c, std::size_t lane, std::uint8_t set, int side, double gap);
+  void make_interface(std::size_t c, std::size_t lane, const Specimen& specimen, std::uint8_t set, int side,
+                      double gap);
   /// The affine start of all contacts of a lane: `field` gives the displacement at a point.
   template <class Field>
   void affine_start(std::size_t lane, const Specimen& specimen, const Field& field);
@@ -101,8 +102,9 @@ auto ContactMemory<T>::with(std::size_t c, std::size_t l, const Specimen& specim
   const bool plane = interface(c, l);
   const std::array<double, most_numbers> state = fields(c, l);
   std::array<double, most_numbers> numbers{};
-  const std::size_t n = models_.n_geometry(), first = plane ? models_.matrix->size().geometry : 0;
-  for (std::size_t i = first; i < n; ++i) numbers[i - first] = static_cast<double>(geometry_[c * n + i]);
+  const std::size_t n = models_.n_geometry(), of_matrix = models_.matrix->size().geometry;
+  const std::size_t first = plane ? of_matrix : 0, end = plane ? n : of_matrix;
+  for (std::size_t i = first; i < end; ++i) numbers[i - first] = static_cast<double>(geometry_[c * n + i]);
   const Vec2 branch_0 = grains_->start(b) - grains_->start(a);
   const contact::Standing now{specimen,
                               set_[c * W_ + l],

@@ -153,7 +153,7 @@ TEST(Joint, GrainsPassThroughEachOther) {
 }
 
 // Constants of a contact are the same in all lanes: a mate of the other convention would be computed wrongly.
-TEST(Group, MatesShareTheStiffnessConvention) {
+TEST(Group, NeighboursShareTheStiffnessConvention) {
   MatrixRecipe m;
   const auto one = std::make_shared<const Specimen>(assembly({{1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}}, m));
   m.stiffness_convention = StiffnessConvention::pfc5;

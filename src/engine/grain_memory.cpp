@@ -1,5 +1,7 @@
 #include "engine/grain_memory.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
 

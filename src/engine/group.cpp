@@ -1,5 +1,8 @@
 #include "engine/group.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
 #include "base/check.hpp"
 #include "contact/wall.hpp"
 
@@ -53,9 +56,10 @@ void Group<T>::clear(int lane) {
 template <class T>
 void Group<T>::check_neighbour(const Specimen& specimen) const {
   PHY_CHECK(specimen.packing->hash == grains_.packing().hash, "lanes of a group share one packing");
-  for (const Lane& l : lanes_)
-    PHY_CHECK(!l.specimen || contacts_.models().matrix->same_geometry(l.specimen->matrix, specimen.matrix),
-              "lanes of a group share one stiffness convention");
+  for (const contact::ContactModel* model : {contacts_.models().matrix, contacts_.models().interface})
+    for (const Lane& l : lanes_)
+      PHY_CHECK(!l.specimen || model->same_geometry(l.specimen->matrix, specimen.matrix),
+                "lanes of a group share the geometry of their contacts");
 }
 
 template <class T>

@@ -1,5 +1,5 @@
-// The group behind LaneGroup. Inside the engine only. It owns what its parts share a block of cycles for, and
-// the specimens in the lanes; each part says in its header what it owns.
+// The group behind LaneGroup. Inside the engine only. It runs blocks of cycles over its parts and owns the
+// specimens in the lanes; each part says in its header what it owns.
 //   grain_memory     order and state of the grains
 //   neighbour_list   which pairs are looked at
 //   contact_memory   states of the contacts by their models
@@ -95,7 +95,7 @@ class Group final : public LaneGroup {
   Buffer<T> lane_table_, slip_, damping_;
   Buffer<double> sample_;
   std::vector<RawCrack> raw_cracks_;
-  std::vector<std::size_t> open_;  // contacts that create() looks at
+  std::vector<std::size_t> open_;  // contacts that create_contacts() looks at
   bool dirty_ = true;              // lists and tables have to be made anew before the next block
   std::int64_t n_rebuilds_ = 0;
 

@@ -4,7 +4,6 @@
 
 #include "contact/models.hpp"
 #include "engine/force_loop.hpp"
-#include "engine/kernels.hpp"
 
 namespace phy::engine {
 namespace {

@@ -1,6 +1,7 @@
 // What a block leaves behind: energies, cracks, the row of the history, and the watchdog's word on it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -16,8 +17,8 @@ bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
 /// Of all that a lane reports.
 bool all_numbers(const HistoryRow& row, const LaneBoundary& edge) {
-  for (const HistoryColumns& columns : {gauge_columns(), book_columns()})
-    for (const HistoryColumn& c : columns)
+  for (const HistoryColumns* columns : {&gauge_columns(), &book_columns()})
+    for (const HistoryColumn& c : *columns)
       if (!std::isfinite(row.*c.value)) return false;
   for (const ToolMotion& t : edge.tools)
     if (!is_finite(t.state.displacement) || !is_finite(t.state.force)) return false;

@@ -1,5 +1,7 @@
 #include "engine/kernels.hpp"
 
+#include "contact/models.hpp"
+
 #include <cstdlib>
 #include <cstring>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "contact/models.hpp"
+#include "contact/model.hpp"
 #include "engine/view.hpp"
 
 namespace phy::engine {

@@ -1,9 +1,9 @@
 // A group: up to W specimens of one packing that run side by side in the lanes of the force loop.
 //
-// The group owns the memory, the list of near pairs, the time steps and the energy books; the laboratory
+// The group owns the memory, the list of near pairs, the time steps and the energy balance; the laboratory
 // (lab/) decides what is loaded, when a test ends and what is kept. All lanes share the list (the union of
 // what each needs); a pair that concerns other lanes only contributes zeros. Checks happen at the end of a
-// block of `interval` cycles, which is a constant of the recipe: list, births of contacts, time step,
+// block of `interval` cycles, which is a constant of the recipe: list, creation of contacts, time step,
 // watchdog, history.
 #pragma once
 #include <cstdint>
@@ -56,14 +56,14 @@ class LaneGroup {
 
   virtual int lanes() const = 0;
   /// Puts a specimen into a lane, at rest, its rig not yet in place. Throws InternalError when it is of
-  /// another packing or stiffness convention than its mates.
+  /// another packing, or geometry of contacts, than its neighbours.
   virtual void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) = 0;
   /// Empties a lane.
   virtual void clear(int lane) = 0;
   /// Moves a running specimen into an empty lane of another group of the same packing, precision and block.
   /// Between blocks only; the state of both groups is whole again after their next block.
   virtual void move_lane(int lane, LaneGroup& to, int to_lane) = 0;
-  /// Sets the rig against the specimen as it lies now, at rest, and starts the books at zero.
+  /// Sets the rig against the specimen as it lies now, at rest, and starts the balance at zero.
   virtual void place_rig(int lane) = 0;
   /// The strains of the gauges, and the travel that the watchdog goes by, count from now.
   virtual void zero_strains(int lane) = 0;
@@ -73,10 +73,10 @@ class LaneGroup {
   virtual void drive(int lane, int tool, const Drive& drive) = 0;
   /// Pressure of the jacket from now on [Pa].
   virtual void press(int lane, double pressure) = 0;
-  /// Gives all grains a velocity [m/s] by their place; its energy enters the books as work.
+  /// Gives all grains a velocity [m/s] by their place; its energy enters the balance as work.
   virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;
   /// Sets the affine state of the jump start along the rig's axial axis (y), rig in place. Its strain energy
-  /// enters the books as work.
+  /// enters the balance as work.
   virtual void jump(int lane, double axial_strain) = 0;
   /// True when a bond or joint carries its strength or more: it would break the moment breakage is allowed.
   virtual bool at_strength(int lane) const = 0;

@@ -1,5 +1,6 @@
 #include "engine/neighbour_list.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phy::engine::group {

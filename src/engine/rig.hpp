@@ -7,7 +7,7 @@
 //   jacket  a pressure on the grains that are the surface of the sides (engine/jacket.hpp)
 // A tool translates and does not turn. Each of its two components moves at a velocity, under a servo or in
 // balance. Force and displacement of every tool are kept step by step; their product is the work in the
-// energy books.
+// energy balance.
 //
 // Servo. Once per block (the recipe's history interval) the speed is set so that a fraction of the missing
 // force would arrive within the next block; PFC's rule v = gain (F_target - F), with a memory of the speed so

@@ -10,7 +10,7 @@
 #pragma once
 #include <vector>
 
-#include "contact/models.hpp"
+#include "contact/model.hpp"
 #include "engine/rig.hpp"
 #include "records/specimen.hpp"
 

@@ -6,7 +6,7 @@
 //
 // Balance is found by Newton's method on a sum of springs that only push: piecewise linear and rising, so
 // that a step or two meet the root. Every lane stops when its own force is met: no lane's bits depend on its
-// mates.
+// neighbours.
 #pragma once
 #include "base/lane_memory.hpp"
 #include "contact/wall.hpp"

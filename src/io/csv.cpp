@@ -10,7 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
-#include "contact/models.hpp"
+#include "contact/model.hpp"
 #include "io/file.hpp"
 #include "records/test_description.hpp"
 

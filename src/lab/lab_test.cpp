@@ -7,6 +7,7 @@
 
 #include "analysis/analyse.hpp"
 #include "analysis/specimen_checks.hpp"
+#include "base/check.hpp"
 #include "lab/instability.hpp"
 #include "lab/tests.hpp"
 #include "records/quality.hpp"
@@ -30,7 +31,9 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       result_(blank_result(*specimen_, recipe.test.kind)),
       boundary_(boundary_of(*specimen_->packing, recipe)),
       snapshots_(recipe.test.n_snapshots),
-      frames_(recipe.test.n_frames) {}
+      frames_(recipe.test.n_frames) {
+  PHY_CHECK(boundary_.rig.axial.present(), "every test has an axial pair of tools");
+}
 
 void LabTest::begin() {
   engine::LaneSetup setup;

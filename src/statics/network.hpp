@@ -4,9 +4,8 @@
 //
 //   d        = (u_b - u_a) - (w_a arm_a + w_b arm_b) tangent(branch)
 //   closure  = -n.d,   slide = t.d,   rotation = w_b - w_a
-//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation          (laws/law.hpp, which has the
-//   couplings;
-//                                                                        force on b = F_n n + F_s t)
+//   F_n = k_n closure,   F_s = -k_s slide,   M = -k_m rotation      (laws/law.hpp, also for couplings)
+//   force on b = F_n n + F_s t
 //
 // with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n and
 // the stiffnesses are those that the contact models state (contact/model.hpp), in two parts: what holds in
@@ -22,7 +21,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "contact/models.hpp"
+#include "contact/model.hpp"
 #include "records/specimen.hpp"
 
 namespace phy::statics {

@@ -1,20 +1,23 @@
 // A contact model that exists only here: a linear contact whose grains also resist rolling on each other
 // (Iwashita & Oda 1998, J. Eng. Mech. 124:285-292): a couple M = -k_r rotation, bounded by mu_r r_min F_n.
-// It shows what a model of one's own costs: this file. Its parameters are constants, for it has no recipe.
+// It shows what a model of one's own costs: this file, given to a group or a network as an argument. Its
+// parameters are constants, for it has no recipe.
 #pragma once
 #include <algorithm>
 #include <cmath>
 
+#include "contact/model.hpp"
 #include "contact/models.hpp"
 #include "laws/linear/linear.hpp"
 
 namespace phy::contact {
 
 struct Rolling {
-  enum Field { shear, couple, turned, n_fields };  // rotation of the last step
+  enum Field { shear, couple, turned, n_fields };  // turned: rotation of the last step
   enum Parameter { k_n, k_s, inv_k_s, mu, k_r, n_parameters };
-  enum Geometry { inv_r_min, reach, n_geometry };                            // mu_r r_min
-  static constexpr double rolling_stiffness = 50.0, rolling_friction = 0.2;  // [N], [1]
+  enum Geometry { inv_r_min, reach, n_geometry };    // reach: mu_r r_min
+  static constexpr double rolling_stiffness = 50.0;  // [N]
+  static constexpr double rolling_friction = 0.2;
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class Memory, class Broke>
@@ -30,7 +33,7 @@ struct Rolling {
     const R M = clip(trial, R(g[reach]) * r.F_n);
     memory.store(shear, state.F_s);
     memory.store(couple, M);
-    memory.store(turned, k.rotation);
+    memory.store(turned, select(r.F_n > R(0), k.rotation, R(0)));
     sums.slip += memory.only_here(r.dissipated + R(0.5f) * (before + M) * (trial - M) / p[k_r], R(0));
     if constexpr (sample) {
       sums.linear +=
@@ -45,7 +48,6 @@ class RollingModel final : public ContactModel {
   using F = Rolling;
 
  public:
-  const char* name() const override { return "rolling"; }
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 0}; }
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
   void geometry(const MatrixRecipe&, double r1, double r2, double* out) const override {
@@ -58,7 +60,7 @@ class RollingModel final : public ContactModel {
   }
   void idle_parameters(double* out) const override { parameters(Specimen{}, 0, out); }
   void install(const Specimen&, const Contact&, double*) const override {}
-  void meet(double, double*) const override {}
+  void meet(double, double, double*) const override {}
   Vec2 normal(const Specimen&, const Contact&, Vec2 branch) const override { return branch; }
   laws::Tangent<double> stiffness(const Specimen& s, const Contact&, bool) const override {
     return {s.matrix.E_c, s.matrix.ks_over_kn * s.matrix.E_c, F::rolling_stiffness};

@@ -93,6 +93,34 @@ TEST(RollingResistance, ATurningDiscStopsWhereItsEnergyIsSpent) {
   }
 }
 
+// Two grains on different sides of a plane that have met and rolled on each other within a block become a
+// broken interface at its end, whatever the matrix model remembers.
+TEST(RollingResistance, MeetsAcrossAPlaneAsABrokenInterface) {
+  const double gap = 0.03 * R;
+  Specimen s = assembly({{R, R, R}, {3.0 * R + gap, R, R}}, MatrixRecipe{});
+  BeddingRecipe set;
+  set.theta = 90.0;  // its normal is (-1, 0)
+  s.bedding = {set};
+  s.plane_label = {1, 0};
+  engine::GroupOptions options;
+  options.interval = 50;
+  options.contacts = &rolling;
+  auto group = engine::make_group(s.packing, options);
+  engine::LaneSetup setup;
+  setup.damping = 0.0;
+  group->load(0, std::make_shared<const Specimen>(s), setup);
+  const double speed = 2.0 * gap / (50.0 * group->time_step(0));  // halfway through the block they meet
+  group->set_motion(0, 0, {}, {speed, 0.0}, 30.0);
+  group->set_motion(0, 1, {}, {0.0, 0.0}, 90.0);
+  group->advance();
+  ASSERT_TRUE(group->health(0).ok) << group->health(0).reason;
+  const Snapshot met = group->snapshot(0);
+  ASSERT_EQ(met.contacts.size(), 1u);
+  EXPECT_EQ(met.contacts[0].kind, ContactKind::joint);
+  EXPECT_TRUE(met.contacts[0].broken);
+  EXPECT_NEAR(met.contacts[0].normal.x, 1.0, 1e-15);
+}
+
 // Loose grains in the uniaxial press: what the tools put in is all accounted for.
 TEST(RollingResistance, RunsInThePress) {
   Recipe recipe;
