@@ -56,7 +56,7 @@ TEST(Group, MatesShareTheStiffnessConvention) {
 }
 
 /// Thirty discs with bonds and joints that soon break, between walls that close in and side walls under a
-/// servo, and two loose discs that fly against them from the right.
+/// servo or in balance, and two loose discs that fly against them from the right.
 struct CrushedBlock {
   static constexpr double R = 3e-4;
   static constexpr int interval = 20, loose = 30;
@@ -93,7 +93,7 @@ struct CrushedBlock {
     specimen = shared(std::move(s));
   }
   /// Loads a lane and sets it going; mates go at speeds of their own.
-  void start(LaneGroup& group, int lane, double speed) const {
+  void start(LaneGroup& group, int lane, double speed, bool balance) const {
     group.load(lane, specimen, setup);
     group.place_rig(lane);
     for (const int tool : {0, 1, 2, 3}) {
@@ -102,6 +102,8 @@ struct CrushedBlock {
       if (tool < 2) {
         drive.velocity = {0.0, sign * speed};
         drive.ramp = 1e-6;
+      } else if (balance) {
+        drive.balance_x = {true, sign * 2000.0};
       } else {
         drive.servo_x = {true, sign * 2000.0, 40e9, 0.0, 1.0};
       }
@@ -158,36 +160,40 @@ void expect_eventful(LaneGroup& group, int lane) {
   EXPECT_TRUE(group.health(lane).ok) << group.health(lane).reason;
 }
 
-// A specimen that wanders through groups of 4, 8 and 1 (float: 16) lanes, among mates in other states, is the
-// one that stayed alone.
-TEST(Group, ALaneThatMovesKeepsItsBits) {
+/// A specimen that wanders through groups of 4, 8 and 1 (float: 16) lanes, among mates in other states, is
+/// the one that stayed alone.
+void expect_moves_unseen(Precision precision, bool balance) {
   const CrushedBlock block;
-  for (const Precision precision : both_precisions) {
-    const bool twice = precision == Precision::double_precision;
-    const auto home = small_group(*block.specimen, precision, CrushedBlock::interval, twice ? 1 : 4);
-    block.start(*home, 0, 0.5);
-    struct Stay {
-      std::unique_ptr<LaneGroup> group;
-      int lane;
-    };
-    Stay stays[3] = {{small_group(*block.specimen, precision, CrushedBlock::interval, 4), 2},
-                     {small_group(*block.specimen, precision, CrushedBlock::interval, 8), 5},
-                     {small_group(*block.specimen, precision, CrushedBlock::interval, twice ? 1 : 16), 0}};
-    block.start(*stays[0].group, 0, 0.8);
-    block.start(*stays[1].group, 1, 0.1);
-    block.start(*stays[0].group, 2, 0.5);
-    std::size_t here = 0;
-    for (int i = 1; i <= 24; ++i) {
-      home->advance();
-      stays[here].group->advance();
-      expect_same(*home, 0, *stays[here].group, stays[here].lane);
-      if (i % 3 != 0) continue;
-      const std::size_t next = (here + 1) % 3;
-      stays[here].group->move_lane(stays[here].lane, *stays[next].group, stays[next].lane);
-      here = next;
-    }
-    expect_eventful(*home, 0);
+  const auto group_of = [&](int lanes) {
+    return small_group(*block.specimen, precision, CrushedBlock::interval, lanes);
+  };
+  const bool twice = precision == Precision::double_precision;
+  const auto home = group_of(twice ? 1 : 4);
+  block.start(*home, 0, 0.5, balance);
+  struct Stay {
+    std::unique_ptr<LaneGroup> group;
+    int lane;
+  };
+  const Stay stays[3] = {{group_of(4), 2}, {group_of(8), 5}, {group_of(twice ? 1 : 16), 0}};
+  block.start(*stays[0].group, 0, 0.8, balance);
+  block.start(*stays[1].group, 1, 0.1, !balance);
+  block.start(*stays[0].group, 2, 0.5, balance);
+  std::size_t here = 0;
+  for (int i = 1; i <= 24; ++i) {
+    home->advance();
+    stays[here].group->advance();
+    expect_same(*home, 0, *stays[here].group, stays[here].lane);
+    if (i % 3 != 0) continue;
+    const std::size_t next = (here + 1) % 3;
+    stays[here].group->move_lane(stays[here].lane, *stays[next].group, stays[next].lane);
+    here = next;
   }
+  expect_eventful(*home, 0);
+}
+
+TEST(Group, ALaneThatMovesKeepsItsBits) {
+  for (const Precision precision : both_precisions)
+    for (const bool balance : {false, true}) expect_moves_unseen(precision, balance);
 }
 
 }  // namespace
