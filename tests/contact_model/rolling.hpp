@@ -29,7 +29,9 @@ struct Rolling {
     laws::linear::State<R> state{memory.load(shear)};
     const laws::Reaction<R> r =
         laws::linear::respond(law, state, laws::Motion<R>{closure, R(0), d_slide, R(0)});
-    const R before = memory.load(couple), trial = before - p[k_r] * (k.rotation - memory.load(turned));
+    const R last = memory.load(turned);  // 0: they did not press on each other, their rolling counts from now
+    const R rolled = select(abs(last) > R(0), k.rotation - last, R(0));
+    const R before = memory.load(couple), trial = before - p[k_r] * rolled;
     const R M = clip(trial, R(g[reach]) * r.F_n);
     memory.store(shear, state.F_s);
     memory.store(couple, M);

@@ -50,7 +50,7 @@ std::unique_ptr<engine::LaneGroup> turning(double overlap, double spin, int lane
   options.contacts = &rolling;
   auto group = engine::make_group(s.packing, options);
   engine::LaneSetup setup;
-  setup.damping = 0.0, setup.step_safety = 0.3;
+  setup.damping = 0.0, setup.step_safety = 0.01;  // rolling counts from the second step on
   setup.rig = std::make_shared<const engine::Rig>(rig);
   const int lane = lanes - 1;
   group->load(lane, std::make_shared<const Specimen>(s), setup);
@@ -106,8 +106,11 @@ TEST(RollingResistance, MeetsAcrossAPlaneAsABrokenInterface) {
   options.interval = 50;
   options.contacts = &rolling;
   auto group = engine::make_group(s.packing, options);
+  engine::Rig rig;  // of no effect but on the step: without any contact there would be none
+  rig.tools = {engine::Tool{"near", {{0, {1.0, 0.0}, 0.5 * R}}, {}}};
   engine::LaneSetup setup;
-  setup.damping = 0.0;
+  setup.damping = 0.0, setup.step_safety = 0.02;  // a collision lasts longer than a block
+  setup.rig = std::make_shared<const engine::Rig>(rig);
   group->load(0, std::make_shared<const Specimen>(s), setup);
   const double speed = 2.0 * gap / (50.0 * group->time_step(0));  // halfway through the block they meet
   group->set_motion(0, 0, {}, {speed, 0.0}, 30.0);
