@@ -100,11 +100,13 @@ void Group<T>::create_contacts() {
           grains_.start(b) - grains_.start(a) + grains_.displacement(b, l) - grains_.displacement(a, l);
       const double gap = norm(d) - grains_.radius(a) - grains_.radius(b);
       if (gap >= meeting_gap * grains_.smallest_radius()) continue;
-      interfaces = create_interface(c, l, gap) || interfaces;
       Lane& lane = lanes_[l];
+      if (lane.created.contains(contacts_.pairs()[c])) continue;
+      interfaces = create_interface(c, l, gap) || interfaces;
       const ContactStiffness k =
           stiffness_of(contacts_.models(), *lane.specimen, created(c, l), (1.0 / norm(d)) * d);
-      if (lane.created.try_emplace(contacts_.pairs()[c], k).second) lane.bound->add(k);
+      lane.created.emplace(contacts_.pairs()[c], k);
+      lane.bound->add(k);
     }
   }
   if (interfaces) contacts_.assign_interfaces(specimens());

@@ -41,5 +41,29 @@ TEST(FrequencyBound, NewContactsOnlyRaiseIt) {
   EXPECT_TRUE(bound.loose());
 }
 
+// A stiffness that couples is the same spring seen in another frame: turned by alpha, closure' = c closure -
+// s slide and slide' = s closure + c slide; by a right angle, what couples closure and rotation couples slide
+// and rotation.
+TEST(FrequencyBound, DoesNotDependOnTheFrameOfACoupledStiffness) {
+  Specimen s = assembly({{0.0, 0.0, 3e-4}, {7e-4, 0.0, 4e-4}}, soft_contact());
+  const auto omega = [&](const laws::Tangent<double>& k, Vec2 normal) {
+    return FrequencyBound(s, {{0, 1, k, normal, {1.0, 0.0}, 0.0}}).omega();
+  };
+  const double k_n = 5e9, k_s = 2e9, k_m = 300.0, k_nm = 4e5;
+  const double plain = omega({k_n, k_s, k_m}, {1.0, 0.0});
+  for (const double degrees : {20.0, 70.0, -45.0}) {
+    const SinCos a = sin_cos_degrees(degrees);
+    laws::Tangent<double> turned{a.cos * a.cos * k_n + a.sin * a.sin * k_s,
+                                 a.sin * a.sin * k_n + a.cos * a.cos * k_s, k_m};
+    turned.k_ns = a.cos * a.sin * (k_n - k_s);
+    EXPECT_NEAR(omega(turned, {a.cos, a.sin}), plain, 1e-7 * plain) << degrees;
+  }
+  laws::Tangent<double> closing{k_n, k_s, k_m}, sliding{k_s, k_n, k_m};
+  closing.k_nm = sliding.k_sm = k_nm;
+  const double coupled = omega(closing, {1.0, 0.0});
+  EXPECT_NEAR(omega(sliding, {0.0, 1.0}), coupled, 1e-7 * coupled);
+  EXPECT_GT(std::fabs(coupled - plain), 1e-3 * plain);
+}
+
 }  // namespace
 }  // namespace phy::engine

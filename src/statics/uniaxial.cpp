@@ -149,7 +149,7 @@ void UniaxialStatics::read(Reading& reading) {
   reading.nu = -reading.lateral / reading.axial;
 }
 
-// Opens and closes linear parts by the last solution. The third change is the last: open, closed, open for
+// Opens and closes pushing parts by the last solution. The third change is the last: open, closed, open for
 // good.
 UniaxialStatics::Update UniaxialStatics::update(std::vector<std::uint8_t>& changes) {
   constexpr std::uint8_t last_change = 3;

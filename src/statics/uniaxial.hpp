@@ -4,12 +4,12 @@
 // read like those of the press: platen strain 2 delta / H, and the least-squares gauge of the middle 60 % of
 // the height (engine/layout.hpp). Stress is the mean platen force over the width.
 //
-// Contacts push but do not pull. Which of the linear parts act is found by iteration: all act at first; after
-// each solution those whose grains part are taken out and those whose grains approach are put back. An open
-// contact loses its shear spring too, so no energy is minimised and a few contacts find no consistent state
-// (closed they open, open they close). A contact that changes its state for the third time is held open for
-// good: this ends every cycle, always in the same way. Done when nothing changes, or when E and nu change by
-// less than `tolerance` and no more than `max_alternating` of the contacts still change. Rejected: a line
+// Contacts push but do not pull. Which of the pushing parts act is found by iteration: all act at first;
+// after each solution those whose grains part are taken out and those whose grains approach are put back. An
+// open contact loses its shear spring too, so no energy is minimised and a few contacts find no consistent
+// state (closed they open, open they close). A contact that changes its state for the third time is held open
+// for good: this ends every cycle, always in the same way. Done when nothing changes, or when E and nu change
+// by less than `tolerance` and no more than `max_alternating` of the contacts still change. Rejected: a line
 // search on energy (there is none), half stiffnesses (neither state's answer). `bilateral` skips all this:
 // the linear idealisation of a fully cemented grain skeleton.
 //
@@ -30,7 +30,7 @@
 namespace phy::statics {
 
 struct ElasticOptions {
-  bool bilateral = false;  ///< linear contacts also pull
+  bool bilateral = false;  ///< pushing parts also pull
   Platens platens = Platens::frictionless;
   bool sensitivities = true;
   double tolerance = 1e-6;         ///< relative change of E, absolute change of nu
@@ -44,10 +44,11 @@ struct ElasticOptions {
 class UniaxialStatics {
  public:
   ElasticResult solve(const Specimen& specimen, const ElasticOptions& options = {});
-  /// As solve, with the closed linear parts given (one per link of the last network) instead of searched for.
+  /// As solve, with the closed pushing parts given (one per link of the last network) instead of searched
+  /// for.
   ElasticResult solve_held(const Specimen& specimen, const std::vector<char>& active,
                            const ElasticOptions& options = {});
-  /// State of every link after the last solve: 1 = its linear part acts.
+  /// State of every link after the last solve: 1 = its pushing part acts.
   const std::vector<char>& active() const { return active_; }
   /// Movements of grains and platens at axial strain 1 after the last solve; empty if there is no answer.
   const Movements& movements() const { return u_; }
