@@ -7,28 +7,19 @@
 #include <cmath>
 
 #include "calibrate/elastic_limits.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
 namespace {
-
-constexpr double z_95 = 1.959964;
 
 constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
 
 /// The curve through the table: Eq. 1 with everything free, or a guess of usual joints where it refuses.
 theory::JointedRock first_rock(const Evidence& evidence) {
-  std::vector<theory::ModulusReading> readings;
   double nu = 0.25;
-  for (const Target& t : evidence.moduli) {
-    if (t.property == Property::E) readings.push_back({t.theta, t.mean});
-    if (t.property == Property::nu) nu = t.mean;
-  }
+  for (const Target& t : of_property(evidence.moduli, Property::nu)) nu = t.mean;
   const double stiffest = evidence.scales.modulus;
   if (!evidence.rock.bedded) return {stiffest, no_joint * stiffest, no_joint * stiffest, nu};
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
+  const theory::Eq1Fit fit = eq1_through(evidence);
   if (fit.ok()) return {fit.rock.E, fit.rock.K_n_delta, fit.rock.K_s_delta, nu};
   return {stiffest, 2.0 * stiffest, stiffest, nu};
 }
