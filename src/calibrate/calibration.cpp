@@ -26,8 +26,8 @@ constexpr int n_search = 12;  // of the search of the strengths: those of the fi
 constexpr double strength_tolerance = 0.06;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
-constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 constexpr double hopeless = 0.20;        // the same whatever the scatter
+constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {

@@ -18,7 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Point = ElasticProblem::Point;
 
-constexpr double z_95 = 1.959964;
 constexpr double nu_after_conflict = 0.1;      // weight
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
@@ -107,12 +106,12 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
     fit.parameters.push_back(
         estimate(problem.parameter(j), problem.box(j), x[j], std::sqrt(covariance(d, d))));
   }
-  for (std::size_t i = 0; i < problem.n_targets(); ++i) {
-    const ElasticAnswer& a = problem.answers(x)[i];
-    const auto slope = vector_of(a.slope);
-    Comparison c = problem.compared(i, a);
+  fit.comparisons = problem.comparisons(x);
+  const std::vector<ElasticAnswer>& answers = problem.answers(x);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    Comparison& c = fit.comparisons[i];
+    const auto slope = vector_of(answers[i].slope);
     std::tie(c.low, c.high) = interval_of(c, slope.dot(covariance * slope));
-    fit.comparisons.push_back(c);
   }
 }
 

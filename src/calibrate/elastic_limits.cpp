@@ -91,13 +91,13 @@ std::vector<Misfit> farthest(const std::vector<theory::LayeredReading>& readings
   return cells;
 }
 
-/// Misfits of one kind of data, angles as they are and exchanged.
+/// Misfits of one kind of data: angles as they are [0] and exchanged [1].
 struct BothWays {
   bool ok = false;
-  double chi_square = 0.0, exchanged_chi_square = 0.0;
-  double error = 0.0, exchanged_error = 0.0;  // root mean square, relative
-  bool nearer() const { return ok && exchanged_chi_square + clearly < chi_square; }
-  bool farther() const { return ok && chi_square + clearly < exchanged_chi_square; }
+  double chi_square[2] = {0.0, 0.0}, mean_square[2] = {0.0, 0.0};  // the latter relative
+  double error(bool exchanged) const { return std::sqrt(mean_square[exchanged]); }
+  bool nearer() const { return ok && chi_square[1] + clearly < chi_square[0]; }
+  bool farther() const { return ok && chi_square[0] + clearly < chi_square[1]; }
 };
 
 /// E alone, by planes in an isotropic rock.
@@ -105,18 +105,16 @@ BothWays moduli_both_ways(const std::vector<Target>& targets) {
   BothWays both;
   const std::vector<Target> E = of_property(targets, Property::E);
   if (E.empty()) return both;
-  double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0};
+  both.ok = true;
   for (const bool exchanged : {false, true}) {
     const std::vector<theory::LayeredReading> readings = readings_of(E, exchanged);
     const theory::LayeredFit fit =
         theory::fit_layered(readings, theory::LayeredBody::planes_in_isotropic_rock);
-    chi_square[exchanged] = fit.chi_square;
+    both.chi_square[exchanged] = fit.chi_square;
     for (const theory::LayeredReading& r : readings)
-      error[exchanged] += std::pow(seen(fit, r) / r.value - 1.0, 2.0) / static_cast<double>(readings.size());
+      both.mean_square[exchanged] +=
+          std::pow(seen(fit, r) / r.value - 1.0, 2.0) / static_cast<double>(readings.size());
   }
-  both.ok = true;
-  both.chi_square = chi_square[0], both.exchanged_chi_square = chi_square[1];
-  both.error = std::sqrt(error[0]), both.exchanged_error = std::sqrt(error[1]);
   return both;
 }
 
@@ -124,7 +122,7 @@ BothWays moduli_both_ways(const std::vector<Target>& targets) {
 BothWays strengths_both_ways(const std::vector<Target>& targets) {
   BothWays both;
   const std::vector<Target> ucs = of_property(targets, Property::ucs);
-  double error[2] = {0.0, 0.0}, chi_square[2] = {0.0, 0.0}, matrix = 0.0;
+  double matrix = 0.0;
   for (const Target& t : ucs) matrix = std::max(matrix, t.mean);
   for (const bool exchanged : {false, true}) {
     std::vector<theory::StrengthReading> readings;
@@ -133,20 +131,18 @@ BothWays strengths_both_ways(const std::vector<Target>& targets) {
     if (!fit.ok) return both;
     for (std::size_t i = 0; i < ucs.size(); ++i) {
       const double d = theory::jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
-      error[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
-      chi_square[exchanged] += std::pow(d / ucs[i].standard_error(), 2.0);
+      both.mean_square[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
+      both.chi_square[exchanged] += std::pow(d / ucs[i].standard_error(), 2.0);
     }
   }
-  const double least = std::min(error[0], error[1]), most = std::max(error[0], error[1]);
-  both.ok = std::sqrt(least) < half * std::sqrt(most);
-  both.chi_square = chi_square[0], both.exchanged_chi_square = chi_square[1];
-  both.error = std::sqrt(error[0]), both.exchanged_error = std::sqrt(error[1]);
+  const auto [least, most] = std::minmax({both.error(false), both.error(true)});
+  both.ok = least < half * most;
   return both;
 }
 
 std::string misfits(const BothWays& both, const char* of) {
-  return fmt::format("{} by {:.1f} % instead of {:.1f} %", of, 100.0 * both.exchanged_error,
-                     100.0 * both.error);
+  return fmt::format("{} by {:.1f} % instead of {:.1f} %", of, 100.0 * both.error(true),
+                     100.0 * both.error(false));
 }
 
 }  // namespace

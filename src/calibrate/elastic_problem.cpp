@@ -5,7 +5,6 @@
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -20,11 +19,7 @@ double rate(const Sensitivity& s, Property property) { return property == Proper
 
 /// Eq. 1 by least squares; where it refuses, a guess of usual joints.
 theory::JointedRock macro_of(const Evidence& evidence) {
-  std::vector<theory::ModulusReading> readings;
-  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  const theory::Eq1Fit eq1 = theory::fit_eq1(readings, options);
+  const theory::Eq1Fit eq1 = eq1_through(evidence);
   const double stiffest = evidence.scales.modulus;
   return eq1.ok() ? eq1.rock : theory::JointedRock{stiffest, 4.0 * stiffest, 2.0 * stiffest, 0.25};
 }
@@ -102,16 +97,13 @@ Linearised ElasticProblem::linearised(const Point& x) {
 }
 
 std::vector<Comparison> ElasticProblem::comparisons(const Point& x) {
-  std::vector<Comparison> rows;
-  for (const ElasticAnswer& a : answers(x)) rows.push_back(compared(rows.size(), a));
-  return rows;
-}
-
-Comparison ElasticProblem::compared(std::size_t i, const ElasticAnswer& answer) const {
-  Comparison c;
-  c.target = rows_[i].target, c.mean = answer.mean, c.sd = answer.sd;
-  c.n_packings = static_cast<int>(seeds_.size());
-  return c;
+  const std::vector<ElasticAnswer>& a = answers(x);
+  std::vector<Comparison> list(n_targets());
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    list[i].target = rows_[i].target, list[i].mean = a[i].mean, list[i].sd = a[i].sd;
+    list[i].n_packings = static_cast<int>(seeds_.size());
+  }
+  return list;
 }
 
 void ElasticProblem::correct(const Point& x, std::size_t n) {

@@ -60,9 +60,8 @@ class ElasticProblem {
   /// Bilateral contacts with the corrections; solved anew only where x or packings have changed.
   const std::vector<ElasticAnswer>& answers(const Point& x);
   Linearised linearised(const Point& x);
-  /// Rows of the macro table, without intervals: of all answers, and of that to target i.
+  /// Rows of the macro table, without intervals.
   std::vector<Comparison> comparisons(const Point& x);
-  Comparison compared(std::size_t i, const ElasticAnswer& answer) const;
   /// One-sided contacts at x on the first `n` packings, over the bilateral ones on the same.
   void correct(const Point& x, std::size_t n);
   /// Scatter of the mean over packings at x becomes part of every unit of misfit.

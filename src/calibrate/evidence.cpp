@@ -37,4 +37,12 @@ double counted_error(const Target& modulus) {
 
 double excusing_error(const Target& t) { return t.sd_assumed ? 0.0 : t.standard_error(); }
 
+theory::Eq1Fit eq1_through(const Evidence& evidence) {
+  std::vector<theory::ModulusReading> readings;
+  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::free;
+  return theory::fit_eq1(readings, options);
+}
+
 }  // namespace phy::calibrate

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "records/rock.hpp"
+#include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
 
@@ -39,7 +40,13 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
 
+/// The share of a normal distribution that lies within so many standard errors is 95 %.
+constexpr double z_95 = 1.959964;
+
 /// Standard error that may excuse a miss: an assumed scatter excuses nothing.
 double excusing_error(const Target& t);
+
+/// Eq. 1 through E(theta) with everything free; it may refuse.
+theory::Eq1Fit eq1_through(const Evidence& evidence);
 
 }  // namespace phy::calibrate

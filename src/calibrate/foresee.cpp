@@ -7,28 +7,19 @@
 #include <cmath>
 
 #include "calibrate/elastic_limits.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
 namespace {
-
-constexpr double z_95 = 1.959964;
 
 constexpr double no_joint = 1e9;  // stiffness of a rock without joints, in units of E
 
 /// The curve through the table: Eq. 1 with everything free, or a guess of usual joints where it refuses.
 theory::JointedRock first_rock(const Evidence& evidence) {
-  std::vector<theory::ModulusReading> readings;
   double nu = 0.25;
-  for (const Target& t : evidence.moduli) {
-    if (t.property == Property::E) readings.push_back({t.theta, t.mean});
-    if (t.property == Property::nu) nu = t.mean;
-  }
+  for (const Target& t : of_property(evidence.moduli, Property::nu)) nu = t.mean;
   const double stiffest = evidence.scales.modulus;
   if (!evidence.rock.bedded) return {stiffest, no_joint * stiffest, no_joint * stiffest, nu};
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
+  const theory::Eq1Fit fit = eq1_through(evidence);
   if (fit.ok()) return {fit.rock.E, fit.rock.K_n_delta, fit.rock.K_s_delta, nu};
   return {stiffest, 2.0 * stiffest, stiffest, nu};
 }
@@ -37,7 +28,7 @@ theory::JointedRock first_rock(const Evidence& evidence) {
 bool by_number(const ElasticParameter& p) { return p.per_log > 0.0; }
 
 double prior_sd(const ElasticParameter& p) {
-  return by_number(p) ? p.prior_sd : 0.5 * std::log(p.high / p.low);
+  return by_number(p) ? p.prior_sd : 0.5 * std::log(p.range.high / p.range.low);
 }
 
 /// E or nu (E by its logarithm) of a rock of which one number has moved by a small step.
@@ -81,12 +72,12 @@ std::string elastic_test(const LabReading& test, const Evidence& evidence) {
 /// `sd`: of what it acts on.
 Estimate foreseen_modulus(const ElasticParameter& p, double sd, const Evidence& evidence) {
   Estimate e = sought(p);
-  e.box_low = p.low, e.box_high = p.high;
+  e.box_low = p.range.low, e.box_high = p.range.high;
   const LabReading& test = evidence.rock.bedded ? p.bedded_reading : p.intact_reading;
   const bool fitted = evidence.has(Property::E);
   const double in_log = by_number(p) ? sd / p.per_log : sd;
   e.low = std::exp(-z_95 * in_log), e.high = std::exp(z_95 * in_log);  // factors on the value
-  e.determined = fitted && 2.0 * z_95 * in_log < 0.5 * std::log(p.high / p.low);
+  e.determined = fitted && 2.0 * z_95 * in_log < 0.5 * std::log(p.range.high / p.range.low);
   if (fitted) e.rests_on = to_string(evidence.has(test.property) ? test.property : Property::E);
   if (!e.determined) e.next_test = elastic_test(test, evidence);
   return e;
@@ -96,7 +87,7 @@ Estimate foreseen_modulus(const ElasticParameter& p, double sd, const Evidence& 
 /// are missing, UCS is all that the fit has.
 Estimate foreseen_strength(const StrengthParameter& p, const Evidence& evidence) {
   Estimate e = sought(p);
-  e.box_low = p.low, e.box_high = p.high;
+  e.box_low = p.range.low, e.box_high = p.range.high;
   e.low = e.high = std::nan("");
   const Rule rule = p.rule(evidence);
   const bool fitted = evidence.has(Property::ucs);
@@ -134,7 +125,8 @@ std::vector<Estimate> foresee(const Evidence& evidence) {
   const std::vector<const ElasticParameter*> elastic = elastic_parameters(true);
   const std::vector<double> sd = expected_sd(evidence, elastic);
   for (std::size_t i = 0; i < elastic.size(); ++i)
-    if (bedded || !elastic[i]->of_joint) estimates.push_back(foreseen_modulus(*elastic[i], sd[i], evidence));
+    if (bedded || !elastic[i]->of_joint())
+      estimates.push_back(foreseen_modulus(*elastic[i], sd[i], evidence));
   for (const StrengthParameter* p : strength_parameters(bedded))
     estimates.push_back(foreseen_strength(*p, evidence));
   return estimates;

@@ -18,17 +18,11 @@ const BeddingRecipe& joint(const Recipe& r) { return r.bedding.front(); }
 const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
                                    .symbol = "E_c",
                                    .unit = "Pa",
-                                   .of_joint = false,
                                    .number = [](const Recipe& r) -> const double& { return r.matrix.E_c; },
-                                   .measure = &Scales::modulus,
-                                   .low = 0.05,
-                                   .high = 3.0,
-                                   .usual = 0.5,
+                                   .range = {0.05, 3.0, 0.5, &Scales::modulus},
                                    .set = [](Recipe& r, double v) { r.matrix.E_c = r.matrix.E_b = v; }},
                                   {"matrix.E_c", "matrix.E_b"},
                                   &theory::JointedRock::E,
-                                  0.0,
-                                  0.0,
                                   [](const FirstSight& s) { return s.E_c * s.macro.E / s.E; },
                                   {"E at 90 degrees", Property::E, 80.0, 90.0},
                                   {"E", Property::E}};
@@ -39,55 +33,38 @@ const ElasticParameter matrix_ks_over_kn{
     {.key = "matrix.ks_over_kn",
      .symbol = "k_s/k_n",
      .unit = "1",
-     .of_joint = false,
      .number = [](const Recipe& r) -> const double& { return r.matrix.ks_over_kn; },
-     .low = 0.05,
-     .high = 1.0,
-     .usual = 0.3,
+     .range = {0.05, 1.0, 0.3},
      .set = [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }},
     {"ks_over_kn"},
     &theory::JointedRock::nu,
-    4.0 * 0.3 / (3.3 * 3.3),
-    0.15,
     nullptr,
     {"Poisson's ratio, best at 0 and 90 degrees", Property::nu},
-    {"Poisson's ratio", Property::nu}};
+    {"Poisson's ratio", Property::nu},
+    4.0 * 0.3 / (3.3 * 3.3),
+    0.15};
 
 const ElasticParameter joint_k_n{{.key = "bedding[0].k_n",
                                   .symbol = "k_n,sj",
                                   .unit = "Pa/m",
-                                  .of_joint = true,
                                   .number = [](const Recipe& r) -> const double& { return joint(r).k_n; },
-                                  .measure = &Scales::stiffness,
-                                  .low = 0.02,
-                                  .high = 50.0,
-                                  .usual = 0.5,
+                                  .range = {0.02, 50.0, 0.5, &Scales::stiffness},
                                   .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; }},
                                  {"bedding[0].k_n"},
                                  &theory::JointedRock::K_n_delta,
-                                 0.0,
-                                 0.0,
                                  [](const FirstSight& s) { return s.macro.K_n_delta / s.joint_length; },
-                                 {"E at 0 or 15 degrees", Property::E, 0.0, 15.0},
-                                 {}};
+                                 {"E at 0 or 15 degrees", Property::E, 0.0, 15.0}};
 
 const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                   .symbol = "k_s,sj",
                                   .unit = "Pa/m",
-                                  .of_joint = true,
                                   .number = [](const Recipe& r) -> const double& { return joint(r).k_s; },
-                                  .measure = &Scales::stiffness,
-                                  .low = 0.005,
-                                  .high = 50.0,
-                                  .usual = 0.2,
+                                  .range = {0.005, 50.0, 0.2, &Scales::stiffness},
                                   .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; }},
                                  {"bedding[0].k_s"},
                                  &theory::JointedRock::K_s_delta,
-                                 0.0,
-                                 0.0,
                                  [](const FirstSight& s) { return s.macro.K_s_delta / s.joint_length; },
-                                 {"E between 30 and 60 degrees", Property::E, 30.0, 60.0},
-                                 {}};
+                                 {"E between 30 and 60 degrees", Property::E, 30.0, 60.0}};
 
 // ---- strengths
 
@@ -123,17 +100,17 @@ Rule friction_rule(const Evidence&) { return {}; }
 
 void check_dilation(const Rock& rock) {
   for (const BeddingRecipe& b : rock.model.bedding)
-    if (rock.bedded && tan_degrees(b.psi) > joint_mu.high)
+    if (rock.bedded && tan_degrees(b.psi) > joint_mu.range.high)
       throw InputError(Problem{rock.name, "bedding.psi", fmt::format("{:g} deg", b.psi),
-                               fmt::format("tan(psi) <= {:g}", joint_mu.high),
+                               fmt::format("tan(psi) <= {:g}", joint_mu.range.high),
                                fmt::format("no joint dilates more than it rubs, and {} is sought from {:g} "
                                            "to {:g}: lower psi in the recipe",
-                                           joint_mu.symbol, joint_mu.low, joint_mu.high)});
+                                           joint_mu.symbol, joint_mu.range.low, joint_mu.range.high)});
 }
 
 template <class P>
 std::vector<const P*> those_of(std::vector<const P*> list, bool bedded) {
-  std::erase_if(list, [&](const P* p) { return p->of_joint && !bedded; });
+  std::erase_if(list, [&](const P* p) { return p->of_joint() && !bedded; });
   return list;
 }
 
@@ -150,12 +127,8 @@ const StrengthParameter matrix_sigma_c{
     {.key = "matrix.sigma_c",
      .symbol = "sigma_c",
      .unit = "Pa",
-     .of_joint = false,
      .number = [](const Recipe& r) -> const double& { return r.matrix.sigma_c; },
-     .measure = &Scales::strength,
-     .low = 0.1,
-     .high = 1.5,
-     .usual = 0.4,
+     .range = {0.1, 1.5, 0.4, &Scales::strength},
      .set =
          [](Recipe& r, double v) {
            MatrixRecipe& m = r.matrix;
@@ -170,12 +143,9 @@ const StrengthParameter matrix_tau_c{
     {.key = "matrix.tau_c",
      .symbol = "tau_c",
      .unit = "Pa",
-     .of_joint = false,
      .number = [](const Recipe& r) -> const double& { return r.matrix.tau_c; },
      .over = &matrix_sigma_c,
-     .low = 0.8,
-     .high = 5.0,
-     .usual = 1.6,
+     .range = {0.8, 5.0, 1.6},
      .set =
          [](Recipe& r, double v) {
            MatrixRecipe& m = r.matrix;
@@ -188,11 +158,8 @@ const StrengthParameter matrix_tau_c{
 const StrengthParameter matrix_mu{{.key = "matrix.mu",
                                    .symbol = "mu",
                                    .unit = "1",
-                                   .of_joint = false,
                                    .number = [](const Recipe& r) -> const double& { return r.matrix.mu; },
-                                   .low = 0.2,
-                                   .high = 1.2,
-                                   .usual = 0.6,
+                                   .range = {0.2, 1.2, 0.6},
                                    .set = [](Recipe& r, double v) { r.matrix.mu = v; }},
                                   friction_rule};
 
@@ -200,12 +167,9 @@ const StrengthParameter joint_cohesion{
     {.key = "bedding[0].cohesion",
      .symbol = "C_sj",
      .unit = "Pa",
-     .of_joint = true,
      .number = [](const Recipe& r) -> const double& { return joint(r).cohesion; },
      .over = &matrix_tau_c,
-     .low = 0.07,
-     .high = 0.9,
-     .usual = 0.25,
+     .range = {0.07, 0.9, 0.25},
      .set =
          [](Recipe& r, double v) {
            for (BeddingRecipe& b : r.bedding) {
@@ -222,12 +186,9 @@ const StrengthParameter joint_sigma_n{
     {.key = "bedding[0].sigma_n",
      .symbol = "sigma_n,sj",
      .unit = "Pa",
-     .of_joint = true,
      .number = [](const Recipe& r) -> const double& { return joint(r).sigma_n; },
      .over = &joint_cohesion,
-     .low = 0.07,
-     .high = 1.5,
-     .usual = 0.33,
+     .range = {0.07, 1.5, 0.33},
      .set =
          [](Recipe& r, double v) {
            for (BeddingRecipe& b : r.bedding) b.sigma_n = v * b.cohesion;
@@ -240,11 +201,8 @@ const StrengthParameter joint_sigma_n{
 const StrengthParameter joint_mu{{.key = "bedding[0].mu",
                                   .symbol = "mu_sj",
                                   .unit = "1",
-                                  .of_joint = true,
                                   .number = [](const Recipe& r) -> const double& { return joint(r).mu; },
-                                  .low = 0.15,
-                                  .high = 1.0,
-                                  .usual = 0.4,
+                                  .range = {0.15, 1.0, 0.4},
                                   .set = [](Recipe& r, double v) { r.bedding.front().mu = v; }},
                                  friction_rule,
                                  [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
@@ -265,21 +223,23 @@ std::vector<const StrengthParameter*> strength_ratios(bool bedded) {
   return list;
 }
 
+bool CalibratedParameter::of_joint() const { return std::string_view(key).starts_with("bedding"); }
+
 double CalibratedParameter::get(const Recipe& recipe) const {
   return over == nullptr ? number(recipe) : number(recipe) / over->number(recipe);
 }
 
 LogBox CalibratedParameter::box(const Scales& scales) const {
-  const double unity = measure == nullptr ? 1.0 : scales.*measure;
-  return {std::log(low * unity), std::log(high * unity), std::log(usual * unity)};
+  const double unity = range.of == nullptr ? 1.0 : scales.*range.of;
+  return {std::log(range.low * unity), std::log(range.high * unity), std::log(range.usual * unity)};
 }
 
 double CalibratedParameter::place_of(double value) const {
-  return 2.0 * std::log(value / low) / std::log(high / low) - 1.0;
+  return 2.0 * std::log(value / range.low) / std::log(range.high / range.low) - 1.0;
 }
 
 double CalibratedParameter::at_place(double place) const {
-  return low * std::pow(high / low, 0.5 * (place + 1.0));
+  return range.low * std::pow(range.high / range.low, 0.5 * (place + 1.0));
 }
 
 Estimate sought(const CalibratedParameter& p) {

@@ -23,20 +23,25 @@ struct LogBox {
   double low = 0.0, high = 0.0, usual = 0.0;
 };
 
+/// The same as an object states it: multiples of what a table holds, or pure numbers.
+struct Range {
+  double low, high, usual;
+  double Scales::*of = nullptr;  ///< nullptr: pure numbers
+};
+
 struct CalibratedParameter {
   const char* key;       ///< of the recipe: "matrix.tau_c"
   const char* symbol;    ///< "tau_c"
   const char* unit;      ///< SI
-  bool of_joint;         ///< needs bedding
   RecipeNumber* number;  ///< the number of the recipe; of several sets of bedding, the first one's
   /// What is sought is the ratio to this one; nullptr: the number itself.
   const CalibratedParameter* over = nullptr;
-  double Scales::*measure = nullptr;  ///< of what `low`, `high`, `usual` are multiples; nullptr: pure numbers
-  double low, high, usual;
+  Range range;
   /// Takes what is sought. Leaves what stands below in the chain of ratios alone and moves what stands above:
   /// set parameters in the order of their list.
   void (*set)(Recipe&, double);
 
+  bool of_joint() const;                   ///< needs bedding
   double get(const Recipe& recipe) const;  ///< what is sought
   LogBox box(const Scales& scales) const;
   /// Of pure numbers: place in the box by the logarithm, -1 at the lower end, 1 at the upper.
@@ -69,12 +74,13 @@ struct FirstSight {
 /// A parameter that E(theta) and nu(theta) show.
 struct ElasticParameter : CalibratedParameter {
   std::array<std::string_view, 2> rates;  ///< sensitivities of the direct solution that move together with it
-  /// The number of the closed form that it acts on: by its logarithm; or as it is, where the number falls by
-  /// `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
-  double theory::JointedRock::*acts_on;
+  double theory::JointedRock::*acts_on;   ///< the number of the closed form
+  double (*first_guess)(const FirstSight&);  ///< nullptr: the usual value
+  LabReading bedded_reading;                 ///< that tells most of it
+  LabReading intact_reading = {};            ///< the same without bedding; none of a joint
+  /// It acts by its logarithm on that of the number; or, where this is not 0, on the number as it is, which
+  /// falls by `per_log` per logarithm of the parameter and is known to `prior_sd` without any data.
   double per_log = 0.0, prior_sd = 0.0;
-  double (*first_guess)(const FirstSight&);   ///< nullptr: the usual value
-  LabReading bedded_reading, intact_reading;  ///< that tells most of it, with bedding and without
 };
 
 /// What a table says about a strength, by the kind and angle of its tests alone.

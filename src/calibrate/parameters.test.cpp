@@ -45,7 +45,7 @@ TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
     const Field* f = field_of(p->key);
     ASSERT_NE(f, nullptr) << p->key;
     EXPECT_EQ(p->number(r), f->get(r, 0)) << p->key;
-    EXPECT_EQ(p->of_joint, f->table == "bedding") << p->key;
+    EXPECT_EQ(p->of_joint(), f->table == "bedding") << p->key;
     EXPECT_STREQ(p->unit, f->dimension == Dimension::pressure    ? "Pa"
                           : f->dimension == Dimension::stiffness ? "Pa/m"
                                                                  : "1")
@@ -117,7 +117,7 @@ TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
     const LogBox box = p->box(scales);
     EXPECT_LT(box.low, box.usual) << p->key;
     EXPECT_LT(box.usual, box.high) << p->key;
-    EXPECT_EQ(p->measure == nullptr, sought(*p).unit == "1") << p->key;
+    EXPECT_EQ(p->range.of == nullptr, sought(*p).unit == "1") << p->key;
   }
   EXPECT_NEAR(std::exp(matrix_sigma_c.box(scales).low), 10e6, 1.0);
   EXPECT_NEAR(std::exp(matrix_mu.box(scales).high), 1.2, 1e-12);
@@ -125,10 +125,10 @@ TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
 
 TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
   for (const StrengthParameter* p : strength_ratios(true)) {
-    EXPECT_DOUBLE_EQ(p->place_of(p->low), -1.0);
-    EXPECT_DOUBLE_EQ(p->place_of(p->high), 1.0);
-    EXPECT_NEAR(p->at_place(0.0), std::sqrt(p->low * p->high), 1e-14);
-    EXPECT_NEAR(p->at_place(p->place_of(p->usual)), p->usual, 1e-14);
+    EXPECT_DOUBLE_EQ(p->place_of(p->range.low), -1.0);
+    EXPECT_DOUBLE_EQ(p->place_of(p->range.high), 1.0);
+    EXPECT_NEAR(p->at_place(0.0), std::sqrt(p->range.low * p->range.high), 1e-14);
+    EXPECT_NEAR(p->at_place(p->place_of(p->range.usual)), p->range.usual, 1e-14);
   }
 }
 

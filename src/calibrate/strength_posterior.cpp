@@ -39,7 +39,8 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
   for (const Target& t : targets_) foretold_.push_back(foretold_strength(recipe, t.property, t.theta));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const StrengthParameter* p : strength_ratios(evidence.rock.bedded))
-    least_.push_back(p->place_of(p->least == nullptr ? p->low : std::max(p->low, p->least(recipe))));
+    least_.push_back(
+        p->place_of(p->least == nullptr ? p->range.low : std::max(p->range.low, p->least(recipe))));
 }
 
 std::size_t StrengthPosterior::index_of(const CalibratedParameter& p) const {

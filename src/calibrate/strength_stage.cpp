@@ -21,9 +21,8 @@ struct Batch {
 };
 /// A third of the points, then three times two ninths, the last two batches on the grains of the recipe.
 /// Every point costs `n_ucs` of the tests.
-std::vector<Batch> plan(std::int64_t max_tests, std::size_t n_ucs, bool with_coarse) {
-  const std::int64_t points =
-      std::clamp(max_tests / static_cast<std::int64_t>(n_ucs), least_points, most_points);
+std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_ucs, bool with_coarse) {
+  const std::int64_t points = std::clamp(max_tests / n_ucs, least_points, most_points);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
   return {{with_coarse, n_first}, {with_coarse, n_last}, {false, n_last}, {false, n_last}};
@@ -54,26 +53,26 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
 /// surrogates. False: stopped.
 bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const std::vector<Point>& points,
                bool is_coarse, const std::vector<std::int64_t>& seeds, std::size_t first,
-               Simulator& simulator, std::size_t n_ucs, StrengthFit& fit) {
+               Simulator& simulator, StrengthFit& fit) {
   const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const Point& x = points[k / posterior.n_targets()];
-    const std::span<const double> z = StrengthPosterior::ratios(x);
-    const double strength = strength_of(results[k], posterior.targets()[k % posterior.n_targets()].property);
+    const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
+    const std::span<const double> z = StrengthPosterior::ratios(points[p]);
+    const Property property = posterior.targets()[i].property;
+    const double strength = strength_of(results[k], property);
     if (std::isfinite(strength))
-      posterior.add_run(k % posterior.n_targets(),
-                        {{z.begin(), z.end()},
-                         static_cast<int>(packing_of_point(first + k / posterior.n_targets(), seeds.size())),
-                         is_coarse,
-                         std::log(strength) - StrengthPosterior::log_sigma_c(x)});
+      posterior.add_run(i, {{z.begin(), z.end()},
+                            static_cast<int>(packing_of_point(first + p, seeds.size())),
+                            is_coarse,
+                            std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
     else
       ++fit.n_without_peak;
+    ++fit.n_tests;
+    fit.n_tension += property != Property::ucs ? 1 : 0;
+    fit.n_coarse += is_coarse ? 1 : 0;
   }
-  fit.n_tests += static_cast<std::int64_t>(results.size());
-  fit.n_tension += static_cast<std::int64_t>(points.size() * (posterior.n_targets() - n_ucs));
-  if (is_coarse) fit.n_coarse += static_cast<std::int64_t>(results.size());
   return true;
 }
 
@@ -207,9 +206,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   StrengthPosterior posterior(evidence, recipe);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
-  const auto n_ucs = static_cast<std::size_t>(evidence.n_ucs());
+  const std::int64_t n_ucs = evidence.n_ucs();
   const std::vector<Batch> batches = plan(max_tests, n_ucs, has_coarse(fit.recipe));
-  fit.short_search = max_tests < most_points * static_cast<std::int64_t>(n_ucs);
+  fit.short_search = max_tests < most_points * n_ucs;
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {
@@ -225,7 +224,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     const std::vector<Point> points = spread_draws(posterior, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, n_ucs, fit) ||
+    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, fit) ||
         !posterior.has_runs()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)

@@ -40,7 +40,7 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
                                           std::vector<Comparison>* pressed = nullptr);
 
 /// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
-/// wave crosses the specimen a hundred times until the earliest peak. `targets`: their UCS over the modulus
+/// wave crosses the specimen a hundred times until the earliest peak. `all`: their UCS over the modulus
 /// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
 

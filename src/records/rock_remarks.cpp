@@ -114,12 +114,12 @@ void tell_conversion(const Rock& rock, const std::vector<Target>& targets,
 }  // namespace
 
 std::vector<std::string> remarks_on(const Rock& rock) {
-  const std::vector<Target> targets = targets_of(rock);
   Rock as_written = rock;  // a conversion is not the table's doing
   as_written.reading = ElasticReading::plane_stress;
+  const std::vector<Target> targets = targets_of(as_written);
   std::vector<std::string> remarks;
-  doubt_values(rock, targets_of(as_written), remarks);
-  doubt_ratios(rock, targets_of(as_written), remarks);
+  doubt_values(rock, targets, remarks);
+  doubt_ratios(rock, targets, remarks);
   doubt_replicates(rock, remarks);
   const bool moduli = !of_property(targets, Property::E).empty(),
              nu = !of_property(targets, Property::nu).empty();

@@ -84,7 +84,7 @@ double largest_of(const std::vector<Target>& ucs) {
 std::vector<double> usual_start() {
   std::vector<double> x;
   for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(true))
-    x.push_back(0.5 * (p->place_of(p->usual) + 1.0));
+    x.push_back(0.5 * (p->place_of(p->range.usual) + 1.0));
   return x;
 }
 
