@@ -52,19 +52,10 @@ double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
   return speed;
 }
 
-/// How a strength of the table is tested, and which number of the result it is.
-struct Procedure {
-  Property property;
-  TestKind kind;
-  const char* number;
-};
-const Procedure* procedure_of(Property property) {
-  static const std::vector<Procedure> list = {
-      {Property::ucs, TestKind("uniaxial"), "ucs"},
-      {Property::direct_tension, TestKind("direct_tension"), "sigma_t"},
-      {Property::brazilian, TestKind("brazilian"), "bts"}};
-  for (const Procedure& p : list)
-    if (p.property == property) return &p;
+/// The test whose strength is that property of the table; null: none.
+const TestDescription* test_of(Property property) {
+  for (const TestDescription* test : laboratory_tests())
+    if (test->curve.property == property) return test;
   return nullptr;
 }
 
@@ -78,14 +69,15 @@ bool is_invalid(const TestResult& result) {
 }
 
 /// NaN where a test has not come to its peak.
-double number_of(const TestResult& result, const char* name) {
+double number_of(const TestResult& result, const std::string& name) {
   if (result.outcome.status != Status::peaked) return std::nan("");
   const Number* n = analysis::find(result.numbers, name);
   return n != nullptr ? n->value : std::nan("");
 }
 
 /// A number of the same test on several packings.
-Comparison over_packings(const Target& target, const char* number, std::span<const TestResult> results) {
+Comparison over_packings(const Target& target, const std::string& number,
+                         std::span<const TestResult> results) {
   std::vector<double> values;
   Comparison c;
   for (const TestResult& result : results) {
@@ -115,7 +107,7 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
-  one.test.kind = procedure_of(targets_[target].property)->kind;
+  one.test.kind = *test_of(targets_[target].property);
   one.test.platen_speed = speeds_[target];
   if (one.test.kind->disc_diameter != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
@@ -132,7 +124,7 @@ Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64
 }
 
 double strength_of(const TestResult& result, Property property) {
-  return number_of(result, procedure_of(property)->number);
+  return number_of(result, test_of(property)->curve.strength);
 }
 
 Recipe coarse(Recipe r) {
@@ -149,7 +141,7 @@ bool has_coarse(const Recipe& r) {
   return r.packing.file.empty() && study::expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
 
-bool can_test(Property property) { return procedure_of(property) != nullptr; }
+bool can_test(Property property) { return test_of(property) != nullptr; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
   const std::vector<Target> targets = of_property(all, Property::ucs);
@@ -177,7 +169,7 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
-    rows.push_back(over_packings(targets[i], procedure_of(targets[i].property)->number, some));
+    rows.push_back(over_packings(targets[i], test_of(targets[i].property)->curve.strength, some));
     if (pressed == nullptr || targets[i].property != Property::ucs) continue;
     for (const auto& [property, number] : {std::pair{Property::E, "E_tangent"}, {Property::nu, "nu"}}) {
       const Target target{property, targets[i].theta, std::nan(""), std::nan("")};

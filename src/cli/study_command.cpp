@@ -73,7 +73,7 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
   study::StudyHooks hooks;
   hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const study::StudyProgress& p) {
-    line.show([&](double seconds) { return progress_text(p, seconds, p.n_total); });
+    line.show([&](double seconds) { return progress_text(p, seconds); });
   };
   hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
     if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);

@@ -18,6 +18,6 @@ std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows
 std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows);
 
 /// One line on how far a study has come.
-std::string progress_text(const study::StudyProgress& p, double seconds, std::size_t n_total);
+std::string progress_text(const study::StudyProgress& p, double seconds);
 
 }  // namespace phy::cli

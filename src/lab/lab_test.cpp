@@ -29,10 +29,10 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       group_(&group),
       lane_(lane),
       result_(blank_result(*specimen_, recipe.test.kind)),
-      boundary_(boundary_of(*specimen_->packing, recipe)),
+      boundary_(std::make_shared<const TestBoundary>(boundary_of(*specimen_->packing, recipe))),
       snapshots_(recipe.test.n_snapshots),
       frames_(recipe.test.n_frames) {
-  PHY_CHECK(boundary_.rig.axial.present(), "every test has an axial pair of tools");
+  PHY_CHECK(boundary_->rig.axial.present(), "every test has an axial pair of tools");
 }
 
 void LabTest::begin() {
@@ -40,7 +40,7 @@ void LabTest::begin() {
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
   setup.tool_friction = recipe_.test.platen_friction;
-  setup.rig = std::make_shared<const engine::Rig>(boundary_.rig);
+  setup.rig = {boundary_, &boundary_->rig};
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
@@ -128,17 +128,17 @@ void LabTest::write_load() {
   const auto strain = [&](const engine::LoadAxis& a, const LoadScale& over) {
     return a.travel(tool(a.lo).displacement, tool(a.hi).displacement) / over.length;
   };
-  const engine::LoadAxis &along = boundary_.rig.axial, &across = boundary_.rig.lateral;
-  row_.axial_strain = strain(along, boundary_.axial) - zero_axial_;
-  row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_.axial.area;
-  row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_.axial.area;
+  const engine::LoadAxis &along = boundary_->rig.axial, &across = boundary_->rig.lateral;
+  row_.axial_strain = strain(along, boundary_->axial) - zero_axial_;
+  row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_->axial.area;
+  row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_->axial.area;
   row_.axial_stress = 0.5 * (row_.stress_bottom + row_.stress_top);
   if (across.present()) {
     const Vec2 force = tool(across.lo).force - tool(across.hi).force;
-    row_.lateral_strain = strain(across, boundary_.lateral) - zero_lateral_;
-    row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_.lateral.area;
+    row_.lateral_strain = strain(across, boundary_->lateral) - zero_lateral_;
+    row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_->lateral.area;
   }
-  if (boundary_.rig.jacket) {
+  if (boundary_->rig.jacket) {
     const engine::JacketState jacket = group_->jacket(lane_);
     row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
     row_.lateral_stress = jacket.pressure;
@@ -298,7 +298,7 @@ void LabTest::read_numbers() {
 TestResult LabTest::take_result() {
   for (const engine::Breakage& broken : group_->cracks(lane_)) {
     result_.cracks.push_back(broken.crack);
-    result_.cracks.back().strain = broken.travel / boundary_.axial.length - zero_axial_;
+    result_.cracks.back().strain = broken.travel / boundary_->axial.length - zero_axial_;
   }
   std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;

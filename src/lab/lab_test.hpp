@@ -29,8 +29,12 @@ namespace phy::lab {
 
 class LabTest {
  public:
+  /// Specimen, recipe and group outlive the test.
+  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group, int lane);
   virtual ~LabTest() = default;
   LabTest(LabTest&&) = default;
+  /// Loads the specimen into the lane: before the first block, and to start over.
+  void begin();
   /// Reads the lane after a block. True when the test is over.
   bool after_block();
   /// Ends an unfinished test.
@@ -49,10 +53,6 @@ class LabTest {
   Reading latest() const;
 
  protected:
-  /// Specimen, recipe and group outlive the test. The constructor of a kind ends with begin().
-  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group, int lane);
-  /// Loads the specimen into the lane; also used to start over.
-  void begin();
   /// The rig is in place: prepare, or call start_loading.
   virtual void on_placed() { start_loading(); }
   /// After a block of preparation: ends with start_loading or begin. True when the test is over.
@@ -103,7 +103,7 @@ class LabTest {
   bool end_without_peak(const Reading& now);
   bool end_unstable(const engine::LaneHealth& health);
 
-  TestBoundary boundary_;
+  std::shared_ptr<const TestBoundary> boundary_;
   HistoryRow row_;
   double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;

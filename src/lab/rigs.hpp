@@ -30,6 +30,8 @@ engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec
 
 /// Two flat platens at the bottom and the top of the box: the press. Tools 0 and 1.
 TestBoundary platens(const Packing& packing);
+/// Axial strain of the press below which its first wave still runs through the specimen.
+constexpr double first_wave_strain = 2e-4;
 /// Axial stress of the press, from both platens and from each.
 const HistoryColumns& platen_stress_columns();
 /// "Two rigid platens (friction 0) closed at 0.05 m/s each".

@@ -29,11 +29,13 @@ struct TestRoom {
   HoldKey hold = {};
 };
 
-/// TestRoom::begin of a procedure.
+/// TestRoom::begin of a procedure, which has the constructor of LabTest.
 template <class Procedure>
 std::unique_ptr<LabTest> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
                                     engine::LaneGroup& group, int lane) {
-  return std::make_unique<Procedure>(specimen, recipe, group, lane);
+  auto test = std::make_unique<Procedure>(specimen, recipe, group, lane);
+  test->begin();
+  return test;
 }
 
 }  // namespace phy::lab

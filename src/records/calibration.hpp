@@ -38,7 +38,7 @@ struct Comparison {
   double low = std::numeric_limits<double>::quiet_NaN();   ///< 95 % interval of the rock's value by the fit
   double high = std::numeric_limits<double>::quiet_NaN();
   int n_packings = 0;
-  int n_invalid = 0;  ///< Brazilian: of these, first crack outside the central third (analysis/brazilian.hpp)
+  int n_invalid = 0;  ///< Brazilian: of these, first crack off the central third (lab/brazilian/reading.hpp)
   std::string missing;   ///< why the first packing without an answer has none
   QualityTally quality;  ///< remarks of the tests behind the mean
   double error() const { return mean / target.mean - 1.0; }

@@ -17,7 +17,7 @@ struct SpecimenView {
 void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain);
 
 /// Strain of the last row, as draw_specimen takes it: positive, in the direction of the test
-/// (report/axes.hpp).
+/// (records/test_description.hpp).
 double last_strain(const TestRecord& test);
 
 }  // namespace phy::report

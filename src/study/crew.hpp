@@ -4,7 +4,7 @@
 // since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
 // scheduler.cpp); a worker that has run dry gets half of the tests of a crew that still has several. Tests
 // move between blocks, in the middle of their course; no bit of their results changes
-// (engine/group_move.cpp). Crews with a fixed number of lanes stay as they are.
+// (LaneGroup::move_lane). Crews with a fixed number of lanes stay as they are.
 #pragma once
 #include <chrono>
 #include <condition_variable>

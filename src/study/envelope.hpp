@@ -1,11 +1,11 @@
 // Strength envelope: the specimens of a recipe under several confining stresses.
 //
 // Every specimen (bedding angles, intact rock) goes through one biaxial test per confining stress; without
-// confining stress that is the uniaxial press (lab/biaxial.hpp). Peaks give Mohr-Coulomb and Hoek-Brown per
-// specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness (Jaeger, in the
-// strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of the specimen
-// whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A test that did
-// not peak gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
+// confining stress that is the uniaxial press (lab/biaxial/biaxial.hpp). Peaks give Mohr-Coulomb and
+// Hoek-Brown per specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness
+// (Jaeger, in the strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of
+// the specimen whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A
+// test that did not peak gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
 #pragma once
 #include <limits>
 #include <string>

@@ -38,13 +38,21 @@ double block_stiffness(const Specimen& specimen, double area, double length, dou
   return 2.0 * contact_modulus(specimen.matrix) * area / length + wave_stiffness(specimen.matrix, area, time);
 }
 
-}  // namespace
+class BiaxialTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
 
-BiaxialTest::BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                         engine::LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane) {
-  begin();
-}
+ private:
+  void on_placed() override;
+  bool prepare(std::int64_t n_blocks) override;
+  void drive() override;
+  double first_stop_strain() const override { return first_wave_strain; }
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+
+  /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are
+  /// driven.
+  void confine(double stress, bool platens_too);
+};
 
 void BiaxialTest::confine(double stress, bool platens_too) {
   const Packing& p = packing();
@@ -100,8 +108,6 @@ void BiaxialTest::drive() { close_platens(packing().height); }
 std::vector<Number> BiaxialTest::numbers(const analysis::WavePath& path) const {
   return confined_numbers(result_.history, result_.cracks, recipe_.test.confining_stress, path);
 }
-
-namespace {
 
 std::string rig_name_of(const Recipe& r) {
   if (r.test.confining_stress == 0.0) return "unconfined biaxial";

@@ -22,23 +22,6 @@ namespace phy::lab {
 /// The press with sides: walls (tools 2 left, 3 right) or a jacket; none without confining stress.
 TestBoundary confined_platens(const Packing& packing, const TestRecipe& test);
 
-class BiaxialTest final : public LabTest {
- public:
-  BiaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe, engine::LaneGroup& group,
-              int lane);
-
- private:
-  void on_placed() override;
-  bool prepare(std::int64_t n_blocks) override;
-  void drive() override;
-  double first_stop_strain() const override { return 2e-4; }
-  std::vector<Number> numbers(const analysis::WavePath& path) const override;
-
-  /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are
-  /// driven.
-  void confine(double stress, bool platens_too);
-};
-
 const TestRoom& biaxial_room();
 
 }  // namespace phy::lab

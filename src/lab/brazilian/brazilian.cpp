@@ -82,19 +82,22 @@ TestBoundary jaws(const Packing& packing, double diameter, double angle) {
   return splitter;
 }
 
-BrazilianTest::BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                             engine::LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane) {
-  begin();
-}
+namespace {
+
+class BrazilianTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
+
+ private:
+  void drive() override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+};
 
 void BrazilianTest::drive() { close_platens(disc_diameter(recipe_)); }
 
 std::vector<Number> BrazilianTest::numbers(const analysis::WavePath& path) const {
   return disc_numbers(result_.history, result_.cracks, disc_diameter(recipe_), path.density);
 }
-
-namespace {
 
 TestDescription description() {
   TestDescription d;
@@ -119,8 +122,8 @@ TestDescription description() {
              {"1st crack", "x/D", "first_crack_x", 1.0, 2},
              {"cracks in", "central third", "central_cracks", 1.0, 2}};
   d.disc_diameter = disc_diameter;
-  d.expected = {disc_diameter, 6.0, 0.36,
-                0.2};  // approach of the jaws over the diameter, over BTS / E: Hondros
+  // 6: approach of the jaws over the diameter, over BTS / E, after Hondros.
+  d.expected = {.length = disc_diameter, .strain_factor = 6.0, .intact = 0.36, .bedded = 0.2};
   d.loading_text = [](const Recipe& r) {
     return fmt::format("Discs of {} were cut from the specimens; {} closed on them at {} each.",
                        print_quantity(disc_diameter(r), Dimension::length),

@@ -5,7 +5,7 @@
 // rim where it stands out most; a few grains carry the load, and the rim may crush before the centre splits.
 // With an angle (usual: 10 degrees) two rigid jaws hold that arc of the rim: every grain that a ray from
 // outside meets first has a frictionless contact along its radius, stress-free at the start, as a jaw bedded
-// on the rough rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab_test.hpp.
+// on the rough rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab/lab_test.hpp.
 //
 // History: stress is the tension at the centre of an elastic isotropic disc under the platen force,
 // 2P/(pi D t) times Hondros' factor for the arc; strain is the approach of the platens over the diameter.
@@ -26,16 +26,6 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
 /// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
 /// centre (reading.hpp); axial strain: approach over `diameter` [m].
 TestBoundary jaws(const Packing& packing, double diameter, double angle);
-
-class BrazilianTest final : public LabTest {
- public:
-  BrazilianTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                engine::LaneGroup& group, int lane);
-
- private:
-  void drive() override;
-  std::vector<Number> numbers(const analysis::WavePath& path) const override;
-};
 
 const TestRoom& brazilian_room();
 

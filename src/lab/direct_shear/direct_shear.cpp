@@ -49,17 +49,25 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));
 }
 
-}  // namespace
+class DirectShearTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
 
-DirectShearTest::DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                 engine::LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane), stiffness_(plane_stiffness(*specimen, recipe.test.shear_gap)) {
-  begin();
-}
+ private:
+  void on_placed() override;
+  bool prepare(std::int64_t n_blocks) override;
+  void drive() override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+
+  engine::Servo normal_load(double stress, double spring, double offset) const;
+
+  // Of what lies between the boxes, for the servo [N/m per m].
+  double stiffness_ = plane_stiffness(*specimen_, recipe_.test.shear_gap);
+};
 
 /// The upper box pushes down: its force on the specimen is negative along y. `offset` is its displacement
-/// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo (rig.hpp) the
-/// stress swings for ever where its stiffness is less than 0.4 of what answers within a block; more only
+/// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo (engine/rig.hpp)
+/// the stress swings for ever where its stiffness is less than 0.4 of what answers within a block; more only
 /// makes it slower.
 engine::Servo DirectShearTest::normal_load(double stress, double spring, double offset) const {
   const double length = packing().width;
@@ -104,14 +112,11 @@ std::vector<Number> DirectShearTest::numbers(const analysis::WavePath& /*the box
                        {recipe_.test.normal_stress, recipe_.test.normal_stiffness});
 }
 
-namespace {
-
 std::string loading_text_of(const Recipe& r) {
   const TestRecipe& t = r.test;
   return fmt::format(
       "The halves of the specimen, {}, were held in two boxes and sheared past each other at {} each, under "
-      "a normal "
-      "stress of {}{}.",
+      "a normal stress of {}{}.",
       t.shear_gap > 0.0 ? print_quantity(t.shear_gap, Dimension::length) + " of free rock between them"
                         : "each rigid",
       print_quantity(t.platen_speed, Dimension::speed), print_quantity(t.normal_stress, Dimension::pressure),

@@ -22,22 +22,6 @@ namespace phy::lab {
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
 TestBoundary shear_boxes(const Packing& packing, double gap);
 
-class DirectShearTest final : public LabTest {
- public:
-  DirectShearTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                  engine::LaneGroup& group, int lane);
-
- private:
-  void on_placed() override;
-  bool prepare(std::int64_t n_blocks) override;
-  void drive() override;
-  std::vector<Number> numbers(const analysis::WavePath& path) const override;
-
-  engine::Servo normal_load(double stress, double spring, double offset) const;
-
-  double stiffness_;  // of what lies between the boxes, for the servo [N/m per m]
-};
-
 const TestRoom& direct_shear_room();
 
 }  // namespace phy::lab

@@ -29,11 +29,16 @@ TestBoundary grips(const Packing& packing, double thickness) {
   return pull;
 }
 
-DirectTensionTest::DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                     engine::LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane) {
-  begin();
-}
+namespace {
+
+class DirectTensionTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
+
+ private:
+  void drive() override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+};
 
 void DirectTensionTest::drive() {
   const double speed = recipe_.test.platen_speed;
@@ -48,8 +53,6 @@ void DirectTensionTest::drive() {
 std::vector<Number> DirectTensionTest::numbers(const analysis::WavePath& path) const {
   return tension_numbers(result_.history, result_.cracks, grip_thickness(recipe_, packing()), path);
 }
-
-namespace {
 
 TestDescription description() {
   TestDescription d;

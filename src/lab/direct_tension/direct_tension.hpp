@@ -3,7 +3,7 @@
 // A grip holds the grains whose centres lie within test.grip_thickness of an end, along the load only: they
 // may move sideways and turn, so that the ends do not hinder the lateral contraction (glued steel caps
 // would). The specimen starts with the velocity field of uniform straining, so that no wave runs in from the
-// grips. Grips move at test.platen_speed each until the stress has fallen (stop rule: lab_test.hpp, on
+// grips. Grips move at test.platen_speed each until the stress has fallen (stop rule: lab/lab_test.hpp, on
 // tension).
 //
 // History, compression positive as everywhere, so stress and strain are negative: stress is the mean grip
@@ -19,16 +19,6 @@ double grip_thickness(const Recipe& recipe, const Packing& packing);
 
 /// Two grips that hold the grains within `thickness` of the bottom and the top, along y only. Tools 0 and 1.
 TestBoundary grips(const Packing& packing, double thickness);
-
-class DirectTensionTest final : public LabTest {
- public:
-  DirectTensionTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                    engine::LaneGroup& group, int lane);
-
- private:
-  void drive() override;
-  std::vector<Number> numbers(const analysis::WavePath& path) const override;
-};
 
 const TestRoom& direct_tension_room();
 

@@ -8,13 +8,20 @@ namespace {
 
 constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine strain
 
-}  // namespace
+class UniaxialTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
 
-UniaxialTest::UniaxialTest(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                           engine::LaneGroup& group, int lane)
-    : LabTest(specimen, recipe, group, lane), may_jump_(recipe.test.jump_strain > 0.0) {
-  begin();
-}
+ private:
+  void on_placed() override;
+  bool prepare(std::int64_t n_blocks) override;
+  void drive() override;
+  double first_stop_strain() const override { return first_wave_strain; }
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+
+  bool may_jump_ = recipe_.test.jump_strain > 0.0;
+  bool jumped_ = false;  // the jump was made and kept
+};
 
 void UniaxialTest::on_placed() {
   if (!may_jump_) return start_loading();
@@ -39,8 +46,6 @@ std::vector<Number> UniaxialTest::numbers(const analysis::WavePath& path) const 
   return analysis::axial_numbers(history, analysis::loading_branch(history), result_.cracks,
                                  {path, jumped_ ? recipe_.test.jump_strain : 0.0});
 }
-
-namespace {
 
 TestDescription description() {
   TestDescription d;
