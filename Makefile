@@ -47,7 +47,7 @@ soak: build
 	@ctest --test-dir $(BUILD) --output-on-failure -L soak
 
 bench: build
-	$(BUILD)/bench_engine
+	PHY_BENCH_TESTS=1 $(BUILD)/bench_engine
 	$(BUILD)/bench_statics
 
 # The paper's studies into results/paper (resumed if they are there) and docs/paper.md from their stores. A study that holds

@@ -1,18 +1,19 @@
 // Nanoseconds per contact, step and specimen of the press with everything of a normal run switched on: energy
-// books, cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at
+// balance, cracks, watchdog, list updates, history. A contact counts if it is bonded, a joint or touching at
 // the start. Thread CPU time. Lines whose instruction set this processor lacks are marked as not measured.
-// UCS_per_minute: whole tests per minute and core at that speed, with the recipe's time step, platen speed
-// and stop rule; how many cycles such a test takes is counted once, by running the seven angles to their end
-// in single precision. kind/...: the other tests of the laboratory on the same packing, 16 lanes of float.
+// UCS_per_minute, where PHY_BENCH_TESTS is set: whole tests per minute and core at that speed, with the
+// recipe's time step, platen speed and stop rule; how many cycles such a test takes is counted by running the
+// seven angles to their end in single precision, which takes a minute or two. kind/...: the other tests of
+// the laboratory on the same packing, 16 lanes of float.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
-#include "lab/uniaxial/uniaxial.hpp"
 #include "study/scheduler.hpp"
 
 namespace {
@@ -62,12 +63,13 @@ void press(benchmark::State& state, engine::Isa isa, Precision precision, int la
   options.precision = precision;
   options.lanes = lanes;
   const auto group = engine::make_group(specimens.front()->packing, options);
-  std::vector<lab::UniaxialTest> tests;
+  std::vector<std::unique_ptr<lab::LabTest>> tests;
   for (int l = 0; l < lanes; ++l)
-    tests.emplace_back(specimens[angles == 1 ? 3 : static_cast<std::size_t>(l) % 7], recipe, *group, l);
+    tests.push_back(
+        lab::make_test(specimens[angles == 1 ? 3 : static_cast<std::size_t>(l) % 7], recipe, *group, l));
   const auto block = [&] {
     group->advance();
-    for (lab::UniaxialTest& t : tests) t.after_block();
+    for (const auto& t : tests) t->after_block();
   };
   for (int i = 0; i < 60; ++i) block();  // into the elastic range
   for (auto _ : state) block();
@@ -75,6 +77,7 @@ void press(benchmark::State& state, engine::Isa isa, Precision precision, int la
                          static_cast<double>(group->n_contacts(0));
   state.counters["per_contact_step"] =
       benchmark::Counter(updates, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  if (std::getenv("PHY_BENCH_TESTS") == nullptr) return;
   const double cycles = static_cast<double>(state.iterations()) * options.interval * lanes;
   state.counters["UCS_per_minute"] =
       benchmark::Counter(60.0 * cycles / cycles_per_test(angles), benchmark::Counter::kIsRate);
