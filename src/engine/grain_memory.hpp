@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/near_pairs.hpp"
 #include "engine/buffer.hpp"
 #include "engine/layout.hpp"
 #include "engine/view.hpp"

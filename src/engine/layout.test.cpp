@@ -55,22 +55,6 @@ TEST(Layout, ContactsJoinARowWithItselfOrItsNeighbour) {
     }
 }
 
-TEST(NearPairs, AreThoseOfTheDoubleLoop) {
-  const auto discs = scattered(400, 30.0);
-  std::vector<Vec2> x;
-  std::vector<double> r;
-  for (const Disc& d : discs) x.push_back({d.x, d.y}), r.push_back(d.r);
-  x.back() = {1e6, -1e6};  // a fragment far away must not blow up the grid
-  std::vector<PairKey> found, expected;
-  near_pairs(x, r, 0.3, found);
-  std::sort(found.begin(), found.end());
-  for (std::uint32_t a = 0; a < x.size(); ++a)
-    for (std::uint32_t b = 0; b < a; ++b)
-      if (norm(x[a] - x[b]) < r[a] + r[b] + 0.3) expected.push_back(pair_key(a, b));
-  std::sort(expected.begin(), expected.end());
-  EXPECT_EQ(found, expected);
-}
-
 TEST(GaugeWeights, ReadAnAffineFieldExactly) {
   const Specimen s = assembly(scattered(500, 40.0), soft_contact());
   const GaugeWeights w = gauge_weights(*s.packing);

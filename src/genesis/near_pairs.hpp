@@ -1,8 +1,5 @@
-// Which discs are near each other: a cell grid, searched once, gives a list sorted by (a, b).
-//
-// The order of the list is the order of every sum over contacts, so it depends on the discs alone and not on
-// how the grid was walked. Rejected: a tree (the radii differ by less than a factor two, so a grid wastes
-// nothing).
+// Contacts of a packing in the making (base/near_pairs.hpp), sorted by (a, b): the order of the list is the
+// order of every sum over contacts, so it depends on the discs alone.
 #pragma once
 #include <cstdint>
 #include <vector>
