@@ -5,7 +5,7 @@
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
-            libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
+            libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libxxhash-dev libbenchmark-dev clang-format clang-tidy python3
 # For phyllite figure, film and study --mpi only, and for the test of a full disk.
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)

@@ -1,5 +1,6 @@
-// One 64-bit fingerprint for "the same to the last bit": FNV-1a (Fowler, Noll, Vo) over bytes, with the
+// A 64-bit fingerprint for "the same to the last bit": FNV-1a (Fowler, Noll, Vo) over bytes, with the
 // values laid out little-endian. It tells equal from unequal results; it is no protection against forgery.
+// And one of 128 bits, for names in a store.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -34,5 +35,9 @@ class Hash {
  private:
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
+
+/// 32 hexadecimal digits that name a text among any number of others (XXH3, 128 bits, xxhash.com): two of
+/// 10^9 texts have the same with a probability of 10^-21.
+std::string fingerprint_of(std::string_view text);
 
 }  // namespace phy

@@ -117,5 +117,11 @@ TEST(Hash, KnownAnswers) {
   EXPECT_EQ(f.text(), "85944171f73967e8");
 }
 
+// As the program xxhsum -H128 prints them.
+TEST(Fingerprint, IsXxh3OfOneHundredAndTwentyEightBits) {
+  EXPECT_EQ(fingerprint_of(""), "99aa06d3014798d86001c324468d497f");
+  EXPECT_EQ(fingerprint_of("abc"), "06b05ab6733a618578af5f94892f3950");
+}
+
 }  // namespace
 }  // namespace phy

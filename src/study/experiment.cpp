@@ -1,5 +1,7 @@
 #include "study/experiment.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "base/check.hpp"
@@ -22,6 +24,23 @@ Recipe without_angles(Recipe r) {
   r.sweep = {};
   if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
+}
+
+/// The keys that are not as by default, a line each.
+std::string not_by_default(const Recipe& r) {
+  Recipe plain;
+  plain.bedding.resize(r.bedding.size());
+  std::string text;
+  for (const Field& f : recipe_fields()) {
+    const bool of_set = f.table == "bedding";
+    for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
+      const std::string value = print_field(f, r, i);
+      if (value == print_field(f, plain, i)) continue;
+      text += of_set ? fmt::format("bedding[{}].{} = {}\n", i, f.key, value)
+                     : fmt::format("{} = {}\n", f.path(), value);
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -51,11 +70,10 @@ std::string specimen_key(const Recipe& single) {
   r.test.intact = false;
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
-  Hash h;
-  if (!r.packing.file.empty()) h.add(std::string_view(io::read_file(r.packing.file)));
+  std::string text = fmt::format("results {}, {} sets of bedding\n", results_version, r.bedding.size());
+  if (!r.packing.file.empty()) text += "discs " + fingerprint_of(io::read_file(r.packing.file)) + "\n";
   r.packing.file.clear();
-  h.add(std::string_view(io::write_recipe(r)));
-  return h.text();
+  return fingerprint_of(text + not_by_default(r));
 }
 
 std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other) {

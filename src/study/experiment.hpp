@@ -17,10 +17,14 @@ namespace phy::study {
 /// One recipe per specimen, in the order of make_specimens: the angles, then the intact rock.
 std::vector<Recipe> single_recipes(const Recipe& recipe);
 
-/// Fingerprint of everything that a result in the store depends on. Left out: the recipe's name and the
-/// number of snapshots (the store holds none), and keys without effect (the zone's thickness under the
-/// crossing rule). With packing.file the content of the file counts, not its name. Throws IoError if that
-/// file cannot be read.
+/// Raised whenever the program gives other numbers to the same recipe, or a key gets another default.
+constexpr int results_version = 1;
+
+/// Fingerprint of everything that a result in the store depends on: results_version and the keys that are not
+/// as by default, so that a key that comes to the recipe later changes no fingerprint. Left out: the recipe's
+/// name and the number of snapshots (the store holds none), and keys without effect (the zone's thickness
+/// under the crossing rule). With packing.file the content of the file counts, not its name. Throws IoError
+/// if that file cannot be read.
 std::string specimen_key(const Recipe& single);
 
 /// A key in which two recipes differ, with its values as in a file.

@@ -1,5 +1,6 @@
 #include "study/store.hpp"
 
+#include <fmt/format.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
@@ -16,6 +17,8 @@
 #include "base/hash.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
+#include "io/toml_in.hpp"
+#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -183,6 +186,27 @@ Store::~Store() {
   }
 }
 
+/// Format 1: keys of 64 bits, over the whole text of the recipe. A row whose recipe cannot be read any more,
+/// because its discs are not where they were, keeps the key that nobody asks for.
+void Store::rekey() {
+  std::vector<std::pair<std::string, std::string>> keys;
+  io::Statement rows(database_, "SELECT key, recipe FROM specimen");
+  while (rows.step()) {
+    try {
+      keys.emplace_back(rows.text(0), specimen_key(io::parse_recipe(rows.text(1), database_.path())));
+    } catch (const InputError&) {
+    } catch (const IoError&) {
+    }
+  }
+  for (const auto& [before, now] : keys)
+    for (const char* table : {"specimen", "number"})
+      io::Statement(database_, fmt::format("UPDATE OR IGNORE {} SET key = ? WHERE key = ?", table))
+          .bind(now)
+          .bind(before)
+          .run();
+  database_.execute("DELETE FROM claim; PRAGMA user_version = " + std::to_string(store_format));
+}
+
 void Store::make_tables(Sharing sharing) {
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   database_.transaction([&] {
@@ -192,6 +216,7 @@ void Store::make_tables(Sharing sharing) {
     io::Statement foreign(database_, "SELECT count(*) FROM sqlite_master");
     foreign.step();
     const bool empty = foreign.integer(0) == 0;
+    if (!empty && found == 1) return rekey();
     if (!empty && found != store_format)
       throw IoError(database_.path() + ": " +
                     (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +

@@ -23,8 +23,9 @@
 
 namespace phy::study {
 
-/// Version of the tables, kept as the file's user_version.
-constexpr int store_format = 1;
+/// Version of the tables, kept as the file's user_version. In format 1 keys had 64 bits; such a store is
+/// given new ones when it is opened.
+constexpr int store_format = 2;
 constexpr double lease_seconds = 120.0;
 
 /// One finished specimen.
@@ -92,6 +93,7 @@ class Store {
 
  private:
   void make_tables(Sharing sharing);
+  void rekey();
   mutable std::mutex mutex_;
   mutable io::Database database_;
   std::string owner_;

@@ -11,11 +11,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <set>
 
 #include "base/check.hpp"
 #include "base/in_folder.test.hpp"
+#include "base/nan.hpp"
+#include "io/toml_in.hpp"
+#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -28,7 +30,7 @@ TestResult some_result(int i) {
   r.name = "theta = 30 deg", r.intact = false, r.theta = 30.0;
   r.outcome = {Status::peaked, "peak 1/3", ""};
   r.numbers = {{"ucs", 1e8 / 3.0 + i, "Pa", "largest axial stress", ""},
-               {"E_tangent", std::numeric_limits<double>::quiet_NaN(), "Pa", "slope", "too few rows"},
+               {"E_tangent", nan, "Pa", "slope", "too few rows"},
                {"A", 1.0, "1", "", "names are not sorted"}};
   for (int k = 0; k < 300; ++k) {
     HistoryRow row;
@@ -232,6 +234,28 @@ TEST_F(StoreTest, WhatIsNoStoreIsRefused) {
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("new.sqlite")); }), HasSubstr("has format 99"));
   fs::create_directories(at("folder.sqlite"));
   EXPECT_THAT(message_of<IoError>([&] { Store s(at("folder.sqlite")); }), HasSubstr("cannot be"));
+}
+
+// A store of format 1, as its first line says: keys of 16 digits. Its results are found under those of today.
+TEST_F(StoreTest, AnOlderStoreIsGivenTheKeysOfToday) {
+  Recipe recipe;
+  recipe.matrix.mu = 0.3;
+  const std::string before = "0123456789abcdef";
+  {
+    Store s(file());
+    s.put(before, io::write_recipe(recipe), some_result(1));
+    s.put("fedcba9876543210", "no recipe", some_result(2));
+  }
+  io::Database(file()).execute("PRAGMA user_version = 1");
+  for (int opened = 0; opened < 2; ++opened) {
+    Store s(file());
+    EXPECT_FALSE(s.find(before));
+    const auto found = s.find(specimen_key(recipe));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(phy::hash_of(found->result), phy::hash_of(some_result(1)));
+    EXPECT_EQ(found->result.numbers.size(), 3U);
+    EXPECT_TRUE(s.find("fedcba9876543210")) << "what cannot be named anew is kept";
+  }
 }
 
 TEST_F(StoreTest, AShardHasItsStoreForItself) {
