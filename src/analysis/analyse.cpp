@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "analysis/cracks.hpp"
 #include "analysis/elastic.hpp"
 #include "analysis/strength.hpp"
+#include "base/nan.hpp"
 
 namespace phy::analysis {
 namespace {
@@ -47,7 +47,7 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
 std::vector<Number> told(std::vector<Number> numbers) {
   for (Number& n : numbers) {
     if (std::isfinite(n.value)) continue;
-    n.value = std::numeric_limits<double>::quiet_NaN();
+    n.value = nan;
     if (n.note.empty()) n.note = "the history holds no usable values for it";
   }
   return numbers;

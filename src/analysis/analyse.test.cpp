@@ -1,5 +1,6 @@
 // The whole list of numbers; each reading is tested in its own file.
 #include "analysis/analyse.hpp"
+#include "base/nan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +72,7 @@ void expect_told(const History& h, const std::vector<CrackEvent>& cracks) {
 }
 
 TEST(Analyse, WhateverTheHistoryNothingIsLeftUntold) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double inf = std::numeric_limits<double>::infinity();
   const std::vector<CrackEvent> cracks(5);
   const HistoryColumns& columns = TestKind()->columns;
   History rows;

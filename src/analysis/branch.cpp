@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nan.hpp"
 #include "records/test_description.hpp"
 
 namespace phy::analysis {
@@ -54,7 +55,7 @@ double stress_at(const LoadingBranch& branch, double strain) {
     }
     before = &r;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return nan;
 }
 
 std::string branch_note(const LoadingBranch& branch) {

@@ -1,10 +1,10 @@
 // The loading branch of a history: what "before the peak" and "x % of ucs" mean, said once for all numbers.
 #pragma once
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 
+#include "base/nan.hpp"
 #include "records/result.hpp"
 
 namespace phy::analysis {
@@ -14,9 +14,9 @@ namespace phy::analysis {
 /// the history's own rows.
 struct LoadingBranch {
   std::span<const HistoryRow> rows;
-  double largest = std::numeric_limits<double>::quiet_NaN();  ///< largest axial stress [Pa]
-  double strain = std::numeric_limits<double>::quiet_NaN();   ///< axial platen strain there
-  bool peaked = false;  ///< at least one row follows: the largest stress is a peak, and is the strength
+  double largest = nan;  ///< largest axial stress [Pa]
+  double strain = nan;   ///< axial platen strain there
+  bool peaked = false;   ///< at least one row follows: the largest stress is a peak, and is the strength
   const char* strength = "ucs";         ///< what the largest stress of this kind of test is called
   const char* stress = "axial stress";  ///< and the stress
   const char* tool = "platen";          ///< what pushes or pulls

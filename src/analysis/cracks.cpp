@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "base/nan.hpp"
+
 namespace phy::analysis {
 namespace {
 
@@ -33,8 +35,7 @@ CrackCounts count_cracks(const std::vector<CrackEvent>& cracks, double up_to_str
 }
 
 std::vector<Number> crack_numbers(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
-                   all = std::numeric_limits<double>::infinity();
+  constexpr double all = std::numeric_limits<double>::infinity();
   const CrackCounts at_end = count_cracks(cracks, all), at_peak = count_cracks(cracks, branch.strain);
   std::vector<Number> out;
   for (const Kind& k : kinds)

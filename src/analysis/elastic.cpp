@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/nan.hpp"
 #include "base/stats.hpp"
 
 namespace phy::analysis {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t enough_rows = 3;  // two rows would always lie on a line
 constexpr double straight = 0.9;  // below this R2 the curve is no line: noise, or failure within the range
 

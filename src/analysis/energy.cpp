@@ -6,11 +6,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/nan.hpp"
+
 namespace phy::analysis {
 namespace {
 
 using Rows = std::span<const HistoryRow>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* no_energies = "the history holds no energies";
 
 /// Terms of the energy balance, in the order of the history's columns.

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/nan.hpp"
+
 namespace phy::analysis {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Puts the stress at the count-th crack into n.
 void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_t count, double jump_strain,

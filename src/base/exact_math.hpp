@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/vec.hpp"
+
 namespace phy {
 
 constexpr double pi = 3.14159265358979323846;
@@ -76,6 +78,12 @@ inline SinCos sin_cos_degrees(double angle) {
 inline double tan_degrees(double angle) {
   const SinCos sc = sin_cos_degrees(angle);
   return sc.sin / sc.cos;
+}
+
+/// Unit normal of a plane inclined by `theta` [deg] from +x, anticlockwise.
+inline Vec2 plane_normal(double theta) {
+  const SinCos sc = sin_cos_degrees(theta);
+  return {-sc.sin, sc.cos};
 }
 
 }  // namespace phy

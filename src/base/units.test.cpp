@@ -1,4 +1,5 @@
 #include "base/units.hpp"
+#include "base/nan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 
 #include "base/rng.hpp"
 
@@ -87,7 +87,7 @@ TEST(Units, ArePrintedAsPeopleWriteThem) {
   EXPECT_EQ(print_quantity(22.5, Dimension::angle), "22.5 deg");
   EXPECT_EQ(print_quantity(1e18, Dimension::stiffness), "1e9 GPa/m");
   EXPECT_EQ(print_quantity(0.3, Dimension::none), "0.3");
-  EXPECT_EQ(print_number(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(print_number(nan), "nan");
 }
 
 struct Bad {

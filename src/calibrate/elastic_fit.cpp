@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
 #include "calibrate/elastic_verdict.hpp"
 
@@ -26,7 +27,7 @@ Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
-/// The face that Eigen's solver wants.
+/// The problem in the form of Eigen's Levenberg-Marquardt.
 struct Functor {
   ElasticProblem& problem;
   Linearised at(const VectorXd& x) const { return problem.linearised(Point(x.begin(), x.end())); }

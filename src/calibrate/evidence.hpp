@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/stats.hpp"
 #include "records/rock.hpp"
 #include "theory/eq1_fit.hpp"
 
@@ -39,9 +40,6 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
-
-/// The share of a normal distribution that lies within so many standard errors is 95 %.
-constexpr double z_95 = 1.959964;
 
 /// Standard error that may excuse a miss: an assumed scatter excuses nothing.
 double excusing_error(const Target& t);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stats.hpp"
 #include "calibrate/elastic_limits.hpp"
 
 namespace phy::calibrate {

@@ -5,9 +5,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
@@ -93,7 +93,7 @@ std::vector<double> parameters_of(const lab::LawInfo& law, const ContactArgument
   const auto value = [&](std::string_view name) {
     for (std::size_t i = 0; i < v.size(); ++i)
       if (name == law.parameters[i].name) return v[i];
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   };
   if (value("tan_psi") > value("mu"))
     problems.push_back({"command line", "--set tan_psi", fmt::format("{:g}", value("tan_psi")),

@@ -85,7 +85,7 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
 std::string page_of(const std::string& folder) { return (fs::path(folder) / "report.html").string(); }
 
 /// One page for the whole run, from the folders of its specimens.
-void write_report(const std::string& folder, const std::vector<TestResult>& results) {
+void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
   for (const TestResult& r : results) {
     const auto place = fs::path(folder) / io::folder_name(r.name);
@@ -194,7 +194,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
                        [&](const TestResult& r) { return wanted(r.outcome.status); });
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
-  if (any) write_report(job.folder, results);
+  if (any) write_run_report(job.folder, results);
   print_out("\n{}\n", report::press_table(results, width));
   const std::string trouble = report::outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);

@@ -14,10 +14,6 @@ constexpr ElasticParameter elastic_list[] = {
     {"k_s", "Pa/m", nullptr, &BeddingRecipe::k_s},
 };
 
-Vec2 plane_normal(const BeddingRecipe& set) {
-  const SinCos sc = sin_cos_degrees(set.theta);
-  return {-sc.sin, sc.cos};
-}
 double area_of(const Specimen& s, const Contact& c) {
   const std::vector<Disc>& d = s.packing->discs;
   return laws::smooth_joint::area(s.bedding[c.set].radius_multiplier, d[c.a].r, d[c.b].r);
@@ -37,7 +33,7 @@ class SmoothJointModel final : public ContactModel {
 
   void parameters(const Specimen& specimen, std::uint8_t number, double* out) const override {
     const BeddingRecipe& set = specimen.bedding[number];
-    const Vec2 n = plane_normal(set);
+    const Vec2 n = plane_normal(set.theta);
     out[F::nx] = n.x, out[F::ny] = n.y;
     out[F::k_n] = set.k_n * set.radius_multiplier, out[F::k_s] = set.k_s * set.radius_multiplier;
     out[F::mu] = specimen.matrix.unbreakable ? unlimited : set.mu;
@@ -60,7 +56,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   Vec2 normal(const Specimen& s, const Contact& c, Vec2) const override {
-    return static_cast<double>(c.side) * plane_normal(s.bedding[c.set]);
+    return static_cast<double>(c.side) * plane_normal(s.bedding[c.set].theta);
   }
 
   laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
@@ -85,7 +81,7 @@ class SmoothJointModel final : public ContactModel {
 
   void affine_start(const Standing& c, Vec2 du, double* fields) const override {
     const BeddingRecipe& set = c.specimen.bedding[c.set];
-    const Vec2 n = c.side * plane_normal(set);
+    const Vec2 n = c.side * plane_normal(set.theta);
     fields[F::shear] = -set.k_s * set.radius_multiplier * c.geometry[F::area] * dot(du, tangent(n));
     fields[F::closure] = -dot(du, n);
   }
@@ -106,7 +102,7 @@ class SmoothJointModel final : public ContactModel {
     const double A = set.radius_multiplier * c.geometry[F::area];
     out.kind = ContactKind::joint;
     out.broken = !unbroken(c.fields);
-    out.normal = c.side * plane_normal(set);
+    out.normal = c.side * plane_normal(set.theta);
     const double g = c.fields[F::closure] + c.fields[F::dilation];
     out.F_n = set.k_n * A * (out.broken ? std::max(g, 0.0) : g);
     out.F_s = c.fields[F::shear];
@@ -115,7 +111,7 @@ class SmoothJointModel final : public ContactModel {
   void crack(const Standing& c, CrackEvent& out) const override {
     const BeddingRecipe& set = c.specimen.bedding[c.set];
     out.place = CrackPlace::bedding;
-    out.normal = plane_normal(set);
+    out.normal = plane_normal(set.theta);
     out.size = 2.0 * set.radius_multiplier * c.r_min;
   }
 };

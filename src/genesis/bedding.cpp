@@ -91,8 +91,7 @@ BeddingReport report_on(const Specimen& specimen, std::uint8_t set) {
 PlaneSet::PlaneSet(const BeddingRecipe& recipe, double width, double height)
     : centre_{0.5 * width, 0.5 * height}, offset_(recipe.offset), spacing_(recipe.spacing) {
   PHY_CHECK(recipe.spacing > 0.0, "planes need a positive spacing");
-  const SinCos a = sin_cos_degrees(recipe.theta);
-  normal_ = {-a.sin, a.cos};
+  normal_ = plane_normal(recipe.theta);
 }
 
 std::int32_t PlaneSet::interval(double height) const {

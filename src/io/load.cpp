@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
@@ -18,9 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-double number(const Json& j) { return j.is_number() ? j.get<double>() : not_known; }
+double number(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
 
 Outcome read_outcome(const Json& j, const std::string& where) {
   const std::string name = j.at("status");

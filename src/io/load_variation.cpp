@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
@@ -23,11 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Rows = std::vector<const TableRow*>;
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double number_of(const std::string& cell) {
   const Quantity q = parse_quantity(cell, Dimension::none);
-  return q.ok ? q.value : not_known;
+  return q.ok ? q.value : nan;
 }
 
 /// A table whose columns are asked for by name.
@@ -71,8 +70,7 @@ std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::op
                                     double unit) {
   std::map<double, std::vector<double>> found;
   for (const TableRow* row : rows)
-    if (const double angle = number_of(row->cells[theta]),
-        v = value ? number_of(row->cells[*value]) : not_known;
+    if (const double angle = number_of(row->cells[theta]), v = value ? number_of(row->cells[*value]) : nan;
         std::isfinite(angle) && std::isfinite(v))
       found[angle].push_back(v * unit);
   std::vector<AngleValue> out;
@@ -94,7 +92,7 @@ std::vector<std::vector<AngleValue>> each_over_angles(const Named& table, const 
 double mean_of(const Rows& rows, std::optional<std::size_t> value, double unit) {
   std::vector<double> values;
   for (const TableRow* row : rows)
-    if (const double v = value ? number_of(row->cells[*value]) : not_known; std::isfinite(v))
+    if (const double v = value ? number_of(row->cells[*value]) : nan; std::isfinite(v))
       values.push_back(v * unit);
   return values.empty() ? 0.0 : summarise(values).mean;
 }
@@ -154,7 +152,7 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
                  [&](const TableRow* row) { return row->cells[column] == level && has_peaked(table, *row); });
     const double base_value = number_of(base.cells[column]);
     parameter.settings.push_back(
-        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : not_known,
+        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : nan,
          level == base.cells[column], over_angles(rows, theta, table.maybe("E_tangent [Pa]"), 1.0),
          over_angles(rows, theta, table.maybe("ucs [Pa]"), 1.0), each_over_angles(table, rows)});
   }

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "io/file.hpp"
 
 namespace phy::io {
@@ -123,8 +123,7 @@ std::string Statement::blob(int column) const {
 }
 
 double Statement::number(int column) const {
-  return sqlite3_column_type(handle_, column) == SQLITE_NULL ? std::numeric_limits<double>::quiet_NaN()
-                                                             : sqlite3_column_double(handle_, column);
+  return sqlite3_column_type(handle_, column) == SQLITE_NULL ? nan : sqlite3_column_double(handle_, column);
 }
 
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }

@@ -5,12 +5,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/check.hpp"
 #include "base/in_folder.test.hpp"
+#include "base/nan.hpp"
 #include "io/toml_in.hpp"
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
@@ -28,8 +28,7 @@ class Store : public InFolder {
     r.intact = false;
     r.theta = 30.0;
     r.outcome = {Status::peaked, "peak", ""};
-    r.numbers = {{"ucs", 1.0 / 3.0, "Pa", "largest", ""},
-                 {"nu", std::numeric_limits<double>::quiet_NaN(), "1", "ratio", "too few rows"}};
+    r.numbers = {{"ucs", 1.0 / 3.0, "Pa", "largest", ""}, {"nu", nan, "1", "ratio", "too few rows"}};
     r.history.rows.resize(3);
     r.history.rows[1].axial_stress = 0.1;
     r.cracks.resize(2);

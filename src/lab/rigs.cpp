@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/units.hpp"
+#include "contact/model.hpp"
 
 namespace phy::lab {
 
@@ -52,10 +53,8 @@ std::string platens_text(const TestRecipe& test) {
                      print_quantity(test.platen_speed, Dimension::speed));
 }
 
-double contact_modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E_b; }
-
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
-  return std::sqrt(contact_modulus(matrix) * matrix.density) * area / time;
+  return std::sqrt(contact::modulus(matrix) * matrix.density) * area / time;
 }
 
 }  // namespace phy::lab

@@ -37,9 +37,6 @@ const HistoryColumns& platen_stress_columns();
 /// "Two rigid platens (friction 0) closed at 0.05 m/s each".
 std::string platens_text(const TestRecipe& test);
 
-/// Modulus of contact and bond together [Pa]: rock is nearly as stiff.
-double contact_modulus(const MatrixRecipe& matrix);
-
 /// Change of the force on a face of rock of that area [m^2/m] per displacement within a block of `time` [s],
 /// as an elastic wave [N/m per m].
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time);

@@ -60,11 +60,11 @@ inline void bond_touching(Specimen& s) {
 /// Turns bonds that cross a plane of bedding[0] into joints (crossing rule, planes through the origin).
 inline void joint_crossing(Specimen& s) {
   const BeddingRecipe& set = s.bedding.front();
-  const SinCos sc = sin_cos_degrees(set.theta);
+  const Vec2 n = plane_normal(set.theta);
   const auto& d = s.packing->discs;
   for (const Disc& disc : d)
     s.plane_label.push_back(
-        static_cast<std::int32_t>(std::floor((-sc.sin * disc.x + sc.cos * disc.y) / set.spacing)));
+        static_cast<std::int32_t>(std::floor((n.x * disc.x + n.y * disc.y) / set.spacing)));
   for (Contact& c : s.contacts) {
     const std::int32_t a = s.plane_label[c.a], b = s.plane_label[c.b];
     if (a == b) continue;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/nan.hpp"
+
 namespace phy {
 
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
@@ -24,7 +26,7 @@ double interpolated(const std::vector<Comparison>& rows, const Target& t) {
     if (other.theta < t.theta && (below == nullptr || other.theta > below->theta)) below = &other;
     if (other.theta > t.theta && (above == nullptr || other.theta < above->theta)) above = &other;
   }
-  if (below == nullptr || above == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  if (below == nullptr || above == nullptr) return nan;
   const double part = (t.theta - below->theta) / (above->theta - below->theta);
   return below->mean + part * (above->mean - below->mean);
 }

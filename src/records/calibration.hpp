@@ -3,10 +3,10 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/nan.hpp"
 #include "records/quality.hpp"
 #include "records/rock.hpp"
 
@@ -20,7 +20,7 @@ struct ParameterEstimate {
   std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"; or a ratio, "tau_c/sigma_c"
   std::string symbol;  ///< "E_c"
   std::string unit;    ///< "Pa", "Pa/m", "1"
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = nan;
   double low = 0.0, high = 0.0;
   double box_low = 0.0, box_high = 0.0;  ///< values that the calibration admits
   bool determined = false;  ///< the interval is under half of the box, both measured in logarithms
@@ -33,10 +33,10 @@ struct ParameterEstimate {
 /// One row of the macro table: laboratory beside model.
 struct Comparison {
   Target target;
-  double mean = std::numeric_limits<double>::quiet_NaN();  ///< of the model over packings
-  double sd = std::numeric_limits<double>::quiet_NaN();    ///< between packings
-  double low = std::numeric_limits<double>::quiet_NaN();   ///< 95 % interval of the rock's value by the fit
-  double high = std::numeric_limits<double>::quiet_NaN();
+  double mean = nan;  ///< of the model over packings
+  double sd = nan;    ///< between packings
+  double low = nan;   ///< 95 % interval of the rock's value by the fit
+  double high = nan;
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack off the central third (lab/brazilian/reading.hpp)
   std::string missing;   ///< why the first packing without an answer has none

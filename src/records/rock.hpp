@@ -1,9 +1,9 @@
 // A rock as the laboratory saw it: the table of tests, and what the model takes as given.
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/nan.hpp"
 #include "records/recipe.hpp"
 
 namespace phy {
@@ -28,13 +28,13 @@ enum class ElasticReading { plane_stress, plane_strain };
 /// One cell of the table.
 struct RockReading {
   Property property = Property::E;
-  double theta = 0.0;  ///< [deg] inclination of the bedding, load along y, 0 ... 90; 0 without bedding
-  double value = 0.0;  ///< SI
-  double sd = std::numeric_limits<double>::quiet_NaN();  ///< of single specimens, NaN: not given
-  int n = 1;                                             ///< specimens behind the value
-  double confining = 0.0;                                ///< [Pa]
-  int line = 0;                                          ///< of the table
-  double diameter = 0.0;  ///< [m] of the disc of a Brazilian test; 0: the model's
+  double theta = 0.0;      ///< [deg] inclination of the bedding, load along y, 0 ... 90; 0 without bedding
+  double value = 0.0;      ///< SI
+  double sd = nan;         ///< of single specimens, NaN: not given
+  int n = 1;               ///< specimens behind the value
+  double confining = 0.0;  ///< [Pa]
+  int line = 0;            ///< of the table
+  double diameter = 0.0;   ///< [m] of the disc of a Brazilian test; 0: the model's
 };
 
 /// All cells of one property and angle together.

@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/exact_math.hpp"
 #include "base/quote.hpp"
+#include "contact/model.hpp"
 
 namespace phy::report {
 namespace {
@@ -160,7 +162,6 @@ std::string pfc_commands(const Recipe& r) {
 
 std::string yade_script(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
-  constexpr double pi = 3.14159265358979323846;
   const bool jointed = !r.bedding.empty();
   const BeddingRecipe b = jointed ? r.bedding.front() : BeddingRecipe{};
   return fmt::format(
@@ -170,11 +171,11 @@ std::string yade_script(const Recipe& r) {
              "moments, friction\n"
              "# inside the shear strength), this calibration discs with parallel bonds. `young` is matched "
              "so that a contact\n"
-             "# has the same stiffness per bond area: young = pi/2 (E_c + E_b).\n"
+             "# has the same stiffness per bond area: young = pi/2 (E_c + lambda E_b).\n"
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
-             comment_text(r.name), m.density, 0.5 * pi * (m.E_c + m.E_b), m.ks_over_kn, m.mu, m.sigma_c,
+             comment_text(r.name), m.density, 0.5 * pi * contact::modulus(m), m.ks_over_kn, m.mu, m.sigma_c,
              m.tau_c) +
          fmt::format(
              "                  jointNormalStiffness={:.8g}, jointShearStiffness={:.8g}, "

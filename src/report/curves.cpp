@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
+#include "base/nan.hpp"
 #include "theory/eq1_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
@@ -48,7 +48,7 @@ theory::Eq1Options reference_for(const RunRecord& run) {
 
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   std::vector<theory::ModulusReading> readings;
-  double nu_90 = std::numeric_limits<double>::quiet_NaN(), spacing = 0.0;
+  double nu_90 = nan, spacing = 0.0;
   for (const TestRecord& t : run.tests) {
     if (t.result.intact) continue;
     if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
@@ -105,10 +105,10 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
 }  // namespace
 
 double value_of(const TestRecord& test, const std::string& name) {
-  if (test.result.outcome.status == Status::untrusted) return std::numeric_limits<double>::quiet_NaN();
+  if (test.result.outcome.status == Status::untrusted) return nan;
   for (const Number& n : test.result.numbers)
     if (n.name == name) return n.value;
-  return std::numeric_limits<double>::quiet_NaN();
+  return nan;
 }
 
 TheoryCurves theory_curves(const RunRecord& run) {

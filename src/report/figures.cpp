@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/spelling.hpp"
+#include "base/stats.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/test_description.hpp"
 #include "report/curves.hpp"
@@ -102,7 +103,7 @@ std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, c
     theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
   for (const Target& t : data.laboratory) {
     if (p.property != t.property) continue;
-    const double half = 1.96 * t.standard_error();
+    const double half = z_95 * t.standard_error();
     laboratory.push_back(
         {t.theta, p.factor * t.mean, p.factor * (t.mean - half), p.factor * (t.mean + half)});
   }

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/nan.hpp"
 #include "io/base64.hpp"
 #include "io/store.hpp"
 #include "records/assembly.hpp"
@@ -36,7 +36,7 @@ TestRecord test_at(double theta) {
   r.outcome = {Status::not_peaked, "</script><b>no drop</b>", "<!-- raise -->"};
   r.numbers = {{"ucs", 1e8 / 3.0 * (1.0 + theta / 300.0), "Pa", "largest & first", ""},
                {"E_tangent", 2e10 + 1e8 / 7.0 * theta, "Pa", "slope", ""},
-               {"nu", std::numeric_limits<double>::quiet_NaN(), "1", "ratio", "too \"few\" rows"}};
+               {"nu", nan, "1", "ratio", "too \"few\" rows"}};
   r.history.rows.resize(3);
   r.history.rows[2].axial_strain = 1.0 / 3.0;
   r.cracks.resize(2);

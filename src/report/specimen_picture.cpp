@@ -17,11 +17,11 @@ constexpr double thinnest = 1.2;  // line of a crack [pixels]
 std::vector<std::size_t> tones_of(const TestRecord& t) {
   std::vector<std::size_t> tone(t.scene.discs.size(), 0);
   if (!t.bedding.empty() && !t.recipe.bedding.empty()) {
-    const SinCos sc = sin_cos_degrees(t.bedding[0].theta);
+    const Vec2 normal = plane_normal(t.bedding[0].theta);
     const BeddingRecipe& set = t.recipe.bedding[0];
     for (std::size_t i = 0; i < tone.size(); ++i) {
       const Disc& d = t.scene.discs[i];
-      const double along = sc.cos * (d.y - 0.5 * t.scene.height) - sc.sin * (d.x - 0.5 * t.scene.width);
+      const double along = dot(normal, {d.x - 0.5 * t.scene.width, d.y - 0.5 * t.scene.height});
       tone[i] = std::fmod(std::floor((along - set.offset) / set.spacing), 2.0) == 0.0 ? 0 : 1;
     }
   }

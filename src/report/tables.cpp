@@ -17,13 +17,6 @@ namespace {
 
 using Results = std::vector<TestResult>;
 
-Column column(std::string head, std::string unit, const Results& results,
-              const std::function<std::string(const TestResult&)>& cell) {
-  Column c{std::move(head), std::move(unit), {}};
-  for (const TestResult& r : results) c.cells.push_back(cell(r));
-  return c;
-}
-
 /// A test that was interrupted is no result, whatever its curve says up to there.
 std::string number(const TestResult& r, const std::string& name, double scale, int digits) {
   if (r.outcome.status == Status::interrupted) return "-";
@@ -45,7 +38,7 @@ bool has_reservation(const TestResult& r, const Number& n) {
 
 /// A column of the kind of test.
 Column reading(const Results& results, const TableColumn& c) {
-  return column(c.head, c.unit, results, [&](const TestResult& r) {
+  return column_of(c.head, c.unit, results, [&](const TestResult& r) {
     const std::string cell = number(r, c.number, c.scale, c.digits);
     const bool marked = std::any_of(r.numbers.begin(), r.numbers.end(), [&](const Number& n) {
       return n.name == c.number && has_reservation(r, n);
@@ -55,18 +48,18 @@ Column reading(const Results& results, const TableColumn& c) {
 }
 
 Column cracks(const std::string& place, const Results& results) {
-  return column("cracks " + place, "tension/shear", results, [&](const TestResult& r) {
+  return column_of("cracks " + place, "tension/shear", results, [&](const TestResult& r) {
     return number(r, "cracks_tension_" + place, 1.0, 0) + "/" + number(r, "cracks_shear_" + place, 1.0, 0);
   });
 }
 
 /// The angle if it tells the specimens apart, else their names.
 Column label(const Results& results) {
-  Column angles = column("theta", "deg", results, [](const TestResult& r) {
+  Column angles = column_of("theta", "deg", results, [](const TestResult& r) {
     return r.intact ? "intact" : fmt::format("{:g}", r.theta);
   });
   if (std::set<std::string>(angles.cells.begin(), angles.cells.end()).size() == results.size()) return angles;
-  Column names = column("specimen", "", results, [](const TestResult& r) { return r.name; });
+  Column names = column_of("specimen", "", results, [](const TestResult& r) { return r.name; });
   names.left = true;
   return names;
 }
@@ -80,17 +73,18 @@ Columns curve_columns(const Results& results) {
 }
 
 Columns run_columns(const Results& results) {
-  return {cracks("matrix", results),
-          cracks("bedding", results),
-          column("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
-          column("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
-          column("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
-          column("quality", "", results, [](const TestResult& r) {
-            const bool ended = r.outcome.status == Status::peaked || r.outcome.status == Status::not_peaked ||
-                               r.outcome.status == Status::untrusted;
-            if (!ended) return "-";
-            return to_string(grade_of(r.numbers));
-          })};
+  return {
+      cracks("matrix", results),
+      cracks("bedding", results),
+      column_of("steps", "", results, [](const TestResult& r) { return fmt::format("{}", r.n_steps); }),
+      column_of("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
+      column_of("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
+      column_of("quality", "", results, [](const TestResult& r) {
+        const bool ended = r.outcome.status == Status::peaked || r.outcome.status == Status::not_peaked ||
+                           r.outcome.status == Status::untrusted;
+        if (!ended) return "-";
+        return to_string(grade_of(r.numbers));
+      })};
 }
 
 }  // namespace

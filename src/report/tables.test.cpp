@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include <limits>
 #include <sstream>
+
+#include "base/nan.hpp"
 
 namespace phy::report {
 namespace {
@@ -34,7 +35,7 @@ std::vector<TestResult> two() {
                     {"cracks_shear_bedding", 7, "1", "", ""}};
   all[1].name = "intact";
   all[1].outcome = {Status::unstable, "at step 7 all went wrong", "lower engine.step_safety"};
-  all[1].numbers = {{"ucs", std::numeric_limits<double>::quiet_NaN(), "Pa", "", "no peak"}};
+  all[1].numbers = {{"ucs", nan, "Pa", "", "no peak"}};
   return all;
 }
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "base/nan.hpp"
 
 namespace phy::report {
 namespace {
@@ -55,7 +55,7 @@ TEST(TerminalPlot, FarBelowTheAxisIsBelowThePicture) {
 }
 
 TEST(TerminalPlot, NothingIsDrawnFromAPointThatIsNotKnown) {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double unknown = nan;
   const auto lines = terminal_plot({{"a", 0, {0.0, 1.0}, {unknown, 1.0}}}, "%", "MPa", 32, 14, false);
   const auto empty = terminal_plot({{"a", 0, {1.0}, {1.0}}}, "%", "MPa", 32, 14, false);
   EXPECT_EQ(lines, empty);

@@ -2,6 +2,7 @@
 // file.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace phy::report {
@@ -15,6 +16,14 @@ struct Column {
   std::size_t width() const;
 };
 using Columns = std::vector<Column>;
+
+/// A column whose cells say something of each row.
+template <class Rows, class Cell>
+Column column_of(std::string head, std::string unit, const Rows& rows, const Cell& cell) {
+  Column c{std::move(head), std::move(unit), {}};
+  for (const auto& row : rows) c.cells.push_back(cell(row));
+  return c;
+}
 
 /// Label and columns side by side; where that is too wide, several tables one below the other, each with the
 /// label. They part between the groups, and inside a group only if it is too wide by itself. A single column

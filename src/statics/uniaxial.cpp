@@ -4,17 +4,16 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 
 #include "base/clock.hpp"
+#include "base/nan.hpp"
 #include "base/parallel.hpp"
 #include "engine/layout.hpp"
 
 namespace phy::statics {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double unit_strain = 1.0;
 constexpr double worst_ground_share = 1e-6;  // of the platen force that weak springs may carry
 constexpr double undecided = 1e-9;  // closures below this, in grain radii per unit strain, are rounding

@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
+#include "base/nan.hpp"
 #include "records/test_record.hpp"
 
 namespace phy::study {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Place of a run's packing and bond seed among the replicates.
 std::size_t replicate_of(const Plan& plan, const Run& run) {

@@ -7,10 +7,10 @@
 // the specimen whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A
 // test that did not peak gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/nan.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "theory/envelope_fit.hpp"
@@ -42,7 +42,7 @@ struct Envelope {
   std::vector<SpecimenEnvelope> specimens;
   std::string matrix;  ///< name of the specimen taken as the matrix in Jaeger's theory
   theory::JaegerFit plane;
-  double m_i = std::numeric_limits<double>::quiet_NaN();  ///< of the specimen with k = 1
+  double m_i = nan;  ///< of the specimen with k = 1
 };
 
 Envelope fit_envelope(const EnvelopeTests& tests);

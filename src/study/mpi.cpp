@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/hash.hpp"
+#include "base/nan.hpp"
 #include "base/parallel.hpp"
 #include "io/csv.hpp"
 #endif
@@ -77,9 +77,7 @@ json packed(const TestResult& r) {
           {"hash", r.hash}};
 }
 
-double number_or_nan(const json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
+double number_or_nan(const json& value) { return value.is_null() ? nan : value.get<double>(); }
 
 TestResult unpacked(const json& j) {
   TestResult r;

@@ -1,9 +1,9 @@
 #include "study/press_check.hpp"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "base/nan.hpp"
 #include "base/stats.hpp"
 
 namespace phy::study {
@@ -44,7 +44,7 @@ std::vector<std::shared_ptr<const Specimen>> stress_free(const std::vector<Speci
 PressModuli read(const TestResult& result) {
   PressModuli m;
   m.name = result.name;
-  m.E = m.nu = std::numeric_limits<double>::quiet_NaN();
+  m.E = m.nu = nan;
   m.n_cracks = static_cast<std::int64_t>(result.cracks.size());
   const std::vector<HistoryRow>& rows = result.history.rows;
   if (rows.empty() || rows.back().axial_strain < press_check_strain) {

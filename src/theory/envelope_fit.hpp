@@ -12,9 +12,10 @@
 // Foliated rock (Saroglou & Tsiambaos 2008, theory/hoek_brown.hpp): Hoek-Brown at every inclination; k(theta)
 // = m(theta) / m_i, with m_i that of the inclination nearest to loading across the planes.
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
+
+#include "base/nan.hpp"
 
 namespace phy::theory {
 
@@ -25,8 +26,8 @@ struct EnvelopeReading {
 
 /// A value with its standard error; NaN: not determined.
 struct Estimate {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double se = std::numeric_limits<double>::quiet_NaN();
+  double value = nan;
+  double se = nan;
 };
 
 struct MohrCoulombFit {

@@ -3,15 +3,17 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 
 #include "base/exact_math.hpp"
+#include "base/nan.hpp"
 #include "theory/angles.hpp"
 
 namespace phy::theory {
 namespace {
 
+constexpr double no_modulus = 1e6;   // over their mean: of a body that would lengthen under pressure
 constexpr double same_angle = 1e-6;  // [deg] readings closer than this are repeats of one angle
 
 std::string text(double x) {
@@ -128,41 +130,48 @@ Solution solve_linear(const Setup& p, const Eigen::VectorXd& y, const Eigen::Vec
   return s;
 }
 
-// Gauss-Newton for sum (E_i - 1/c_i)^2. Linearising 1/c about the present compliance c0 gives a linear
-// problem with weight E0^2 = 1/c0^2 and right-hand side c0 + (1/c0 - E_i) c0^2; steps are halved until the
-// sum of squares falls.
-Solution solve_modulus(const Setup& p) {
-  const Eigen::VectorXd E = p.compliance.cwiseInverse();
-  Solution now = solve_linear(p, p.compliance, E.array().square());
-  const auto misfit = [&](const Eigen::Vector3d& x) {
-    double sum = 0.0;
-    const Eigen::VectorXd c = p.terms * x;
-    for (Eigen::Index i = 0; i < c.size(); ++i) {
-      if (c[i] <= 0.0) return std::numeric_limits<double>::infinity();
-      if (p.takes_part[static_cast<std::size_t>(i)]) sum += (E[i] - 1.0 / c[i]) * (E[i] - 1.0 / c[i]);
-    }
-    return sum;
-  };
-  double best = misfit(now.x);
-  now.converged = false;
-  for (int step = 0; step < 200 && std::isfinite(best) && !now.converged; ++step) {
-    const Eigen::ArrayXd c = (p.terms * now.x).array();
-    const Eigen::VectorXd target = c + (c.inverse() - E.array()) * c.square();
-    Solution next = solve_linear(p, target, c.square().inverse());
-    const Eigen::Vector3d change = next.x - now.x;
-    double fraction = 1.0;
-    while (fraction > 1e-10 && misfit(now.x + fraction * change) > best) fraction *= 0.5;
-    if (fraction > 1e-10) {
-      next.x = now.x + fraction * change;
-      best = misfit(next.x);
-    } else {
-      next.x = now.x;  // no step of any length helps: this is the minimum to rounding
-    }
-    next.converged = fraction <= 1e-10 || (fraction * change).norm() <= 1e-14 * next.x.norm();
-    next.sum_of_squares = best;
-    now = next;
+double capped_inverse(double compliance) { return compliance > 0.0 ? 1.0 / compliance : no_modulus; }
+
+/// E_i - 1/c_i of the readings that take part, in the form of Eigen's Levenberg-Marquardt.
+struct ModulusMisfit {
+  using Scalar = double;
+  const Setup& p;
+  Eigen::VectorXd c(const Eigen::VectorXd& x) const {
+    return p.terms.rightCols(x.size()) * x + (p.free_E ? 0.0 : p.e) * Eigen::VectorXd::Ones(values());
   }
-  return now;
+  double weight(Eigen::Index i) const { return p.takes_part[static_cast<std::size_t>(i)] ? 1.0 : 0.0; }
+  int values() const { return static_cast<int>(p.compliance.size()); }
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
+    const Eigen::VectorXd at = c(x);
+    for (Eigen::Index i = 0; i < r.size(); ++i)
+      r[i] = weight(i) * (1.0 / p.compliance[i] - capped_inverse(at[i]));
+    return 0;
+  }
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
+    const Eigen::VectorXd at = c(x);
+    for (Eigen::Index i = 0; i < J.rows(); ++i)
+      J.row(i) = weight(i) / (at[i] * at[i]) * p.terms.row(i).tail(x.size());
+    return 0;
+  }
+};
+
+// Least squares of the moduli themselves, from the solution for compliances weighted by E^2.
+Solution solve_modulus(const Setup& p) {
+  const Eigen::Index m = n_parameters(p);
+  Solution s = solve_linear(p, p.compliance, p.compliance.cwiseInverse().array().square());
+  ModulusMisfit misfit{p};
+  Eigen::LevenbergMarquardt<ModulusMisfit> solver(misfit);
+  solver.parameters.ftol = solver.parameters.xtol = 1e-15;
+  Eigen::VectorXd x = s.x.tail(m);
+  solver.minimize(x);
+  s.x.tail(m) = x;
+  Eigen::VectorXd r(misfit.values());
+  Eigen::MatrixXd J(misfit.values(), m);
+  misfit(x, r), misfit.df(x, J);
+  s.sum_of_squares = r.squaredNorm();
+  s.covariance.bottomRightCorner(m, m) = (J.transpose() * J).inverse();
+  s.converged = (misfit.c(x).array() > 0.0).all() && (J.transpose() * r).norm() <= 1e-6 * J.norm();
+  return s;
 }
 
 void fill_quality(Eq1Fit& fit, const std::vector<ModulusReading>& readings) {
@@ -176,15 +185,14 @@ void fill_quality(Eq1Fit& fit, const std::vector<ModulusReading>& readings) {
     about_fit += residual * residual;
     about_mean += (r.E - mean) * (r.E - mean);
   }
-  fit.R2 = about_mean > 0.0 ? 1.0 - about_fit / about_mean : std::numeric_limits<double>::quiet_NaN();
+  fit.R2 = about_mean > 0.0 ? 1.0 - about_fit / about_mean : nan;
 }
 
 void fill_errors(Eq1Fit& fit, const Solution& s, const Setup& p) {
   int n = 0;
   for (bool takes_part : p.takes_part) n += takes_part ? 1 : 0;
   fit.degrees_of_freedom = n - n_parameters(p);
-  const double variance = fit.degrees_of_freedom > 0 ? s.sum_of_squares / fit.degrees_of_freedom
-                                                     : std::numeric_limits<double>::quiet_NaN();
+  const double variance = fit.degrees_of_freedom > 0 ? s.sum_of_squares / fit.degrees_of_freedom : nan;
   const auto error_of_inverse = [&](Eigen::Index i) {
     return p.scale * std::sqrt(variance * s.covariance(i, i)) / (s.x[i] * s.x[i]);
   };

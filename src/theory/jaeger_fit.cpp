@@ -5,6 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "base/nan.hpp"
+
 namespace phy::theory {
 namespace {
 
@@ -76,7 +78,7 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
     half_c *= narrower, half_phi *= narrower;
   }
   const double total = spread(readings);
-  fit.R2 = total > 0.0 ? 1.0 - best / total : std::numeric_limits<double>::quiet_NaN();
+  fit.R2 = total > 0.0 ? 1.0 - best / total : nan;
   return fit;
 }
 

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/check.hpp"
+#include "base/stats.hpp"
 
 namespace phy::theory {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double z_99 = 2.326348;
 constexpr double step = 1e-5;            // of a logarithm, for derivatives
 constexpr double same_direction = 1e-5;  // columns of the Jacobian closer than this are one
 
@@ -44,7 +44,7 @@ VectorXd residuals_of(const PlaneCompliance& body, const std::vector<LayeredRead
   return r;
 }
 
-/// The face that Eigen's solver wants; it asks for at least as many values as unknowns.
+/// The misfit in the form of Eigen's Levenberg-Marquardt, which asks for at least as many values as unknowns.
 struct Misfit {
   using Scalar = double;
   const std::vector<LayeredReading>& readings;
@@ -70,10 +70,7 @@ struct Misfit {
 
 }  // namespace
 
-double LayeredFit::limit() const {
-  const double part = 2.0 / (9.0 * degrees_of_freedom);
-  return degrees_of_freedom * std::pow(1.0 - part + z_99 * std::sqrt(part), 3.0);
-}
+double LayeredFit::limit() const { return chi_square_99(static_cast<std::size_t>(degrees_of_freedom)); }
 
 LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody kind) {
   double modulus = 0.0;

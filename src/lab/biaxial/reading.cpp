@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/analyse.hpp"
+#include "base/nan.hpp"
 
 namespace phy::lab {
 
@@ -17,7 +17,6 @@ History deviatoric(History history) {
 
 std::vector<Number> confined_strength(const History& history, const analysis::LoadingBranch& branch,
                                       double confining_stress) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress",
                analysis::branch_note(branch)};
   Number lateral{"sigma_3", nan, "Pa", "lateral stress at the largest deviatoric stress",

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "analysis/analyse.hpp"
 #include "analysis/strength.hpp"
 #include "base/exact_math.hpp"
+#include "base/nan.hpp"
 
 namespace phy::lab {
 
@@ -18,7 +18,6 @@ double brazilian_arc_factor(double alpha) {
 
 std::vector<Number> place_of_splitting(const History& history, const analysis::LoadingBranch& branch,
                                        const std::vector<CrackEvent>& cracks, double diameter) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Number y{"first_crack_y", nan, "1", "height of the first crack above the centre / diameter", ""};
   Number x{"first_crack_x", nan, "1", "distance of the first crack to the right of the centre / diameter",
            ""};

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "analysis/analyse.hpp"
 #include "analysis/strength.hpp"
+#include "base/nan.hpp"
 #include "base/stats.hpp"
 
 namespace phy::lab {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double residual_part = 0.25;  // of the shear displacement, at its end
 
 using Rows = std::vector<const HistoryRow*>;

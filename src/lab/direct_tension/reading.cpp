@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/analyse.hpp"
+#include "base/nan.hpp"
 
 namespace phy::lab {
 namespace {
@@ -28,7 +28,6 @@ std::vector<CrackEvent> mirrored(std::vector<CrackEvent> cracks) {
 
 std::vector<Number> place_of_failure(const History& history, const std::vector<CrackEvent>& cracks,
                                      double peak_strain, double grip_thickness) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Number position{"failure_position", nan, "1",
                   "median height of the cracks from the peak on, over the specimen's height (0 = bottom)",
                   ""};
