@@ -31,6 +31,21 @@ class ProgramTest : public phy::InFolder {
     const int status = ::pclose(pipe);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
+  /// Runs the program and sends it `signal` just before its n-th event (tests/count_events.cpp): at the same
+  /// place on every machine. The exit code of a shell: 128 + signal where the signal ended it.
+  int run_to_event(long n, int signal, const std::string& arguments, const std::string& before = "") {
+    return run_line(before + "PHY_SIGNAL_AT=" + std::to_string(n) + " PHY_SIGNAL=" + std::to_string(signal) +
+                    " LD_PRELOAD=" + PHY_EVENTS + " " + PHY_PROGRAM + " " + arguments);
+  }
+  /// Events of a whole run that must end with 0.
+  long n_events(const std::string& arguments) {
+    const std::string file = at("n_events");
+    EXPECT_EQ(run_line("PHY_COUNT_INTO=" + file + " LD_PRELOAD=" + PHY_EVENTS + " " + PHY_PROGRAM + " " +
+                       arguments),
+              0)
+        << output;
+    return std::atol(read(file).c_str());
+  }
   std::string small_recipe(const std::string& more = "") const {
     return write(
         "small.toml",

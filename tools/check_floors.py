@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks that the floors hold: every include in src/ points to the same floor or a lower one.
 
-Also: theory never meets a room that makes results, analysis never meets engine, a law never meets another law nor a
-laboratory test another test, rooms do not include each other in circles, every room has a namespace of its own, and no line
+Also: theory never meets a room that makes results, analysis never meets engine, report meets no room that makes results
+(it reads records), a study prints nothing, calibration drives no engine, a law never meets another law nor a laboratory test
+another test, rooms do not include each other in circles, every room has a namespace of its own, and no line
 is longer than 110 characters. Prints every violation with file and line; exit 1 if any.
 """
 import pathlib
@@ -22,6 +23,8 @@ FLOORS = {
 MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "statics"}
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}
 NEVER |= {(room, "theory") for room in MAKES_RESULTS} | {("theory", room) for room in MAKES_RESULTS}
+NEVER |= {("report", room) for room in MAKES_RESULTS | {"study"}}  # it reads records, whoever made them
+NEVER |= {("study", "report"), ("calibrate", "engine"), ("calibrate", "contact"), ("calibrate", "report")}
 LONERS = {"laws": "a law", "lab": "a laboratory test"}  # each in a folder of its own
 COMMON = {"base", "records"}  # the vocabulary of all rooms: in phy itself, not in phy::<room>
 MAX_LINE = 110

@@ -167,6 +167,4 @@ const ContactModel& LinearBond::model() {
   return model;
 }
 
-double modulus(const MatrixRecipe& m) { return m.E_c + m.radius_multiplier * m.E_b; }
-
 }  // namespace phy::contact

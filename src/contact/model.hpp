@@ -127,7 +127,4 @@ Models models() {
 /// otherwise.
 const Models& standard_models();
 
-/// Of contact and bond together, E_c + lambda E_b [Pa]: rock is nearly as stiff.
-double modulus(const MatrixRecipe& matrix);
-
 }  // namespace phy::contact

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/model.hpp"
 #include "lab/rigs.hpp"
 #include "lab/tests.hpp"
 
@@ -69,7 +68,7 @@ class Suspects {
             : "");
   }
   void speed(const HistoryRow& last) {
-    const double wave = std::sqrt(contact::modulus(matrix_) * matrix_.density) * recipe_.test.platen_speed;
+    const double wave = std::sqrt(matrix_.modulus() * matrix_.density) * recipe_.test.platen_speed;
     const double strength = std::min(matrix_.sigma_c, matrix_.tau_c);
     const double moving = last.boundary_work > 0.0 ? last.kinetic / last.boundary_work : 0.0;
     if (wave > shattering * strength)
@@ -87,7 +86,7 @@ class Suspects {
     double radius = 0.0;
     for (const Disc& d : packing_.discs) radius += d.r / static_cast<double>(packing_.discs.size());
     for (const BeddingRecipe& set : bedding_) {
-      ratio("bedding k_n", set.k_n * 2.0 * radius / contact::modulus(matrix_), "the stiffness of a grain");
+      ratio("bedding k_n", set.k_n * 2.0 * radius / matrix_.modulus(), "the stiffness of a grain");
       ratio("bedding k_s", set.k_s / set.k_n, "bedding k_n");
     }
   }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/units.hpp"
-#include "contact/model.hpp"
 
 namespace phy::lab {
 
@@ -54,7 +53,7 @@ std::string platens_text(const TestRecipe& test) {
 }
 
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {
-  return std::sqrt(contact::modulus(matrix) * matrix.density) * area / time;
+  return std::sqrt(matrix.modulus() * matrix.density) * area / time;
 }
 
 }  // namespace phy::lab

@@ -58,6 +58,9 @@ struct MatrixRecipe {
   double bond_gap = 1e-6;     ///< bonds at gaps up to this fraction of the pair's mean radius
   std::int64_t bond_seed = 1;
   bool unbreakable = false;  ///< bonds and joints never break and nothing slips (elastic comparison runs)
+
+  /// Of contact and bond together [Pa]; rock is nearly as stiff.
+  double modulus() const { return E_c + radius_multiplier * E_b; }
 };
 
 /// One set of parallel bedding planes (paper Table 2).

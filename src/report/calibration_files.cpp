@@ -6,7 +6,6 @@
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
-#include "contact/model.hpp"
 
 namespace phy::report {
 namespace {
@@ -175,7 +174,7 @@ std::string yade_script(const Recipe& r) {
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
-             comment_text(r.name), m.density, 0.5 * pi * contact::modulus(m), m.ks_over_kn, m.mu, m.sigma_c,
+             comment_text(r.name), m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c,
              m.tau_c) +
          fmt::format(
              "                  jointNormalStiffness={:.8g}, jointShearStiffness={:.8g}, "

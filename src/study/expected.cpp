@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
-#include "contact/model.hpp"
 #include "records/test_description.hpp"
 #include "theory/goodman.hpp"
 #include "theory/jaeger.hpp"
@@ -13,7 +12,7 @@ namespace phy::study {
 namespace {
 
 // Rules of thumb from the paper's specimen (docs/paper.md) and examples/lab: macro over micro.
-constexpr double modulus_factor = 0.9;  // E over contact::modulus
+constexpr double modulus_factor = 0.9;  // E over that of contact and bond
 constexpr double bedded_factor = 2.1;   // the same of what lies between the planes
 constexpr double bridge_factor = 0.2;   // macro cohesion over tau_c: bonds that the joints leave between them
 constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joints, beside the bridges
@@ -40,7 +39,7 @@ double expected_cost(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
   const double dt =
-      step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / contact::modulus(m));
+      step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
@@ -52,7 +51,7 @@ double expected_peak_strain(const Recipe& r) {
   if (r.test.kind->runs_to_end) return r.test.max_strain;
   const ExpectedPeak& expected = r.test.kind->expected;
   const MatrixRecipe& m = r.matrix;
-  const double E = modulus_factor * contact::modulus(m), bond = std::min(m.sigma_c, m.tau_c);
+  const double E = modulus_factor * m.modulus(), bond = std::min(m.sigma_c, m.tau_c);
   if (r.bedding.empty()) return expected.strain_factor * expected.intact * bond / E;
   const BeddingRecipe& b = r.bedding.front();
   const double layer = layer_thickness * (r.packing.radius_min + r.packing.radius_max);

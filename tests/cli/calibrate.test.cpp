@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <cstdlib>
-#include <sstream>
-#include <thread>
 
 #include "../program.hpp"
 
@@ -32,16 +29,6 @@ class CalibrateCli : public ProgramTest {
   std::string calibrate(const std::string& more) const {
     return "calibrate " + rock() + " --threads 2 --max-tests 52 --out " + more;  // the least
   }
-  /// Starts the program, sends it a signal after a while and returns its exit code (-1: died of it).
-  int signalled(const std::string& arguments, int signal, double seconds) const {
-    std::istringstream words(arguments);
-    const pid_t child = start({std::istream_iterator<std::string>(words), {}});
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    ::kill(child, signal);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
 };
 
 TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
@@ -64,9 +51,9 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
 TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
   ASSERT_THAT(run(calibrate(at("whole"))), testing::AnyOf(0, 1)) << output;
   const std::string expected = read(at("whole") + "/calibration.json");
-  EXPECT_EQ(signalled(calibrate(at("parts")), SIGKILL, 1.0), -1);
+  EXPECT_EQ(run_to_event(500, SIGKILL, calibrate(at("parts"))), 128 + SIGKILL) << output;
   EXPECT_FALSE(fs::exists(at("parts") + "/calibration.json"));
-  EXPECT_EQ(signalled(calibrate(at("parts") + " --resume"), SIGINT, 0.5), 1);
+  EXPECT_EQ(run_to_event(300, SIGINT, calibrate(at("parts") + " --resume")), 1) << output;
   ASSERT_THAT(run(calibrate(at("parts") + " --resume")), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(at("parts") + "/calibration.json"), expected);
   EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));

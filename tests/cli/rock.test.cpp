@@ -40,14 +40,9 @@ TEST_F(RockCli, ATwinWritesOverNothing) {
 }
 
 TEST_F(RockCli, ATwinStopsWhenAskedAndWritesNothing) {
-  const pid_t child = start({"rock", "twin", small_recipe(), at("twin"), "--threads", "2"}, at("log"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  ::kill(child, SIGINT);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1) << read(at("log"));
-  EXPECT_THAT(read(at("log")), HasSubstr("stopped, nothing was written"));
+  ASSERT_EQ(run_to_event(3, SIGINT, "rock twin " + small_recipe() + " " + at("twin") + " --threads 2"), 1)
+      << output;
+  EXPECT_THAT(output, HasSubstr("stopped, nothing was written"));
   EXPECT_FALSE(fs::exists(at("twin.csv")));
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "contact/model.hpp"
 #include "lab/biaxial/reading.hpp"
 #include "lab/rigs.hpp"
 
@@ -36,7 +35,7 @@ constexpr double most_confining_strain = 0.05;  // beyond, the specimen has fail
 /// For the servo of a pair of platens of that area, `length` apart [m]: change of force per displacement of
 /// each within a block of `time`, of rock as stiff as its contacts, at rest and as a wave [N/m per m].
 double block_stiffness(const Specimen& specimen, double area, double length, double time) {
-  return 2.0 * contact::modulus(specimen.matrix) * area / length +
+  return 2.0 * specimen.matrix.modulus() * area / length +
          wave_stiffness(specimen.matrix, area, time);
 }
 
@@ -87,7 +86,7 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
   const double target = recipe_.test.confining_stress, speed = recipe_.test.platen_speed;
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   // As fast as the platens would raise the stress of sound rock.
-  const double ramp = target / contact::modulus(specimen_->matrix) * packing().height / (2.0 * speed);
+  const double ramp = target / specimen_->matrix.modulus() * packing().height / (2.0 * speed);
   const double now = target * std::min(1.0, time / ramp);
   confine(now, true);
   if (n_blocks == 0) return false;
