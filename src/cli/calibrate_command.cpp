@@ -31,7 +31,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   const Rock& rock = evidence.rock;
   Hash hash;
   hash.add(rock.name);
-  hash.add(io::write_recipe(rock.model));
+  hash.add(io::fingerprint_text(rock.model));
   hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
   for (const Target& t : evidence.targets) {

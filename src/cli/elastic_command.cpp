@@ -7,7 +7,6 @@
 
 #include "base/clock.hpp"
 #include "base/lines.hpp"
-#include "cli/elastic_sweep.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
@@ -22,7 +21,6 @@ namespace {
 
 struct ElasticArguments {
   std::string recipe;
-  std::string out = "results/elastic";
   bool glued = false;
   bool modulus_loss = false;
   bool press = false;
@@ -285,7 +283,6 @@ bool print_press(const ElasticStudy& study, const study::MachineOptions& machine
 int elastic(const ElasticArguments& args, const Session& session) {
   const int threads = n_threads(session), width = session.terminal_width;
   const Recipe recipe = io::read_recipe(args.recipe);
-  if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads, width);
   const ElasticStudy study = solve_recipe(recipe, args, threads);
   print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
                 args.glued ? "glued" : "frictionless");
@@ -307,7 +304,6 @@ void add_elastic_command(CLI::App& app, Session& session) {
   CLI::App* verb =
       app.add_subcommand("elastic", "E(theta), nu(theta), K_n, K_s and sensitivities by direct solution");
   verb->add_option("recipe", args->recipe, "recipe file (TOML)")->required();
-  verb->add_option("--out", args->out, "folder for the tables of a sweep")->capture_default_str();
   verb->add_flag("--glued", args->glued, "grains stick to the platens");
   verb->add_flag("--modulus-loss", args->modulus_loss, "fit Eq. 1 in modulus instead of compliance");
   verb->add_flag("--press", args->press, "compare with the press, without and with slip and cracking");

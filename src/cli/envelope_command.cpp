@@ -43,20 +43,15 @@ std::string folder_of(double sigma_3) {
   return io::folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
 }
 
-const Field& confining_field() {
-  return *std::find_if(recipe_fields().begin(), recipe_fields().end(),
-                       [](const Field& f) { return f.path() == "test.confining_stress"; });
-}
-
 std::vector<double> read_stresses(const std::vector<std::string>& words) {
-  const Field& range = confining_field();
+  const Field& range = *find_field(recipe_fields(), "test.confining_stress");
   std::vector<double> stresses;
   std::vector<Problem> problems;
   for (const std::string& word : words) {
     const Quantity q = parse_quantity(word, Dimension::pressure);
     if (!q.ok)
       problems.push_back({"command line", "--confining", word, "a stress with its unit", q.problem});
-    else if (!(q.value >= range.min && q.value <= range.max))
+    else if (!within_range(range, q.value))
       problems.push_back({"command line", "--confining", word, range_text(range), ""});
     stresses.push_back(q.value);
   }

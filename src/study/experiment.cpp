@@ -19,7 +19,6 @@ namespace {
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
   r.test.intact = false;
-  r.sweep = {};
   if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
 }
@@ -54,7 +53,7 @@ std::string specimen_key(const Recipe& single) {
   Hash h;
   if (!r.packing.file.empty()) h.add(std::string_view(io::read_file(r.packing.file)));
   r.packing.file.clear();
-  h.add(std::string_view(io::write_recipe(r)));
+  h.add(std::string_view(io::fingerprint_text(r)));
   return h.text();
 }
 
