@@ -106,8 +106,8 @@ void add_rock_command(CLI::App& app, Session& session) {
   rock->callback([=, &session] {
     if (!rock->get_subcommands().empty()) return;
     if (key->empty() && !*reference)
-      throw InputError(Problem{"command line", "rock", "", "new, check or twin, --explain KEY or --reference",
-                               "phyllite rock --help shows them"});
+      throw InputError(
+          Problem{"command line", "verb", "", "one of new, check, twin", "see `phyllite rock --help`"});
     write_out(*reference ? "\n" + reference_markdown(io::rock_schema())
                          : explain({&io::rock_schema()}, *key));
     session.exit_code = 0;

@@ -165,7 +165,7 @@ std::vector<std::string> shards_in(const std::string& folder) {
   return shards;
 }
 
-/// A folder holds one study: of this name, on this base recipe. It may grow.
+/// A folder holds one study: of this name and solver, on this base recipe. It may grow.
 void refuse_other_study(const study::Study& study, const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
@@ -173,6 +173,12 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
   if (there.name != study.name)
     throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
+  const auto solver_of = [](const study::Study& s) {
+    return s.solver == study::Solver::direct ? "direct" : "dynamic";
+  };
+  if (there.solver != study.solver)
+    throw InputError(Problem{folder, "solver", solver_of(there),
+                             std::string(solver_of(study)) + ", as in the study file", remedy});
   if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
