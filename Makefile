@@ -55,7 +55,8 @@ bench: build
 paper: build
 	@for s in study no-jump small small-jump crossing choices area; do f=study-$$s; [ $$s = study ] && f=study; \
 	  $(BUILD)/phyllite study examples/paper/$$f.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
-	$(BUILD)/phyllite elastic examples/paper/elastic.toml --out results/paper/elastic || [ $$? = 1 ]
+	@for s in elastic elastic-crossing elastic-area elastic-area-crossing; do \
+	  $(BUILD)/phyllite study examples/paper/$$s.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
 	rm -f docs/pictures/stiffness.png docs/pictures/modulus.png docs/pictures/strength.png # from the clone: not replaced
 	for k in 4:stiffness 5:modulus 6:strength; do $(BUILD)/phyllite figure results/paper/study --kind fig$${k%%:*} \
 	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
@@ -79,7 +80,7 @@ tidy: build
 	@git ls-files 'src/*.cpp' | grep -v '\.test\.' | xargs -P $(JOBS) -n 2 clang-tidy -p $(BUILD) --quiet 2>/dev/null
 
 docs: build
-	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference) > docs/reference.md
+	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference; $(BUILD)/phyllite rock --reference) > docs/reference.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
 
 # The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).

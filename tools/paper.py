@@ -3,8 +3,8 @@
 
     python3 tools/paper.py RESULTS docs
 
-RESULTS holds the folders study, no-jump, small, small-jump, crossing, choices, area (`phyllite study`) and elastic (`phyllite
-elastic`). Every number of the page is read from them; nothing is fitted here but straight lines.
+RESULTS holds the folders study, no-jump, small, small-jump, crossing, choices, area and, by the direct solution, elastic,
+elastic-crossing, elastic-area, elastic-area-crossing (`phyllite study`). Every number of the page is read from them; nothing is fitted here but straight lines.
 """
 import csv
 import io
@@ -12,13 +12,15 @@ import math
 import pathlib
 import sqlite3
 import sys
+import tomllib
 import zlib
 
 ANGLES = [0, 15, 30, 45, 60, 75, 90]
 PARAMETERS = [("bedding.k_n", "k_n"), ("bedding.k_s", "k_s"), ("bedding.mu", "mu"), ("bedding.sigma_n", "sigma_n"),
               ("bedding.cohesion", "C"), ("bedding.zone_thickness", "d")]
 STRENGTH = PARAMETERS[2:5]
-EQ2 = {"K_n": (1.8135, 312.4, 0.99999), "K_s": (1.6895, 44.1, 0.99965)}
+EQ2 = {}  # of the study's regressions: slope, intercept [GPa/m], R2
+STIFFNESSES = [("bedding.k_n", "K_n"), ("bedding.k_s", "K_s")]
 
 
 class Results:
@@ -110,7 +112,8 @@ def early_cracks(folder, point_values):
 
 def eq2_rows(results, times_k_n, label):
     rows = []
-    for K, key, base in (("K_n", "bedding.k_n", 3360), ("K_s", "bedding.k_s", 960)):
+    for key, K in STIFFNESSES:
+        base = results.points[0][key] * 1e-9
         for reference in ("reference intact", "reference E(90)", "reference free"):
             ps = [(f * base, results.K(K, p, reference)) for f, p in results.curve(key) if f <= times_k_n]
             ps = [p for p in ps if math.isfinite(p[1])]
@@ -121,12 +124,11 @@ def eq2_rows(results, times_k_n, label):
     return rows
 
 
-def direct_lines(fig4, rule, recipe, reference, low, high):
+def direct_lines(results, reference, low, high):
     rows = []
-    for varied, K in (("k_n", "K_n"), ("k_s", "K_s")):
-        ps = [(float(r["k [GPa/m]"]), float(r[f"{K} [GPa/m]"])) for r in fig4
-              if (r["recipe"], r["rule"], r["contacts"], r["strain"], r["loss"], r["reference E"], r["varied"]) ==
-              (recipe, rule, "pushing", "gauge", "compliance", reference, varied) and low <= float(r["factor"]) <= high]
+    for key, K in STIFFNESSES:
+        base = results.points[0][key] * 1e-9
+        ps = [(f * base, results.K(K, p, f"reference {reference}")) for f, p in results.curve(key) if low <= f <= high]
         ps = [p for p in ps if math.isfinite(p[1])]
         rows.append(line(*zip(*ps)) if len(ps) > 2 else (math.nan,) * 3)
     return rows
@@ -203,19 +205,23 @@ def jump_section(pairs):
 def page(results, docs):
     study, calm, small, jumped, crossing, choices, area = (
         Results(results / n) for n in ("study", "no-jump", "small", "small-jump", "crossing", "choices", "area"))
-    fig4 = list(csv.DictReader(open(results / "elastic" / "fig4.csv")))
+    direct = {(recipe, rule): Results(results / folder) for recipe, rule, folder in (
+        ("dense packing", "zone", "elastic"), ("dense packing", "crossing", "elastic-crossing"),
+        ("area packing", "zone", "elastic-area"), ("area packing", "crossing", "elastic-area-crossing"))}
+    for found in tomllib.loads((results / "elastic" / "regressions.toml").read_text())["line"]:
+        EQ2[found["number"]] = found["slope"], float(found["intercept"].split()[0]) * 1e-9, found["R2"]
     out = [HEAD.format(*run_numbers(results)), jump_section([("paper's", study, calm), ("quarter", jumped, small)])]
     out += ["\n## Table 3: E tested and fitted\n", TABLE_3, table3(study, choices), EQ1_NOTE.format(
         study.interval("R2_eq1", "all angles, reference intact", 1, 3),
         study.interval("R2_eq1", "all angles, reference E(90)", 1, 4))]
-    out += ["\n## Eq. 2: K_n(k_n) and K_s(k_s)\n", EQ2_TEXT, eq2_table(study, crossing, fig4)]
+    out += ["\n## Eq. 2: K_n(k_n) and K_s(k_s)\n", EQ2_TEXT, eq2_table(study, crossing, direct)]
     out += ["\n## Fig. 4: which parameter moves K_n and K_s\n", "![Macro stiffnesses over six parameters](pictures/stiffness.png)\n\n", fig4_table(study, small),
             broken_text(results, study)]
     out += ["\n## Fig. 5: curve types and their switch at K_n = 2 K_s\n", "![E over the inclination for five k_n and five k_s](pictures/modulus.png)\n\n", FIG5_TEXT,
             table(["setting", "K_n [GPa/m]", "K_s [GPa/m]", "K_n/K_s", "Eq. 1 says", "tested", "same type"],
                   switch_rows(study) + switch_rows(crossing, "crossing")), fig5_verdict(study, crossing)]
     out += ["\n## Fig. 6: UCS\n", "![UCS over the inclination for six parameters](pictures/strength.png)\n\n", FIG6_TEXT, fig6_table(study)]
-    out += ["\n## What the paper leaves open\n", OPEN_TEXT, open_table(choices, area), RANGE_TEXT, range_table(fig4)]
+    out += ["\n## What the paper leaves open\n", OPEN_TEXT, open_table(choices, area), RANGE_TEXT, range_table(direct)]
     out += ["\n## Point by point\n", verdict_table(study, crossing, small)]
     (docs / "paper.md").write_text("".join(out))
 
@@ -301,13 +307,13 @@ def table3(study, choices):
     return text + table(["E of the fit", "K_n [GPa/m]", "K_s [GPa/m]", "quarter: K_n", "quarter: K_s"], rows)
 
 
-def eq2_table(study, crossing, fig4):
+def eq2_table(study, crossing, direct):
     rows = [["**paper**", f"{K}(k_{K[2]})", "not said", f"{s:.4f}", f"{c:.1f}", f"{R:.5f}"] for K, (s, c, R) in EQ2.items()]
     rows += eq2_rows(study, 2.0, "press, zone rule, 0.25-2")
     rows += eq2_rows(crossing, 1.5, "press, crossing rule, 0.25-1.5")
-    for recipe, rule in ((r, u) for r in ("dense packing", "area packing") for u in ("zone", "crossing")):
+    for (recipe, rule), folder in direct.items():
         for reference in ("intact", "E(90)"):
-            lines = direct_lines(fig4, rule, recipe, reference, 0.25, 2.0)
+            lines = direct_lines(folder, reference, 0.25, 2.0)
             for K, (slope, cut, R2) in zip(("K_n", "K_s"), lines):
                 rows.append([f"direct, {recipe}, {rule}, 0.25-2", f"{K}(k_{K[2]})", reference, f"{slope:.3f}", f"{cut:.0f}",
                              f"{R2:.5f}"])
@@ -385,11 +391,11 @@ def open_table(choices, area):
     return table(["choice", "K_n", "K_s", "E intact", "UCS 0 deg", "UCS 30 deg", "UCS 60 deg", "UCS 90 deg", "UCS intact"], rows)
 
 
-def range_table(fig4):
+def range_table(direct):
     rows = []
     for low, high in ((0.25, 1.0), (0.5, 2.0), (0.25, 2.0), (0.25, 4.0)):
         for rule in ("zone", "crossing"):
-            n, s = direct_lines(fig4, rule, "dense packing", "intact", low, high)
+            n, s = direct_lines(direct["dense packing", rule], "intact", low, high)
             rows.append([f"{low:g} - {high:g}", rule] + [f"{n[0]:.3f}", f"{n[1]:.0f}", f"{n[2]:.5f}"] +
                         [f"{s[0]:.3f}", f"{s[1]:.0f}", f"{s[2]:.5f}"])
     return table(["factors", "rule", "K_n/k_n", "intercept", "R2", "K_s/k_s", "intercept", "R2"], rows)

@@ -13,6 +13,7 @@
 #include "io/output.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
 #include "report/calibration_files.hpp"
 #include "report/calibration_tables.hpp"
 #include "study/store.hpp"
@@ -31,7 +32,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   const Rock& rock = evidence.rock;
   Hash hash;
   hash.add(rock.name);
-  hash.add(io::write_recipe(rock.model));
+  hash.add(keys_not_by_default(rock.model));
   hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
   for (const Target& t : evidence.targets) {

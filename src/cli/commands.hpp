@@ -21,7 +21,7 @@ void add_contact_command(CLI::App& app, Session& session);
 void add_show_command(CLI::App& app, Session& session);
 void add_calibrate_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);
-/// Writes report.html of a study, sweep or calibration into its folder and prints its name.
+/// Writes report.html of a study or calibration into its folder and prints its name.
 void write_report(const std::string& folder);
 void add_figure_command(CLI::App& app, Session& session);
 void add_film_command(CLI::App& app, Session& session);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ranges>
 
 #include "base/clock.hpp"
 #include "base/lines.hpp"
-#include "cli/elastic_sweep.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
@@ -22,7 +22,6 @@ namespace {
 
 struct ElasticArguments {
   std::string recipe;
-  std::string out = "results/elastic";
   bool glued = false;
   bool modulus_loss = false;
   bool press = false;
@@ -60,14 +59,12 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
 
 /// A column with one cell per specimen, or per angle if `n` says so.
 template <class Cell>
-report::Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
-  report::Column c{std::move(head), std::move(unit), {}};
-  for (std::size_t i = 0; i < n; ++i) c.cells.push_back(cell(i));
-  return c;
+Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
+  return column_of(std::move(head), std::move(unit), std::views::iota(std::size_t{0}, n), cell);
 }
 
-report::Column names_of(const ElasticStudy& study) {
-  report::Column c =
+Column names_of(const ElasticStudy& study) {
+  Column c =
       column("specimen", "", study.specimens.size(), [&](std::size_t i) { return study.one_sided[i].name; });
   c.left = true;
   return c;
@@ -85,18 +82,17 @@ void print_moduli(const ElasticStudy& study, int width) {
     return 100.0 * static_cast<double>(r.n_open) /
            static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
   };
-  const report::Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
-                                   of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
-                                   of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
-                                   of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
-  const report::Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
-                                   of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
-  const report::Columns solution = {
-      of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
-      of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
-      of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
-      of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
-  print_out("\n{}", report::text_table(names_of(study), {pushing, pulling, solution}, width));
+  const Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
+                           of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
+                           of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
+  const Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
+  const Columns solution = {of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
+                            of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
+                            of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
+                            of("seconds", "", [](R r, R b) { return fixed(r.seconds + b.seconds, 2); })};
+  print_out("\n{}", text_table(names_of(study), {pushing, pulling, solution}, width));
   print_wrapped(width, 0,
                 "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
                 "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
@@ -157,21 +153,20 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   };
   using F = const theory::Eq1Fit&;
   const auto error = [&](double se) { return std::isfinite(se) ? fixed(se * scale, 1) : std::string("-"); };
-  report::Column label =
-      column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
+  Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
   label.left = true;
-  const report::Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
-                                  of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
-                                  of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
-  const report::Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
-                                 of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
-  const report::Columns shape = {
-      of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
-        return f.shape.type == theory::CurveType::shoulder ? fixed(f.shape.theta_star, 1) : "none";
-      })};
+  const Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
+                          of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
+                          of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
+  const Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
+                         of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
+  const Columns shape = {of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
+                           return f.shape.type == theory::CurveType::shoulder ? fixed(f.shape.theta_star, 1)
+                                                                              : "none";
+                         })};
   print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
                 modulus_loss ? "modulus" : "compliance", spacing * 1e3);
-  print_out("{}", report::text_table(label, {normal, shear, shape}, width));
+  print_out("{}", text_table(label, {normal, shear, shape}, width));
   std::vector<std::string> missing;
   for (const NamedFit& f : fits)
     if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
@@ -185,13 +180,13 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     return a.sensitivities.size() < b.sensitivities.size();
   });
   const std::size_t n = longest->sensitivities.size();
-  report::Column label = column("", "", n, [&](std::size_t row) {
+  Column label = column("", "", n, [&](std::size_t row) {
     const std::string& name = longest->sensitivities[row].parameter;
     return name == "ks_over_kn" ? "both ks_over_kn" : name;
   });
   label.left = true;
   for (const bool modulus : {true, false}) {
-    report::Columns columns;
+    Columns columns;
     for (std::size_t i = 0; i < results.size(); ++i)
       columns.push_back(column(i < study.n_angles() ? fmt::format("{:g} deg", study.theta(i)) : "intact", "",
                                n, [&, &r = results[i]](std::size_t row) {
@@ -202,7 +197,7 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     print_out(
         "\n{}\n{}",
         modulus ? "change of E in % per % of the parameter" : "change of nu in 0.01 per % of the parameter",
-        report::text_table(label, {columns}, width));
+        text_table(label, {columns}, width));
   }
 }
 
@@ -222,18 +217,18 @@ void print_packing(const ElasticStudy& study, int width) {
     });
   };
   using B = const BeddingReport&;
-  const report::Column theta = column("theta", "deg", study.n_angles(),
-                                      [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
-  const report::Columns bedding = {
+  const Column theta = column("theta", "deg", study.n_angles(),
+                              [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
+  const Columns bedding = {
       of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
       of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
       of("off the plane", "% of joints",
          [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); }),
       of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); })};
-  print_out("\n{}", report::text_table(theta, {bedding}, width));
+  print_out("\n{}", text_table(theta, {bedding}, width));
 }
 
-report::Columns direct_columns(const ElasticStudy& study) {
+Columns direct_columns(const ElasticStudy& study) {
   const std::size_t n = study.specimens.size();
   return {column("E direct", "GPa", n,
                  [&](std::size_t i) { return fixed(study.one_sided[i].E_gauge * 1e-9, 3); }),
@@ -241,8 +236,8 @@ report::Columns direct_columns(const ElasticStudy& study) {
 }
 
 /// Moduli of the press and by how much they differ from the direct solution.
-report::Columns press_columns(const ElasticStudy& study, const char* head,
-                              const std::vector<study::PressModuli>& press) {
+Columns press_columns(const ElasticStudy& study, const char* head,
+                      const std::vector<study::PressModuli>& press) {
   const auto of = [&](const char* name, const char* unit, const auto& cell) {
     return column(name, unit, press.size(),
                   [&](std::size_t i) { return cell(press[i], study.one_sided[i]); });
@@ -260,15 +255,15 @@ report::Columns press_columns(const ElasticStudy& study, const char* head,
 bool print_press(const ElasticStudy& study, const study::MachineOptions& machine, int width) {
   const auto held = study::press_moduli(study.specimens, study.recipe, machine, true);
   const auto free = study::press_moduli(study.specimens, study.recipe, machine, false);
-  const report::Columns slip = {
+  const Columns slip = {
       column("cracks", "", free.size(), [&](std::size_t i) { return std::to_string(free[i].n_cracks); }),
       column("slip", "%", free.size(), [&](std::size_t i) { return fixed(100.0 * free[i].slip_share, 3); })};
   print_wrapped(width, 0, "\npress up to strain {:g}, overlaps stress-free, slopes of its upper half\n",
                 study::press_check_strain);
-  print_out("{}", report::text_table(names_of(study),
-                                     {direct_columns(study), press_columns(study, "E held", held),
-                                      press_columns(study, "E press", free), slip},
-                                     width));
+  print_out("{}", text_table(names_of(study),
+                             {direct_columns(study), press_columns(study, "E held", held),
+                              press_columns(study, "E press", free), slip},
+                             width));
   bool all_ended = true;
   for (const auto* moduli : {&held, &free})
     for (std::size_t i = 0; i < moduli->size(); ++i)
@@ -285,7 +280,6 @@ bool print_press(const ElasticStudy& study, const study::MachineOptions& machine
 int elastic(const ElasticArguments& args, const Session& session) {
   const int threads = n_threads(session), width = session.terminal_width;
   const Recipe recipe = io::read_recipe(args.recipe);
-  if (!recipe.sweep.factors.empty()) return run_elastic_sweep(recipe, args.recipe, args.out, threads, width);
   const ElasticStudy study = solve_recipe(recipe, args, threads);
   print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
                 args.glued ? "glued" : "frictionless");
@@ -307,7 +301,6 @@ void add_elastic_command(CLI::App& app, Session& session) {
   CLI::App* verb =
       app.add_subcommand("elastic", "E(theta), nu(theta), K_n, K_s and sensitivities by direct solution");
   verb->add_option("recipe", args->recipe, "recipe file (TOML)")->required();
-  verb->add_option("--out", args->out, "folder for the tables of a sweep")->capture_default_str();
   verb->add_flag("--glued", args->glued, "grains stick to the platens");
   verb->add_flag("--modulus-loss", args->modulus_loss, "fit Eq. 1 in modulus instead of compliance");
   verb->add_flag("--press", args->press, "compare with the press, without and with slip and cracking");

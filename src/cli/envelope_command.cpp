@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
 #include "cli/machine.hpp"
@@ -43,20 +43,15 @@ std::string folder_of(double sigma_3) {
   return io::folder_name(fmt::format("sigma_3 = {:g} MPa", sigma_3 * 1e-6));
 }
 
-const Field& confining_field() {
-  return *std::find_if(recipe_fields().begin(), recipe_fields().end(),
-                       [](const Field& f) { return f.path() == "test.confining_stress"; });
-}
-
 std::vector<double> read_stresses(const std::vector<std::string>& words) {
-  const Field& range = confining_field();
+  const Field& range = *find_field(recipe_fields(), "test.confining_stress");
   std::vector<double> stresses;
   std::vector<Problem> problems;
   for (const std::string& word : words) {
     const Quantity q = parse_quantity(word, Dimension::pressure);
     if (!q.ok)
       problems.push_back({"command line", "--confining", word, "a stress with its unit", q.problem});
-    else if (!(q.value >= range.min && q.value <= range.max))
+    else if (!within_range(range, q.value))
       problems.push_back({"command line", "--confining", word, range_text(range), ""});
     stresses.push_back(q.value);
   }
@@ -93,17 +88,10 @@ class Findings {
   std::vector<Finding> told_;
 };
 
-report::Column column(std::string head, std::string unit, const study::Envelope& envelope,
-                      const std::function<std::string(const study::SpecimenEnvelope&)>& cell) {
-  report::Column c{std::move(head), std::move(unit), {}};
-  for (const study::SpecimenEnvelope& s : envelope.specimens) c.cells.push_back(cell(s));
-  return c;
-}
-
 /// NaN where there is no fit.
 template <class Fit>
 double R2_of(const Fit& fit) {
-  return fit.ok ? fit.R2 : std::numeric_limits<double>::quiet_NaN();
+  return fit.ok ? fit.R2 : nan;
 }
 
 std::string with_error(const theory::Estimate& e, double scale, int digits) {
@@ -112,16 +100,16 @@ std::string with_error(const theory::Estimate& e, double scale, int digits) {
   return fmt::format("{:.{}f} +- {:.{}f}", e.value * scale, digits, e.se * scale, digits);
 }
 
-report::Column names_of(const char* head, const study::Envelope& envelope) {
-  report::Column c = column(head, "", envelope, [](const study::SpecimenEnvelope& s) { return s.name; });
+Column names_of(const char* head, const study::Envelope& envelope) {
+  Column c = column_of(head, "", envelope.specimens, [](const study::SpecimenEnvelope& s) { return s.name; });
   c.left = true;
   return c;
 }
 
 void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& envelope, int width) {
-  report::Columns strengths;
+  Columns strengths;
   for (std::size_t i = 0; i < tests.confining.size(); ++i) {
-    report::Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
+    Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
     for (const TestResult& r : tests.results[i]) {
       const Number* n = r.outcome.status == Status::peaked ? analysis::find(r.numbers, "sigma_1") : nullptr;
       c.cells.push_back(n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6)
@@ -130,25 +118,24 @@ void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& e
     strengths.push_back(std::move(c));
   }
   print_out("\nsigma_1 [MPa] at the peak\n{}",
-            report::text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+            text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
 }
 
 void print_fits(const study::Envelope& envelope, int width) {
   using S = const study::SpecimenEnvelope&;
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
-    return column(head, unit, envelope, cell);
+    return column_of(head, unit, envelope.specimens, cell);
   };
-  const report::Columns mohr_coulomb = {
+  const Columns mohr_coulomb = {
       of("c", "MPa", [](S s) { return with_error(s.mohr_coulomb.cohesion, 1e-6, 2); }),
       of("phi", "deg", [](S s) { return with_error(s.mohr_coulomb.friction, 1.0, 2); }),
       of("R2", "", [](S s) { return with_error({R2_of(s.mohr_coulomb)}, 1.0, 4); })};
-  const report::Columns hoek_brown = {
-      of("ucs_hb", "MPa", [](S s) { return with_error(s.hoek_brown.ucs, 1e-6, 2); }),
-      of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
-      of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
-  const report::Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
-  print_out("\n{}", report::text_table(names_of("least squares", envelope),
-                                       {mohr_coulomb, hoek_brown, anisotropy}, width));
+  const Columns hoek_brown = {of("ucs_hb", "MPa", [](S s) { return with_error(s.hoek_brown.ucs, 1e-6, 2); }),
+                              of("m_i", "", [](S s) { return with_error(s.hoek_brown.m_i, 1.0, 2); }),
+                              of("R2", "", [](S s) { return with_error({R2_of(s.hoek_brown)}, 1.0, 4); })};
+  const Columns anisotropy = {of("k", "", [](S s) { return with_error(s.k, 1.0, 3); })};
+  print_out("\n{}",
+            text_table(names_of("least squares", envelope), {mohr_coulomb, hoek_brown, anisotropy}, width));
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");

@@ -28,14 +28,13 @@ struct FigureArguments {
 
 report::FigureData data_for(const report::FigureKind& kind, const FigureArguments& args) {
   report::FigureData data;
-  if (kind.varied != io::holds_variations(args.result))
+  if (kind.varied != io::holds_variation(args.result))
     throw InputError(Problem{args.result, "--kind", args.kind,
-                             kind.varied ? "the folder of a study or of `phyllite elastic` with a [sweep]"
-                                         : "the folder of `phyllite run`",
+                             kind.varied ? "the folder of a study" : "the folder of `phyllite run`",
                              "`phyllite figure --help` tells which kind is of which results"});
   if (kind.varied) {
-    data.variations = io::read_variations(args.result);
-    if (data.variations.front().parameters.empty())
+    data.variation = io::read_variation(args.result);
+    if (data.variation.parameters.empty())
       throw InputError(Problem{args.result, "", "",
                                "parameters that vary one at a time around the first point",
                                "use the designs one_at_a_time or full_factorial"});
@@ -88,8 +87,7 @@ std::string kinds_text() {
 void add_figure_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FigureArguments>();
   CLI::App* verb = app.add_subcommand("figure", "write a figure for print (SVG, PDF, PNG) through gnuplot");
-  verb->add_option("result", args->result, "folder of a run, a study, or a sweep of the elastic solution")
-      ->required();
+  verb->add_option("result", args->result, "folder of a run or a study")->required();
   verb->add_option("--kind", args->kind, kinds_text())->required();
   verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));

@@ -67,7 +67,7 @@ void ProgressLine::draw_lines() {
 void ProgressLine::note(const std::string& text) {
   clear();
   const std::string safe = terminal_text(text);
-  write_err((terminal_ ? report::wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
+  write_err((terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
 }
 
 void ProgressLine::finish() {

@@ -1,75 +1,22 @@
-#include "cli/recipe_command.hpp"
-
-#include <fmt/format.h>
-
+// `phyllite recipe`: what every key means, a template, the reference page. All of it comes from the schema.
 #include "base/check.hpp"
-#include "base/spelling.hpp"
 #include "cli/commands.hpp"
+#include "cli/keys.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
-#include "records/recipe_schema.hpp"
 
 namespace phy::cli {
+
 namespace {
 
-Recipe with_one_set() {
+/// The paper's specimen with one set of bedding, with comments.
+std::string template_recipe() {
   Recipe r;
   r.bedding.resize(1);
-  return r;
-}
-
-std::string explanation(const Field& f) {
-  std::string text = fmt::format("{}\n  meaning   {}\n  allowed   {}\n  default   {}\n", f.path(), f.meaning,
-                                 range_text(f), print_field(f, with_one_set(), 0));
-  if (f.dimension != Dimension::none) text += fmt::format("  units     {}\n", unit_names(f.dimension));
-  if (!f.pfc_name.empty()) text += fmt::format("  in PFC    {}\n", f.pfc_name);
-  return text;
+  return io::commented_recipe(r);
 }
 
 }  // namespace
-
-std::string explain(const std::string& key) {
-  std::string word = key;
-  if (const std::size_t open = word.find('['), close = word.find(']'); open < close && close != word.npos)
-    word.erase(open, close - open + 1);
-  for (const bool in_pfc : {false, true}) {
-    std::string text;
-    for (const Field& f : recipe_fields())
-      if (in_pfc ? has_pfc_name(f, word) : f.path() == word || f.key == word) text += explanation(f);
-    if (!text.empty()) return text;
-  }
-  std::vector<std::string> known, longer;
-  for (const Field& f : recipe_fields()) {
-    known.push_back(word.find('.') == word.npos ? f.key : f.path());
-    if (known.back().starts_with(word)) longer.push_back(known.back());
-  }
-  const std::string near = longer.empty() ? nearest(word, known) : longer.front();
-  throw InputError(Problem{
-      "command line", "--explain", key, "a key of the recipe",
-      near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?"});
-}
-
-std::string reference_markdown() {
-  std::string text =
-      "# Keys of a recipe\n\nWritten by `phyllite recipe --reference`. A quantity carries its unit, in "
-      "quotes; a key "
-      "that is left out has its default.\n";
-  std::string table = "-";
-  for (const Field& f : recipe_fields()) {
-    if (f.table != table) {
-      table = f.table;
-      text += fmt::format("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
-                          table.empty()        ? "top level"
-                          : table == "bedding" ? "[[bedding]]"
-                                               : "[" + table + "]");
-    }
-    text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", f.key, print_field(f, with_one_set(), 0),
-                        range_text(f), f.meaning, f.pfc_name);
-  }
-  return text;
-}
-
-std::string template_recipe() { return io::commented_recipe(with_one_set()); }
 
 void add_recipe_command(CLI::App& app, Session& session) {
   struct Arguments {
@@ -86,9 +33,9 @@ void add_recipe_command(CLI::App& app, Session& session) {
     session.exit_code = 0;
     std::string text;
     if (!args->key.empty())
-      text = explain(args->key);
+      text = explain({&io::recipe_schema()}, args->key);
     else if (args->reference)
-      text = reference_markdown();
+      text = reference_markdown(io::recipe_schema());
     else if (args->print_template)
       text = template_recipe();
     else if (!args->file.empty())

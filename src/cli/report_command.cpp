@@ -1,4 +1,4 @@
-// `phyllite report RESULT`: writes report.html anew: of a run, a study, a sweep or a calibration.
+// `phyllite report RESULT`: writes report.html anew: of a run, a study or a calibration.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -49,10 +49,10 @@ report::PageExtras of_calibration(const std::string& folder) {
   return extras;
 }
 
-report::PageExtras of_variations(const std::string& folder) {
+report::PageExtras of_study(const std::string& folder) {
   report::PageExtras extras;
-  extras.variations = io::read_variations(folder);
-  extras.name = extras.variations.size() == 1 ? extras.variations.front().name : "Sweep of joint stiffnesses";
+  extras.variation = io::read_variation(folder);
+  extras.name = extras.variation->name;
   extras.recipe = text_of(folder, "recipe.toml");
   if (has(folder, "effects.csv")) {
     const io::Table table = io::parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
@@ -68,8 +68,8 @@ void report(const ReportArguments& args) {
   report::PageExtras extras;
   if (has(args.result, "calibration.json"))
     extras = of_calibration(args.result);
-  else if (io::holds_variations(args.result))
-    extras = of_variations(args.result);
+  else if (io::holds_variation(args.result))
+    extras = of_study(args.result);
   else
     run = io::read_run(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
@@ -92,8 +92,7 @@ void write_report(const std::string& folder) { report({folder, "", ""}); }
 void add_report_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ReportArguments>();
   CLI::App* verb = app.add_subcommand("report", "write report.html of a result anew");
-  verb->add_option("result", args->result,
-                   "folder of a run (or one specimen of it), study, sweep or calibration")
+  verb->add_option("result", args->result, "folder of a run (or one specimen of it), study or calibration")
       ->required();
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
   verb->add_option("--out", args->out, "file; default: report.html in the folder");

@@ -8,6 +8,7 @@
 #include "base/quote.hpp"
 #include "calibrate/foresee.hpp"
 #include "calibrate/twin.hpp"
+#include "cli/keys.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
@@ -97,7 +98,20 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
 void add_rock_command(CLI::App& app, Session& session) {
   CLI::App* rock =
       app.add_subcommand("rock", "laboratory tables: write a template, check one, or make a synthetic one");
-  rock->require_subcommand(1);
+  rock->require_subcommand(0, 1);
+  auto key = std::make_shared<std::string>();
+  auto reference = std::make_shared<bool>(false);
+  rock->add_option("--explain", *key, "meaning, range and default of a key of a rock file");
+  rock->add_flag("--reference", *reference, "print all keys of a rock file");
+  rock->callback([=, &session] {
+    if (!rock->get_subcommands().empty()) return;
+    if (key->empty() && !*reference)
+      throw InputError(
+          Problem{"command line", "verb", "", "one of new, check, twin", "see `phyllite rock --help`"});
+    write_out(*reference ? "\n" + reference_markdown(io::rock_schema())
+                         : explain({&io::rock_schema()}, *key));
+    session.exit_code = 0;
+  });
   auto name = std::make_shared<std::string>("rock");
   CLI::App* fresh = rock->add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
   fresh->add_option("name", *name, "name of the rock")->capture_default_str();

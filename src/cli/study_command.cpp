@@ -9,12 +9,14 @@
 #include "base/check.hpp"
 #include "base/quote.hpp"
 #include "cli/commands.hpp"
+#include "cli/keys.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
+#include "io/regressions.hpp"
 #include "io/store.hpp"
 #include "study/effects.hpp"
 #include "study/experiment.hpp"
@@ -31,7 +33,7 @@ namespace fs = std::filesystem;
 constexpr int most_parts = 10000;
 
 struct StudyArguments {
-  std::string study, folder, shard, csv;
+  std::string study, folder, shard, csv, key;
   std::vector<std::string> stores;
   std::string out;
   int slurm = 0;
@@ -76,7 +78,7 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
     line.show([&](double seconds) { return progress_text(p, seconds); });
   };
   hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
-    if (r.outcome.status != Status::peaked) line.note(r.name + ": " + r.outcome.reason);
+    if (!has_answer(r.outcome.status)) line.note(r.name + ": " + r.outcome.reason);
   };
   const study::MachineOptions machine = machine_of(session);
   study::StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
@@ -163,7 +165,7 @@ std::vector<std::string> shards_in(const std::string& folder) {
   return shards;
 }
 
-/// A folder holds one study: of this name, on this base recipe. It may grow.
+/// A folder holds one study: of this name and solver, on this base recipe. It may grow.
 void refuse_other_study(const study::Study& study, const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
@@ -171,6 +173,12 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
   if (there.name != study.name)
     throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
+  const auto solver_of = [](const study::Study& s) {
+    return s.solver == study::Solver::direct ? "direct" : "dynamic";
+  };
+  if (there.solver != study.solver)
+    throw InputError(Problem{folder, "solver", solver_of(there),
+                             std::string(solver_of(study)) + ", as in the study file", remedy});
   if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
@@ -328,23 +336,11 @@ std::string slurm_script(const StudyArguments& args, const std::string& folder, 
       threads > 0 ? threads : 4);
 }
 
-std::string reference() {
-  std::string text =
-      "\n# Keys of a study\n\nWritten by `phyllite study --reference`. Quantities carry units as in a "
-      "recipe.\n\n"
-      "| table | key | allowed | meaning |\n|---|---|---|---|\n";
-  for (const study::StudyKey& k : study::study_keys())
-    text += fmt::format("| {} | `{}` | {} | {} |\n",
-                        k.table.empty()     ? "top level"
-                        : k.table == "vary" ? "[[vary]]"
-                                            : "[" + k.table + "]",
-                        k.key, k.expected, k.meaning);
-  return text;
-}
-
 int study_verb(const StudyArguments& args, const Session& session) {
-  if (args.reference) {
-    print_out("{}", reference());
+  if (args.reference || !args.key.empty()) {
+    const std::vector<const io::Schema*> files = {&study::study_schema(), &io::regression_schema()};
+    if (!args.key.empty()) return write_out(explain(files, args.key)), 0;
+    for (const io::Schema* file : files) write_out("\n" + reference_markdown(*file));
     return 0;
   }
   if (args.study.empty())
@@ -394,6 +390,7 @@ void add_study_options(CLI::App& study, StudyArguments& args) {
       ->excludes(shard)
       ->excludes(mpi)
       ->excludes(dry_run);
+  study.add_option("--explain", args.key, "meaning, range and default of a key of a study file");
   study.add_flag("--reference", args.reference, "print all keys of a study file");
 }
 

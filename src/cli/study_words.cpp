@@ -57,10 +57,13 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
                 plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(),
                 plan.tests.size());
   if (mine < plan.tests.size()) print_wrapped(width, 10, "shard     {} of them are this part's\n", mine);
-  print_wrapped(
-      width, 10, "press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
-      s.base.engine.precision == Precision::double_precision ? "double" : "single",
-      s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
+  if (s.solver == study::Solver::direct)
+    print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
+  else
+    print_wrapped(
+        width, 10, "press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
+        s.base.engine.precision == Precision::double_precision ? "double" : "single",
+        s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
   if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
   print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,
@@ -71,8 +74,11 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
 std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows, int width) {
   std::size_t n = 0;
   for (std::size_t t = 0; t < rows.size(); ++t) {
-    if (!rows[t] || rows[t]->result.outcome.status == Status::peaked) continue;
-    if (n++ == 0) print_out("\nwithout a peak, or not to be trusted:\n");
+    if (!rows[t] || has_answer(rows[t]->result.outcome.status)) continue;
+    if (n++ == 0)
+      print_out("\nwithout {}:\n", plan.study.solver == study::Solver::direct
+                                       ? "an elastic solution"
+                                       : "a peak, or not to be trusted");
     const auto run =
         std::find_if(plan.runs.begin(), plan.runs.end(), [&](const study::Run& r) { return r.test == t; });
     const Outcome& o = rows[t]->result.outcome;

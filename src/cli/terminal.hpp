@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "report/text_table.hpp"
+#include "base/text_table.hpp"
 
 namespace phy::cli {
 
@@ -43,7 +43,7 @@ void print_out(fmt::format_string<Values...> format, Values&&... values) {
 template <class... Values>
 void print_wrapped(int terminal_width, std::size_t indent, fmt::format_string<Values...> format,
                    Values&&... values) {
-  write_out(report::wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
+  write_out(wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
 }
 
 }  // namespace phy::cli

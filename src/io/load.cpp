@@ -113,7 +113,6 @@ std::string verb_for(const fs::path& folder) {
   const std::pair<const char*, const char*> verbs[] = {
       {"study.toml", "this is a study: `phyllite study status FOLDER`, `phyllite study effects FOLDER`"},
       {"calibration.json", "this is a calibration: its tables are in tables.txt, its page is report.html"},
-      {"fig4.csv", "this is a sweep: its tables are the CSV files, `phyllite report FOLDER` draws them"},
       {"envelope.csv", "this is an envelope: name one of its folders sigma_3_..."}};
   std::error_code none;
   for (const auto& [file, verb] : verbs)

@@ -13,10 +13,12 @@
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/result.hpp"
 
 namespace phy::io {
 namespace {
@@ -65,14 +67,19 @@ class Named {
   Table table_;
 };
 
+/// What a study knows of E: the tangent of a test, or the direct solution read by the gauge.
+std::optional<std::size_t> modulus_column(const Named& table) {
+  const std::optional<std::size_t> tangent = table.maybe("E_tangent [Pa]");
+  return tangent ? tangent : table.maybe("E_gauge [Pa]");
+}
+
 /// A column over the inclination: mean and interval of all rows of one angle.
-std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::optional<std::size_t> value,
-                                    double unit) {
+std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::optional<std::size_t> value) {
   std::map<double, std::vector<double>> found;
   for (const TableRow* row : rows)
     if (const double angle = number_of(row->cells[theta]), v = value ? number_of(row->cells[*value]) : nan;
         std::isfinite(angle) && std::isfinite(v))
-      found[angle].push_back(v * unit);
+      found[angle].push_back(v);
   std::vector<AngleValue> out;
   for (const auto& [angle, values] : found) out.push_back({angle, summarise(values)});
   return out;
@@ -85,15 +92,14 @@ std::vector<std::vector<AngleValue>> each_over_angles(const Named& table, const 
     replicates[{table.at(*row, "packing"), table.at(*row, "bond_seed")}].push_back(row);
   std::vector<std::vector<AngleValue>> out;
   for (const auto& [seeds, own] : replicates)
-    out.push_back(over_angles(own, table.column("theta [deg]"), table.maybe("E_tangent [Pa]"), 1.0));
+    out.push_back(over_angles(own, table.column("theta [deg]"), modulus_column(table)));
   return out;
 }
 
-double mean_of(const Rows& rows, std::optional<std::size_t> value, double unit) {
+double mean_of(const Rows& rows, std::optional<std::size_t> value) {
   std::vector<double> values;
   for (const TableRow* row : rows)
-    if (const double v = value ? number_of(row->cells[*value]) : nan; std::isfinite(v))
-      values.push_back(v * unit);
+    if (const double v = value ? number_of(row->cells[*value]) : nan; std::isfinite(v)) values.push_back(v);
   return values.empty() ? 0.0 : summarise(values).mean;
 }
 
@@ -103,10 +109,10 @@ std::string value_text(const std::string& column, const std::string& cell) {
   if (const auto bracket = path.find('['); bracket != path.npos)
     path.erase(bracket, path.find(']') - bracket + 1);
   const double value = number_of(cell);
-  for (const Field& f : recipe_fields())  // without the last digits of a product
-    if (f.path() == path && std::isfinite(value))
-      return print_quantity(std::stod(fmt::format("{:.6g}", value)), f.dimension);
-  return cell;
+  const Field* field = find_field(recipe_fields(), path);
+  if (field == nullptr || !std::isfinite(value)) return cell;
+  return print_quantity(std::stod(fmt::format("{:.6g}", value)),
+                        field->dimension);  // no last digits of a product
 }
 
 /// Different cells of a column, ascending by their numbers.
@@ -120,9 +126,6 @@ std::vector<std::string> levels_in(const Rows& rows, std::size_t column) {
   return levels;
 }
 
-// --- studies
-// -------------------------------------------------------------------------------------------------
-
 /// The varied keys are the columns after `intact` whose names have a full stop.
 std::vector<std::size_t> varied_columns(const Named& table) {
   std::vector<std::size_t> columns;
@@ -133,13 +136,16 @@ std::vector<std::size_t> varied_columns(const Named& table) {
 }
 
 /// What a test that did not peak carried most is no strength.
-bool has_peaked(const Named& table, const TableRow& row) { return table.at(row, "status") == "peaked"; }
+bool has_answer(const Named& table, const TableRow& row) {
+  const std::optional<Status> status = status_of(table.at(row, "status"));
+  return status && phy::has_answer(*status);
+}
 
 /// One column through its levels while the others stay as in `base`.
 VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& columns, std::size_t column,
                          const TableRow& base) {
   const std::string& head = table.table().header[column];
-  VariedParameter parameter{head.substr(0, head.find(' ')), {}, {}};
+  VariedParameter parameter{head.substr(0, head.find(' ')), {}};
   const Rows alike = table.rows([&](const TableRow& row) {
     return table.at(row, "intact") == "0" && std::all_of(columns.begin(), columns.end(), [&](std::size_t c) {
              return c == column || row.cells[c] == base.cells[c];
@@ -149,12 +155,12 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
   for (const std::string& level : levels_in(alike, column)) {
     Rows rows;
     std::copy_if(alike.begin(), alike.end(), std::back_inserter(rows),
-                 [&](const TableRow* row) { return row->cells[column] == level && has_peaked(table, *row); });
+                 [&](const TableRow* row) { return row->cells[column] == level && has_answer(table, *row); });
     const double base_value = number_of(base.cells[column]);
     parameter.settings.push_back(
-        {value_text(head, level), base_value != 0.0 ? number_of(level) / base_value : nan,
-         level == base.cells[column], over_angles(rows, theta, table.maybe("E_tangent [Pa]"), 1.0),
-         over_angles(rows, theta, table.maybe("ucs [Pa]"), 1.0), each_over_angles(table, rows)});
+        {value_text(head, level), number_of(level), base_value != 0.0 ? number_of(level) / base_value : nan,
+         level == base.cells[column], over_angles(rows, theta, modulus_column(table)),
+         over_angles(rows, theta, table.maybe("ucs [Pa]")), each_over_angles(table, rows)});
   }
   return parameter;
 }
@@ -170,7 +176,9 @@ std::string name_of_study(const std::string& folder, const std::string& otherwis
   return name == nullptr || name->text.empty() ? otherwise : name->text;
 }
 
-Variation read_study_table(const std::string& folder) {
+}  // namespace
+
+Variation read_variation(const std::string& folder) {
   const Named table((fs::path(folder) / "results.csv").string());
   const Recipe recipe = read_recipe((fs::path(folder) / "recipe.toml").string());
   if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
@@ -178,111 +186,20 @@ Variation read_study_table(const std::string& folder) {
   v.name = name_of_study(folder, recipe.name);
   v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
   const Rows intact = table.rows(
-      [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_peaked(table, row); });
-  v.E_intact = mean_of(intact, table.maybe("E_tangent [Pa]"), 1.0);
+      [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_answer(table, row); });
+  v.E_intact = mean_of(intact, modulus_column(table));
   const std::vector<std::size_t> columns = varied_columns(table);
   for (const std::size_t c : columns)
     if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)
       v.parameters.push_back(std::move(p));
+  if (const std::string found = (fs::path(folder) / regressions_file).string(); fs::exists(found))
+    v.regressions = read_regressions(found);
   return v;
 }
 
-// --- sweeps of the elastic solution
-// --------------------------------------------------------------------------
-
-constexpr double giga = 1e9;
-
-/// "k_n [GPa/m]" of the base: any value over its factor.
-double base_of(const Named& macro, const Rows& rows, const std::string& varied) {
-  for (const TableRow* row : rows)
-    if (macro.at(*row, "varied") == varied)
-      return number_of(macro.at(*row, "k [GPa/m]")) / number_of(macro.at(*row, "factor"));
-  throw InputError(
-      Problem{macro.file(), "varied", "", "rows with " + varied, "write the table anew with this program"});
-}
-
-Summary summary_in(const Named& macro, const TableRow& row, const std::string& name) {
-  Summary s;
-  s.n = static_cast<std::size_t>(number_of(macro.at(row, "packings")));
-  s.mean = giga * number_of(macro.at(row, name + " [GPa/m]"));
-  s.half_width = giga * number_of(macro.at(row, name + " +-"));
-  return s;
-}
-
-/// k_n or k_s of one recipe and rule; `moduli`: its rows with linear contacts that push only.
-VariedParameter swept(const Named& macro, const Rows& points, const Named& moduli, const Rows& readings,
-                      const std::string& varied) {
-  VariedParameter parameter{"bedding." + varied, {}, {}};
-  const std::string other = varied == "k_n" ? "k_s" : "k_n";
-  const double kept = base_of(macro, points, other);
-  for (const TableRow* point : points) {
-    if (macro.at(*point, "varied") != varied) continue;
-    const double factor = number_of(macro.at(*point, "factor")), k = number_of(macro.at(*point, "k [GPa/m]"));
-    parameter.macro.push_back({factor, summary_in(macro, *point, "K_n"), summary_in(macro, *point, "K_s"),
-                               giga * number_of(macro.at(*point, "Eq. 2 of the paper [GPa/m]"))});
-    Rows rows;
-    std::copy_if(readings.begin(), readings.end(), std::back_inserter(rows), [&](const TableRow* row) {
-      const auto is = [&](const std::string& name, double v) {
-        return std::abs(number_of(moduli.at(*row, name + " [GPa/m]")) / v - 1.0) <
-               1e-5;  // printed with six digits
-      };
-      return is(varied, k) && is(other, kept);
-    });
-    parameter.settings.push_back(
-        {print_quantity(giga * k, Dimension::stiffness),
-         factor,
-         factor == 1.0,
-         over_angles(rows, moduli.column("theta [deg]"), moduli.column("E gauge [GPa]"), giga),
-         {},
-         {}});
-  }
-  return parameter;
-}
-
-std::vector<Variation> read_sweep_tables(const std::string& folder) {
-  const Named macro((fs::path(folder) / "fig4.csv").string()),
-      moduli((fs::path(folder) / "moduli.csv").string());
-  std::vector<Variation> variations;
-  std::vector<std::pair<std::string, std::string>> cases;  // recipe and rule
-  for (const TableRow& row : macro.table().rows)
-    if (const std::pair c{macro.at(row, "recipe"), macro.at(row, "rule")};
-        std::find(cases.begin(), cases.end(), c) == cases.end())
-      cases.push_back(c);
-  for (const auto& named : cases) {
-    const std::string &recipe = named.first, &rule = named.second;  // clang 14 captures no structured binding
-    const Rows points = macro.rows([&](const TableRow& row) {
-      return macro.at(row, "recipe") == recipe && macro.at(row, "rule") == rule &&
-             macro.at(row, "contacts") == "pushing" && macro.at(row, "strain") == "gauge" &&
-             macro.at(row, "loss") == "compliance" && macro.at(row, "reference E") == "intact";
-    });
-    const Rows readings = moduli.rows([&](const TableRow& row) {
-      return moduli.at(row, "recipe") == recipe && moduli.at(row, "rule") == rule &&
-             moduli.at(row, "contacts") == "pushing";
-    });
-    Variation v;
-    v.name = fmt::format("{}, {} rule", recipe, rule);
-    Rows intact;
-    std::copy_if(readings.begin(), readings.end(), std::back_inserter(intact),
-                 [&](const TableRow* row) { return moduli.at(*row, "theta [deg]") == "intact"; });
-    v.E_intact = mean_of(intact, moduli.column("E gauge [GPa]"), giga);
-    for (const char* varied : {"k_n", "k_s"})
-      v.parameters.push_back(swept(macro, points, moduli, readings, varied));
-    variations.push_back(std::move(v));
-  }
-  return variations;
-}
-
-}  // namespace
-
-bool holds_variations(const std::string& folder) {
+bool holds_variation(const std::string& folder) {
   std::error_code none;
-  return fs::exists(fs::path(folder) / "results.csv", none) ||
-         fs::exists(fs::path(folder) / "fig4.csv", none);
-}
-
-std::vector<Variation> read_variations(const std::string& folder) {
-  if (fs::exists(fs::path(folder) / "results.csv")) return {read_study_table(folder)};
-  return read_sweep_tables(folder);
+  return fs::exists(fs::path(folder) / "results.csv", none);
 }
 
 }  // namespace phy::io

@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/in_folder.test.hpp"
 #include "io/file.hpp"
+#include "io/regressions.hpp"
 #include "io/toml_in.hpp"
 
 namespace phy::io {
@@ -32,13 +33,11 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
         "1,1,1,0,0,1.5e+12,0.4,9e+07,1e+10,peaked,x\n"
         "2,1,1,0,0,3e+12,0.6000000000000001,1.1e+08,2e+10,peaked,x\n"
         "3,1,1,0,0,1.5e+12,0.8,1e+06,1e+09,peaked,both differ from the base\n");
-  const std::vector<Variation> variations = read_variations(folder.string());
-  ASSERT_EQ(variations.size(), 1U);
-  const Variation& v = variations[0];
+  const Variation v = read_variation(folder.string());
   EXPECT_EQ(v.spacing, 0.004);
   EXPECT_EQ(v.name, read_recipe((folder / "recipe.toml").string()).name);
   write("study.toml", "name = \"soft joints\"\n");
-  EXPECT_EQ(read_variations(folder.string())[0].name, "soft joints");
+  EXPECT_EQ(read_variation(folder.string()).name, "soft joints");
   EXPECT_EQ(v.E_intact, 6e10);
   ASSERT_EQ(v.parameters.size(), 2U);
   const VariedParameter& k_n = v.parameters[0];
@@ -56,51 +55,47 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   EXPECT_EQ(v.parameters[1].settings[1].text, "0.6");
 }
 
-TEST_F(LoadVariation, SweepsPerRecipeAndRule) {
-  const std::string reading = ",pushing,gauge,compliance,intact,";
-  write(
-      "fig4.csv",
-      "recipe,rule,contacts,strain,loss,reference E,varied,factor,k [GPa/m],packings,K_n [GPa/m],K_n +-,K_s "
-      "[GPa/m],K_s +-,R2 of Eq. 1,Eq. 2 of the paper [GPa/m]\n"
-      "\"a, dense\",zone" +
-          reading +
-          "k_n,1,3360,5,7000,70,1400,30,0.99,6405\n"
-          "\"a, dense\",zone" +
-          reading +
-          "k_n,2,6720,5,14000,70,1400,30,0.99,12499\n"
-          "\"a, dense\",zone,pulling,gauge,compliance,intact,k_n,1,3360,5,1,1,1,1,0.99,6405\n"
-          "\"a, dense\",zone" +
-          reading +
-          "k_s,1,960,5,7000,70,1400,30,0.99,1666\n"
-          "\"a, dense\",crossing" +
-          reading +
-          "k_n,1,3360,1,6000,nan,1300,nan,0.99,6405\n"
-          "\"a, dense\",crossing" +
-          reading + "k_s,1,960,1,6000,nan,1300,nan,0.99,1666\n");
-  write("moduli.csv",
-        "recipe,rule,seed,k_n [GPa/m],k_s [GPa/m],contacts,theta [deg],E gauge [GPa]\n"
-        "\"a, dense\",zone,1,3360,960,pushing,0,20\n\"a, dense\",zone,2,3360,960,pushing,0,22\n"
-        "\"a, dense\",zone,1,6720,960,pushing,0,30\n\"a, dense\",zone,1,3360,960,pulling,0,99\n"
-        "\"a, dense\",zone,1,,,pushing,intact,60\n");
-  const std::vector<Variation> variations = read_variations(folder.string());
-  ASSERT_EQ(variations.size(), 2U);
-  EXPECT_EQ(variations[0].name, "a, dense, zone rule");
-  const VariedParameter& k_n = variations[0].parameters.at(0);
-  ASSERT_EQ(k_n.macro.size(), 2U);
-  EXPECT_DOUBLE_EQ(k_n.macro[1].K_n.mean, 14e12);
-  EXPECT_DOUBLE_EQ(k_n.macro[1].paper, 12499e9);
-  EXPECT_DOUBLE_EQ(k_n.settings[0].E.at(0).value.mean, 21e9);
-  EXPECT_DOUBLE_EQ(k_n.settings[1].E.at(0).value.mean, 30e9);
-  EXPECT_EQ(k_n.settings[1].text, "6720 GPa/m");
-  EXPECT_DOUBLE_EQ(variations[0].E_intact, 60e9);
-  EXPECT_FALSE(std::isfinite(variations[1].parameters[0].macro[0].K_n.half_width));
+TEST_F(LoadVariation, OfTheDirectSolutionWithLinesOfOthers) {
+  Recipe recipe;
+  recipe.bedding.resize(1);
+  write("recipe.toml", write_recipe(recipe));
+  write("results.csv",
+        "point,packing,bond_seed,theta [deg],intact,bedding.k_n [Pa/m],E_gauge [Pa],status\n"
+        "0,1,1,0,0,3.36e12,2e10,solved\n0,1,1,,1,3.36e12,6e10,solved\n1,1,1,0,0,6.72e12,3e10,solved\n"
+        "1,2,1,0,0,6.72e12,4e10,unsolved\n");
+  write(regressions_file,
+        "[[line]]\nsource = \"they\"\nnumber = \"K_n\"\nkey = \"bedding.k_n\"\nslope = 1.5\nintercept = "
+        "\"312.4 GPa/m\"\n");
+  const Variation v = read_variation(folder.string());
+  EXPECT_EQ(v.E_intact, 6e10);
+  const VariedSetting& twice = v.parameters.at(0).settings.at(1);
+  EXPECT_EQ(twice.factor, 2.0);
+  EXPECT_EQ(twice.value, 6.72e12);
+  EXPECT_EQ(twice.E.at(0).value.mean, 3e10) << "what is not solved is no answer";
+  ASSERT_EQ(v.regressions.size(), 1U);
+  EXPECT_EQ(v.regressions[0].intercept, 312.4e9);
+  EXPECT_EQ(v.regressions[0].unit, "Pa/m");
+  EXPECT_EQ(write_regressions(read_regressions(at(regressions_file))), write_regressions(v.regressions));
+}
+
+TEST_F(LoadVariation, EveryProblemOfRegressionsIsTold) {
+  write(regressions_file,
+        "[[line]]\nsource = 3\nnumber = \"K_n\"\nkey = \"bedding.kn\"\nslop = 1.5\nintercept = \"3 "
+        "apples\"\nR2 = "
+        "2\n");
+  const std::string told = message_of<InputError>([&] { read_regressions(at(regressions_file)); });
+  for (const char* part :
+       {"toml:2: line[0].source = 3: expected text", "toml:4: line[0].key", "did you mean \"bedding.k_n\"?",
+        "toml:5: line[0].slop: expected a known key; did you mean \"slope\"?", "toml:6: line[0].intercept",
+        "toml:7: line[0].R2 = 2: expected 0 <= value <= 1"})
+    EXPECT_THAT(told, testing::HasSubstr(part));
 }
 
 TEST_F(LoadVariation, WhatIsNoneIsTold) {
   write("results.csv", "point,theta [deg]\n0,0\n");
   write("recipe.toml", write_recipe(Recipe{}));
-  EXPECT_THROW(read_variations(folder.string()), InputError);
-  EXPECT_FALSE(holds_variations((folder / "nowhere").string()));
+  EXPECT_THROW(read_variation(folder.string()), InputError);
+  EXPECT_FALSE(holds_variation((folder / "nowhere").string()));
 }
 
 }  // namespace

@@ -127,14 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"idle_stress", "[packing]\nisotropic_stress = \"1 MPa\"\n", "0 with stress_free"},
         Bad{"idle_phi", "[matrix]\nphi = \"30 deg\"\n", "shear_strength = \"cohesion_friction\""},
         Bad{"long_ramp", "[test]\nramp_strain = 0.01\n", "below max_strain = 0.01"},
-        Bad{"two_factors", bedding + "[sweep]\nfactors = [1, 2]\n", "at least three, each once"},
-        Bad{"factor_list", bedding + "[sweep]\nfactors = 2\n", "write a list, for example [0.5, 1, 2]"},
-        Bad{"factor_unit", bedding + "[sweep]\nfactors = [1, \"2\", 4]\n", "write a bare number"},
-        Bad{"sweep_of_a_file",
-            "[packing]\nfile = \"discs.csv\"\n" + bedding +
-                "[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n" +
-                "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 5\n",
-            "a file holds one packing"},
+        Bad{"former_sweep", bedding + "[sweep]\nfactors = [0.5, 1, 2]\n", "a study with solver = \"direct\""},
         Bad{"long_jump", "[test]\njump_strain = 0.05\n", "below max_strain = 0.01"},
         Bad{"negative_confinement", "[test]\nkind = \"biaxial\"\nconfining_stress = \"-1 MPa\"\n",
             "0 GPa <= value <= 10 GPa"},
@@ -260,6 +253,26 @@ TEST(Recipe, OtherAlphabetsAreWelcomeInTextsAndComments) {
   const Recipe r = parse_recipe("# \xE5\xB2\xA9\nname = \"\xE9\xA1\xB5\xE5\xB2\xA9\" # \xC3\xA9\n", "r.toml");
   EXPECT_EQ(r.name, "\xE9\xA1\xB5\xE5\xB2\xA9");
   EXPECT_EQ(parse_recipe("name = \"\"\"a \"\xC3\xA9\" b\"\"\"\n", "r.toml").name, "a \"\xC3\xA9\" b");
+}
+
+// Completed recipes of earlier versions hold the table with its defaults.
+TEST(Recipe, AFormerTableThatSaysNothingIsPassedOver) {
+  const Recipe r;
+  EXPECT_EQ(
+      write_recipe(parse_recipe(write_recipe(r) + "\n[sweep]\nfactors = []\nn_packings = 1\n", "r.toml")),
+      write_recipe(r));
+}
+
+TEST(Recipe, HintsKnowOtherTablesAndPfc) {
+  const auto hint = [](const char* word, const char* table) {
+    return unknown_key_hint(recipe_schema(), word, table);
+  };
+  EXPECT_EQ(hint("spacing", "test"), "it belongs to [[bedding]]");
+  EXPECT_EQ(hint("name", "test"), "it belongs to the top of the file");
+  EXPECT_THAT(hint("pb_emod", "matrix"), HasSubstr("matrix.E_b"));
+  EXPECT_THAT(hint("emod", "matrix"), HasSubstr("matrix.E_c"));
+  EXPECT_THAT(hint("beddin", ""), HasSubstr("did you mean \"bedding\"?"));
+  EXPECT_THAT(hint("", "matrix"), HasSubstr("--reference"));
 }
 
 TEST(Recipe, PorosityReplacesTheDefaultNumberOfGrains) {

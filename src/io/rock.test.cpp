@@ -123,6 +123,22 @@ TEST_F(RockFile, FilesThatCannotBeReadAreToldWithTheRest) {
   }
 }
 
+TEST_F(RockFile, KeysAreHeldAgainstTheirList) {
+  const auto p = problems(good,
+                          "bedded = \"no\"\nconfining = 5\nnmae = \"x\"\npacking = 3\nwidth = 1\n"
+                          "[brasilian]\ndiameter = \"30 mm\"\n[specimen]\nheight = \"1 MPa\"\n");
+  EXPECT_THAT(
+      p, testing::UnorderedElementsAre(
+             HasSubstr("r.toml:2: bedded = \"no\": expected true or false"),
+             AllOf(HasSubstr("r.toml:3: confining = 5: expected 0 GPa <= value"), HasSubstr("has no unit")),
+             AllOf(HasSubstr("r.toml:4: nmae: expected a known key"), HasSubstr("did you mean \"name\"?")),
+             AllOf(HasSubstr("r.toml:5: packing"), HasSubstr("a key of the recipe")),
+             AllOf(HasSubstr("r.toml:6: width"), HasSubstr("a key of the recipe")),
+             AllOf(HasSubstr("r.toml:7: brasilian: expected a known table"),
+                   HasSubstr("did you mean \"brazilian\"?")),
+             AllOf(HasSubstr("r.toml:10: specimen.height"), HasSubstr("wrong unit"))));
+}
+
 TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {
   EXPECT_THAT(problems("theta [deg],E [GPa],E [MPa]\n0,23,23000\n45,20,20000\n90,59,59000\n"),
               Contains(HasSubstr("its units are mixed: GPa and MPa")));
@@ -298,7 +314,8 @@ TEST_F(RockFile, OneMistakeIsToldOnce) {
   EXPECT_THAT(problems("theta [deg],E [GPa]\n0,23\n45,x\n90,59\n"),
               testing::ElementsAre(HasSubstr("r.csv:3: E = x")));
   EXPECT_THAT(problems(good, "[specimen]\nwidth = \"-5 mm\"\n"),
-              testing::ElementsAre(AllOf(HasSubstr("r.toml:3: specimen.width"), HasSubstr("positive"))));
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:3: specimen.width = \"-5 mm\""),
+                                         HasSubstr("0.1 mm <= value <= 10 m"))));
 }
 
 TEST_F(RockFile, IndentedCommentsAreCommentsAndUtf16IsNamed) {

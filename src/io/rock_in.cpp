@@ -4,163 +4,129 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
-#include <map>
+#include <optional>
 #include <set>
 
-#include "base/quote.hpp"
-#include "base/spelling.hpp"
-#include "base/units.hpp"
+#include "base/nan.hpp"
 #include "io/file.hpp"
 #include "io/rock_table.hpp"
 #include "io/toml_in.hpp"
-#include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/rock_remarks.hpp"
 
 namespace phy::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t least_angles = 3;
 
-/// One key of the rock file with everything that a message needs.
-struct Entry {
-  std::string path;  // "specimen.width"
-  std::size_t line = 0;
-  std::string value;
-  bool is_text = false;
-};
+Field text_field(const char* key, const char* meaning) {
+  Field f;
+  f.kind = FieldKind::text, f.key = key, f.meaning = meaning;
+  return f;
+}
 
-void flatten(const TomlValue& table, const std::string& above, std::map<std::string, Entry>& entries) {
-  for (std::size_t i = 0; i < table.keys.size(); ++i) {
-    const TomlValue& v = table.items[i];
-    const std::string path = above + table.keys[i].name;
-    if (v.kind == TomlValue::Kind::table) {
-      flatten(v, path + ".", entries);
-      continue;
-    }
-    const bool is_text = v.kind == TomlValue::Kind::text;
-    entries[path] = {path, table.keys[i].line, is_text ? v.text : as_written(v), is_text};
-  }
+/// A key of the recipe under another name: unit and range stand there.
+Field as_in_recipe(const char* path, const char* table, const char* key, const char* meaning) {
+  Field f = *find_field(recipe_fields(), path);
+  f.table = table, f.key = key, f.meaning = meaning, f.pfc_name.clear();
+  return f;
+}
+
+const Fields& rock_fields() {
+  static const Fields fields = [] {
+    Field reading = text_field("elastic_reading", "how moduli of cylinders are read in two dimensions");
+    reading.kind = FieldKind::choice, reading.choices = {"plane stress", "plane strain"};
+    reading.otherwise = "\"plane stress\"";
+    Field bedded = text_field("bedded", "the rock has bedding; default: where the table has angles");
+    bedded.kind = FieldKind::boolean;
+    Field confining = as_in_recipe("test.confining_stress", "", "confining",
+                                   "of a table with several confining pressures, the one to use");
+    confining.otherwise.clear();
+    return Fields{
+        text_field("name", "name of the rock; default: the file's name"),
+        text_field("data", "CSV table of tests, counted from the folder of this file"),
+        text_field("recipe",
+                   "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
+                   "[specimen]"),
+        reading,
+        confining,
+        bedded,
+        as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
+        as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
+        as_in_recipe(
+            "test.disc_diameter", "brazilian", "diameter",
+            "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
+        as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens")};
+  }();
+  return fields;
 }
 
 /// Keys of the rock file.
 class RockReader {
  public:
-  RockReader(std::string path, Rock& rock, std::vector<Problem>& problems)
-      : path_(std::move(path)), rock_(rock), problems_(problems) {}
+  RockReader(const std::string& path, Rock& rock)
+      : path_(path), file_(read_file(path), path, rock_schema()), rock_(rock), problems_(file_.problems) {}
 
   void read() {
     rock_.model.bedding.resize(1);
-    const std::string text = read_file(path_);
-    if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == text.npos)
-      return problems_.push_back(
-          {path_, "", "", "the keys name and data", "the file is empty; `phyllite rock new` writes one"});
-    flatten(parse_toml(text, path_, problems_), "", entries_);
-    for (const auto& [path, entry] : entries_)
-      if (!known().contains(path)) unknown(entry);
-    rock_.name = this->text("name", std::filesystem::path(path_).stem().string());
-    if (entry("name") == nullptr && !is_plain(rock_.name))
-      problems_.push_back({path_, "name", rock_.name, "a name in UTF-8 without control characters",
-                           "the file has none: write name = \"...\""});
-    const std::size_t n_before = problems_.size();
-    read_recipe_file();
-    read_size();
+    rock_.name = file_.name();
+    const bool has_model = read_recipe_file() && read_size();
     read_disc();
-    const bool has_model = problems_.size() == n_before;
-    read_reading();
+    if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
     read_table();
     if (has_model) check_model(), check_discs();
     if (problems_.empty())
       for (std::string& remark : remarks_on(rock_)) rock_.notes.push_back(std::move(remark));
+    file_.check();
   }
 
  private:
-  std::string path_;
+  const std::string& path_;
+  Document file_;
   Rock& rock_;
   std::vector<Problem>& problems_;
-  std::map<std::string, Entry> entries_;
   std::string table_;        // its path
   bool has_bedding_ = true;  // the recipe says where the planes are
 
-  static const std::set<std::string>& known() {
-    static const std::set<std::string> keys = {
-        "name",   "data",           "recipe",          "elastic_reading",    "confining",
-        "bedded", "specimen.width", "specimen.height", "brazilian.diameter", "brazilian.loading_angle"};
-    return keys;
-  }
-  std::string at(const Entry& e) const { return path_ + ":" + std::to_string(e.line); }
-  void unknown(const Entry& e) {
-    const std::string near = nearest(e.path, {known().begin(), known().end()});
-    problems_.push_back({at(e), e.path, "", "a known key: " + fmt::format("{}", fmt::join(known(), ", ")),
-                         near.empty() ? "" : "did you mean \"" + near + "\"?"});
-  }
-  const Entry* entry(const std::string& key) const {
-    const auto it = entries_.find(key);
-    return it == entries_.end() ? nullptr : &it->second;
-  }
-  std::string text(const std::string& key, const std::string& otherwise) {
-    const Entry* e = entry(key);
-    if (e == nullptr) return otherwise;
-    if (!e->is_text) problems_.push_back({at(*e), key, e->value, "text in quotes", ""});
-    return e->value;
-  }
-  double quantity(const std::string& key, Dimension d, double otherwise) {
-    const Entry* e = entry(key);
-    if (e == nullptr) return otherwise;
-    const Quantity q = parse_quantity(e->value, d);
-    if (!q.ok)
-      problems_.push_back({at(*e), key, e->value, "a number with a unit: " + unit_names(d), q.problem});
-    else if (!(q.value > 0.0))
-      problems_.push_back({at(*e), key, e->value, "a positive value", ""});
-    return q.value > 0.0 ? q.value : otherwise;
-  }
-  std::string beside(const std::string& file) const {
-    return (std::filesystem::path(path_).parent_path() / file).string();
-  }
-  void collect(const InputError& error) {
-    for (const Problem& p : error.problems()) problems_.push_back(p);
-  }
+  bool is_given(const std::string& key) const { return file_.find(key) != nullptr; }
 
-  void unreadable(const char* key, const IoError& error) {
-    problems_.push_back(
-        {at(*entry(key)), key, '"' + entry(key)->value + '"', "a file that can be read", error.what()});
-  }
-
-  void read_recipe_file() {
-    if (entry("recipe") == nullptr) {
+  /// False: there is no model to check.
+  bool read_recipe_file() {
+    if (!is_given("recipe")) {
       rock_.notes.emplace_back("the model is the paper's specimen (no recipe named)");
-      return;
+      return true;
     }
-    try {
-      rock_.model = read_recipe(beside(text("recipe", "")));
-    } catch (const InputError& error) {
-      collect(error);
-    } catch (const IoError& error) {
-      unreadable("recipe", error);
-    }
-    if (rock_.model.bedding.size() > 1)
-      problems_.push_back({at(*entry("recipe")), "recipe", entry("recipe")->value,
-                           "at most one set of bedding",
-                           "the tables of a rock know one direction of planes"});
-    if (!rock_.model.packing.file.empty())
-      problems_.push_back(
-          {at(*entry("recipe")), "recipe", entry("recipe")->value, "no packing.file",
-           "a file holds one packing, a calibration is verified on others: describe the grains"});
-    has_bedding_ = !rock_.model.bedding.empty();
+    if (!file_.is_known("recipe")) return false;
+    const std::optional<Recipe> recipe = named_recipe(file_, "recipe");
+    if (!recipe) return false;
+    rock_.model = *recipe;
+    const auto refuse = [&](const char* expected, const char* remedy) {
+      file_.tell(*file_.find("recipe"), "recipe", expected, remedy);
+      return false;
+    };
+    bool good = true;
+    if (recipe->bedding.size() > 1)
+      good = refuse("at most one set of bedding", "the tables of a rock know one direction of planes");
+    if (!recipe->packing.file.empty())
+      good = refuse("no packing.file",
+                    "a file holds one packing, a calibration is verified on others: describe the grains");
+    has_bedding_ = !recipe->bedding.empty();
     rock_.model.bedding.resize(1);
+    return good;
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
-  void read_size() {
+  bool read_size() {
+    if (!file_.is_known("specimen.width") || !file_.is_known("specimen.height")) return false;
     SpecimenSize& size = rock_.model.specimen;
-    const double width = quantity("specimen.width", Dimension::length, size.width);
-    const double height = quantity("specimen.height", Dimension::length, size.height);
-    if (width == size.width && height == size.height) return;
-    if (entry("recipe") != nullptr)
-      return problems_.push_back(
+    const double width = file_.number("specimen.width", size.width);
+    const double height = file_.number("specimen.height", size.height);
+    if (width == size.width && height == size.height) return true;
+    if (is_given("recipe")) {
+      problems_.push_back(
           {path_, "specimen", "", "the size of the recipe", "leave [specimen] out: the recipe says it"});
+      return false;
+    }
     const double scale = width / size.width;
     PackingRecipe& p = rock_.model.packing;
     p.radius_min *= scale, p.radius_max *= scale;
@@ -172,28 +138,24 @@ class RockReader {
         fmt::format("the model is the paper's specimen magnified to {:g} x {:g} mm: {} grains, "
                     "bedding every {:g} mm",
                     width * 1e3, height * 1e3, p.n_grains, b.spacing * 1e3));
+    return true;
   }
   /// Discs of the Brazilian tests: those of the recipe unless said here.
   void read_disc() {
     TestRecipe& test = rock_.model.test;
-    test.disc_diameter = quantity("brazilian.diameter", Dimension::length, test.disc_diameter);
-    if (const Entry* e = entry("brazilian.loading_angle")) {
-      const Quantity q = parse_quantity(e->value, Dimension::angle);
-      if (q.ok)
-        test.loading_angle = q.value;
-      else
-        problems_.push_back(
-            {at(*e), e->path, e->value, "a number with a unit: " + unit_names(Dimension::angle), q.problem});
-    }
+    test.disc_diameter = file_.number("brazilian.diameter", test.disc_diameter);
+    test.loading_angle = file_.number("brazilian.loading_angle", test.loading_angle);
   }
 
-  /// The key of the rock file behind a key of the recipe; nullptr: nobody gave it.
-  const Entry* said_here(const std::string& path) const {
-    if (path == "test.disc_diameter") return entry("brazilian.diameter");
-    if (path == "test.loading_angle") return entry("brazilian.loading_angle");
-    if (entry("recipe") != nullptr) return entry("recipe");
-    const Entry *width = entry("specimen.width"), *height = entry("specimen.height");
-    return height == nullptr || (path == "specimen.width" && width != nullptr) ? width : height;
+  /// The key of the rock file behind a key of the recipe; "": nobody gave it.
+  std::string said_here(const std::string& path) const {
+    if (path == "test.disc_diameter") return "brazilian.diameter";
+    if (path == "test.loading_angle") return "brazilian.loading_angle";
+    if (is_given("recipe")) return "recipe";
+    const bool width = is_given("specimen.width"), height = is_given("specimen.height");
+    return width && (path == "specimen.width" || !height) ? "specimen.width"
+           : height                                       ? "specimen.height"
+                                                          : "";
   }
   using Where = std::function<std::string(const std::string&)>;
   /// Numbers of the model outside the ranges of a recipe.
@@ -211,10 +173,7 @@ class RockReader {
   }
   /// What `phyllite run` would refuse: the recipe's own ranges and checks, after all of the rock file.
   void check_model() {
-    const Where where = [&](const std::string& path) {
-      const Entry* e = said_here(path);
-      return e != nullptr ? at(*e) : path_;
-    };
+    const Where where = [&](const std::string& path) { return file_.place(said_here(path)); };
     std::vector<Problem> found = out_of_range(where);
     std::set<std::string> odd;
     for (const Problem& p : found) odd.insert(p.key);
@@ -222,9 +181,9 @@ class RockReader {
          cross_checks(rock_.model, where, [&](const std::string& key) { return !odd.contains(key); }))
       found.push_back(std::move(p));
     for (Problem& p : found) {
-      const Entry* e = said_here(p.key);
-      if (e != nullptr && e->path.starts_with("brazilian.")) p.key = e->path;
-      if (e != nullptr && e->path.starts_with("specimen."))
+      const std::string key = said_here(p.key);
+      if (key.starts_with("brazilian.") && is_given(key)) p.key = key;
+      if (key.starts_with("specimen."))
         p.remedy =
             "[specimen] magnifies the paper's specimen, grains and all: nearer to its shape, 1 : 2, or a "
             "recipe with grains of its own";
@@ -243,39 +202,25 @@ class RockReader {
     }
   }
 
-  void read_reading() {
-    const std::string word = text("elastic_reading", "plane stress");
-    if (word == "plane strain")
-      rock_.reading = ElasticReading::plane_strain;
-    else if (word != "plane stress")
-      problems_.push_back(
-          {at(*entry("elastic_reading")), "elastic_reading", word, "one of plane stress, plane strain", ""});
-  }
-
   void read_table() {
-    if (entry("data") == nullptr)
-      return problems_.push_back(
-          {path_, "data", "", "the name of the table of tests", "write data = \"tests.csv\""});
-    table_ = beside(text("data", ""));
+    if (!is_given("data"))
+      problems_.push_back({path_, "data", "", "the name of the table of tests",
+                           "write data = \"tests.csv\"; `phyllite rock new` writes both files"});
+    if (!is_given("data") || !file_.is_known("data")) return;
+    table_ = file_.beside(file_.text("data", ""));
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
     bool has_angles = false;
-    const double confining =
-        entry("confining") != nullptr ? quantity("confining", Dimension::pressure, nan) : nan;
     try {
-      rock_.readings = parse_readings(read_file(where), where, confining, has_angles, problems_, rock_.notes);
+      rock_.readings = parse_readings(read_file(where), where, file_.number("confining", nan), has_angles,
+                                      problems_, rock_.notes);
     } catch (const IoError& error) {
-      return unreadable("data", error);
+      return file_.tell_unreadable("data", error);
     }
-    rock_.bedded = has_angles;
-    if (const Entry* e = entry("bedded")) {
-      rock_.bedded = e->value == "true";
-      if (e->value != "true" && e->value != "false")
-        problems_.push_back({at(*e), "bedded", e->value, "true or false", ""});
-      if (rock_.bedded && !has_angles)
-        problems_.push_back(
-            {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
-    }
+    rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
+    if (rock_.bedded && !has_angles)
+      problems_.push_back(
+          {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     if (!rock_.bedded) {
       rock_.model.bedding.clear(), rock_.model.test.angles.clear();
       for (RockReading& r : rock_.readings) r.theta = 0.0;
@@ -296,8 +241,8 @@ class RockReader {
     }
     if (rock_.readings.empty())
       problems_.push_back({where, "", "", "at least one value",
-                           entry("confining") != nullptr ? "no row has this confining pressure"
-                                                         : "all cells are empty: fill in the table"});
+                           is_given("confining") ? "no row has this confining pressure"
+                                                 : "all cells are empty: fill in the table"});
     else if (rock_.bedded && angles.size() < least_angles)
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",
@@ -321,15 +266,18 @@ class RockReader {
 
 }  // namespace
 
+const Schema& rock_schema() {
+  static const Schema schema{"rock",
+                             "rock",
+                             rock_fields(),
+                             {},
+                             "a key of the recipe: write it there, and recipe = \"model.toml\" here"};
+  return schema;
+}
+
 Rock read_rock(const std::string& path) {
   Rock rock;
-  std::vector<Problem> problems;
-  try {
-    RockReader(path, rock, problems).read();
-  } catch (const InputError& error) {
-    for (const Problem& p : error.problems()) problems.push_back(p);
-  }
-  if (!problems.empty()) throw InputError(std::move(problems));
+  RockReader(path, rock).read();
   return rock;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 #include <string>
 
-#include "base/check.hpp"
+#include "io/document.hpp"
 #include "records/rock.hpp"
 
 namespace phy::io {
+
+const Schema& rock_schema();
 
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.

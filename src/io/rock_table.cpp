@@ -9,13 +9,13 @@
 #include <optional>
 #include <set>
 
+#include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/table.hpp"
 
 namespace phy::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
 
 /// What a column holds. `scatter`: the standard deviation of the property.

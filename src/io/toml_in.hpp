@@ -1,11 +1,15 @@
 // Recipes as TOML files. All problems of a file are told at once.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "io/document.hpp"
 #include "records/recipe.hpp"
 
 namespace phy::io {
+
+const Schema& recipe_schema();
 
 /// Reads, checks and completes a recipe. packing.file is found from the recipe's folder, becomes absolute,
 /// and its box and grains are held against the recipe. Throws IoError (unreadable) or InputError with every
@@ -13,6 +17,8 @@ namespace phy::io {
 Recipe read_recipe(const std::string& path);
 /// The same from text; `where` names the source in messages.
 Recipe parse_recipe(std::string_view text, const std::string& where);
+/// The recipe that a file names under a key; nothing, with the problems told, where there is none to be read.
+std::optional<Recipe> named_recipe(Document& file, const std::string& key);
 /// The completed recipe: every key with its value, in units that read back to the same bits.
 std::string write_recipe(const Recipe& recipe);
 /// As write_recipe, with meaning and range of every key as a comment.

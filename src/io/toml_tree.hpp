@@ -1,11 +1,10 @@
-// A parsed TOML file as plain values with line numbers, for the readers of files other than recipes. Parser,
-// scan and messages are those of the recipe (toml_in.cpp, the only place that sees toml++).
+// A parsed TOML file as plain values with line numbers. Its source is the only place that sees toml++.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "records/recipe_schema.hpp"
+#include "base/check.hpp"
 
 namespace phy::io {
 
@@ -32,12 +31,7 @@ TomlValue parse_toml(std::string_view text, const std::string& where, std::vecto
 
 /// The value as it stands in the file, for messages.
 std::string as_written(const TomlValue& value);
-
-/// False for NaN too.
-bool within_range(const Field& field, double value);
-
-/// One number of a recipe key, with its unit and within its range. False: `remedy` says what to do (may be
-/// empty where range_text says it all).
-bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);
+/// "recipe.toml:12"
+std::string at_line(const std::string& where, std::size_t line);
 
 }  // namespace phy::io

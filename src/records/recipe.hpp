@@ -127,15 +127,6 @@ struct EngineRecipe {
   double step_safety = 0.92;  ///< fraction of the stable step 2/(omega_max sqrt(1 + alpha))
 };
 
-/// `phyllite elastic`: joint stiffnesses of the first bedding set varied one at a time, K_n(k_n) and
-/// K_s(k_s).
-struct SweepRecipe {
-  std::vector<double> factors;  ///< of k_n, then of k_s; empty: no sweep
-  std::int64_t n_packings = 1;  ///< packing.seed, seed + 1, ...
-  bool both_rules = false;      ///< also with the other bedding rule, of all sets
-  std::string also;             ///< a second recipe swept beside this one, path relative to this one
-};
-
 struct Recipe {
   std::string name = "paper";
   SpecimenSize specimen;
@@ -144,7 +135,6 @@ struct Recipe {
   std::vector<BeddingRecipe> bedding;
   TestRecipe test;
   EngineRecipe engine;
-  SweepRecipe sweep;
 };
 
 }  // namespace phy

@@ -1,7 +1,6 @@
 // Problems between keys of a recipe that are each in range (cross_checks).
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "base/exact_math.hpp"
@@ -29,7 +28,6 @@ class CrossChecks {
     matrix();
     for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
     test();
-    if (!r_.sweep.factors.empty()) sweep();
     return std::move(problems_);
   }
 
@@ -168,21 +166,6 @@ class CrossChecks {
     if (t.jump_strain > 0.0 && !t.kind->may_jump)
       tell({"test.jump_strain", "test.kind"}, print_number(t.jump_strain), "0 for this kind of test",
            "only the uniaxial press can start loaded");
-  }
-
-  void sweep() {
-    const SweepRecipe& s = r_.sweep;
-    const std::set<double> distinct(s.factors.begin(), s.factors.end());
-    if (distinct.size() < 3 || distinct.size() < s.factors.size())
-      tell({"sweep.factors"}, std::to_string(s.factors.size()) + " factors", "at least three, each once",
-           "a line through fewer points says nothing; for example [0.25, 0.5, 1, 2, 4]");
-    if (r_.test.angles.size() < 3)
-      tell({"test.angles", "sweep.factors"}, std::to_string(r_.test.angles.size()) + " angles",
-           "at least three for a sweep",
-           "Eq. 1 has two unknowns; for example [\"0 deg\", \"45 deg\", \"90 deg\"]");
-    if (s.n_packings > 1 && !r_.packing.file.empty())
-      tell({"sweep.n_packings", "packing.file"}, std::to_string(s.n_packings), "1 with packing.file",
-           "a file holds one packing; leave one of the two out");
   }
 };
 

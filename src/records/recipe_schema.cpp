@@ -1,18 +1,14 @@
 #include "records/recipe_schema.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
-#include "base/spelling.hpp"
 #include "records/test_description.hpp"
 
 namespace phy {
 namespace {
-
-constexpr double huge = 1e300;
 
 /// Access to a member of one of the recipe's tables.
 template <class Part, class T>
@@ -39,7 +35,7 @@ void bind(Field& f, T BeddingRecipe::*member) {
 /// Builds the list; one call per key.
 class List {
  public:
-  std::vector<Field> fields;
+  Fields fields;
 
   template <class... Access>
   Field& quantity(const char* table, const char* key, Dimension d, double min, double max, const char* pfc,
@@ -63,7 +59,7 @@ class List {
   template <class... Access>
   Field& choice(const char* table, const char* key, std::vector<std::string> names, const char* meaning,
                 Access... access) {
-    Field& f = add(FieldKind::choice, table, key, Dimension::none, 0, huge, "", meaning, access...);
+    Field& f = add(FieldKind::choice, table, key, Dimension::none, 0, unbounded, "", meaning, access...);
     f.choices = std::move(names);
     return f;
   }
@@ -255,36 +251,18 @@ void add_engine(List& l) {
            &E::step_safety);
 }
 
-void add_sweep(List& l) {
-  using S = SweepRecipe;
-  constexpr auto part = &Recipe::sweep;
-  Field f;
-  f.kind = FieldKind::quantities, f.table = "sweep", f.key = "factors", f.min = 1e-3, f.max = 1e3;
-  f.meaning =
-      "`phyllite elastic`: k_n, then k_s of the first bedding set times these, for K_n(k_n) and K_s(k_s); "
-      "empty: no sweep";
-  f.list = [](Recipe& r) -> std::vector<double>& { return r.sweep.factors; };
-  l.fields.push_back(f);
-  l.integer("sweep", "n_packings", 1, 100, "packings of the sweep: packing.seed, seed + 1, ...", part,
-            &S::n_packings);
-  l.boolean("sweep", "both_rules", "also with the other bedding rule", part, &S::both_rules);
-  Field also;
-  also.kind = FieldKind::text, also.table = "sweep", also.key = "also";
-  also.meaning = "a second recipe, swept in the same way beside this one; path relative to this file";
-  also.get_text = [](const Recipe& r) { return r.sweep.also; };
-  also.set_text = [](Recipe& r, const std::string& s) { r.sweep.also = s; };
-  l.fields.push_back(also);
-}
-
-std::string bound(const Field& f, double value) {
-  return f.kind == FieldKind::integer ? std::to_string(static_cast<std::int64_t>(value))
-                                      : print_quantity(value, f.dimension);
+/// With the default of every key, as in a file.
+Fields with_defaults(Fields fields) {
+  Recipe usual;
+  usual.bedding.resize(1);
+  for (Field& f : fields) f.otherwise = print_field(f, usual, 0);
+  return fields;
 }
 
 }  // namespace
 
-const std::vector<Field>& recipe_fields() {
-  static const std::vector<Field> fields = [] {
+const Fields& recipe_fields() {
+  static const Fields fields = [] {
     List l;
     Field name;
     name.kind = FieldKind::text, name.key = "name",
@@ -292,26 +270,10 @@ const std::vector<Field>& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l), add_sweep(l);
-    return l.fields;
+    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l);
+    return with_defaults(std::move(l.fields));
   }();
   return fields;
-}
-
-std::string range_text(const Field& f) {
-  switch (f.kind) {
-    case FieldKind::text: return "text";
-    case FieldKind::boolean: return "true or false";
-    case FieldKind::choice: {
-      std::string s = "one of";
-      for (const std::string& c : f.choices) s += " \"" + c + "\"";
-      return s;
-    }
-    default: break;
-  }
-  const std::string lo = bound(f, f.min) + (f.above_min ? " < value" : " <= value");
-  return (f.kind == FieldKind::quantities ? "a list of " : "") + lo + (f.below_max ? " < " : " <= ") +
-         bound(f, f.max);
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
@@ -322,7 +284,7 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
     case FieldKind::integer: return std::to_string(static_cast<std::int64_t>(f.get(recipe, index)));
     case FieldKind::number: return print_number(f.get(recipe, index));
     case FieldKind::quantity: return toml_string(print_quantity(f.get(recipe, index), f.dimension));
-    case FieldKind::quantities: {
+    default: {
       Recipe copy = recipe;
       std::string s;
       for (const double v : f.list(copy))
@@ -331,37 +293,22 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
       return "[" + s + "]";
     }
   }
-  return "";
 }
 
-bool has_pfc_name(const Field& f, const std::string& word) {
-  const std::size_t at = word.empty() ? std::string::npos : f.pfc_name.find(word);
-  if (at == std::string::npos) return false;
-  const auto part_of_name = [&](std::size_t i) {
-    return i < f.pfc_name.size() &&
-           (std::isalnum(static_cast<unsigned char>(f.pfc_name[i])) != 0 || f.pfc_name[i] == '_');
-  };
-  return (at == 0 || !part_of_name(at - 1)) && !part_of_name(at + word.size());
-}
-
-std::string unknown_key_hint(const std::string& word, const std::string& table) {
-  std::vector<std::string> known;
+std::string keys_not_by_default(const Recipe& r) {
+  Recipe plain;
+  plain.bedding.resize(r.bedding.size());
+  std::string text = std::to_string(r.bedding.size()) + " sets of bedding\n";
   for (const Field& f : recipe_fields()) {
-    if (f.table == table) known.push_back(f.key);
-    if (table.empty() && !f.table.empty()) known.push_back(f.table);
+    const bool of_set = f.table == "bedding";
+    for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
+      const std::string value = print_field(f, r, i);
+      if (value == print_field(f, plain, i)) continue;
+      text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
+      text += " = " + value + "\n";
+    }
   }
-  const auto in_brackets = [](const Field& f) {
-    return f.table.empty()        ? "the top of the file"
-           : f.table == "bedding" ? "[[bedding]]"
-                                  : "[" + f.table + "]";
-  };
-  for (const Field& f : recipe_fields())
-    if (f.key == word) return "it belongs to " + in_brackets(f);
-  for (const Field& f : recipe_fields())
-    if (has_pfc_name(f, word))
-      return "PFC's \"" + word + "\" is given by " + f.path() + " (" + f.pfc_name + ")";
-  const std::string near = nearest(word, known);
-  return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
+  return text;
 }
 
 }  // namespace phy

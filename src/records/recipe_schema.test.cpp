@@ -1,15 +1,12 @@
 #include "records/recipe_schema.hpp"
 #include "base/spelling.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
 namespace phy {
 namespace {
-
-using testing::HasSubstr;
 
 Recipe with_one_set() {
   Recipe r;
@@ -42,7 +39,6 @@ TEST(Schema, EveryMemberOfTheRecipeHasItsKey) {
   EXPECT_EQ(n_keys("bedding"), n_members<BeddingRecipe>());
   EXPECT_EQ(n_keys("test"), n_members<TestRecipe>());
   EXPECT_EQ(n_keys("engine"), n_members<EngineRecipe>());
-  EXPECT_EQ(n_keys("sweep"), n_members<SweepRecipe>());
   EXPECT_EQ(n_keys(""), 1U);
 }
 
@@ -100,15 +96,6 @@ TEST(Schema, NearestFindsTypingErrors) {
   EXPECT_EQ(nearest("nwe", {"check", "new"}), "new");
   EXPECT_EQ(nearest("nope", {"rose", "cracks"}), "");
   EXPECT_EQ(nearest("nokey", {"name", "key"}), "");
-}
-
-TEST(Schema, HintsKnowOtherTablesAndPfc) {
-  EXPECT_EQ(unknown_key_hint("spacing", "test"), "it belongs to [[bedding]]");
-  EXPECT_EQ(unknown_key_hint("name", "test"), "it belongs to the top of the file");
-  EXPECT_THAT(unknown_key_hint("pb_emod", "matrix"), HasSubstr("matrix.E_b"));
-  EXPECT_THAT(unknown_key_hint("emod", "matrix"), HasSubstr("matrix.E_c"));
-  EXPECT_THAT(unknown_key_hint("beddin", ""), HasSubstr("did you mean \"bedding\"?"));
-  EXPECT_THAT(unknown_key_hint("", "matrix"), HasSubstr("--reference"));
 }
 
 }  // namespace

@@ -59,6 +59,8 @@ const char* to_string(Status status) {
     case Status::unstable: return "unstable";
     case Status::interrupted: return "interrupted";
     case Status::untrusted: return "untrusted";
+    case Status::solved: return "solved";
+    case Status::unsolved: return "unsolved";
   }
   return "unknown";
 }

@@ -1,5 +1,5 @@
 // How E and strength over the inclination answer to parameters that vary one at a time around a base: what is
-// left of a study, or of a sweep of the elastic solution, for pictures. Plain data, SI units.
+// left of a study for pictures; and lines that others found, to be held against it. Plain data, SI units.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,11 +18,22 @@ struct AngleValue {
 struct MacroPoint {
   double factor = 0.0;  ///< parameter / its base
   Summary K_n, K_s;     ///< [Pa/m]; n = 0: the data allow none
-  double paper = 0.0;   ///< what belongs to the parameter by the paper's Eq. 2 [Pa/m]; 0: not known
+};
+
+/// number = slope * key + intercept, as somebody found it.
+struct Regression {
+  std::string source;      ///< who, where
+  std::string number;      ///< "K_n", "ucs"
+  std::string key;         ///< of the recipe: "bedding.k_n"
+  double slope = 0.0;      ///< SI units of number per those of key
+  double intercept = 0.0;  ///< SI
+  std::string unit;        ///< of number and intercept: "Pa/m"
+  double R2 = 0.0;         ///< NaN: not given
 };
 
 struct VariedSetting {
   std::string text;     ///< "840 GPa/m"
+  double value = 0.0;   ///< SI; NaN for words
   double factor = 0.0;  ///< of the base; NaN for words, and for a base of 0
   bool base = false;
   std::vector<AngleValue> E, ucs;  ///< angles ascending; ucs is empty where no test was run to the peak
@@ -32,7 +43,6 @@ struct VariedSetting {
 struct VariedParameter {
   std::string key;                      ///< of the recipe: "bedding.k_n"
   std::vector<VariedSetting> settings;  ///< ascending, the base among them
-  std::vector<MacroPoint> macro;        ///< where the file has them; else to be fitted
 };
 
 struct Variation {
@@ -40,6 +50,7 @@ struct Variation {
   double spacing = 0.0;   ///< of the bedding planes [m]; 0: not known
   double E_intact = 0.0;  ///< [Pa]; 0: not known
   std::vector<VariedParameter> parameters;
+  std::vector<Regression> regressions;  ///< that the study is held against
 };
 
 }  // namespace phy

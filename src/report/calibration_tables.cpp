@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/lines.hpp"
-#include "report/text_table.hpp"
+#include "base/text_table.hpp"
 
 namespace phy::report {
 namespace {

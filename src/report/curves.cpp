@@ -144,7 +144,6 @@ theory::Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact) {
 }
 
 std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& p) {
-  if (!p.macro.empty()) return p.macro;
   std::vector<MacroPoint> points;
   for (const VariedSetting& s : p.settings) {
     if (v.spacing <= 0.0 || !std::isfinite(s.factor)) continue;
@@ -152,7 +151,7 @@ std::vector<MacroPoint> macro_points(const Variation& v, const VariedParameter& 
     for (const auto& E : s.E_each.empty() ? std::vector<std::vector<AngleValue>>{s.E} : s.E_each)
       if (const theory::Eq1Fit fit = fit_moduli(E, v.E_intact); fit.ok())
         K_n.push_back(fit.rock.K_n_delta / v.spacing), K_s.push_back(fit.rock.K_s_delta / v.spacing);
-    if (!K_n.empty()) points.push_back({s.factor, summarise(K_n), summarise(K_s), 0.0});
+    if (!K_n.empty()) points.push_back({s.factor, summarise(K_n), summarise(K_s)});
   }
   return points;
 }

@@ -34,8 +34,8 @@ Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins = 18);
 
 /// Eq. 1 fitted in compliance to E(theta); its E is that at 90 degrees, else `E_intact` [Pa], else free.
 theory::Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact);
-/// Macro stiffnesses over a parameter: those that came with it, else Eq. 1 fitted to every packing and bond
-/// seed by itself; where there is no fit, no point.
+/// Macro stiffnesses over a parameter: Eq. 1 fitted to every packing and bond seed by itself; where there is
+/// no fit, no point.
 std::vector<MacroPoint> macro_points(const Variation& variation, const VariedParameter& parameter);
 
 /// Value of a number for curves and fits: NaN where the result has none, or is not to be trusted.

@@ -296,9 +296,9 @@ double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, d
   if (kind == "anisotropy") return anisotropy(s, data, width);
   if (kind == "rose") return rose(s, data, width);
   if (kind == "model") return model(s, data, width);
-  if (kind == "stiffness") return draw_stiffness(s, data.variations, width);
-  if (kind == "modulus") return draw_modulus(s, data.variations.at(0), width);
-  if (kind == "strength") return draw_strength(s, data.variations.at(0), width);
+  if (kind == "stiffness") return draw_stiffness(s, data.variation, width);
+  if (kind == "modulus") return draw_modulus(s, data.variation, width);
+  if (kind == "strength") return draw_strength(s, data.variation, width);
   return specimens(s, data, width, kind == "cracks");
 }
 
@@ -312,9 +312,8 @@ const std::vector<FigureKind>& figure_kinds() {
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false},
       {"specimens", "fig3", "specimens of a run before the test", 190.0, false},
-      {"stiffness", "fig4", "macro stiffnesses K_n, K_s over the parameters of a study or sweep", 190.0,
-       true},
-      {"modulus", "fig5", "E over the inclination, per value of a study or sweep", 190.0, true},
+      {"stiffness", "fig4", "macro stiffnesses K_n, K_s over the parameters of a study", 190.0, true},
+      {"modulus", "fig5", "E over the inclination, per value of a study", 190.0, true},
       {"strength", "fig6", "UCS over the inclination, per value of a study", 190.0, true}};
   return kinds;
 }

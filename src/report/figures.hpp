@@ -17,17 +17,17 @@ struct FigureKind {
   const char* paper;    ///< its number in the paper behind this project ("fig5"), or ""
   const char* meaning;  ///< and of which results
   double width;         ///< usual width [mm]
-  bool varied;          ///< drawn from variations, else from a run
+  bool varied;          ///< drawn from a study, else from a run
 };
 const std::vector<FigureKind>& figure_kinds();
 /// By name or by the paper's number; throws InputError with the names.
 const FigureKind& figure_kind(const std::string& word);
 
-/// What a figure is drawn from: a run, or variations.
+/// What a figure is drawn from: a run, or a study.
 struct FigureData {
   RunRecord run;
   std::vector<Target> laboratory;  ///< beside E, UCS, nu of a run
-  std::vector<Variation> variations;
+  Variation variation;
 };
 
 /// The script that writes the figure into `out`. `width` [mm], 0: the usual one. Throws InputError when the

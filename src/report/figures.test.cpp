@@ -22,12 +22,13 @@ constexpr double spacing = 0.005;
 Variation continuum(const std::vector<double>& factors) {
   Variation v;
   v.spacing = spacing;
-  VariedParameter p{"bedding.k_n", {}, {}};
+  VariedParameter p{"bedding.k_n", {}};
   for (const double factor : factors) {
     theory::JointedRock rock;
     rock.E = 60e9, rock.K_n_delta = factor * 7e12 * spacing, rock.K_s_delta = 1.4e12 * spacing;
     VariedSetting s;
-    s.text = fmt::format("{} GPa/m", 3000.0 * factor), s.factor = factor, s.base = factor == 1.0;
+    s.text = fmt::format("{} GPa/m", 3000.0 * factor), s.value = 3e12 * factor, s.factor = factor,
+    s.base = factor == 1.0;
     for (const double theta : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
       AngleValue a;
       a.theta = theta, a.value.n = 1, a.value.mean = theory::goodman_E(rock, theta);
@@ -61,10 +62,21 @@ TEST(Figures, AnUnknownKindIsToldWithTheNearest) {
 // Eq. 1 is fitted to its own values: the stiffnesses that went in come out, 7000 GPa/m times the factor.
 TEST(Figures, MacroStiffnessesAreThoseOfTheContinuum) {
   FigureData data;
-  data.variations = {continuum({0.5, 1.0, 2.0})};
+  data.variation = continuum({0.5, 1.0, 2.0});
   const std::string script = script_of("stiffness", data);
   for (const char* row : {"0.5 3500 ", "1 7000 ", "2 14000 ", "0.5 1400 ", "2 1400 "})
     EXPECT_THAT(script, HasSubstr(row));
+}
+
+// 2 x 3000 + 400 GPa/m at the base.
+TEST(Figures, LinesOfOthersStandBesideTheirParameter) {
+  FigureData data;
+  data.variation = continuum({0.5, 1.0, 2.0});
+  data.variation.regressions = {{"they", "K_n", "bedding.k_n", 2.0, 400e9, "Pa/m", 1.0},
+                                {"nobody", "K_n", "bedding.k_s", 2.0, 400e9, "Pa/m", 1.0}};
+  const std::string script = script_of("stiffness", data);
+  for (const char* part : {"1 6400", "2 12400", "title 'they'"}) EXPECT_THAT(script, HasSubstr(part));
+  EXPECT_EQ(script.find("nobody"), script.npos);
 }
 
 // Two packings, 10 % softer and stiffer in K_n: mean and interval of both fits, not a fit of the mean.
@@ -80,7 +92,7 @@ TEST(Figures, MacroStiffnessesAreFittedPackingByPacking) {
 
 TEST(Figures, ValuesLoseTheirCommonUnitToTheTitle) {
   FigureData data;
-  data.variations = {continuum({0.5, 1.0})};
+  data.variation = continuum({0.5, 1.0});
   const std::string script = script_of("fig5", data);
   EXPECT_THAT(script, HasSubstr("{/:Italic k}_n [GPa/m]"));
   EXPECT_THAT(script, HasSubstr("title '1500'"));
@@ -89,8 +101,8 @@ TEST(Figures, ValuesLoseTheirCommonUnitToTheTitle) {
 
 TEST(Figures, WhatIsNotThereIsRefused) {
   FigureData data;
-  data.variations = {continuum({0.5, 1.0})};
-  EXPECT_THROW(script_of("strength", data), InputError);  // a sweep of moduli has no strengths
+  data.variation = continuum({0.5, 1.0});
+  EXPECT_THROW(script_of("strength", data), InputError);  // a direct solution has no strengths
   data.run.tests.emplace_back();
   for (const char* kind : {"model", "specimens", "cracks", "stress_strain", "anisotropy"})
     EXPECT_THROW(script_of(kind, data), InputError) << kind;
@@ -135,7 +147,7 @@ TEST(Figures, SpecimensFillTheirFigure) {
 
 TEST(Figures, SizesAreThoseOfJournals) {
   FigureData data;
-  data.variations = {continuum({0.5, 1.0})};
+  data.variation = continuum({0.5, 1.0});
   EXPECT_THAT(script_of("fig4", data), HasSubstr(fmt::format("size {:.0f},", 190.0 / 25.4 * 96.0)));
   EXPECT_THAT(script_of("fig4", data, 90.0), HasSubstr(fmt::format("size {:.0f},", 90.0 / 25.4 * 96.0)));
 }

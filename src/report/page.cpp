@@ -130,7 +130,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   for (const Target& t : extras.laboratory) j["laboratory"].push_back(target_json(t));
   j["calibration"] = extras.calibration.empty() ? Json(nullptr) : Json::parse(extras.calibration);
   j["variations"] = Json::array();
-  for (const Variation& v : extras.variations) j["variations"].push_back(variation_json(v));
+  if (extras.variation) j["variations"].push_back(variation_json(*extras.variation));
   j["effects"] = extras.effects;
   j["methods"] = methods_text(run);
   j["recipe"] = !extras.recipe.empty() ? extras.recipe

@@ -2,6 +2,7 @@
 // web/report.html) is part of the program; here the results are put in: one block of JSON, a scene per
 // specimen. Every number in it is the one of result.json. Text is data to the page, never markup.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct PageExtras {
   std::string name;                               ///< title; default: that of the run's recipe
   std::vector<Target> laboratory;                 ///< points beside E(theta), nu(theta), UCS(theta)
   std::string calibration;                        ///< calibration.json, taken over unchanged; empty: none
-  std::vector<Variation> variations;              ///< of a study or a sweep
+  std::optional<Variation> variation;             ///< of a study
   std::vector<std::vector<std::string>> effects;  ///< of a study: effects.csv with its header
   std::string recipe;                             ///< of a study or calibration; default: that of the run
 };

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "base/text_table.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
-#include "report/text_table.hpp"
 
 namespace phy::report {
 namespace {

@@ -49,44 +49,48 @@ void add_points(GnuplotScript& s, std::vector<std::string>& parts, const std::ve
   parts.push_back(data + " using 1:2 " + how);
 }
 
+/// What others found for a macro stiffness over a parameter.
+void add_regressions(GnuplotScript& s, std::vector<std::string>& parts, const Variation& v,
+                     const VariedParameter& p, const char* number) {
+  for (const Regression& line : v.regressions) {
+    if (line.number != number || line.key != p.key) continue;
+    std::vector<Row> rows;
+    for (const VariedSetting& setting : p.settings)
+      rows.push_back({setting.factor, 1e-9 * (line.slope * setting.value + line.intercept)});
+    parts.push_back(s.block(rows) + " using 1:2 with lines dt 2 lw 1.4 lc rgb '#444444' title " +
+                    gnuplot_string(gnuplot_plain(line.source)));
+  }
+}
+
 /// One panel of Fig. 4: k = 0 K_n, 1 K_s.
-void stiffness_panel(GnuplotScript& s, const std::vector<Variation>& variations, std::size_t k) {
-  std::vector<std::string> parts;
-  std::vector<Row> paper;
+void stiffness_panel(GnuplotScript& s, const Variation& v, std::size_t k) {
+  std::vector<std::string> parts, found;
   std::size_t n_series = 0;
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
-  const bool sweeps = variations.size() > 1 || !variations[0].parameters[0].macro.empty();
-  for (const Variation& v : variations)
-    for (const VariedParameter& p : v.parameters) {
-      if (sweeps && p.key != (k == 0 ? "bedding.k_n" : "bedding.k_s")) continue;
-      std::vector<Row> rows;
-      for (const MacroPoint& m : macro_points(v, p)) {
-        const Summary& K = k == 0 ? m.K_n : m.K_s;
-        if (K.n > 0) rows.push_back(bar(m.factor, K, 1e-9));
-        if (m.paper > 0.0 && &v == &variations.front()) paper.push_back({m.factor, 1e-9 * m.paper});
-      }
-      if (rows.empty()) continue;
-      const std::size_t i = n_series++;
-      const std::string look = fmt::format("lc rgb '{}'", hex_color(line_colors[i % 8]));
-      add_points(s, parts, rows,
-                 fmt::format("with linespoints lw 1.4 pt {} ps 0.55 {} title {}", symbols[i % 7], look,
-                             gnuplot_string(sweeps ? gnuplot_plain(v.name) : symbol_of(p.key))),
-                 look);
-      for (const Row& row : rows) low = std::min(low, row[1]), high = std::max(high, row[1]);
-    }
+  for (const VariedParameter& p : v.parameters) {
+    std::vector<Row> rows;
+    for (const MacroPoint& m : macro_points(v, p))
+      if (const Summary& K = k == 0 ? m.K_n : m.K_s; K.n > 0) rows.push_back(bar(m.factor, K, 1e-9));
+    if (rows.empty()) continue;
+    const std::size_t i = n_series++;
+    const std::string look = fmt::format("lc rgb '{}'", hex_color(line_colors[i % 8]));
+    add_points(s, parts, rows,
+               fmt::format("with linespoints lw 1.4 pt {} ps 0.55 {} title {}", symbols[i % 7], look,
+                           gnuplot_string(symbol_of(p.key))),
+               look);
+    for (const Row& row : rows) low = std::min(low, row[1]), high = std::max(high, row[1]);
+    add_regressions(s, found, v, p, k == 0 ? "K_n" : "K_s");
+  }
   if (parts.empty())
     throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "",
                              "E at several inclinations for a fit of Eq. 1", "run more angles"});
   const bool wide = high > 30.0 * low;  // no linear axis would show the small ones
   s.add("{}", wide ? "set logscale y; set yrange [*:*]; set format y '10^{%L}'; set key top right"
                    : "unset logscale y; set yrange [0:*]; set format y '%g'; set key top left");
-  if (!paper.empty())
-    parts.push_back(s.block(paper) +
-                    " using 1:2 with lines dt 2 lw 1.4 lc rgb '#444444' title 'Eq. 2 of the paper'");
+  parts.insert(parts.end(), found.begin(), found.end());
   s.add("set ylabel 'macro {} stiffness {{/:Italic K}}_{} [GPa/m]' offset {}", k == 0 ? "normal" : "shear",
         k == 0 ? "n" : "s", wide ? 0 : 1);
-  s.add("set xlabel '{}'",
-        sweeps ? (k == 0 ? "{/:Italic k}_n / base" : "{/:Italic k}_s / base") : "parameter / base");
+  s.add("set xlabel 'parameter / base'");
   s.plot(parts);
 }
 
@@ -195,11 +199,11 @@ double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>&
 
 }  // namespace
 
-double draw_stiffness(GnuplotScript& s, const std::vector<Variation>& variations, double width) {
+double draw_stiffness(GnuplotScript& s, const Variation& v, double width) {
   s.add("set multiplot layout 1,2 margins 0.09,0.985,0.16,0.96 spacing 0.11,0");
   s.add("set key reverse Left; set xrange [0:*]");
-  stiffness_panel(s, variations, 0);
-  stiffness_panel(s, variations, 1);
+  stiffness_panel(s, v, 0);
+  stiffness_panel(s, v, 1);
   s.add("unset multiplot");
   return 0.44 * width;
 }
@@ -211,8 +215,8 @@ double draw_modulus(GnuplotScript& s, const Variation& v, double width) {
 double draw_strength(GnuplotScript& s, const Variation& v, double width) {
   const auto parameters = strength_parameters(v);
   if (parameters.empty())
-    throw InputError(Problem{"results", "ucs", "", "tests run to the peak",
-                             "name a study, not a sweep of the elastic solution"});
+    throw InputError(
+        Problem{"results", "ucs", "", "tests run to the peak", "name a study of solver \"dynamic\""});
   return angle_panels(s, parameters, false, v.E_intact, width);
 }
 

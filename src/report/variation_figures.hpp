@@ -10,8 +10,9 @@ namespace phy::report {
 
 // All return the height of the figure [mm] for its width.
 
-/// K_n and K_s over every parameter, divided by its base: those of the file, else Eq. 1 fitted to E(theta).
-double draw_stiffness(GnuplotScript& script, const std::vector<Variation>& variations, double width);
+/// K_n and K_s over every parameter, divided by its base, from Eq. 1 fitted to E(theta); dashed: what others
+/// found for them.
+double draw_stiffness(GnuplotScript& script, const Variation& variation, double width);
 /// E(theta), one panel per stiffness of the joints and one colour per value; lines: Eq. 1 fitted.
 double draw_modulus(GnuplotScript& script, const Variation& variation, double width);
 /// UCS(theta), one panel per parameter and one colour per value.

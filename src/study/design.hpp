@@ -21,9 +21,12 @@
 
 #include "records/recipe.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/variation.hpp"
 
 namespace phy::study {
 
+/// How a specimen is answered: by its test in time, or by the direct elastic solution (study/direct.hpp).
+enum class Solver { dynamic, direct };
 enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
 constexpr int n_designs = 7;
 /// Of morris: p levels and a step of p / 2 of them, so that each is reached equally often; in parts of the
@@ -59,6 +62,7 @@ struct Factor {
 struct Study {
   std::string name;
   Recipe base;
+  Solver solver = Solver::dynamic;
   Design design = Design::one_at_a_time;
   std::vector<Factor> vary;
   std::vector<std::vector<double>> rows;  ///< of the list design
@@ -66,6 +70,7 @@ struct Study {
   std::int64_t seed = 1;
   std::vector<std::int64_t> packings;    ///< packing seeds; at least one
   std::vector<std::int64_t> bond_seeds;  ///< at least one
+  std::vector<Regression> regressions;   ///< of others, to be held against its own
 };
 
 /// One setting of all varied parameters, in the order of Study::vary.

@@ -25,7 +25,7 @@ std::size_t replicate_of(const Plan& plan, const Run& run) {
 
 const Number* number_of(const StudyRows& rows, const Run& run, const std::string& name) {
   const auto& row = rows[run.test];
-  const bool counts = row && row->result.outcome.status == Status::peaked;
+  const bool counts = row && has_answer(row->result.outcome.status);
   return counts ? analysis::find(row->result.numbers, name) : nullptr;
 }
 
@@ -141,17 +141,16 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
   return all;
 }
 
-JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
-                     theory::Eq1Reference reference) {
+JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading& reading) {
   JointFits fits;
   fits.fits.assign(n_replicates(plan.study), std::vector<std::optional<theory::Eq1Fit>>(plan.points.size()));
   fits.K_n = {"K_n", "Pa/m", "all angles", no_values(plan)};
   fits.K_s = {"K_s", "Pa/m", "all angles", no_values(plan)};
   fits.R2 = {"R2_eq1", "1", "all angles", no_values(plan)};
-  for (const auto& [place, r] : readings_of(plan, rows, modulus)) {
-    const bool has_reference = reference != theory::Eq1Reference::given || std::isfinite(r.intact);
+  for (const auto& [place, r] : readings_of(plan, rows, reading.modulus)) {
+    const bool has_reference = reading.reference != theory::Eq1Reference::given || std::isfinite(r.intact);
     if (!r.whole || r.layered.empty() || !has_reference) continue;
-    const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {theory::Eq1Loss::compliance, reference, r.intact});
+    const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {reading.loss, reading.reference, r.intact});
     fits.fits[place.first][place.second] = fit;
     if (!fit.ok()) continue;
     fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
@@ -205,6 +204,27 @@ std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::
     }
   }
   return all.effects();
+}
+
+std::vector<Effect> beside_regressions(const Plan& plan, const Response& response, std::size_t factor,
+                                       const std::vector<Effect>& effects) {
+  std::vector<Effect> beside;
+  for (const Regression& line : plan.study.regressions) {
+    if (line.number != response.number || line.key != plan.study.vary[factor].key.field->path() ||
+        line.unit != response.unit)
+      continue;
+    for (const Effect& e : effects) {
+      Summary s = e.value;
+      if (e.name == "slope") {
+        s.mean /= line.slope, s.sd /= std::fabs(line.slope), s.half_width /= std::fabs(line.slope);
+        beside.push_back({"slope over that of " + line.source, "1", s});
+      } else if (e.name == "intercept") {
+        s.mean -= line.intercept;
+        beside.push_back({"intercept less that of " + line.source, response.unit, s});
+      }
+    }
+  }
+  return beside;
 }
 
 PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& y) {

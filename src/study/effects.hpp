@@ -4,7 +4,8 @@
 // of a point: the macro joint stiffnesses K_n and K_s by Eq. 1 (theory/eq1_fit.hpp). Every effect is computed
 // on each replicate (packing and bond seed) by itself; then mean and 95 % interval over the replicates are
 // taken. What a single packing shows is one draw from a distribution. Tests that did not peak are left out:
-// what they carried most is no strength; and so are untrusted ones (records/quality.hpp), unless asked for.
+// what they carried most is no strength; and so are untrusted ones (records/quality.hpp), unless asked for;
+// and specimens without a direct solution.
 //
 //   one_at_a_time      line over the points of one parameter: slope, intercept, R2, standard errors, and the
 //                      change from the lowest to the highest level
@@ -52,9 +53,14 @@ struct JointFits {
   Response R2;                                                   ///< of Eq. 1, in modulus
   std::vector<Response> E;                                       ///< E of Eq. 1, by angle [Pa]
 };
-/// `modulus` names the number that is fitted; the reference `given` is that number of the intact specimen.
-JointFits fit_joints(const Plan& plan, const StudyRows& rows, const std::string& modulus,
-                     theory::Eq1Reference reference);
+/// How E(theta) is read and fitted.
+struct MacroReading {
+  const char* modulus;  ///< the number that is fitted
+  theory::Eq1Reference reference =
+      theory::Eq1Reference::given;  ///< `given`: that number of the intact specimen
+  theory::Eq1Loss loss = theory::Eq1Loss::compliance;
+};
+JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading& reading);
 
 /// One effect of a parameter on a response, over the replicates.
 struct Effect {
@@ -65,6 +71,11 @@ struct Effect {
 
 /// All effects of parameter number `factor` that the design can tell.
 std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::size_t factor);
+
+/// Slope and intercept beside those that others found for this response and parameter (Study::regressions),
+/// where the unit is the same.
+std::vector<Effect> beside_regressions(const Plan& plan, const Response& response, std::size_t factor,
+                                       const std::vector<Effect>& effects);
 
 /// The line of a response over one parameter of a one_at_a_time study, by replicate.
 std::vector<LineFit> curve_lines(const Plan& plan, const Response& response, std::size_t factor);

@@ -3,18 +3,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
+#include "base/text_table.hpp"
 #include "records/quality.hpp"
-#include "report/text_table.hpp"
 #include "study/effects.hpp"
 #include "study/table.hpp"
 
 namespace phy::study {
 namespace {
 
-constexpr const char* modulus = "E_tangent";
-const std::vector<std::string> told = {"ucs", modulus, "nu"};
+/// Numbers whose effects are printed.
+std::vector<std::string> told(Solver solver) {
+  if (solver == Solver::direct) return {"E_gauge", "nu_gauge"};
+  return {"ucs", "E_tangent", "nu"};
+}
+
+/// A way to K_n and K_s with its names: `name` in the tables, `title` of what is printed, if it is printed.
+struct NamedReading {
+  MacroReading reading;
+  std::string name, title;
+};
+
+/// Every way that a study can be read; the first is the usual one.
+std::vector<NamedReading> all_readings(Solver solver) {
+  using R = theory::Eq1Reference;
+  if (solver == Solver::dynamic)
+    return {{{"E_tangent", R::given},
+             "reference intact",
+             "Eq. 1 on E_tangent (40-60 % of ucs), reference the intact rock"},
+            {{"E_tangent", R::measured_90}, "reference E(90)", ""},
+            {{"E_tangent", R::free}, "reference free", ""},
+            {{"E_small", R::given}, "reference intact (E_small)", ""}};
+  std::vector<NamedReading> all;
+  for (const theory::Eq1Loss loss : {theory::Eq1Loss::compliance, theory::Eq1Loss::modulus})
+    for (const char* modulus : {"E_gauge", "E_gauge_pulling", "E_platen", "E_platen_pulling"})
+      for (const auto& [reference, word] :
+           {std::pair{R::given, "intact"}, std::pair{R::measured_90, "E(90)"}, std::pair{R::free, "free"}}) {
+        const bool squares_of_E = loss == theory::Eq1Loss::modulus, first = all.size() < 3;
+        std::string name = fmt::format("reference {}", word);
+        if (!first) name += fmt::format(" ({}{})", modulus, squares_of_E ? ", loss in modulus" : "");
+        const std::string title =
+            all.size() < 6 ? fmt::format("Eq. 1 on {}, reference {}", modulus, word) : std::string();
+        all.push_back({{modulus, reference, loss}, name, title});
+      }
+  return all;
+}
 
 /// What the design tells first about a parameter, and how to print it.
 struct Headline {
@@ -58,16 +92,12 @@ std::string effect_table(const Plan& plan, const std::vector<Response>& of, int 
   const Headline h = headline(plan.study.design);
   const auto [own, unit] = readable(of.front().unit);
   const double scale = h.scale > 0.0 ? h.scale : own;
-  report::Column keys{"", "", {}, true};
+  Column keys{"", "", {}, true};
   for (const Factor& f : plan.study.vary) keys.cells.push_back(f.key.path());
-  report::Columns columns;
+  Columns columns;
   for (const Response& r : of) {
     const bool at_angle = r.specimen.starts_with("theta = ");
-    report::Column c{r.specimen == "all angles" ? r.number
-                     : at_angle                 ? r.specimen.substr(8)
-                                                : r.specimen,
-                     "",
-                     {}};
+    Column c{r.specimen == "all angles" ? r.number : at_angle ? r.specimen.substr(8) : r.specimen, "", {}};
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
       const auto effects = effects_of(plan, r, k);
       const Effect* e = named(effects, h.effect);
@@ -77,43 +107,56 @@ std::string effect_table(const Plan& plan, const std::vector<Response>& of, int 
   }
   const std::string title =
       fmt::format("{}: {}{}", of.front().number, h.meaning, h.scale > 0.0 ? "" : " [" + unit + "]");
-  return "\n" + report::wrapped(title, terminal_width) + "\n" +
-         report::text_table(keys, {columns}, terminal_width);
+  return "\n" + wrapped(title, terminal_width) + "\n" + text_table(keys, {columns}, terminal_width);
 }
 
+/// The line K(k), and below it what others found.
 std::string line_text(const Plan& plan, const Response& K, const std::string& field) {
   std::string text;
+  const std::string k_name = field.substr(8);
   for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
     if (plan.study.vary[k].key.field->path() != field) continue;
     const auto effects = effects_of(plan, K, k);
     const auto value = [&](const char* name) { return named(effects, name)->value; };
     text += fmt::format("  {} = {} {} + {} GPa/m, R2 {}, standard errors {:.4f} and {:.1f}\n", K.number,
-                        with_interval(value("slope"), 1.0, 4), field.substr(8),
+                        with_interval(value("slope"), 1.0, 4), k_name,
                         with_interval(value("intercept"), 1e-9, 1), with_interval(value("R2"), 1.0, 5),
                         value("slope se").mean, value("intercept se").mean * 1e-9);
+    for (const Regression& r : plan.study.regressions)
+      if (r.number == K.number && r.key == field)
+        text += r.unit != K.unit
+                    ? fmt::format("  {}: is in {}, not in Pa/m: not compared\n", r.source, r.unit)
+                    : fmt::format("  {}: {} = {:.4f} {} + {:.1f} GPa/m, R2 {}\n", r.source, K.number, r.slope,
+                                  k_name, r.intercept * 1e-9,
+                                  std::isfinite(r.R2) ? fmt::format("{:.5f}", r.R2) : "-");
   }
   return text;
 }
 
 std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
-  const JointFits fits = fit_joints(plan, rows, modulus, theory::Eq1Reference::given);
+  std::string text, table;
   const auto any = [](const Response& r) {
     for (const auto& of : r.values)
       for (const double v : of)
         if (std::isfinite(v)) return true;
     return false;
   };
-  if (!any(fits.K_n)) return "";
-  std::string text = fmt::format(
-      "\nmacro joint stiffness: Eq. 1 on {} (40-60 % of ucs), reference the intact rock\n"
-      "  at the first point K_n = {}, K_s = {} GPa/m\n",
-      modulus, with_interval(fits.K_n.at(0), 1e-9, 1), with_interval(fits.K_s.at(0), 1e-9, 1));
-  if (plan.study.design == Design::one_at_a_time)
-    text += line_text(plan, fits.K_n, "bedding.k_n") + line_text(plan, fits.K_s, "bedding.k_s");
-  return report::wrapped(text, terminal_width, 4) + effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
+  for (const NamedReading& named : all_readings(plan.study.solver)) {
+    if (named.title.empty()) continue;
+    const JointFits fits = fit_joints(plan, rows, named.reading);
+    if (!any(fits.K_n)) continue;
+    std::string own = fmt::format(
+        "\nmacro joint stiffness: {}\n  at the first point K_n = {}, K_s = {} GPa/m\n", named.title,
+        with_interval(fits.K_n.at(0), 1e-9, 1), with_interval(fits.K_s.at(0), 1e-9, 1));
+    if (plan.study.design == Design::one_at_a_time)
+      own += line_text(plan, fits.K_n, "bedding.k_n") + line_text(plan, fits.K_s, "bedding.k_s");
+    text += wrapped(own, terminal_width, 4);
+    if (table.empty()) table = effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
+  }
+  return text + table;
 }
 
-/// All numbers of all specimens, then Eq. 1 on E at 50 % of ucs by every reference, and on E at small strain.
+/// All numbers of all specimens, then Eq. 1 by every reading.
 std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
   std::vector<Response> all;
   std::vector<std::string> names;
@@ -123,17 +166,12 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
         if (std::find(names.begin(), names.end(), n.name) == names.end()) names.push_back(n.name);
   for (const std::string& name : names)
     for (Response& r : responses(plan, rows, name)) all.push_back(std::move(r));
-  const std::tuple<const char*, theory::Eq1Reference, const char*> fitted[] = {
-      {modulus, theory::Eq1Reference::given, "reference intact"},
-      {modulus, theory::Eq1Reference::measured_90, "reference E(90)"},
-      {modulus, theory::Eq1Reference::free, "reference free"},
-      {"E_small", theory::Eq1Reference::given, "reference intact (E_small)"}};
-  for (const auto& [from, reference, name] : fitted) {
-    JointFits fits = fit_joints(plan, rows, from, reference);
+  for (const NamedReading& named : all_readings(plan.study.solver)) {
+    JointFits fits = fit_joints(plan, rows, named.reading);
     std::vector<Response> of = std::move(fits.E);
     of.insert(of.end(), {fits.K_n, fits.K_s, fits.R2});
     for (Response& r : of) {
-      r.specimen += fmt::format(", {}", name);
+      r.specimen += fmt::format(", {}", named.name);
       all.push_back(std::move(r));
     }
   }
@@ -141,18 +179,19 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
 }
 
 /// How many finished tests the effects do without, and how many of the others carry a remark.
-std::string left_out_text(const StudyRows& rows) {
+std::string left_out_text(const StudyRows& rows, Solver solver) {
   std::size_t n_finished = 0, n_untrusted = 0;
   QualityTally tally;
   for (const auto& row : rows) {
     if (!row) continue;
     ++n_finished;
-    if (row->result.outcome.status == Status::peaked) tally.add(row->result.numbers);
+    if (has_answer(row->result.outcome.status)) tally.add(row->result.numbers);
     if (row->result.outcome.status == Status::untrusted) ++n_untrusted;
   }
   std::string text;
   if (const std::size_t n = n_finished - tally.n_results - n_untrusted; n > 0)
-    text += fmt::format("\nleft out: {} of {} specimens, which did not peak\n", n, n_finished);
+    text += fmt::format("\nleft out: {} of {} specimens, which {}\n", n, n_finished,
+                        solver == Solver::direct ? "have no elastic solution" : "did not peak");
   if (n_untrusted > 0)
     text +=
         fmt::format("\nleft out: {} of {} specimens, which are not to be trusted\n", n_untrusted, n_finished);
@@ -167,12 +206,12 @@ std::string cells(const Summary& s) {
 
 std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
   std::string text = joints_text(plan, rows, terminal_width);
-  for (const std::string& name : told)
+  for (const std::string& name : told(plan.study.solver))
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
       text += effect_table(plan, of, terminal_width);
   if (text.find("+-") != text.npos)
-    text += report::wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
-  return text + report::wrapped(left_out_text(rows), terminal_width);
+    text += wrapped("\n+-: 95 % of the mean over packings and bond seeds\n", terminal_width);
+  return text + wrapped(left_out_text(rows, plan.study.solver), terminal_width);
 }
 
 StudyRows with_untrusted(StudyRows rows) {
@@ -184,10 +223,15 @@ StudyRows with_untrusted(StudyRows rows) {
 std::string effects_csv(const Plan& plan, const StudyRows& rows) {
   std::string text = "number,specimen,parameter,effect,unit,replicates,mean,sd,half width of 95 %\n";
   for (const Response& r : all_responses(plan, rows))
-    for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
-      for (const Effect& e : effects_of(plan, r, k))
+    for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
+      std::vector<Effect> effects = effects_of(plan, r, k);
+      const std::vector<Effect> beside = beside_regressions(plan, r, k, effects);
+      effects.insert(effects.end(), beside.begin(), beside.end());
+      for (const Effect& e : effects)
         text += fmt::format("{},{},{},{},{},{}\n", phy::csv_cell(r.number), phy::csv_cell(r.specimen),
-                            plan.study.vary[k].key.path(), e.name, phy::csv_cell(e.unit), cells(e.value));
+                            plan.study.vary[k].key.path(), phy::csv_cell(e.name), phy::csv_cell(e.unit),
+                            cells(e.value));
+    }
   return text;
 }
 

@@ -18,6 +18,7 @@ constexpr double bridge_factor = 0.2;   // macro cohesion over tau_c: bonds that
 constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joints, beside the bridges
 constexpr double stiffness_factor = 1.8;  // K over k, for n and s, of a plane one layer of contacts thick
 constexpr double layer_thickness = 0.9;   // of a zone that holds one layer, over the mean diameter
+constexpr double direct_cycles = 3500.0;  // that a press could run while two direct solutions are found
 constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
 constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain, step_safety as usual
 
@@ -46,6 +47,8 @@ double expected_cost(const Recipe& r) {
   const double cycles = strain * r.test.kind->expected.length(r) / (2.0 * r.test.platen_speed * dt);
   return cycles * expected_grains(r);
 }
+
+double expected_direct_cost(const Recipe& r) { return direct_cycles * expected_grains(r); }
 
 double expected_peak_strain(const Recipe& r) {
   if (r.test.kind->runs_to_end) return r.test.max_strain;

@@ -11,6 +11,9 @@ double expected_grains(const Recipe& single);
 /// Expected cost of a test [cycles times grains], a guess.
 double expected_cost(const Recipe& single);
 
+/// The same of a direct elastic solution, as if it took cycles.
+double expected_direct_cost(const Recipe& single);
+
 /// Strain at which a specimen is expected to peak, in the measure of its test, from Goodman's modulus and
 /// Jaeger's strength with rules of thumb for the macro values. Within a factor of two for the usual rocks;
 /// decides no result.

@@ -11,7 +11,6 @@
 #include "genesis/specimen.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
-#include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy::study {
@@ -21,26 +20,8 @@ namespace {
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
   r.test.intact = false;
-  r.sweep = {};
   if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
-}
-
-/// The keys that are not as by default, a line each.
-std::string not_by_default(const Recipe& r) {
-  Recipe plain;
-  plain.bedding.resize(r.bedding.size());
-  std::string text;
-  for (const Field& f : recipe_fields()) {
-    const bool of_set = f.table == "bedding";
-    for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
-      const std::string value = print_field(f, r, i);
-      if (value == print_field(f, plain, i)) continue;
-      text += of_set ? fmt::format("bedding[{}].{} = {}\n", i, f.key, value)
-                     : fmt::format("{} = {}\n", f.path(), value);
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -70,10 +51,10 @@ std::string specimen_key(const Recipe& single) {
   r.test.intact = false;
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
-  std::string text = fmt::format("results {}, {} sets of bedding\n", results_version, r.bedding.size());
+  std::string text = fmt::format("results {}\n", results_version);
   if (!r.packing.file.empty()) text += "discs " + fingerprint_of(io::read_file(r.packing.file)) + "\n";
   r.packing.file.clear();
-  return fingerprint_of(text + not_by_default(r));
+  return fingerprint_of(text + keys_not_by_default(r));
 }
 
 std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other) {

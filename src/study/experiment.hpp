@@ -32,7 +32,7 @@ struct RecipeDifference {
   std::string key, one, other;
 };
 /// The first key by which specimens of two recipes differ in more than their angle; nothing where there is
-/// none. The angles, the intact specimen and the sweep do not count.
+/// none. The angles and the intact specimen do not count.
 std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other);
 
 /// The packing of a recipe: imported, from the cache, or made.

@@ -10,6 +10,7 @@
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
 
 namespace phy::study {
 namespace {
@@ -78,13 +79,21 @@ TEST(SpecimenKey, IgnoresWhatChangesNothing) {
   EXPECT_EQ(specimen_key(a), specimen_key(b));
 }
 
+// A key that comes to the recipe later, and is left alone, has its default: the same fingerprint.
+TEST(SpecimenKey, IsTakenOfWhatIsNotByDefault) {
+  Recipe r;
+  EXPECT_EQ(keys_not_by_default(r), "0 sets of bedding\n");
+  r.bedding.resize(2);
+  r.bedding[1].k_n = 1e12, r.matrix.mu = 0.25;
+  EXPECT_EQ(keys_not_by_default(r), "2 sets of bedding\nmatrix.mu = 0.25\nbedding[1].k_n = \"1000 GPa/m\"\n");
+}
+
 TEST(RecipeDifference, IsTheFirstKeyThatIsNoAngle) {
   const Recipe a = seven_angles();
   Recipe b = a;
   b.test.angles = {5, 10};
   b.test.intact = false;
   b.bedding = genesis::turned(a.bedding, 30.0);
-  b.sweep.n_packings = 3;
   EXPECT_FALSE(first_difference(a, b));
   b.matrix.mu = 0.25;
   b.bedding[1].k_s *= 2.0;

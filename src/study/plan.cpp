@@ -6,6 +6,7 @@
 
 #include "genesis/cache.hpp"
 #include "lab/tests.hpp"
+#include "study/direct.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
 
@@ -51,12 +52,14 @@ class PlanMaker {
  public:
   explicit PlanMaker(Plan& plan) : plan_(plan) {}
   void add(Recipe single, Run run) {
-    const std::string key = specimen_key(single);
+    const bool direct = plan_.study.solver == Solver::direct;
+    if (direct) single = elastic_recipe(std::move(single));
+    const std::string key = (direct ? "direct-" : "") + specimen_key(single);
     const auto [it, is_new] = known_.emplace(key, plan_.tests.size());
     run.test = it->second;
     plan_.runs.push_back(run);
     if (!is_new) return;
-    const double cost = expected_cost(single);
+    const double cost = direct ? expected_direct_cost(single) : expected_cost(single);
     const std::size_t kind = kind_of(kinds_, single);
     plan_.tests.push_back({key, std::move(single), cost, 0, kind});
   }

@@ -9,6 +9,7 @@
 #include "genesis/cut.hpp"
 #include "io/toml_in.hpp"
 #include "lab/load_path.hpp"
+#include "study/direct.hpp"
 #include "study/experiment.hpp"
 
 namespace phy::study {
@@ -60,6 +61,7 @@ class Worker {
   const std::atomic<bool>& broken_;  // another worker has failed
   std::shared_ptr<const Packing> packing_;
   std::optional<std::size_t> last_;  // of this batch
+  statics::UniaxialStatics statics_;
 
   bool stopped() { return broken_.load() || desk_.stopped(); }
 
@@ -75,12 +77,19 @@ class Worker {
       }
       return;
     }
+    if (plan_.study.solver == Solver::direct) return solve_batch(a.batch);
     MachineOptions alone = machine_;
     alone.threads = 1;
     auto crew = std::make_unique<Crew>(held_by(any), crew_options(a.n_tests, any, alone));
     const LaneHooks lanes = hooks([&] { return next(a.batch); });
     crew->fill(lanes);
     run_crew(std::move(crew), lanes, exchange_);
+  }
+  void solve_batch(std::size_t batch) {
+    while (const std::optional<Job> job = next(batch)) {
+      desk_.deliver(job->index, solve_directly(*job->specimen, statics_));
+      desk_.count(plan_.tests[job->index].cost);
+    }
   }
   /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
   std::shared_ptr<const Packing> held_by(const Recipe& recipe) const {
@@ -135,7 +144,7 @@ StoreDesk::StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, in
       ++progress_.n_total;
       progress_.cost_left += plan.tests[test].cost;
       if (rows[i])
-        finish(test, rows[i]->result.outcome.status != Status::peaked);
+        finish(test, !has_answer(rows[i]->result.outcome.status));
       else
         enqueue(test);
     }
@@ -183,8 +192,7 @@ void StoreDesk::look_again() {
     const Claim claim = store_.claim(t.key);
     if (claim == Claim::elsewhere) still.push_back(test);
     if (claim == Claim::mine) store_.release(t.key), enqueue(test);
-    if (claim == Claim::done)
-      finish(test, store_.rows({t.key}).front()->result.outcome.status != Status::peaked);
+    if (claim == Claim::done) finish(test, !has_answer(store_.rows({t.key}).front()->result.outcome.status));
   }
   elsewhere_ = std::move(still);
 }
@@ -255,7 +263,7 @@ void StoreDesk::deliver_from(const std::string& host, std::size_t test, const Te
   if (result.outcome.status == Status::interrupted) return store_.release(t.key);
   store_.put(t.key, io::write_recipe(t.recipe), result, host);
   const std::lock_guard lock(mutex_);
-  finish(test, result.outcome.status != Status::peaked);
+  finish(test, !has_answer(result.outcome.status));
   ++progress_.n_new;
   progress_.n_guest += host.empty() ? 0 : 1;
   progress_.cost_new += t.cost;

@@ -25,7 +25,7 @@ namespace phy::study {
 /// Where a study stands.
 struct StudyProgress {
   std::size_t n_done = 0;    ///< finished, by whomever
-  std::size_t n_failed = 0;  ///< of these: no peak
+  std::size_t n_failed = 0;  ///< of these: without an answer
   std::size_t n_new = 0;     ///< of these: finished by this run
   std::size_t n_guest = 0;   ///< of these: on other ranks
   std::size_t n_total = 0;

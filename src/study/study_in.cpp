@@ -5,13 +5,12 @@
 #include <filesystem>
 #include <map>
 
-#include "base/check.hpp"
 #include "base/quote.hpp"
 #include "base/spelling.hpp"
 #include "io/file.hpp"
+#include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
-#include "io/toml_tree.hpp"
 #include "study/experiment.hpp"
 
 namespace phy::study {
@@ -20,6 +19,61 @@ namespace {
 using Kind = io::TomlValue::Kind;
 constexpr std::size_t max_told = 20;
 constexpr double max_specimens = 1e6;  // a slip of the pen, not a study
+constexpr double max_seed = 4294967295.0;
+
+Field entry(FieldKind kind, const char* table, const char* key, const char* meaning, const char* otherwise) {
+  Field f;
+  f.kind = kind, f.table = table, f.key = key, f.meaning = meaning, f.otherwise = otherwise;
+  return f;
+}
+Field within(Field f, double min, double max) {
+  f.min = min, f.max = max;
+  return f;
+}
+Field one_of(Field f, std::vector<std::string> choices) {
+  f.choices = std::move(choices), f.max = unbounded;
+  return f;
+}
+
+Fields study_fields() {
+  std::vector<std::string> designs;
+  for (int d = 0; d < n_designs; ++d) designs.emplace_back(to_string(static_cast<Design>(d)));
+  using K = FieldKind;
+  return {
+      entry(K::text, "", "name", "name of the study; default: the file's name", ""),
+      entry(K::text, "", "recipe", "recipe that the study starts from, counted from the folder of this file",
+            ""),
+      one_of(
+          entry(K::choice, "", "solver",
+                "dynamic: the recipe's test, in time; direct: E and nu at small strain by the direct elastic "
+                "solution",
+                "\"dynamic\""),
+          {"dynamic", "direct"}),
+      one_of(entry(K::choice, "", "design", "points to visit", "\"one_at_a_time\""), designs),
+      within(
+          entry(K::integer, "", "samples",
+                "points (latin_hypercube, sobol), walks of k + 1 points (morris), blocks of k + 2 (saltelli)",
+                "64"),
+          1, 100000),
+      within(entry(K::integer, "", "seed", "seed of the sampled designs", "1"), 0, 4e9),
+      entry(K::text, "", "file",
+            "CSV file of points for the list design: a column per key, its unit in brackets", ""),
+      within(entry(K::integers, "", "packings", "packing seeds, as replicates; default: the recipe's", ""), 0,
+             max_seed),
+      within(entry(K::integers, "", "bond_seeds",
+                   "seeds of bond strengths, as replicates; default: the recipe's", ""),
+             0, max_seed),
+      entry(K::text, "", "regressions",
+            "TOML file of lines that others found, held against those of this study", ""),
+      entry(K::text, "vary", "key", "what varies: \"bedding.k_n\" (all sets) or \"bedding[1].k_n\"", ""),
+      entry(K::values, "vary", "values", "levels, with units", ""),
+      within(entry(K::quantities, "vary", "times", "levels as multiples of the recipe's value", ""),
+             -unbounded, unbounded),
+      entry(K::value, "vary", "from", "lower end of a range", ""),
+      entry(K::value, "vary", "to", "upper end of a range", ""),
+      one_of(entry(K::choice, "vary", "scale", "how a range is divided", "\"linear\""), {"linear", "log"}),
+      entry(K::value, "set", "\"table.key\"", "a key of the recipe and its value for the whole study", "")};
+}
 
 /// The recipe key of that name, "bedding.k_n" or "bedding[1].k_n"; field = nullptr if there is none.
 RecipeKey find_key(const std::string& path) {
@@ -29,8 +83,8 @@ RecipeKey find_key(const std::string& path) {
     key.set = std::atoi(path.c_str() + open + 1);
     plain.erase(open, close - open + 1);
   }
-  for (const Field& f : recipe_fields())
-    if (f.path() == plain && (key.set < 0 || f.table == "bedding")) key.field = &f;
+  const Field* field = find_field(recipe_fields(), plain);
+  if (field != nullptr && (key.set < 0 || field->table == "bedding")) key.field = field;
   return key;
 }
 
@@ -39,15 +93,6 @@ std::string key_hint(const std::string& path) {
   for (const Field& f : recipe_fields()) known.push_back(f.path());
   const std::string near = nearest(path, known);
   return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
-}
-
-/// A value of any key that travels as a number.
-bool take_any(const Field& f, const io::TomlValue& v, double& value, std::string& remedy) {
-  if (f.kind == FieldKind::boolean) return value = v.number, v.kind == Kind::boolean;
-  if (f.kind != FieldKind::choice) return io::take_value(f, v, value, remedy);
-  const auto it = std::find(f.choices.begin(), f.choices.end(), v.text);
-  value = static_cast<double>(it - f.choices.begin());
-  return v.kind == Kind::text && it != f.choices.end();
 }
 
 /// Why a key must not vary from point to point, as what to do instead; empty: it may.
@@ -64,133 +109,76 @@ bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != F
 
 class Reader {
  public:
-  Reader(const std::string& path, std::vector<Problem> so_far, const io::TomlValue& root)
-      : problems(std::move(so_far)), path_(path), root_(root) {}
+  explicit Reader(const std::string& path)
+      : path_(path), file_(io::read_file(path), path, study_schema()), problems_(file_.problems) {}
 
   Study read() {
-    check_keys(root_, "", "");
-    study_.name = text("name", std::filesystem::path(path_).stem().string());
-    if (root_.find("name") == nullptr && !is_plain(study_.name))
-      problems.push_back({path_, "name", study_.name, "a name in UTF-8 without control characters",
-                          "the file has none: write name = \"...\""});
+    study_.name = file_.name();
     read_base();
-    read_design();
+    study_.solver = static_cast<Solver>(file_.number("solver", 0.0));
+    study_.design = static_cast<Design>(file_.number("design", 0.0));
     if (base_ok_) read_set();
     read_numbers();
+    read_found();
     if (base_ok_) {
       read_vary();
       read_list();
-      if (problems.empty()) check_points();
+      if (problems_.empty()) check_points();
     }
+    file_.check();
     return study_;
   }
-  std::vector<Problem> problems;
 
  private:
-  std::string path_;
-  const io::TomlValue& root_;
+  const std::string& path_;
+  io::Document file_;
+  std::vector<Problem>& problems_;
   Study study_;
   bool base_ok_ = false;
 
-  std::string at(std::size_t line) const { return path_ + ":" + std::to_string(line); }
   void tell(const io::TomlValue& v, const std::string& key, const std::string& expected,
             const std::string& remedy) {
-    problems.push_back({at(v.line), key, io::as_written(v), expected, remedy});
-  }
-  std::string beside(const std::string& name) const {
-    return (std::filesystem::path(path_).parent_path() / name).string();
-  }
-  static std::string expected_of(const std::string& table, const std::string& key) {
-    for (const StudyKey& k : study_keys())
-      if (k.table == table && k.key == key) return k.expected;
-    return "";
+    file_.tell(v, key, expected, remedy);
   }
 
-  void check_keys(const io::TomlValue& table, const std::string& name, const std::string& prefix) {
-    for (const io::TomlValue::Key& key : table.keys) {
-      std::vector<std::string> known;
-      for (const StudyKey& k : study_keys()) {
-        if (k.table == name) known.push_back(k.key);
-        if (name.empty() && !k.table.empty()) known.push_back(k.table);
-      }
-      if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
-      const std::string near = nearest(key.name, known);
-      std::string remedy =
-          near.empty() ? "`phyllite study --reference` lists all keys" : "did you mean \"" + near + "\"?";
-      const bool of_recipe = std::any_of(recipe_fields().begin(), recipe_fields().end(), [&](const Field& f) {
-        return f.key == key.name || f.table == key.name;
-      });
-      if (name.empty() && of_recipe)
-        remedy = "a key of the recipe belongs into a [[vary]] table, or into [set]";
-      problems.push_back({at(key.line), prefix + key.name, "", "a known key", remedy});
-    }
-  }
-
-  std::string text(const char* key, const std::string& otherwise) {
-    const io::TomlValue* v = root_.find(key);
-    if (v == nullptr) return otherwise;
-    if (v->kind == Kind::text) return v->text;
-    tell(*v, key, "text in quotes", "");
-    return otherwise;
-  }
   void read_base() {
-    const std::string name = text("recipe", "");
-    if (name.empty()) {
-      if (root_.find("recipe") == nullptr)
-        problems.push_back({path_, "recipe", "", "the recipe that the study starts from",
-                            "add recipe = \"press.toml\" (counted from the folder of this file)"});
+    if (file_.text("recipe", "").empty()) {
+      if (file_.is_known("recipe"))
+        problems_.push_back({path_, "recipe", "", "the recipe that the study starts from",
+                             "add recipe = \"press.toml\" (counted from the folder of this file)"});
       return;
     }
-    try {
-      study_.base = io::read_recipe(beside(name));
-      base_ok_ = true;
-    } catch (const InputError& e) {
-      problems.insert(problems.end(), e.problems().begin(), e.problems().end());
-    } catch (const IoError& e) {
-      tell(*root_.find("recipe"), "recipe", "a file that can be read", e.what());
-    }
-  }
-  void read_design() {
-    const io::TomlValue* v = root_.find("design");
-    if (v == nullptr) return;
-    for (int d = 0; d < n_designs; ++d)
-      if (v->kind == Kind::text && v->text == to_string(static_cast<Design>(d)))
-        return void(study_.design = static_cast<Design>(d));
-    std::vector<std::string> names;
-    for (int d = 0; d < n_designs; ++d) names.emplace_back(to_string(static_cast<Design>(d)));
-    const std::string near = nearest(v->text, names);
-    tell(*v, "design", expected_of("", "design"), near.empty() ? "" : "did you mean \"" + near + "\"?");
-  }
-
-  bool whole(const io::TomlValue& v, double least, double most) const {
-    return v.kind == Kind::integer && v.number >= least && v.number <= most;
+    const std::optional<Recipe> base = io::named_recipe(file_, "recipe");
+    base_ok_ = base.has_value();
+    if (base) study_.base = *base;
   }
   void read_numbers() {
-    if (const io::TomlValue* v = root_.find("samples"))
-      whole(*v, 1, 100000) ? void(study_.samples = static_cast<std::int64_t>(v->number))
-                           : tell(*v, "samples", expected_of("", "samples"), "");
-    if (const io::TomlValue* v = root_.find("seed"))
-      whole(*v, 0, 4e9) ? void(study_.seed = static_cast<std::int64_t>(v->number))
-                        : tell(*v, "seed", expected_of("", "seed"), "");
+    study_.samples = static_cast<std::int64_t>(file_.number("samples", static_cast<double>(study_.samples)));
+    study_.seed = static_cast<std::int64_t>(file_.number("seed", static_cast<double>(study_.seed)));
     study_.packings = seeds("packings", study_.base.packing.seed);
     study_.bond_seeds = seeds("bond_seeds", study_.base.matrix.bond_seed);
-    if (const io::TomlValue* v = root_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
+    if (const io::TomlValue* v = file_.find("bond_seeds");
+        study_.bond_seeds.size() > 1 && study_.solver == Solver::direct)
+      tell(*v, "bond_seeds", "one seed with solver = \"direct\"", "nothing breaks there: leave it out");
+    if (const io::TomlValue* v = file_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
       tell(*v, "packings", "no seeds with packing.file",
            "an imported packing has no seed; vary nothing here");
   }
-  std::vector<std::int64_t> seeds(const char* key, std::int64_t base) {
-    const io::TomlValue* v = root_.find(key);
-    if (v == nullptr) return {base};
-    std::vector<std::int64_t> list;
-    bool ok = v->kind == Kind::list && !v->items.empty();
-    for (const io::TomlValue& item : v->items) {
-      ok = ok && whole(item, 0, 4294967295.0);
-      const auto seed = static_cast<std::int64_t>(ok ? item.number : 0.0);
-      ok = ok && std::find(list.begin(), list.end(), seed) == list.end();
-      list.push_back(seed);
+  void read_found() {
+    const std::string name = file_.text("regressions", "");
+    if (name.empty()) return;
+    try {
+      study_.regressions = io::read_regressions(file_.beside(name));
+    } catch (const InputError& e) {
+      problems_.insert(problems_.end(), e.problems().begin(), e.problems().end());
+    } catch (const IoError& e) {
+      file_.tell_unreadable("regressions", e);
     }
-    if (!ok) tell(*v, key, expected_of("", key), "for example " + std::string(key) + " = [1, 2, 3]");
-    return list;
+  }
+  std::vector<std::int64_t> seeds(const char* key, std::int64_t base) const {
+    std::vector<std::int64_t> list;
+    for (const double seed : file_.list(key)) list.push_back(static_cast<std::int64_t>(seed));
+    return list.empty() ? std::vector<std::int64_t>{base} : list;
   }
 
   /// A key of the recipe that can be set to a number, or nothing with the problem told.
@@ -206,51 +194,38 @@ class Reader {
       expected = "a bedding set of the base recipe",
       remedy = "the base recipe has " + std::to_string(study_.base.bedding.size());
     if (expected.empty()) return key;
-    problems.push_back({at(line), where, "\"" + name + "\"", expected, remedy});
+    problems_.push_back({io::at_line(path_, line), where, toml_string(name), expected, remedy});
     return {};
   }
   void read_set() {
-    const io::TomlValue* table = root_.find("set");
-    if (table == nullptr) return;
-    if (table->kind != Kind::table) return tell(*table, "set", "a table", "write [set] on a line of its own");
-    for (std::size_t i = 0; i < table->keys.size(); ++i) {
-      const std::string& name = table->keys[i].name;
-      const RecipeKey key = usable(name, table->keys[i].line, "set");
-      double value = 0.0;
-      std::string remedy;
-      if (key.field == nullptr) continue;
-      if (take_any(*key.field, table->items[i], value, remedy))
-        key.put(study_.base, value);
-      else
-        tell(table->items[i], "set.\"" + name + "\"", range_text(*key.field), remedy);
-    }
+    for (const io::TomlValue* table : file_.tables("set"))
+      for (std::size_t i = 0; i < table->keys.size(); ++i) {
+        const std::string& name = table->keys[i].name;
+        const RecipeKey key = usable(name, table->keys[i].line, "set");
+        double value = 0.0;
+        std::string remedy;
+        if (key.field == nullptr) continue;
+        if (io::take_value(*key.field, table->items[i], value, remedy))
+          key.put(study_.base, value);
+        else
+          tell(table->items[i], "set.\"" + name + "\"", range_text(*key.field), remedy);
+      }
   }
 
   void read_vary() {
-    const io::TomlValue* tables = root_.find("vary");
-    if (tables == nullptr) return;
-    if (tables->kind != Kind::list)
-      return tell(*tables, "vary", "tables", "write [[vary]] above the keys of each parameter");
-    for (std::size_t i = 0; i < tables->items.size(); ++i) {
-      const io::TomlValue& table = tables->items[i];
-      const std::string name = "vary[" + std::to_string(i) + "]";
-      if (table.kind != Kind::table) {
-        tell(table, name, "a table", "");
-        continue;
-      }
-      check_keys(table, "vary", name + ".");
-      read_factor(table, name);
-    }
+    const std::vector<const io::TomlValue*> tables = file_.tables("vary");
+    for (std::size_t i = 0; i < tables.size(); ++i)
+      read_factor(*tables[i], "vary[" + std::to_string(i) + "]");
     std::map<std::string, int> count;
     for (const Factor& f : study_.vary)
       if (++count[f.key.path()] == 2)
-        problems.push_back({path_, "vary", f.key.path(), "every key once", "join the two tables"});
+        problems_.push_back({path_, "vary", f.key.path(), "every key once", "join the two tables"});
   }
   void read_factor(const io::TomlValue& table, const std::string& name) {
     const io::TomlValue* key = table.find("key");
-    if (key == nullptr || key->kind != Kind::text)
-      return tell(key != nullptr ? *key : table, name + ".key", "a key of the recipe in quotes",
-                  "for example key = \"bedding.k_n\"");
+    if (key == nullptr)
+      return tell(table, name + ".key", "a key of the recipe in quotes", "for example key = \"bedding.k_n\"");
+    if (!file_.is_known(name + ".key")) return;
     Factor f;
     f.key = usable(key->text, key->line, name + ".key");
     if (f.key.field == nullptr) return;
@@ -265,71 +240,68 @@ class Reader {
     if (times != nullptr) read_times(f, *times, name + ".times");
     if (from != nullptr) read_range(f, table, name);
     const bool by_levels = study_.design == Design::one_at_a_time || study_.design == Design::full_factorial;
-    if (by_levels && f.levels.empty() && from != nullptr)
+    if (by_levels && f.levels.empty() && from != nullptr && file_.is_known("design"))
       tell(*from, name, "values or times with this design",
            "a range is for latin_hypercube, sobol, morris and saltelli");
     study_.vary.push_back(f);
   }
   bool value_in(const Factor& f, const io::TomlValue& v, const std::string& name, double& value) {
     std::string remedy;
-    if (take_any(*f.key.field, v, value, remedy)) return true;
+    if (io::take_value(*f.key.field, v, value, remedy)) return true;
     tell(v, name, range_text(*f.key.field), remedy);
     return false;
   }
   void read_values(Factor& f, const io::TomlValue& list, const std::string& name) {
-    if (list.kind != Kind::list || list.items.empty())
-      return tell(list, name, "a list of values", "write [value, value, ...]");
+    if (!file_.is_known(name)) return;
     for (const io::TomlValue& v : list.items)
       if (double value = 0.0; value_in(f, v, name, value)) f.levels.push_back(value);
   }
   void read_times(Factor& f, const io::TomlValue& list, const std::string& name) {
+    if (!file_.is_known(name)) return;
     const bool countable = f.key.field->kind == FieldKind::quantity || f.key.field->kind == FieldKind::number;
-    if (list.kind != Kind::list || list.items.empty() || !countable)
+    if (list.items.empty() || !countable)
       return tell(list, name, "a list of factors of a key that is a number",
                   "write [0.5, 1, 2], or use values");
     const double base = f.key.get(study_.base);
     const Field& field = *f.key.field;
     for (const io::TomlValue& v : list.items) {
       const double value = v.number * base;
-      if ((v.kind == Kind::integer || v.kind == Kind::number) && io::within_range(field, value))
+      if (within_range(field, value))
         f.levels.push_back(value);
       else
         tell(v, name, "a factor that keeps " + f.key.path() + " within " + range_text(field), "");
     }
   }
   void read_range(Factor& f, const io::TomlValue& table, const std::string& name) {
-    const io::TomlValue *from = table.find("from"), *to = table.find("to"), *scale = table.find("scale");
+    const io::TomlValue *from = table.find("from"), *to = table.find("to");
     if (f.key.field->kind == FieldKind::choice || f.key.field->kind == FieldKind::boolean)
       return tell(*from, name, "values for this key", "a range is for numbers");
     if (!value_in(f, *from, name + ".from", f.from) || !value_in(f, *to, name + ".to", f.to)) return;
     if (!(f.from < f.to)) tell(*to, name + ".to", "above from = " + f.key.print(f.from), "exchange the two");
-    if (scale == nullptr) return;
-    f.logarithmic = scale->text == "log";
-    if (!f.logarithmic && scale->text != "linear")
-      tell(*scale, name + ".scale", expected_of("vary", "scale"), "");
+    f.logarithmic = file_.number(name + ".scale", 0.0) == 1.0;
     if (f.logarithmic && !(f.from > 0.0)) tell(*from, name + ".from", "above 0 on a logarithmic scale", "");
   }
 
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
   void read_list() {
-    const std::string name = text("file", "");
-    const io::TomlValue* v = root_.find("file");
+    const std::string name = file_.text("file", "");
     if ((study_.design == Design::list) == name.empty()) {
-      problems.push_back(
-          {v != nullptr ? at(v->line) : path_, "file", "", "a CSV file exactly with design = \"list\"",
-           name.empty() ? "add file = \"points.csv\"" : "leave it out, or set design = \"list\""});
+      if (file_.is_known("file") && file_.is_known("design"))
+        problems_.push_back(
+            {file_.place("file"), "file", "", "a CSV file exactly with design = \"list\"",
+             name.empty() ? "add file = \"points.csv\"" : "leave it out, or set design = \"list\""});
       return;
     }
     if (name.empty()) return;
     if (!study_.vary.empty())
-      problems.push_back(
+      problems_.push_back(
           {path_, "vary", "", "no [[vary]] with design = \"list\"", "the columns name the keys"});
-    const std::string where = beside(name);
+    const std::string where = file_.beside(name);
     const io::Table table = io::parse_table(io::read_file(where), where);
-    problems.insert(problems.end(), table.problems.begin(), table.problems.end());
+    problems_.insert(problems_.end(), table.problems.begin(), table.problems.end());
     const std::vector<std::string> units = read_header(table, where);
     for (const io::TableRow& row : table.rows)
-      if (problems.size() < max_told) read_row(row, units, where);
+      if (problems_.size() < max_told) read_row(row, units, where);
   }
   std::vector<std::string> read_header(const io::Table& table, const std::string& file) {
     std::vector<std::string> units;
@@ -342,11 +314,11 @@ class Reader {
                       (f.key.field->table != "bedding" ||
                        static_cast<int>(study_.base.bedding.size()) > std::max(f.key.set, 0));
       if (!ok)
-        problems.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
-                            "a key of the base recipe", key_hint(key)});
+        problems_.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
+                             "a key of the base recipe", key_hint(key)});
       else if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
-        problems.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
-                            "a key that varies from point to point", remedy});
+        problems_.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
+                             "a key that varies from point to point", remedy});
       units.push_back(open == cell.npos ? "" : cell.substr(open + 2, cell.size() - open - 3));
       study_.vary.push_back(f);
     }
@@ -359,9 +331,9 @@ class Reader {
       if (key.field == nullptr) return;
       double value = 0.0;
       std::string remedy;
-      if (!take_any(*key.field, cell_value(*key.field, row.cells[k], units[k]), value, remedy))
-        problems.push_back({file + ":" + std::to_string(row.line), key.path(), row.cells[k],
-                            range_text(*key.field), remedy});
+      if (!io::take_value(*key.field, cell_value(*key.field, row.cells[k], units[k]), value, remedy))
+        problems_.push_back({file + ":" + std::to_string(row.line), key.path(), row.cells[k],
+                             range_text(*key.field), remedy});
       values.push_back(value);
     }
     study_.rows.push_back(values);
@@ -386,7 +358,7 @@ class Reader {
       for (const Factor& f : study_.vary) n *= static_cast<double>(f.levels.size());
     n *= static_cast<double>(study_.packings.size() * study_.bond_seeds.size());
     if (n > max_specimens) {
-      problems.push_back(
+      problems_.push_back(
           {path_, "vary", "", "at most a million specimens", "use fewer levels, or a sampled design"});
       return;
     }
@@ -394,49 +366,24 @@ class Reader {
       const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
       for (Problem& p :
            cross_checks(r, [&](const std::string&) { return path_ + " at " + describe(study_, point); }))
-        problems.push_back(std::move(p));
-      if (problems.size() >= max_told) return;
+        problems_.push_back(std::move(p));
+      if (problems_.size() >= max_told) return;
     }
   }
 };
 
 }  // namespace
 
-const std::vector<StudyKey>& study_keys() {
-  static const std::vector<StudyKey> keys = {
-      {"", "name", "text", "name of the study; default: the file's name"},
-      {"", "recipe", "a file", "recipe that the study starts from, counted from the folder of this file"},
-      {"", "design",
-       "one of \"one_at_a_time\" \"full_factorial\" \"list\" \"latin_hypercube\" \"sobol\" \"morris\" "
-       "\"saltelli\"",
-       "points to visit; default one_at_a_time"},
-      {"", "samples", "1 <= value <= 100000",
-       "points (latin_hypercube, sobol), walks of k + 1 points (morris), blocks of k + 2 (saltelli); default "
-       "64"},
-      {"", "seed", "0 <= value <= 4000000000", "seed of the sampled designs; default 1"},
-      {"", "file", "a CSV file", "points of the list design: a column per key, its unit in brackets"},
-      {"", "packings", "a list of different whole numbers",
-       "packing seeds, as replicates; default: the recipe's"},
-      {"", "bond_seeds", "a list of different whole numbers",
-       "seeds of bond strengths, as replicates; default: the recipe's"},
-      {"vary", "key", "a key of the recipe", "what varies: \"bedding.k_n\" (all sets) or \"bedding[1].k_n\""},
-      {"vary", "values", "a list of values", "levels, with units"},
-      {"vary", "times", "a list of numbers", "levels as multiples of the recipe's value"},
-      {"vary", "from", "a value", "lower end of a range"},
-      {"vary", "to", "a value", "upper end of a range"},
-      {"vary", "scale", "one of \"linear\" \"log\"", "how a range is divided; default linear"},
-      {"set", "\"table.key\"", "a value", "a key of the recipe and its value for the whole study"},
-  };
-  return keys;
+const io::Schema& study_schema() {
+  static const Fields fields = study_fields();
+  static const io::Schema schema{"study",
+                                 "study",
+                                 fields,
+                                 {{"vary", 100}},
+                                 "a key of the recipe belongs into a [[vary]] table, or into [set]"};
+  return schema;
 }
 
-Study read_study(const std::string& path) {
-  std::vector<Problem> problems;
-  const io::TomlValue root = io::parse_toml(io::read_file(path), path, problems);
-  Reader reader(path, std::move(problems), root);
-  Study study = reader.read();
-  if (!reader.problems.empty()) throw InputError(std::move(reader.problems));
-  return study;
-}
+Study read_study(const std::string& path) { return Reader(path).read(); }
 
 }  // namespace phy::study

@@ -4,18 +4,12 @@
 #include <utility>
 #include <vector>
 
+#include "io/document.hpp"
 #include "study/design.hpp"
 
 namespace phy::study {
 
-/// One key of a study file: THE list, from which the reader's hints and the reference come.
-struct StudyKey {
-  std::string table;  ///< "" = top level, "vary" = [[vary]], "set" = [set]
-  std::string key;
-  std::string expected;
-  std::string meaning;
-};
-const std::vector<StudyKey>& study_keys();
+const io::Schema& study_schema();
 
 /// Reads and checks a study, its base recipe and its list of points. Paths in the file count from its folder.
 /// Throws IoError, or InputError with every problem found.

@@ -1,5 +1,6 @@
 // The files that say what a study was, as they are kept in its folder; read_study reads them again.
 #include "base/quote.hpp"
+#include "io/regressions.hpp"
 #include "io/toml_in.hpp"
 #include "study/study_in.hpp"
 
@@ -39,11 +40,16 @@ std::string list_text(const std::vector<T>& values, const Print& print) {
 std::vector<std::pair<std::string, std::string>> study_files(const Study& study) {
   const auto whole = [](std::int64_t n) { return std::to_string(n); };
   std::string text = "name = " + toml_string(study.name) + "\n";
+  if (study.solver == Solver::direct) text += "solver = \"direct\"\n";
   text += "recipe = \"recipe.toml\"\ndesign = \"" + std::string(to_string(study.design)) + "\"\n";
   text += "samples = " + whole(study.samples) + "\nseed = " + whole(study.seed) + "\n";
   if (study.base.packing.file.empty()) text += "packings = " + list_text(study.packings, whole) + "\n";
   text += "bond_seeds = " + list_text(study.bond_seeds, whole) + "\n";
   std::vector<std::pair<std::string, std::string>> files = {{"recipe.toml", io::write_recipe(study.base)}};
+  if (!study.regressions.empty()) {
+    files.emplace_back(io::regressions_file, io::write_regressions(study.regressions));
+    text += std::string("regressions = \"") + io::regressions_file + "\"\n";
+  }
   if (study.design == Design::list) {
     files.emplace_back("points.csv", points_csv(study));
     text += "file = \"points.csv\"\n";

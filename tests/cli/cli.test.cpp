@@ -111,7 +111,6 @@ TEST_F(Cli, ShowPrintsWhatRunPrinted) {
   EXPECT_EQ(run("show " + folder.string()), 2);
   for (const auto& [file, verb] : {std::pair{"study.toml", "phyllite study status"},
                                    {"calibration.json", "tables.txt"},
-                                   {"fig4.csv", "phyllite report"},
                                    {"envelope.csv", "sigma_3_"}}) {
     fs::create_directories(folder / "other");
     std::ofstream(folder / "other" / file) << "\n";
@@ -338,23 +337,6 @@ TEST_F(Cli, AnEnvelopeOfAnotherRecipeIsNotMixedIn) {
   EXPECT_EQ(run("envelope " + recipe(330) + rest), 0) << output;
 }
 
-TEST_F(Cli, InterruptOfASweepKeepsThePackingsThatAreFinished) {
-  const std::string recipe =
-      write("sweep.toml",
-            "[specimen]\nwidth = \"12 mm\"\nheight = \"24 mm\"\n[packing]\nn_grains = 740\n[[bedding]]\n"
-            "[test]\nangles = [\"0 deg\", \"30 deg\", \"60 deg\", \"90 deg\"]\n"
-            "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 12\n");
-  const auto finished = [&] { return read(at("log")).find("swept") != std::string::npos; };
-  EXPECT_EQ(interrupted({"elastic", recipe, "--out", out()}, finished), 1) << output;
-  EXPECT_THAT(output, HasSubstr("stopped: the tables hold the packings above"));
-  const std::string moduli = read(out() + "/moduli.csv");
-  const auto n_rows = std::count(moduli.begin(), moduli.end(), '\n') - 1;
-  EXPECT_GT(n_rows, 0);
-  EXPECT_EQ(n_rows % (2 * (5 * 4 + 1)),
-            0);  // whole packings: five sets at four angles and intact, two readings
-  EXPECT_LT(n_rows, 12 * 2 * (5 * 4 + 1));
-}
-
 TEST_F(Cli, RecipeExplainsKeysAndFindsNearOnes) {
   EXPECT_EQ(run("recipe --explain zone_thickness"), 0);
   EXPECT_THAT(output, HasSubstr("0.6 mm"));
@@ -405,44 +387,11 @@ TEST_F(Cli, ElasticComparesWithThePress) {
   EXPECT_THAT(output, HasSubstr("held: nothing breaks and nothing slips"));
 }
 
-TEST_F(Cli, ElasticSweepsTwoRecipesUnderBothRules) {
-  const std::string test = "[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n";
-  const std::string body =
-      "[specimen]\nwidth = \"10 mm\"\nheight = \"20 mm\"\n[packing]\nn_grains = 520\n"
-      "[[bedding]]\nspacing = \"2 mm\"\n";
-  write("second.toml", "name = \"second\"\n" + body + test);
-  const std::string sweep =
-      "[sweep]\nfactors = [0.5, 1, 2]\nn_packings = 2\nboth_rules = true\nalso = \"second.toml\"\n";
-  const std::string first = write("first.toml", "name = \"first, of two\"\n" + body + test + sweep);
-  ASSERT_EQ(run("elastic " + first + " --out " + out()), 0) << output;
-  EXPECT_THAT(output, HasSubstr("paper, Eq. 2"));
-  EXPECT_THAT(output, HasSubstr("second, crossing rule, 2 packings"));
-  const std::string lines = read(out() + "/lines.csv");
-  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1 + 2 * 2 * 24 * 2);  // variants, readings, lines
-  EXPECT_THAT(lines, HasSubstr("\"first, of two\",zone,pushing,gauge,compliance,intact,K_n(k_n),2,"));
-  const std::string points = read(out() + "/fig4.csv");
-  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 1 + 2 * 2 * 24 * 2 * 3);
-  const std::string moduli = read(out() + "/moduli.csv");
-  EXPECT_EQ(std::count(moduli.begin(), moduli.end(), '\n'), 1 + 2 * 2 * 2 * 2 * (5 * 3 + 1));
-}
-
-TEST_F(Cli, ElasticRefusesASweepThatSaysNothing) {
-  const std::string bad = write("bad.toml",
-                                "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\"]\n[sweep]\n"
-                                "factors = [1, 1, 2]\n");
-  EXPECT_EQ(run("elastic " + bad), 2);
-  EXPECT_THAT(output, HasSubstr("bad.toml:5: sweep.factors"));
-  EXPECT_THAT(output, HasSubstr("bad.toml:3: test.angles"));
-  const std::string twice = write("twice.toml",
-                                  "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n"
-                                  "[sweep]\nfactors = [0.5, 1, 2]\nalso = \"twice.toml\"\n");
-  EXPECT_EQ(run("elastic " + twice), 2);
-  EXPECT_THAT(output, HasSubstr("twice.toml: name = paper: expected another name"));
-  const std::string lost = write("lost.toml",
-                                 "[[bedding]]\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\n"
-                                 "[sweep]\nfactors = [0.5, 1, 2]\nalso = \"nowhere.toml\"\n");
-  EXPECT_EQ(run("elastic " + lost), 3);
-  EXPECT_THAT(output, HasSubstr("nowhere.toml"));
+TEST_F(Cli, ATableSweepOfAnEarlierVersionIsToldHowToWriteItNow) {
+  const std::string old = write("old.toml", "[[bedding]]\n[sweep]\nfactors = [0.5, 1, 2]\nmu = 3\n");
+  EXPECT_EQ(run("elastic " + old), 2);
+  EXPECT_THAT(output, HasSubstr("old.toml:2: sweep: expected a study with solver = \"direct\""));
+  EXPECT_EQ(run("recipe " + write("completed.toml", "[sweep]\nfactors = []\nn_packings = 1\n")), 0) << output;
 }
 
 TEST_F(Cli, SpecimenExportsAndImportsTheSamePacking) {

@@ -166,19 +166,23 @@ TEST_F(Attack, GnuplotShowsHeadersAndCellsOfATable) {
   }
 }
 
-TEST_F(Attack, ASweepOfAnyNameIsDrawnAndRead) {
+TEST_F(Attack, RegressionsOfAnySourceAreDrawnAndRead) {
   if (!has("gnuplot") || !has("python3")) GTEST_SKIP() << "no gnuplot or python3 here";
   named_recipe();
-  std::ofstream(at("named.toml"), std::ios::app) << "[sweep]\nfactors = [0.5, 1, 2]\n";
-  ASSERT_EQ(phyllite("elastic named.toml --out out"), 0) << output;
+  write("lines.toml", "[[line]]\nsource = " + phy::toml_string(attack) +
+                          "\nnumber = \"K_n\"\nkey = \"bedding.k_n\"\nslope = 2\nintercept = \"1 GPa/m\"\n");
+  write("study.toml",
+        "recipe = \"named.toml\"\nsolver = \"direct\"\nregressions = \"lines.toml\"\n[[vary]]\nkey = "
+        "\"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");
+  ASSERT_EQ(phyllite("study study.toml --out out"), 0) << output;
   ASSERT_EQ(phyllite("figure out --kind stiffness --out a.svg"), 0) << output;
-  EXPECT_THAT(texts_of("a.svg"), HasSubstr(attack + ", zone rule"));
-  const std::string script = write("read.py",
-                                   "import csv, sys\n"
-                                   "for name in ('lines', 'fig4', 'moduli'):\n"
-                                   "    rows = list(csv.reader(open('out/' + name + '.csv', newline='')))\n"
-                                   "    assert all(len(r) == len(rows[0]) for r in rows), name\n"
-                                   "    assert {r[0] for r in rows[1:]} == {open('attack').read()}, name\n");
+  EXPECT_THAT(texts_of("a.svg"), HasSubstr(attack));
+  const std::string script =
+      write("read.py",
+            "import csv\n"
+            "rows = list(csv.reader(open('out/effects.csv', newline='')))\n"
+            "assert all(len(r) == len(rows[0]) for r in rows)\n"
+            "assert 'slope over that of ' + open('attack').read() in {r[3] for r in rows}\n");
   write("attack", attack);
   EXPECT_EQ(here("python3 " + script), 0) << output;
 }

@@ -81,9 +81,13 @@ class Signals : public ProgramTest, public testing::WithParamInterface<Long> {
     write("slow.toml",
           "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
           "spacing = \"2 mm\"\n[test]\nangles = [\"0 deg\", \"45 deg\", \"90 deg\"]\nplaten_speed = \"0.001 "
-          "m/s\"\n"
-          "[sweep]\nfactors = [0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5]\nn_packings = 50\n");
+          "m/s\"\n");
     write("study.toml", "recipe = \"slow.toml\"\npackings = [1, 2, 3]\n");
+    write("direct.toml",
+          "recipe = \"slow.toml\"\nsolver = \"direct\"\npackings = [1, 2, 3, 4, 5, 6, 7, 8, "
+          "9]\n[[vary]]\nkey = "
+          "\"bedding.k_n\"\ntimes = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 2, 3, 4, 5, 6, 7, 8, "
+          "9]\n");
     write("table.csv",
           "theta [deg],E [GPa],nu,UCS [MPa],n\n0,17.5,0.10,105,3\n30,15.6,0.36,60,3\n"
           "60,21.0,0.5,45,3\n90,48,0.25,128,3\n");
@@ -121,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
              30},
         Long{"envelope", {"envelope", "slow.toml", "--out", "out"}, 1, "stopped: no envelope is fitted", 6},
         Long{"calibrate", {"calibrate", "rock.toml", "--out", "out"}, 1, "to go on: phyllite calibrate", 30},
-        Long{"sweep", {"elastic", "slow.toml", "--out", "out"}, 1, "stopped"},
+        Long{"direct", {"study", "direct.toml", "--out", "out"}, 1, "specimens are left", 30},
         Long{"twin", {"rock", "twin", "slow.toml", "out"}, 1, "stopped, nothing was written"}),
     [](const auto& one) { return std::string(one.param.name); });
 

@@ -144,10 +144,6 @@ TEST_F(OwnFiles, OfACalibration) {
 TEST_F(OwnFiles, OfTheOtherVerbs) {
   tiny();
   keeps("envelope tiny.toml --confining '0 MPa,1 MPa,2 MPa' --out new", "new/fits.csv");
-  tiny("[sweep]\nfactors = [0.5, 1, 2]\n");
-  for (const char* name : {"lines.csv", "fig4.csv", "moduli.csv", "report.html"})
-    keeps("elastic tiny.toml --out swept", std::string("swept/") + name);
-  for (int i = 0; i < 2; ++i) ASSERT_EQ(here("elastic tiny.toml --out swept"), 0) << output;
   keeps("contact linear --out path.csv", "path.csv");
   for (int i = 0; i < 2; ++i) EXPECT_EQ(here("contact linear --out path.csv"), 0) << output;
   for (const char* name : {"discs.csv", "contacts_theta_45_deg.csv"})

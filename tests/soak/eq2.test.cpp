@@ -2,24 +2,31 @@
 // stiffness is a straight line of its own micro stiffness.
 #include <gtest/gtest.h>
 
-#include "io/toml_in.hpp"
-#include "study/stiffness_sweep.hpp"
+#include "../program.hpp"
+#include "study/effects.hpp"
+#include "study/runner.hpp"
+#include "study/study_in.hpp"
+#include "study/table.hpp"
 
 namespace phy {
 namespace {
 
-TEST(PaperEq2, DensePackingCrossingRuleGivesLines) {
-  Recipe recipe = io::read_recipe(PHY_SOURCE_DIR "/examples/paper/press-crossing.toml");
-  recipe.sweep.factors = {0.25, 0.5, 1.0, 1.5};
-  recipe.sweep.n_packings = 1;
-  const auto packings = study::sweep_packings(recipe, 2);
-  const study::SweptPacking swept = study::sweep_stiffness(packings[0], 1, recipe, BeddingRule::crossing, 2);
-  const study::MacroReading reading{study::Contacts::pushing, study::StrainReading::gauge,
-                                    theory::Eq1Loss::compliance, theory::Eq1Reference::given};
-  EXPECT_GE(study::fit_macro_line(std::span(&swept, 1), study::SweptStiffness::normal, reading).R2.mean,
-            0.999);
-  EXPECT_GE(study::fit_macro_line(std::span(&swept, 1), study::SweptStiffness::shear, reading).R2.mean,
-            0.995);
+class PaperEq2 : public ProgramTest {};
+
+TEST_F(PaperEq2, DensePackingCrossingRuleGivesLines) {
+  study::Study s = study::read_study(PHY_SOURCE_DIR "/examples/paper/elastic-crossing.toml");
+  s.packings = {1};
+  for (study::Factor& f : s.vary)
+    std::erase_if(f.levels, [&](double v) { return v > 1.6 * f.key.get(s.base); });
+  const study::Plan plan = study::make_plan(s);
+  study::Store store(at("study.sqlite"));
+  study::MachineOptions machine;
+  machine.threads = 2;
+  study::StoreDesk desk(plan, store, {}, machine.threads);
+  study::work_at(desk, plan, machine);
+  const study::JointFits fits = study::fit_joints(plan, study::rows_of(plan, store), {"E_gauge"});
+  EXPECT_GE(study::curve_lines(plan, fits.K_n, 0)[0].R2, 0.999);
+  EXPECT_GE(study::curve_lines(plan, fits.K_s, 1)[0].R2, 0.995);
 }
 
 }  // namespace

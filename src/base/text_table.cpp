@@ -1,10 +1,10 @@
-#include "report/text_table.hpp"
+#include "base/text_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace phy::report {
+namespace phy {
 namespace {
 
 constexpr std::size_t gap = 2;  // spaces between columns
@@ -102,4 +102,4 @@ std::string wrapped(const std::string& text, int terminal_width, std::size_t ind
   return out;
 }
 
-}  // namespace phy::report
+}  // namespace phy

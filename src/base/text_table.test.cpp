@@ -1,8 +1,8 @@
-#include "report/text_table.hpp"
+#include "base/text_table.hpp"
 
 #include <gtest/gtest.h>
 
-namespace phy::report {
+namespace phy {
 namespace {
 
 const Column label{"test", "", {"one", "second"}, true};
@@ -65,4 +65,4 @@ TEST(Wrapped, LeavesALongWordWhole) {
 }
 
 }  // namespace
-}  // namespace phy::report
+}  // namespace phy

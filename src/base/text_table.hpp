@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace phy::report {
+namespace phy {
 
 /// One column; all cells are text. Numbers stand flush right, names (`left`) flush left.
 struct Column {
@@ -33,4 +33,4 @@ std::string text_table(const Column& label, const std::vector<Columns>& groups, 
 /// Lines that are too wide are broken at spaces; what continues a line is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int terminal_width, std::size_t indent = 0);
 
-}  // namespace phy::report
+}  // namespace phy

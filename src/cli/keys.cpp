@@ -1,0 +1,65 @@
+#include "cli/keys.hpp"
+
+#include <fmt/format.h>
+
+#include "base/spelling.hpp"
+
+namespace phy::cli {
+namespace {
+
+std::string explanation(const Field& f) {
+  std::string text = fmt::format("{}\n  meaning   {}\n  allowed   {}\n", f.path(), f.meaning, range_text(f));
+  if (!f.otherwise.empty()) text += fmt::format("  default   {}\n", f.otherwise);
+  if (f.dimension != Dimension::none) text += fmt::format("  units     {}\n", unit_names(f.dimension));
+  if (!f.pfc_name.empty()) text += fmt::format("  in PFC    {}\n", f.pfc_name);
+  return text;
+}
+
+std::string in_code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
+
+}  // namespace
+
+std::string explain(const std::vector<const io::Schema*>& schemas, const std::string& key) {
+  std::string word = key;
+  if (const std::size_t open = word.find('['), close = word.find(']'); open < close && close != word.npos)
+    word.erase(open, close - open + 1);
+  std::vector<std::string> known, longer;
+  for (const bool in_pfc : {false, true}) {
+    std::string text;
+    for (const io::Schema* schema : schemas)
+      for (const Field& f : schema->fields)
+        if (in_pfc ? has_pfc_name(f, word) : f.path() == word || f.key == word) text += explanation(f);
+    if (!text.empty()) return text;
+  }
+  for (const io::Schema* schema : schemas)
+    for (const Field& f : schema->fields) {
+      known.push_back(word.find('.') == word.npos ? f.key : f.path());
+      if (known.back().starts_with(word)) longer.push_back(known.back());
+    }
+  const io::Schema& first = *schemas.front();
+  const std::string near = longer.empty() ? nearest(word, known) : longer.front();
+  throw InputError(Problem{"command line", "--explain", key, "a key of the " + first.name,
+                           near.empty() ? "`phyllite " + first.verb + " --reference` lists all keys"
+                                        : "did you mean \"" + near + "\"?"});
+}
+
+std::string reference_markdown(const io::Schema& schema) {
+  std::string text = fmt::format(
+      "# Keys of a {}\n\nWritten by `phyllite {} --reference`. A quantity carries its unit, in "
+      "quotes; a key "
+      "that is left out has its default.\n",
+      schema.name, schema.verb);
+  std::string table = "-";
+  for (const Field& f : schema.fields) {
+    if (f.table != table) {
+      table = f.table;
+      text += fmt::format("\n## {}\n\n| key | default | allowed | meaning | PFC |\n|---|---|---|---|---|\n",
+                          table.empty() ? "top level" : schema.in_brackets(table));
+    }
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", f.key, in_code(f.otherwise), range_text(f),
+                        f.meaning, f.pfc_name);
+  }
+  return text;
+}
+
+}  // namespace phy::cli

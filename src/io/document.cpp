@@ -1,0 +1,279 @@
+#include "io/document.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/quote.hpp"
+#include "base/spelling.hpp"
+#include "records/recipe_schema.hpp"
+
+namespace phy::io {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+/// Any key may stand in the table.
+bool is_open(const Schema& schema, const std::string& table) {
+  return std::any_of(schema.fields.begin(), schema.fields.end(),
+                     [&](const Field& f) { return f.table == table && f.key.starts_with('"'); });
+}
+
+bool is_of_recipe(const std::string& word) {
+  return std::any_of(recipe_fields().begin(), recipe_fields().end(),
+                     [&](const Field& f) { return f.key == word || f.table == word; });
+}
+
+/// The value that a key of the recipe has by default.
+double usual_of(const Field& field) {
+  Recipe recipe;
+  recipe.bedding.resize(1);
+  return field.get ? field.get(recipe, 0) : 0.0;
+}
+
+std::string list_remedy(const Field& f) {
+  if (f.kind == FieldKind::integers) return "for example [1, 2, 3]";
+  if (f.kind == FieldKind::values) return "write [value, value, ...]";
+  return f.dimension == Dimension::none ? "write a list, for example [0.5, 1, 2]"
+                                        : "write a list, for example [\"0 deg\", \"30 deg\"]";
+}
+
+std::string path_in(const std::string& table, std::size_t i, bool is_one_of_many, const std::string& key) {
+  if (table.empty()) return key;
+  return table + (is_one_of_many ? "[" + std::to_string(i) + "]." : ".") + key;
+}
+
+bool take_choice(const Field& f, const TomlValue& v, double& number, std::string& remedy) {
+  const std::string word = v.kind == Kind::text ? v.text : "";
+  const auto it = std::find(f.choices.begin(), f.choices.end(), word);
+  number = static_cast<double>(it - f.choices.begin());
+  if (it != f.choices.end()) return true;
+  const std::string near = nearest(word, f.choices);
+  if (!near.empty()) remedy = "did you mean \"" + near + "\"?";
+  return false;
+}
+
+}  // namespace
+
+std::string Schema::in_brackets(const std::string& table) const {
+  if (table.empty()) return "the top of the file";
+  return lists.contains(table) ? "[[" + table + "]]" : "[" + table + "]";
+}
+
+std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table) {
+  if (!schema.of_recipe.empty() && table.empty() && is_of_recipe(word)) return schema.of_recipe;
+  std::vector<std::string> known;
+  for (const Field& f : schema.fields) {
+    if (f.table == table) known.push_back(f.key);
+    if (table.empty() && !f.table.empty()) known.push_back(f.table);
+  }
+  for (const Field& f : schema.fields)
+    if (f.key == word) return "it belongs to " + schema.in_brackets(f.table);
+  for (const Field& f : schema.fields)
+    if (has_pfc_name(f, word))
+      return "PFC's \"" + word + "\" is given by " + f.path() + " (" + f.pfc_name + ")";
+  const std::string near = nearest(word, known);
+  return near.empty() ? "`phyllite " + schema.verb + " --reference` lists all keys"
+                      : "did you mean \"" + near + "\"?";
+}
+
+bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy) {
+  const bool text = value.kind == Kind::text, whole = value.kind == Kind::integer;
+  const bool numeric = whole || value.kind == Kind::number;
+  if (field.kind == FieldKind::boolean) return number = value.number, value.kind == Kind::boolean;
+  if (field.kind == FieldKind::choice) return take_choice(field, value, number, remedy);
+  const bool wants_whole = field.kind == FieldKind::integer || field.kind == FieldKind::integers;
+  if (field.dimension != Dimension::none) {
+    const Quantity q = text || numeric ? parse_quantity(text ? value.text : as_written(value),
+                                                        field.dimension, usual_of(field))
+                                       : Quantity{false, 0.0, "is no quantity"};
+    if (!q.ok) return remedy = q.problem, false;
+    number = q.value;
+  } else if (whole || (numeric && !wants_whole)) {
+    number = value.number;
+  } else {
+    remedy = wants_whole ? "write a whole number" : "write a bare number";
+    return false;
+  }
+  return within_range(field, number);
+}
+
+Document::Document(std::string_view text, const std::string& where, const Schema& schema)
+    : where_(where), schema_(schema) {
+  root_ = parse_toml(text, where, problems);
+  check_tables();
+}
+
+Document::Document(TomlValue root, std::string where, const Schema& schema, std::vector<Problem> so_far)
+    : problems(std::move(so_far)), root_(std::move(root)), where_(std::move(where)), schema_(schema) {
+  check_tables();
+}
+
+void Document::tell(const TomlValue& value, const std::string& path, const std::string& expected,
+                    const std::string& remedy) {
+  problems.push_back({at_line(where_, value.line), path, as_written(value), expected, remedy});
+}
+
+void Document::tell_unreadable(const std::string& key, const IoError& error) {
+  tell(*find(key), key, "a file that can be read", error.what());
+}
+
+void Document::check() const {
+  if (!problems.empty()) throw InputError(problems);
+}
+
+void Document::check_tables() {
+  check_keys(root_, "", "");
+  std::set<std::string> names;
+  for (const Field& f : schema_.fields)
+    if (!f.table.empty()) names.insert(f.table);
+  for (const std::string& name : names) {
+    const TomlValue* node = root_.find(name);
+    if (node == nullptr) continue;
+    const auto list = schema_.lists.find(name);
+    if (list == schema_.lists.end() && node->kind != Kind::table)
+      tell(*node, name, "a table", "write [" + name + "] on a line of its own");
+    else if (list != schema_.lists.end() &&
+             (node->kind != Kind::list || node->items.size() > list->second ||
+              std::any_of(node->items.begin(), node->items.end(),
+                          [](const TomlValue& v) { return v.kind != Kind::table; })))
+      tell(*node, name, "up to " + std::to_string(list->second) + " tables",
+           "write [[" + name + "]] above the keys of each");
+    const std::vector<const TomlValue*> all = tables(name);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!is_open(schema_, name))
+        check_keys(*all[i], name, path_in(name, i, schema_.lists.contains(name), ""));
+  }
+  all_told_apart_ = problems.empty();
+  read_values();
+}
+
+void Document::check_keys(const TomlValue& table, const std::string& name, const std::string& prefix) {
+  for (std::size_t i = 0; i < table.keys.size(); ++i) {
+    const std::string& word = table.keys[i].name;
+    const bool known = std::any_of(schema_.fields.begin(), schema_.fields.end(), [&](const Field& f) {
+      return name.empty() && !f.table.empty() ? f.table == word : f.table == name && f.key == word;
+    });
+    if (known) continue;
+    const TomlValue& v = table.items[i];
+    const bool table_like = v.kind == Kind::table ||
+                            (v.kind == Kind::list && !v.items.empty() && v.items.front().kind == Kind::table);
+    problems.push_back({at_line(where_, table.keys[i].line), prefix + word, "",
+                        table_like ? "a known table" : "a known key", unknown_key_hint(schema_, word, name)});
+  }
+}
+
+void Document::read_values() {
+  for (const Field& f : schema_.fields) {
+    if (f.key.starts_with('"')) continue;
+    const std::vector<const TomlValue*> all = tables(f.table);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const TomlValue* v = all[i]->find(f.key))
+        read(f, *v, path_in(f.table, i, schema_.lists.contains(f.table), f.key));
+  }
+}
+
+void Document::read(const Field& f, const TomlValue& v, const std::string& path) {
+  Value& value = values_[path];
+  value.written = &v;
+  std::string remedy;
+  switch (f.kind) {
+    case FieldKind::value: value.read = true; return;
+    case FieldKind::text:
+      value.text = v.text, value.read = v.kind == Kind::text;
+      if (!value.read) tell(v, path, "text in quotes", "");
+      return;
+    case FieldKind::quantities:
+    case FieldKind::integers:
+    case FieldKind::values: value.read = take_list(f, v, path, value); return;
+    default: break;
+  }
+  value.read = take_value(f, v, value.number, remedy);
+  if (!value.read) tell(v, path, range_text(f), remedy);
+}
+
+bool Document::take_list(const Field& f, const TomlValue& list, const std::string& path, Value& into) {
+  const bool wrong = list.kind != Kind::list || (list.items.empty() && f.kind != FieldKind::quantities);
+  if (wrong) return tell(list, path, range_text(f), list_remedy(f)), false;
+  if (f.kind == FieldKind::values) return true;
+  bool all = true;
+  for (const TomlValue& item : list.items) {
+    double number = 0.0;
+    std::string remedy;
+    const bool good = take_value(f, item, number, remedy);
+    const bool twice = good && f.kind == FieldKind::integers &&
+                       std::find(into.list.begin(), into.list.end(), number) != into.list.end();
+    if (!good || twice)
+      tell(item, path, range_text(f), twice ? "remove the second one" : remedy), all = false;
+    if (good) into.list.push_back(number);
+  }
+  return all;
+}
+
+const Document::Value* Document::value_at(const std::string& path) const {
+  const auto it = values_.find(path);
+  return it == values_.end() ? nullptr : &it->second;
+}
+
+const TomlValue* Document::find(const std::string& path) const {
+  const Value* v = value_at(path);
+  return v != nullptr ? v->written : nullptr;
+}
+
+std::vector<const TomlValue*> Document::tables(const std::string& name) const {
+  if (name.empty()) return {&root_};
+  std::vector<const TomlValue*> all;
+  const TomlValue* node = root_.find(name);
+  if (node == nullptr) return all;
+  const auto list = schema_.lists.find(name);
+  if (list == schema_.lists.end()) {
+    if (node->kind == Kind::table) all.push_back(node);
+    return all;
+  }
+  if (node->kind != Kind::list || node->items.size() > list->second) return all;
+  for (const TomlValue& item : node->items)
+    if (item.kind == Kind::table)
+      all.push_back(&item);
+    else
+      return {};
+  return all;
+}
+
+std::string Document::place(const std::string& path) const {
+  const TomlValue* v = find(path);
+  return v != nullptr ? at_line(where_, v->line) : where_;
+}
+
+bool Document::is_known(const std::string& path) const {
+  const Value* v = value_at(path);
+  return v != nullptr ? v->read : all_told_apart_;
+}
+
+double Document::number(const std::string& path, double otherwise) const {
+  const Value* v = value_at(path);
+  return v != nullptr && v->read ? v->number : otherwise;
+}
+
+std::string Document::text(const std::string& path, const std::string& otherwise) const {
+  const Value* v = value_at(path);
+  return v != nullptr && v->read ? v->text : otherwise;
+}
+
+std::vector<double> Document::list(const std::string& path) const {
+  const Value* v = value_at(path);
+  return v != nullptr ? v->list : std::vector<double>{};
+}
+
+std::string Document::name() {
+  const std::string name = text("name", std::filesystem::path(where_).stem().string());
+  if (find("name") == nullptr && !is_plain(name))
+    problems.push_back({where_, "name", name, "a name in UTF-8 without control characters",
+                        "the file has none: write name = \"...\""});
+  return name;
+}
+
+std::string Document::beside(const std::string& file) const {
+  return (std::filesystem::path(where_).parent_path() / file).string();
+}
+
+}  // namespace phy::io

@@ -1,0 +1,91 @@
+// A file that the user writes, held against the list of its keys: recipe, rock, study and regressions are
+// read in this one way, with the same checks and the same words.
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/toml_tree.hpp"
+#include "records/field.hpp"
+
+namespace phy::io {
+
+/// What a kind of file may hold.
+struct Schema {
+  std::string name;                          ///< "recipe"
+  std::string verb;                          ///< `phyllite VERB --reference` lists its keys
+  const Fields& fields;                      ///< the one list
+  std::map<std::string, std::size_t> lists;  ///< tables that are lists of tables, and at most how many
+  std::string of_recipe;                     ///< what to do with a key of the recipe that stands here
+
+  /// "[test]", "[[bedding]]", "the top of the file"
+  std::string in_brackets(const std::string& table) const;
+};
+
+/// What to do about an unknown key of a table ("" = top level): where it belongs, PFC's name for what, or the
+/// nearest.
+std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table);
+
+/// One value of a key, with its unit and within its range. False: `remedy` says what to do (may be empty
+/// where range_text says it all).
+bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);
+
+class Document {
+ public:
+  /// Reads all values; what is wrong goes to `problems`. Throws InputError where nothing can be read.
+  Document(std::string_view text, const std::string& where, const Schema& schema);
+  /// Of a tree that has been parsed, with the problems so far.
+  Document(TomlValue root, std::string where, const Schema& schema, std::vector<Problem> so_far);
+  Document(const Document&) = delete;  // it points into itself
+  Document& operator=(const Document&) = delete;
+
+  std::vector<Problem> problems;
+  void tell(const TomlValue& value, const std::string& path, const std::string& expected,
+            const std::string& remedy);
+  /// A file that this one names under `key` cannot be read.
+  void tell_unreadable(const std::string& key, const IoError& error);
+  /// Throws InputError with all problems, if there are any.
+  void check() const;
+
+  /// The value as it stands in the file; nullptr: not given. Of a list of tables: "bedding[0].k_n".
+  const TomlValue* find(const std::string& path) const;
+  /// The tables of that name: none, one, or all of a list. The top level is "".
+  std::vector<const TomlValue*> tables(const std::string& name) const;
+  /// File and line of a key; the file where it is not given.
+  std::string place(const std::string& path) const;
+  /// Read well; or not given, and none of the lines that were not understood can have been meant to give it.
+  bool is_known(const std::string& path) const;
+
+  /// Values that were read well; of the others `otherwise`. A choice is its place in the list.
+  double number(const std::string& path, double otherwise) const;
+  std::string text(const std::string& path, const std::string& otherwise) const;
+  std::vector<double> list(const std::string& path) const;
+  /// What the file says it is called; without a word the name of the file, which has to be plain text then.
+  std::string name();
+  /// A file named in this one: counted from its folder.
+  std::string beside(const std::string& file) const;
+
+ private:
+  struct Value {
+    const TomlValue* written = nullptr;
+    bool read = false;
+    double number = 0.0;
+    std::string text;
+    std::vector<double> list;
+  };
+  TomlValue root_;
+  std::string where_;
+  const Schema& schema_;
+  std::map<std::string, Value> values_;
+  bool all_told_apart_ = true;  // every line of the file is TOML, and belongs to a key that we know
+
+  void check_tables();
+  void check_keys(const TomlValue& table, const std::string& name, const std::string& prefix);
+  void read_values();
+  void read(const Field& field, const TomlValue& value, const std::string& path);
+  bool take_list(const Field& field, const TomlValue& list, const std::string& path, Value& into);
+  const Value* value_at(const std::string& path) const;
+};
+
+}  // namespace phy::io

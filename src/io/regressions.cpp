@@ -1,0 +1,104 @@
+#include "io/regressions.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "base/nan.hpp"
+#include "base/quote.hpp"
+#include "base/spelling.hpp"
+#include "base/units.hpp"
+#include "io/file.hpp"
+#include "records/recipe_schema.hpp"
+
+namespace phy::io {
+namespace {
+
+constexpr Dimension dimensions[] = {Dimension::none,      Dimension::length, Dimension::pressure,
+                                    Dimension::stiffness, Dimension::angle,  Dimension::speed,
+                                    Dimension::density};
+
+Field entry(FieldKind kind, const char* key, const char* meaning) {
+  Field f;
+  f.kind = kind, f.table = "line", f.key = key, f.meaning = meaning;
+  f.min = -unbounded, f.max = unbounded;
+  return f;
+}
+
+Fields regression_fields() {
+  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is told");
+  R2.min = 0.0, R2.max = 1.0;
+  return {entry(FieldKind::text, "source", "who found it, and where it stands"),
+          entry(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
+          entry(FieldKind::text, "key", "a key of the recipe: \"bedding.k_n\""),
+          entry(FieldKind::number, "slope", "SI units of the number per SI unit of the key"),
+          entry(FieldKind::value, "intercept", "where the key is 0, with its unit"),
+          R2};
+}
+
+/// A number with any unit.
+std::optional<double> take_any_unit(const TomlValue& v, std::string& unit) {
+  for (const Dimension d : dimensions) {
+    const Quantity q = parse_quantity(v.kind == TomlValue::Kind::text ? v.text : as_written(v), d);
+    if (q.ok) return unit = inner_unit(d), q.value;
+  }
+  return std::nullopt;
+}
+
+Regression read_line(Document& file, const TomlValue& table, const std::string& path) {
+  Regression line;
+  for (const char* key : {"source", "number", "key", "slope", "intercept"})
+    if (table.find(key) == nullptr)
+      file.tell(table, path + key, "a line with source, number, key, slope and intercept", "");
+  line.source = file.text(path + "source", ""), line.number = file.text(path + "number", "");
+  line.key = file.text(path + "key", "");
+  line.slope = file.number(path + "slope", 0.0);
+  line.R2 = file.number(path + "R2", nan);
+  if (!line.key.empty() && find_field(recipe_fields(), line.key) == nullptr) {
+    std::vector<std::string> known;
+    for (const Field& f : recipe_fields()) known.push_back(f.path());
+    const std::string near = nearest(line.key, known);
+    file.tell(
+        *file.find(path + "key"), path + "key", "a key of the recipe",
+        near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?");
+  }
+  if (const TomlValue* intercept = file.find(path + "intercept")) {
+    const std::optional<double> value = take_any_unit(*intercept, line.unit);
+    if (!value)
+      file.tell(*intercept, path + "intercept", "a number with its unit", "for example \"312.4 GPa/m\"");
+    line.intercept = value.value_or(0.0);
+  }
+  return line;
+}
+
+}  // namespace
+
+const Schema& regression_schema() {
+  static const Fields fields = regression_fields();
+  static const Schema schema{"file of regressions", "study", fields, {{"line", 100}}, ""};
+  return schema;
+}
+
+std::vector<Regression> read_regressions(const std::string& path) {
+  Document file(read_file(path), path, regression_schema());
+  std::vector<Regression> lines;
+  for (const TomlValue* table : file.tables("line"))
+    lines.push_back(read_line(file, *table, "line[" + std::to_string(lines.size()) + "]."));
+  if (lines.empty() && file.problems.empty())
+    file.problems.push_back({path, "line", "", "at least one line", "write [[line]] above the keys of each"});
+  file.check();
+  return lines;
+}
+
+std::string write_regressions(const std::vector<Regression>& regressions) {
+  std::string text;
+  for (const Regression& r : regressions) {
+    const std::string intercept = print_number(r.intercept);
+    text += "[[line]]\nsource = " + toml_string(r.source) + "\nnumber = " + toml_string(r.number) +
+            "\nkey = " + toml_string(r.key) + "\nslope = " + print_number(r.slope) +
+            "\nintercept = " + (r.unit == "1" ? intercept : toml_string(intercept + " " + r.unit)) + "\n";
+    if (std::isfinite(r.R2)) text += "R2 = " + print_number(r.R2) + "\n";
+  }
+  return text;
+}
+
+}  // namespace phy::io
