@@ -1,0 +1,110 @@
+// Every command that the documents show is run, on a specimen of a few hundred discs: a word in capitals or
+// an example of full size stands for something small. A command that this test cannot place fails it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+
+#include "../program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `phyllite ...` in the text of README, CONTRIBUTING and docs, without the program's name.
+std::set<std::string> shown_commands() {
+  std::vector<fs::path> files = {"README.md", "CONTRIBUTING.md"};
+  const fs::path root = PHY_SOURCE_DIR;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") files.push_back(entry.path());
+  std::set<std::string> commands;
+  for (const fs::path& file : files) {
+    std::ifstream in(root / file);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    const std::regex shown("`phyllite\\s+([^`]+)`");
+    for (std::sregex_iterator it(text.begin(), text.end(), shown), end; it != end; ++it)
+      commands.insert(std::regex_replace((*it)[1].str(), std::regex("\\s+"), " "));
+  }
+  return commands;
+}
+
+class Documents : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    small_recipe();
+    fs::create_symlink(fs::path(PHY_SOURCE_DIR) / "examples", at("examples"));
+    write(
+        "base.toml",
+        "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "
+        "\"2 mm\"\n[test]\nangles = [0, 15, 30, 45, 60, 75, 90]\nintact = true\nplaten_speed = \"0.4 "
+        "m/s\"\n");
+    const std::string varied =
+        "recipe = \"base.toml\"\n[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n";
+    write("study.toml", varied);
+    write("direct.toml", "solver = \"direct\"\n" + varied);
+    write("table.csv",
+          "theta [deg],E [GPa],nu,UCS [MPa],n\n0,17.5,0.10,105,3\n30,15.6,0.36,60,3\n60,21.0,0.5,45,3\n"
+          "90,48,0.25,128,3\n");
+    write("rock.toml", "data = \"table.csv\"\nrecipe = \"base.toml\"\n");
+    for (const char* line :
+         {"run small.toml --out result", "run small.toml --out results/paper",
+          "study study.toml --out results/study", "study direct.toml --out results/direct"})
+      ASSERT_EQ(in_folder(line), 0) << line << "\n" << output;
+  }
+  int in_folder(const std::string& arguments) {
+    return run_line("cd " + folder.string() + " && " + PHY_PROGRAM + " " + arguments);
+  }
+};
+
+/// The same command on something small.
+std::string small(std::string command) {
+  const std::vector<std::pair<const char*, const char*>> places = {
+      {"examples/paper/study.toml --dry-run", "examples/paper/study.toml --dry-run "},
+      {"examples/paper/study.toml --out results/study", "study.toml --out again/study"},
+      {"examples/paper/elastic-crossing.toml --out results/direct", "direct.toml --out again/direct"},
+      {"run examples/paper/press.toml", "run small.toml --out again/press"},
+      {"elastic examples/paper/press.toml", "elastic base.toml --out again/elastic"},
+      {"elastic RECIPE", "elastic base.toml --out again/press-too"},
+      {"specimen --out", "specimen small.toml --out again/specimen"},
+      {"calibrate rock.toml", "calibrate rock.toml --elastic --out again/one"},
+      {"calibrate ROCK --out FOLDER", "calibrate rock.toml --elastic --out again/two"},
+      {"calibrate ROCK", "calibrate rock.toml --elastic --out again/three"},
+      {"rock new NAME", "rock new fresh"},
+      {"contact LAW", "contact linear"},
+      {"contact NAME", "contact linear"},
+      {"svg|pdf|png", "svg"},
+      {"--width MM", "--width 90"},
+      {"--out FILE", "--out again/figure.svg"},
+      {"--out film.webm", "--seconds 0.2 --width 160 --out again/film.webm"},
+      {"film RESULT", "film result --seconds 0.2 --width 160"},
+      {"KIND", "cracks"},
+      {"RESULT", "result"},
+      {"ROCK", "rock.toml"},
+      {"study effects", "study effects results/study"}};
+  for (const auto& [shown, instead] : places)
+    if (const std::size_t at = command.find(shown); at != command.npos)
+      command.replace(at, std::string(shown).size(), instead);
+  return command;
+}
+
+TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
+  const bool figures = has("gnuplot"), films = has("ffmpeg");
+  const std::set<std::string> commands = shown_commands();
+  ASSERT_GT(commands.size(), 30U);
+  for (const std::string& shown : commands) {
+    if (shown.find(' ') == shown.npos) {  // a verb, not a command
+      EXPECT_EQ(run(shown + " --help"), 0) << shown << "\n" << output;
+      continue;
+    }
+    if ((shown.starts_with("figure") && !figures) || (shown.starts_with("film") && !films)) continue;
+    const int code = in_folder(small(shown));
+    // 1: a verdict, or a test without a peak
+    EXPECT_THAT(code, testing::AnyOf(0, 1)) << "phyllite " << shown << "\nrun as: " << small(shown) << "\n"
+                                            << output;
+  }
+}
+
+}  // namespace
