@@ -25,6 +25,7 @@
 #include "io/file.hpp"
 #include "io/toml_tree.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/test_description.hpp"
 
 namespace phy::io {
 namespace {
@@ -311,6 +312,7 @@ class Reader {
 std::string write(const Recipe& recipe, bool comments) {
   std::string text;
   const auto line = [&](const Field& f, std::size_t index) {
+    if (!comments && !f.only_of.empty() && f.only_of != recipe.test.kind->name) return;
     if (comments) {
       text += "# " + f.meaning + "; " + range_text(f);
       if (!f.pfc_name.empty()) text += "; PFC: " + f.pfc_name;

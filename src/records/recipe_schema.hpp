@@ -25,6 +25,9 @@ struct Field {
   std::vector<std::string> choices;
   std::string meaning;
   std::string pfc_name;
+  /// The one laboratory test that has this key: recipes of other tests are written, and told apart, without
+  /// it. Empty: every recipe has it.
+  std::string only_of;
   std::function<double(const Recipe&, std::size_t)> get;
   std::function<void(Recipe&, std::size_t, double)> set;
   std::function<std::string(const Recipe&)> get_text;
