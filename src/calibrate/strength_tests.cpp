@@ -109,7 +109,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
   Recipe one = single_at(recipe, targets_[target].theta, seed);
   one.test.kind = *test_of(targets_[target].property);
   one.test.platen_speed = speeds_[target];
-  if (one.test.kind->disc_diameter != nullptr) {
+  if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;
   }

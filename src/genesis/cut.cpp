@@ -1,10 +1,10 @@
 #include "genesis/cut.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
 #include "genesis/packing.hpp"
-#include "records/test_description.hpp"
 
 namespace phy::genesis {
 
@@ -25,10 +25,36 @@ Packing cut_disc(const Packing& packing, double diameter) {
   return disc;
 }
 
+Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bond_gap) {
+  const double radius = 0.5 * cut.diameter;
+  PHY_CHECK(radius > 0.0 && cut.diameter <= packing.width && radius <= packing.height,
+            "half a disc within the packing");
+  const Vec2 middle{0.5 * packing.width, 0.5 * (packing.height - radius)};  // of the flat face
+  Packing half = packing;
+  std::erase_if(half.discs, [&](const Disc& d) {
+    return d.y < middle.y || norm(Vec2{d.x, d.y} - middle) > radius;
+  });
+  double r_max = 0.0;
+  for (const Disc& d : half.discs) r_max = std::max(r_max, d.r);
+  const double width = std::max(cut.notch_width, (2.0 + bond_gap) * r_max);
+  std::erase_if(half.discs, [&](const Disc& d) {
+    return d.y + d.r < middle.y + cut.notch_length && std::fabs(d.x - middle.x) < 0.5 * width;
+  });
+  half.width = cut.diameter + 2.0 * r_max;
+  half.height = radius + 2.0 * r_max;
+  for (Disc& d : half.discs) {
+    d.x += 0.5 * half.width - middle.x;
+    d.y += r_max - middle.y;
+  }
+  half.hash = packing_hash(half.discs);
+  return half;
+}
+
 std::shared_ptr<const Packing> shaped(std::shared_ptr<const Packing> packing, const Recipe& recipe) {
-  const auto diameter = recipe.test.kind->disc_diameter;
-  return diameter == nullptr ? packing
-                             : std::make_shared<const Packing>(cut_disc(*packing, diameter(recipe)));
+  if (recipe.test.kind->cut == nullptr) return packing;
+  const SpecimenCut cut = recipe.test.kind->cut(recipe);
+  return std::make_shared<const Packing>(cut.half ? cut_half_disc(*packing, cut, recipe.matrix.bond_gap)
+                                                  : cut_disc(*packing, cut.diameter));
 }
 
 }  // namespace phy::genesis

@@ -23,7 +23,7 @@ std::vector<BeddingRecipe> turned(std::vector<BeddingRecipe> bedding, double the
 
 /// The specimens of a recipe: one per test.angles ("theta = 30 deg"), or one with the bedding as it stands
 /// where no angles are given; then "intact" if test.intact is set or there is no bedding. Throws InputError
-/// for angles without bedding. For a Brazilian test they are discs, cut from the packing (cut.hpp).
+/// for angles without bedding. Some tests cut them from the packing (cut.hpp).
 std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, const Recipe& recipe);
 
 }  // namespace phy::genesis

@@ -145,6 +145,15 @@ INSTANTIATE_TEST_SUITE_P(
             "at most half the height"},
         Bad{"negative_normal", "[test]\nkind = \"direct_shear\"\nnormal_stress = \"-1 MPa\"\n",
             "0 GPa <= value <= 10 GPa"},
+        Bad{"short_notch", "[test]\nkind = \"semi_circular_bend\"\nnotch_ratio = 0.3\n",
+            "0.4 <= value <= 0.6"},
+        Bad{"wide_span", "[test]\nkind = \"semi_circular_bend\"\nspan_ratio = 0.9\n", "0.5 <= value <= 0.8"},
+        Bad{"thin_notch", "[test]\nkind = \"semi_circular_bend\"\nnotch_width = \"0.5 mm\"\n",
+            "at least the largest grain diameter, 0.83 mm"},
+        Bad{"wide_notch", "[test]\nkind = \"semi_circular_bend\"\nnotch_width = \"3 mm\"\n",
+            "at most a twentieth of the diameter, 1.9 mm"},
+        Bad{"big_half_disc", "[test]\nkind = \"semi_circular_bend\"\ndisc_diameter = \"40 mm\"\n",
+            "at most the width and twice the height, 38 mm"},
         Bad{"idle_normal_stiffness", "[test]\nkind = \"direct_shear\"\nnormal_stiffness = \"1 GPa/m\"\n",
             "give test.normal_stress"},
         Bad{"jump_in_tension", "[test]\nkind = \"direct_tension\"\njump_strain = 1e-4\n",
@@ -273,6 +282,17 @@ TEST(Recipe, HintsKnowOtherTablesAndPfc) {
   EXPECT_THAT(hint("emod", "matrix"), HasSubstr("matrix.E_c"));
   EXPECT_THAT(hint("beddin", ""), HasSubstr("did you mean \"bedding\"?"));
   EXPECT_THAT(hint("", "matrix"), HasSubstr("--reference"));
+}
+
+// Recipes of other tests, and with them fingerprints of stores, are what they were before a test came.
+TEST(Recipe, KeysOfOneTestAreWrittenForItAlone) {
+  Recipe r;
+  r.test.notch_ratio = 0.45;
+  EXPECT_EQ(write_recipe(r), write_recipe(Recipe{}));
+  EXPECT_EQ(write_recipe(r).find("notch"), std::string::npos);
+  r.test.kind = TestKind("semi_circular_bend");
+  EXPECT_NE(write_recipe(r).find("notch_ratio = 0.45"), std::string::npos);
+  EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").test.notch_ratio, 0.45);
 }
 
 TEST(Recipe, PorosityReplacesTheDefaultNumberOfGrains) {

@@ -10,6 +10,7 @@
 #include "io/document.hpp"
 #include "io/file.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/test_description.hpp"
 
 namespace phy::io {
 namespace {
@@ -42,6 +43,7 @@ void assign(const Field& f, const Document& file, const std::string& path, Recip
 std::string write(const Recipe& recipe, bool comments) {
   std::string text;
   const auto line = [&](const Field& f, std::size_t index) {
+    if (!comments && !f.only_of.empty() && f.only_of != recipe.test.kind->name) return;
     if (comments) {
       text += "# " + f.meaning + "; " + range_text(f);
       if (!f.pfc_name.empty()) text += "; PFC: " + f.pfc_name;

@@ -116,7 +116,7 @@ void LabTest::read_row() {
   const HistoryRow& now = group_->row(lane_);
   if (group_->health(lane_).ok) {
     row_ = now;
-    if (phase_ != Phase::settle) write_load();
+    if (phase_ != Phase::settle) write_load(), read_more(row_);
   } else {
     row_.step = now.step, row_.time = now.time;
   }

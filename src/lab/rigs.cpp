@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/units.hpp"
@@ -29,6 +31,26 @@ engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec
     wall.touches.push_back({i, normal, dot(normal, {d.x, d.y}) - dot(normal, point) - d.r});
   }
   return wall;
+}
+
+std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
+  std::int64_t first = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < packing.discs.size(); ++i) {
+    const Disc& d = packing.discs[i];
+    const Vec2 c = Vec2{d.x, d.y} - from;
+    const double across = cross(direction, c);
+    if (std::fabs(across) >= d.r) continue;
+    const double distance = dot(direction, c) - std::sqrt(d.r * d.r - across * across);
+    if (distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
+  }
+  return first;
+}
+
+double ray_spacing(const Packing& packing) {
+  double r = packing.discs.front().r;
+  for (const Disc& d : packing.discs) r = std::min(r, d.r);
+  return 0.25 * r;
 }
 
 TestBoundary platens(const Packing& packing) {

@@ -1,6 +1,7 @@
 // What the rigs of several tests are made of: walls and platens as lists of grains (engine/rig.hpp), and what
 // a history and a text say of them.
 #pragma once
+#include <cstdint>
 #include <string>
 
 #include "engine/rig.hpp"
@@ -27,6 +28,11 @@ void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale
 
 /// A rigid flat wall through `point` whose `normal` (unit) points into the specimen. All grains may touch it.
 engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough);
+
+/// The grain that a ray from `from` along the unit vector `direction` meets first; -1: none.
+std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
+/// Distance of rays that miss no grain of a surface: a quarter of the smallest radius [m].
+double ray_spacing(const Packing& packing);
 
 /// Two flat platens at the bottom and the top of the box: the press. Tools 0 and 1.
 TestBoundary platens(const Packing& packing);

@@ -44,7 +44,9 @@ struct Field {
   std::string pfc_name;
   std::string otherwise;  ///< the default, as in a file; empty: there is none, or `meaning` tells
 
-  // Of a key of the recipe: its place there.
+  // Of a key of the recipe: the one laboratory test that has it (recipes of other tests are written, and told
+  // apart, without it; empty: every recipe has it), and its place there.
+  std::string only_of;
   std::function<double(const Recipe&, std::size_t)> get;
   std::function<void(Recipe&, std::size_t, double)> set;
   std::function<std::string(const Recipe&)> get_text;

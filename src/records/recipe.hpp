@@ -112,13 +112,16 @@ struct TestRecipe {
   std::int64_t n_frames = 40;           ///< stored displacement fields through the test
   double jump_strain = 0.0;             ///< [-] axial strain of the jump start; 0: no jump start
   double grip_thickness = 0.0;          ///< [m] direct tension; 0: four times the largest radius
-  double disc_diameter = 0.0;           ///< [m] Brazilian; 0: the smaller side of the specimen
+  double disc_diameter = 0.0;           ///< [m] of the disc, or half disc, cut from the specimen; 0: the most
   double loading_angle = 10.0;          ///< [deg] Brazilian: whole arc of each jaw; 0: flat platens
   double confining_stress = 0.0;        ///< [Pa] biaxial
   Confinement confinement = Confinement::walls;
   double normal_stress = 0.0;     ///< [Pa] direct shear
   double normal_stiffness = 0.0;  ///< [Pa/m] direct shear; 0: constant normal load
   double shear_gap = 0.0;         ///< [m] direct shear: free rock between the boxes; 0: rigid halves
+  double notch_ratio = 0.5;       ///< semi-circular bend: length of the notch over the radius, a/R
+  double notch_width = 0.0;       ///< [m] semi-circular bend; 0: the largest grain diameter
+  double span_ratio = 0.8;        ///< semi-circular bend: span of the supports over the diameter, s/(2R)
 };
 
 struct EngineRecipe {

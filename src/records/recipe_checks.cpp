@@ -11,6 +11,7 @@ namespace phy {
 namespace {
 
 constexpr double min_grains_across = 10.0;  // fewer: the walls decide, not the rock
+constexpr double widest_notch = 0.05;       // of the diameter; wider, the formula of a crack is off
 constexpr std::int64_t min_grains = 16;     // fewer do not settle into a packing
 
 using Paths = std::vector<std::string>;
@@ -144,16 +145,20 @@ class CrossChecks {
 
   void test_of_kind() {
     const TestRecipe& t = r_.test;
-    const double side = std::min(r_.specimen.width, r_.specimen.height);
+    const SpecimenCut cut = t.kind->cut != nullptr ? t.kind->cut(r_) : SpecimenCut{};
+    const double side = std::min(r_.specimen.width, (cut.half ? 2.0 : 1.0) * r_.specimen.height);
     const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
     if (t.disc_diameter > side)
       tell({"test.disc_diameter", "specimen.width", "specimen.height"}, length(t.disc_diameter),
-           "at most the smaller side, " + length(side),
-           "a disc is cut from the packing; use a larger specimen");
+           (cut.half ? "at most the width and twice the height, " : "at most the smaller side, ") +
+               length(side),
+           cut.half ? "half a disc is cut from the packing; use a larger specimen"
+                    : "a disc is cut from the packing; use a larger specimen");
     else if (t.disc_diameter > 0.0 && t.disc_diameter < least && r_.packing.file.empty())
       tell({"test.disc_diameter", "packing.radius_min", "packing.radius_max", "packing.file"},
            length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
            "use a larger disc or smaller grains");
+    if (cut.notch_width > 0.0) notch(cut);
     if (3.0 * t.grip_thickness > r_.specimen.height)
       tell({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
            "at most a third of the height", "the rock between the grips is what is tested");
@@ -166,6 +171,18 @@ class CrossChecks {
     if (t.jump_strain > 0.0 && !t.kind->may_jump)
       tell({"test.jump_strain", "test.kind"}, print_number(t.jump_strain), "0 for this kind of test",
            "only the uniaxial press can start loaded");
+  }
+
+  void notch(const SpecimenCut& cut) {
+    const double grain = 2.0 * r_.packing.radius_max, widest = widest_notch * cut.diameter;
+    if (cut.notch_width < grain && r_.packing.file.empty())
+      tell({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),
+           "0, or at least the largest grain diameter, " + length(grain),
+           "whole grains are taken out; leave it out, or use smaller grains");
+    if (cut.notch_width > widest)
+      tell({"test.notch_width", "test.disc_diameter", "specimen.width", "specimen.height"},
+           length(cut.notch_width), "at most a twentieth of the diameter, " + length(widest),
+           "the formula of the test is that of a crack; saw a thinner notch");
   }
 };
 

@@ -182,6 +182,22 @@ void add_bedding(List& l) {
            &B::radius_multiplier);
 }
 
+/// Of the semi-circular bend test; ranges are those of the published factor.
+void add_bend(List& l) {
+  using T = TestRecipe;
+  constexpr auto part = &Recipe::test;
+  const char* const bend = "semi_circular_bend";
+  l.number("test", "notch_ratio", 0.4, 0.6, "", "semi_circular_bend: length of the notch over the radius",
+           part, &T::notch_ratio)
+      .only_of = bend;
+  l.quantity("test", "notch_width", Dimension::length, 0, 1, "",
+             "semi_circular_bend: width of the notch; 0: the largest grain diameter", part, &T::notch_width)
+      .only_of = bend;
+  l.number("test", "span_ratio", 0.5, 0.8, "",
+           "semi_circular_bend: distance of the support rollers over the diameter", part, &T::span_ratio)
+      .only_of = bend;
+}
+
 void add_test(List& l) {
   using T = TestRecipe;
   constexpr auto part = &Recipe::test;
@@ -224,7 +240,8 @@ void add_test(List& l) {
              "direct_tension: rock held at each end; 0: four times the largest radius", part,
              &T::grip_thickness);
   l.quantity("test", "disc_diameter", Dimension::length, 0, 10, "",
-             "brazilian: disc cut from the specimen; 0: its smaller side", part, &T::disc_diameter);
+             "brazilian: disc cut from the specimen; semi_circular_bend: half disc; 0: the largest it holds",
+             part, &T::disc_diameter);
   l.quantity("test", "loading_angle", Dimension::angle, 0, 30, "",
              "brazilian: arc of the rim that each jaw holds; 0: flat platens", part, &T::loading_angle);
   l.quantity("test", "confining_stress", Dimension::pressure, 0, 1e10, "", "biaxial: lateral stress", part,
@@ -240,6 +257,7 @@ void add_test(List& l) {
              &T::normal_stiffness);
   l.quantity("test", "shear_gap", Dimension::length, 0, 1, "",
              "direct_shear: free rock between the two boxes; 0: rigid halves", part, &T::shear_gap);
+  add_bend(l);
 }
 
 void add_engine(List& l) {
@@ -300,6 +318,7 @@ std::string keys_not_by_default(const Recipe& r) {
   plain.bedding.resize(r.bedding.size());
   std::string text = std::to_string(r.bedding.size()) + " sets of bedding\n";
   for (const Field& f : recipe_fields()) {
+    if (!f.only_of.empty() && f.only_of != r.test.kind->name) continue;
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);

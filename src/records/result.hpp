@@ -48,11 +48,13 @@ struct HistoryRow {
   double boundary_work = 0.0;  ///< done by the platens [J/m]
   double kinetic = 0.0;        ///< [J/m]
   double strain_linear = 0.0, strain_bond = 0.0, strain_joint = 0.0, strain_wall = 0.0;  ///< stored [J/m]
-  double slip = 0.0;          ///< dissipated by friction so far [J/m]
-  double damping = 0.0;       ///< dissipated by local damping so far [J/m]
-  double released = 0.0;      ///< strain energy of broken bonds so far [J/m]
-  double energy_error = 0.0;  ///< (work - all the above) / total boundary work so far
-  double unbalanced = 0.0;    ///< mean unbalanced grain force / mean contact force
+  double slip = 0.0;           ///< dissipated by friction so far [J/m]
+  double damping = 0.0;        ///< dissipated by local damping so far [J/m]
+  double released = 0.0;       ///< strain energy of broken bonds so far [J/m]
+  double energy_error = 0.0;   ///< (work - all the above) / total boundary work so far
+  double unbalanced = 0.0;     ///< mean unbalanced grain force / mean contact force
+  double load = 0.0;           ///< mean force of the loading and the supporting tools [N/m]
+  double mouth_opening = 0.0;  ///< of a notch, since loading began [m]
 };
 
 struct History {

@@ -25,17 +25,27 @@ struct TableColumn {
   int digits;
 };
 
+/// The number that a test is made for: what is drawn over the inclination of the bedding.
+struct TestQuantity {
+  std::string number, label;  ///< its name among the numbers of a result, and for people
+  std::string unit = "MPa";
+  double scale = 1e-6;  ///< from SI to `unit`
+};
+
 /// The curve of a test: which columns, in which direction and unit, and which number is its strength. The one
 /// list for page, figures and films.
 struct TestCurve {
   std::string strain = "axial strain", strain_unit = "%";
   double strain_factor = 100.0;                           ///< from the recorded value to `strain_unit`
   std::string stress = "axial stress";                    ///< drawn in MPa
-  std::string strength = "ucs", strength_label = "UCS";   ///< number of the result, and its name
+  std::string strength = "ucs", strength_label = "UCS";   ///< number of the largest stress, and its name
   std::optional<Property> property = std::nullopt;        ///< of the laboratory that it stands beside
   double sign = 1.0;                                      ///< -1: recorded as negative, as tension is
   double HistoryRow::*value = &HistoryRow::axial_stress;  ///< the column of the stress
+  std::optional<TestQuantity> derived = std::nullopt;     ///< what the strength is a step to; none: nothing
 
+  /// What the test is made for.
+  TestQuantity quantity() const { return derived ? *derived : TestQuantity{strength, strength_label}; }
   /// Grow while the test loads. [1] (direct shear: m), [Pa]
   double strain_of(const HistoryRow& row) const { return sign * row.axial_strain; }
   double stress_of(const HistoryRow& row) const { return sign * (row.*value); }
@@ -49,6 +59,15 @@ struct ExpectedPeak {
   double strain_factor = 1.0;  ///< strain of an elastic specimen over strength / E
   double intact = 2.7;         ///< strength over the weaker bond strength, without bedding
   double bedded = 0.0;         ///< the same with bedding; 0: as Jaeger's strength of that inclination
+};
+
+/// What is cut from the middle of the packing: a disc, or its upper half with the flat face down, which may
+/// have a notch upwards from the middle of that face.
+struct SpecimenCut {
+  double diameter = 0.0;  ///< [m]
+  bool half = false;
+  double notch_length = 0.0;  ///< [m] 0: no notch
+  double notch_width = 0.0;   ///< [m] at least; more where grains would touch across it
 };
 
 /// A stress that the test keeps on the specimen's boundary, and its key in [test].
@@ -72,8 +91,8 @@ struct TestDescription {
   bool may_jump = false;     ///< can start loaded (test.jump_strain)
   KeptStress kept_stress = {};
   ExpectedPeak expected = {};
-  /// Diameter [m] of the disc that is cut from the packing; null: the whole rectangle is tested.
-  double (*disc_diameter)(const Recipe&) = nullptr;
+  /// What is cut from the packing; null: the whole rectangle is tested.
+  SpecimenCut (*cut)(const Recipe&) = nullptr;
 
   /// One sentence or more for the methods section of a paper: what loads the specimen, and how.
   std::string (*loading_text)(const Recipe&) = nullptr;

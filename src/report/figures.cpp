@@ -120,8 +120,10 @@ std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, c
 double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
   const TheoryCurves curves = theory_curves(data.run);
   const TestCurve& axes = axes_of(data.run);
+  const TestQuantity made_for = axes.quantity();
   const Panel all[] = {{"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E},
-                       {axes.strength, axes.strength_label + " [MPa]", 1e-6, axes.property, &curves.ucs},
+                       {made_for.number, made_for.label + " [" + made_for.unit + "]", made_for.scale,
+                        axes.property, &curves.ucs},
                        {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu}};
   std::vector<std::pair<std::string, std::vector<std::string>>> panels;  // label, parts
   for (const Panel& p : all)

@@ -104,7 +104,7 @@ std::string loading_text(const RunRecord& run) {
 
 std::string definitions_text(const TestRecord& t) {
   std::string text = "Definitions. ";
-  const std::string strength = t.recipe.test.kind->curve.strength;
+  const std::string strength = t.recipe.test.kind->curve.quantity().number;
   for (const std::string& name : {std::string("E_tangent"), std::string("nu"), strength,
                                   std::string("sigma_ci"), std::string("sigma_cd")})
     for (const Number& n : t.result.numbers)

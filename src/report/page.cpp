@@ -42,6 +42,7 @@ Json history_json(const History& history, const TestCurve& axes) {
 }
 
 Json axes_json(const TestCurve& a) {
+  const TestQuantity made_for = a.quantity();
   return {{"strain", a.strain},
           {"strain_unit", a.strain_unit},
           {"strain_factor", a.strain_factor},
@@ -49,6 +50,11 @@ Json axes_json(const TestCurve& a) {
           {"sign", a.sign},
           {"strength", a.strength},
           {"strength_label", a.strength_label},
+          {"quantity",
+           {{"number", made_for.number},
+            {"label", made_for.label},
+            {"unit", made_for.unit},
+            {"factor", made_for.scale}}},
           {"property", a.property ? to_string(*a.property) : ""}};
 }
 

@@ -33,7 +33,7 @@ std::string number(const TestResult& r, const std::string& name, double scale, i
 
 /// "*": a strength that is none, or a bound of it; its note says why (missing_numbers).
 bool has_reservation(const TestResult& r, const Number& n) {
-  return n.name == r.kind->curve.strength && std::isfinite(n.value) && !n.note.empty();
+  return n.name == r.kind->curve.quantity().number && std::isfinite(n.value) && !n.note.empty();
 }
 
 /// A column of the kind of test.

@@ -31,9 +31,9 @@ double expected_grains(const Recipe& r) {
       p.distribution == RadiusDistribution::by_area ? a * b : (a * a + a * b + b * b) / 3.0;
   const double n =
       p.n_grains > 0 ? static_cast<double>(p.n_grains) : (1.0 - p.porosity) * box / (pi * mean_square);
-  if (r.test.kind->disc_diameter == nullptr) return n;
-  const double diameter = r.test.kind->disc_diameter(r);
-  return n * 0.25 * pi * diameter * diameter / box;
+  if (r.test.kind->cut == nullptr) return n;
+  const SpecimenCut cut = r.test.kind->cut(r);
+  return n * (cut.half ? 0.125 : 0.25) * pi * cut.diameter * cut.diameter / box;
 }
 
 double expected_cost(const Recipe& r) {

@@ -116,8 +116,9 @@ export interface Axes {
   strain_factor: number; // from the recorded value
   stress: string;
   sign: number; // of recorded strains of scenes
-  strength: string; // name of a number
+  strength: string; // name of the largest stress among the numbers
   strength_label: string;
+  quantity: { number: string; label: string; unit: string; factor: number }; // what the test is made for
   property: string; // of the laboratory
 }
 

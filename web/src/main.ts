@@ -414,6 +414,7 @@ function anisotropy() {
     report.laboratory.length > 0 && h("li", {}, "◇ laboratory, 95 % interval of the mean"),
   );
   const x = report.axes;
+  const made_for = x.quantity;
   const one = (name: string, label: string, title: string, factor: number, curve: Report["curves"]["E"], property: string) =>
     report.tests.some((t) => t.numbers[name]) && chart(title, curve.note, (width) => overAngle(report, width, { name, label, factor, curve, property }));
   section(
@@ -424,7 +425,7 @@ function anisotropy() {
       "div",
       { class: "grid four" },
       one("E_tangent", "E [GPa]", "Young’s modulus, tangent at 50 %", 1e-9, c.E, x.strength === "ucs" ? "E" : ""),
-      one(x.strength, `${x.strength_label} [MPa]`, x.strength === "ucs" ? "Uniaxial compressive strength" : x.strength_label[0].toUpperCase() + x.strength_label.slice(1), 1e-6, x.strength === "ucs" ? c.ucs : { note: "", theta: [], value: [] }, x.property),
+      one(made_for.number, `${made_for.label} [${made_for.unit}]`, x.strength === "ucs" ? "Uniaxial compressive strength" : made_for.label[0].toUpperCase() + made_for.label.slice(1), made_for.factor, x.strength === "ucs" ? c.ucs : { note: "", theta: [], value: [] }, x.property),
       one("nu", "ν", "Poisson’s ratio", 1, c.nu, x.strength === "ucs" ? "nu" : ""),
       chart("Failure mode: share of broken bonds and joints", crackLegend(), (width) => modeShare(report, width)),
     ),
@@ -458,7 +459,7 @@ const columns: Column[] = [
   { name: "E_tangent", head: "E tangent", unit: "GPa", factor: 1e-9, digits: 2 },
   { name: "E_secant", head: "E secant", unit: "GPa", factor: 1e-9, digits: 2 },
   { name: "nu", head: "ν", unit: "", factor: 1, digits: 3 },
-  { name: report.axes.strength, head: report.axes.strength_label, unit: "MPa", factor: 1e-6, digits: report.axes.strength === "ucs" ? 2 : 3 },
+  { name: report.axes.quantity.number, head: report.axes.quantity.label, unit: report.axes.quantity.unit, factor: report.axes.quantity.factor, digits: report.axes.strength === "ucs" ? 2 : 3 },
   { name: "peak_strain", head: `${report.axes.strain} at peak`, unit: report.axes.strain_unit, factor: report.axes.strain_factor, digits: 4 },
   { name: "sigma_ci", head: "σci", unit: "MPa", factor: 1e-6, digits: 2 },
   { name: "sigma_cd", head: "σcd", unit: "MPa", factor: 1e-6, digits: 2 },

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/exact_math.hpp"
@@ -19,36 +18,14 @@ double disc_diameter(const Recipe& recipe) {
   return std::min(recipe.specimen.width, recipe.specimen.height);
 }
 
-std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
-  std::int64_t first = -1;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < packing.discs.size(); ++i) {
-    const Disc& d = packing.discs[i];
-    const Vec2 c = Vec2{d.x, d.y} - from;
-    const double across = cross(direction, c);
-    if (std::fabs(across) >= d.r) continue;
-    const double distance = dot(direction, c) - std::sqrt(d.r * d.r - across * across);
-    if (distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
-  }
-  return first;
-}
-
 namespace {
-
-constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the surface is missed
-
-double smallest_radius(const Packing& packing) {
-  double r = packing.discs.front().r;
-  for (const Disc& d : packing.discs) r = std::min(r, d.r);
-  return r;
-}
 
 /// A jaw on the arc of the rim around `up` = (0, +-1).
 engine::Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
   engine::Tool tool{std::move(name), {}, {}, true};
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
   const double arc = angle / 180.0 * pi * 0.5 * diameter;
-  const int n = static_cast<int>(std::ceil(arc / (ray_spacing * smallest_radius(packing))));
+  const int n = static_cast<int>(std::ceil(arc / ray_spacing(packing)));
   std::vector<char> held(packing.discs.size(), 0);
   for (int k = 0; k <= n; ++k) {
     const SinCos sc = sin_cos_degrees(angle * (static_cast<double>(k) / n - 0.5));
@@ -121,7 +98,7 @@ TestDescription description() {
              {"1st crack", "y/D", "first_crack_y", 1.0, 2},
              {"1st crack", "x/D", "first_crack_x", 1.0, 2},
              {"cracks in", "central third", "central_cracks", 1.0, 2}};
-  d.disc_diameter = disc_diameter;
+  d.cut = [](const Recipe& r) { return SpecimenCut{.diameter = disc_diameter(r)}; };
   // 6: approach of the jaws over the diameter, over BTS / E, after Hondros.
   d.expected = {.length = disc_diameter, .strain_factor = 6.0, .intact = 0.36, .bedded = 0.2};
   d.loading_text = [](const Recipe& r) {

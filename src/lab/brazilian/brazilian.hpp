@@ -19,9 +19,6 @@ namespace phy::lab {
 /// the specimen where that is 0.
 double disc_diameter(const Recipe& recipe);
 
-/// The grain that a ray from `from` along the unit vector `direction` meets first; -1: none.
-std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction);
-
 /// Bottom and top of a Brazilian test on a disc in the middle of the box: flat platens against the outermost
 /// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
 /// centre (reading.hpp); axial strain: approach over `diameter` [m].

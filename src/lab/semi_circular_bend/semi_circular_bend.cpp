@@ -1,0 +1,196 @@
+#include "lab/semi_circular_bend/semi_circular_bend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "analysis/analyse.hpp"
+#include "base/units.hpp"
+#include "lab/rigs.hpp"
+#include "lab/semi_circular_bend/direct_solution.hpp"
+
+namespace phy::lab {
+
+BendSpecimen bend_specimen(const Recipe& recipe) {
+  const TestRecipe& t = recipe.test;
+  const double most = std::min(recipe.specimen.width, 2.0 * recipe.specimen.height);
+  const double R = 0.5 * (t.disc_diameter > 0.0 ? t.disc_diameter : most);
+  return {R, t.notch_ratio * R, t.span_ratio * 2.0 * R};
+}
+
+namespace {
+
+constexpr double loaded_share = 1e-5;  // travel over diameter from which the energy balance means something
+
+/// The middle of the flat face (genesis/cut.hpp).
+Vec2 middle(const Packing& half, const BendSpecimen& specimen) {
+  return {0.5 * half.width, 0.5 * half.width - specimen.radius};
+}
+
+/// What the box leaves beside the half disc: the largest radius.
+double edge(const Packing& half, const BendSpecimen& specimen) { return middle(half, specimen).y; }
+
+/// A roller whose line is at x pushes along `up` = (0, +-1) on what it meets first.
+void add_roller(engine::Tool& tool, const Packing& half, double x, double up, double bearing) {
+  const int n = static_cast<int>(std::ceil(2.0 * bearing / ray_spacing(half)));
+  const double outside = up > 0.0 ? -half.height : 2.0 * half.height;
+  std::set<std::uint32_t> met;
+  for (int k = 0; k <= n; ++k) {
+    const double along = bearing * (2.0 * static_cast<double>(k) / n - 1.0);
+    const std::int64_t g = first_grain(half, {x + along, outside}, {0.0, up});
+    if (g >= 0) met.insert(static_cast<std::uint32_t>(g));
+  }
+  for (const std::uint32_t g : met) tool.touches.push_back({g, {0.0, up}, 0.0});
+}
+
+}  // namespace
+
+BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
+  const Vec2 flat = middle(half, specimen);
+  const std::int64_t first = first_grain(half, {flat.x, 0.0}, {0.0, 1.0});
+  if (first >= 0) specimen.notch = half.discs[static_cast<std::size_t>(first)].y - flat.y;
+  return specimen;
+}
+
+TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
+  TestBoundary press;
+  const double centre = middle(half, specimen).x, bearing = edge(half, specimen);
+  engine::Tool supports{"support rollers", {}, {}, true}, loading{"loading roller", {}, {}, true};
+  for (const double side : {-0.5, 0.5})
+    add_roller(supports, half, centre + side * specimen.span, 1.0, bearing);
+  add_roller(loading, half, centre, -1.0, bearing);
+  press.rig.tools = {std::move(supports), std::move(loading)};
+  const double diameter = 2.0 * specimen.radius;
+  press.rig.axial = {0, 1, {0.0, 1.0}, loaded_share * diameter};
+  press.axial = {1.0, diameter};
+  return press;
+}
+
+NotchMouth notch_mouth(const Packing& half, const BendSpecimen& specimen) {
+  const Vec2 inside = middle(half, specimen) + Vec2{0.0, edge(half, specimen)};
+  return {first_grain(half, inside, {-1.0, 0.0}), first_grain(half, inside, {1.0, 0.0})};
+}
+
+namespace {
+
+class SemiCircularBendTest final : public LabTest {
+ public:
+  using LabTest::LabTest;
+
+ private:
+  void drive() override;
+  void read_more(HistoryRow& row) override;
+  std::vector<Number> numbers(const analysis::WavePath& path) const override;
+  double mouth() const;
+
+  BendSpecimen bend_ = as_sawn(packing(), bend_specimen(recipe_));
+  NotchMouth mouth_ = notch_mouth(packing(), bend_);
+  double before_ = 0.0;  // opening when loading begins [m]
+};
+
+double SemiCircularBendTest::mouth() const {
+  if (mouth_.left < 0 || mouth_.right < 0) return std::nan("");
+  const std::vector<GrainState> grains = group_->grains(lane_);
+  return grains[static_cast<std::size_t>(mouth_.right)].ux - grains[static_cast<std::size_t>(mouth_.left)].ux;
+}
+
+void SemiCircularBendTest::drive() {
+  before_ = mouth();
+  close_platens(2.0 * bend_.radius);
+}
+
+void SemiCircularBendTest::read_more(HistoryRow& row) {
+  row.load = 2.0 * bend_.radius * row.axial_stress;
+  row.mouth_opening = mouth() - before_;
+}
+
+std::vector<Number> SemiCircularBendTest::numbers(const analysis::WavePath& path) const {
+  std::vector<Number> out = bend_numbers(result_.history, result_.cracks, bend_, path.density);
+  if (!specimen_->bedding.empty())
+    out.front().note =
+        analysis::joined(out.front().note, "isotropic factor of Kuruppu et al. 2014 on bedded rock");
+  const Number* peak = analysis::find(out, "bend_strength");
+  const DirectIntensity direct = direct_intensity(*specimen_, bend_, bend_rollers(packing(), bend_).rig);
+  analysis::add(out, direct_numbers(direct, peak->value));
+  return out;
+}
+
+std::string loading_text_of(const Recipe& r) {
+  const BendSpecimen s = bend_specimen(r);
+  const auto length = [](double v) { return print_quantity(v, Dimension::length); };
+  return fmt::format(
+      "Half discs of radius {} were cut from the specimens, notched from the middle of the flat face to a "
+      "depth of {} (a/R = {:g}) and bent over two rollers {} apart (s/2R = {:g}); loading and support "
+      "rollers approached at {} each (semi-circular bend, M.D. Kuruppu et al., Rock Mech. Rock Eng. 47 "
+      "(2014) 267-274). The apparent K_Ic takes the factor of an isotropic body from there.",
+      length(s.radius), length(s.notch), r.test.notch_ratio, length(s.span), r.test.span_ratio,
+      print_quantity(r.test.platen_speed, Dimension::speed));
+}
+
+HistoryColumns columns() {
+  using Row = HistoryRow;
+  return joined(
+      {clock_columns(),
+       {{"load_point_displacement", "m", "approach of loading and support rollers", &Row::axial_strain},
+        {"load", "N/m", "mean of loading and support rollers, per thickness", &Row::load},
+        {"nominal_stress", "Pa", "load / diameter", &Row::axial_stress},
+        {"nominal_stress_loading", "Pa", "force of the loading roller / diameter", &Row::stress_top},
+        {"nominal_stress_supports", "Pa", "force of both support rollers / diameter", &Row::stress_bottom},
+        {"mouth_opening", "m", "opening of the notch at the flat face", &Row::mouth_opening}},
+       book_columns()});
+}
+
+TestDescription description() {
+  TestDescription d;
+  d.name = "semi_circular_bend", d.stress = "nominal stress", d.tool = "roller";
+  d.extent = "a load-point displacement of {} % of the width";
+  d.columns = columns();
+  d.hashed = hashed_fields({"load_point_displacement", "load", "nominal_stress", "nominal_stress_loading",
+                            "nominal_stress_supports", "mouth_opening"});
+  d.curve.strain = "load-point displacement", d.curve.strain_unit = "mm", d.curve.strain_factor = 1000.0;
+  d.curve.stress = "nominal stress P/(2RB)";
+  d.curve.strength = "bend_strength", d.curve.strength_label = "largest load";
+  d.curve.derived = {"K_Ic_apparent", "apparent K_Ic, isotropic factor of Kuruppu et al. 2014",
+                     "MPa sqrt(m)"};
+  d.table = {{"apparent K_Ic", "MPa sqrt(m)", "K_Ic_apparent", 1e-6, 3},
+             {"K_I", "MPa sqrt(m)", "K_I", 1e-6, 3},
+             {"K_II", "MPa sqrt(m)", "K_II", 1e-6, 3},
+             {"P max", "kN/m", "P_max", 1e-3, 2},
+             {"u peak", "um", "u_peak", 1e6, 2},
+             {"mouth", "um", "mouth_opening_at_peak", 1e6, 2}};
+  d.cut = [](const Recipe& r) {
+    const BendSpecimen s = bend_specimen(r);
+    return SpecimenCut{2.0 * s.radius, true, s.notch, r.test.notch_width};
+  };
+  // Displacement at the peak over the diameter, over strength / E: from examples/lab/semi-circular-bend.toml.
+  d.expected = {.length = [](const Recipe& r) { return 2.0 * bend_specimen(r).radius; },
+                .strain_factor = 12.0,
+                .intact = 0.02,
+                .bedded = 0.015};
+  d.loading_text = loading_text_of;
+  d.load_on_box = ", from whose middle the half discs are cut";
+  d.load_on_bedding = ", the load and the notch being vertical";
+  return d;
+}
+
+}  // namespace
+
+const TestRoom& semi_circular_bend_room() {
+  static const TestRoom room = {
+      description(),
+      [](const Recipe& r) {
+        const BendSpecimen s = bend_specimen(r);
+        std::string name = "semi_circular_bend";
+        for (const double v : {s.radius, s.notch, s.span, r.test.notch_width, r.matrix.bond_gap})
+          name += print_number(v) + " ";
+        return name;
+      },
+      [](const Packing& half, const Recipe& r) { return bend_rollers(half, bend_specimen(r)); },
+      begin_test<SemiCircularBendTest>};
+  return room;
+}
+
+}  // namespace phy::lab

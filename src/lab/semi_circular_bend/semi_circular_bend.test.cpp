@@ -1,0 +1,169 @@
+// The semi-circular bend test: half disc and notch, rollers, the load they carry. K of the direct solution on
+// lattices and packings against the published factor: V22 of `phyllite verify`.
+#include "lab/semi_circular_bend/semi_circular_bend.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/exact_math.hpp"
+#include "genesis/cut.hpp"
+#include "lab/semi_circular_bend/direct_solution.hpp"
+#include "lab/test_bench.test.hpp"
+
+namespace phy::lab {
+namespace {
+
+/// Half a disc of 24 mm, some 20 grains in the radius.
+Recipe small_bend() {
+  Recipe r = small_rock(TestKind("semi_circular_bend"));
+  r.specimen = {0.024, 0.013};
+  r.packing.n_grains = 806;
+  r.test.platen_speed = 0.01;
+  return r;
+}
+
+Specimen first_specimen(const Recipe& r) { return genesis::make_specimens(small_packing(r), r).front(); }
+
+TEST(SemiCircularBend, HalfDiscHoldsItsShareOfTheRockAndNotchNone) {
+  const Recipe r = small_bend();
+  const auto packing = small_packing(r);
+  SpecimenCut cut{0.024, true, 0.0, 0.0};
+  const Packing whole = genesis::cut_half_disc(*packing, cut, 0.0);
+  cut.notch_length = 0.006;
+  const Packing notched = genesis::cut_half_disc(*packing, cut, 0.0);
+  const auto area = [](const Packing& p) {
+    double sum = 0.0;
+    for (const Disc& d : p.discs) sum += pi * d.r * d.r;
+    return sum;
+  };
+  const double density = area(*packing) / (0.024 * 0.013);
+  EXPECT_NEAR(area(whole) / (0.5 * pi * 0.012 * 0.012), density, 0.03 * density);
+  double r_max = 0.0;
+  for (const Disc& d : whole.discs) r_max = std::max(r_max, d.r);
+  EXPECT_EQ(whole.width, 0.024 + 2.0 * r_max);
+  EXPECT_EQ(whole.height, 0.012 + 2.0 * r_max);
+  const Vec2 middle{0.5 * whole.width, r_max};
+  for (const Disc& d : whole.discs) {
+    EXPECT_LE(norm(Vec2{d.x, d.y} - middle), 0.012 + 1e-12);
+    EXPECT_GE(d.y, r_max - 1e-12);
+  }
+  EXPECT_NEAR(area(whole) - area(notched), density * 2.0 * r_max * 0.006,
+              0.35 * density * 2.0 * r_max * 0.006)
+      << "a slot one largest grain wide, to within a grain at either side";
+  EXPECT_NE(whole.hash, notched.hash);
+}
+
+// Neither bonds nor touching grains join the flanks, also where bonds span gaps.
+TEST(SemiCircularBend, NothingJoinsTheFlanksOfTheNotch) {
+  for (const double bond_gap : {1e-6, 0.3}) {
+    Recipe r = small_bend();
+    r.matrix.bond_gap = bond_gap;
+    const Specimen s = first_specimen(r);
+    const BendSpecimen bend = bend_specimen(r);
+    const std::vector<Disc>& discs = s.packing->discs;
+    const double axis = 0.5 * s.packing->width,
+                 end = bend.notch;  // less the largest radius: a whole grain is left
+    std::size_t beside = 0;
+    for (const Contact& c : s.contacts) {
+      const Disc &a = discs[c.a], &b = discs[c.b];
+      if (std::min(a.y, b.y) >= end) continue;  // a contact above the end of the notch
+      beside += 1;
+      if ((a.x < axis) == (b.x < axis)) continue;
+      // The straight line between the centres crosses the axis above the end.
+      const double y = a.y + (b.y - a.y) * (axis - a.x) / (b.x - a.x);
+      EXPECT_GE(y, end) << c.a << " " << c.b;
+    }
+    EXPECT_GT(beside, 100u);
+    for (std::size_t i = 0; i < discs.size(); ++i)
+      for (std::size_t j = 0; j < discs.size(); ++j)
+        if (discs[i].y < end && discs[j].y < end && discs[i].x < axis && discs[j].x > axis) {
+          EXPECT_GT(norm(Vec2{discs[j].x - discs[i].x, discs[j].y - discs[i].y}), discs[i].r + discs[j].r);
+        }
+  }
+}
+
+TEST(SemiCircularBend, RollersBearOnTheSurfaceAtTheirLines) {
+  const Recipe r = small_bend();
+  const Specimen s = first_specimen(r);
+  const BendSpecimen bend = bend_specimen(r);
+  EXPECT_DOUBLE_EQ(bend.radius, 0.012);
+  EXPECT_DOUBLE_EQ(bend.notch, 0.006);
+  EXPECT_DOUBLE_EQ(bend.span, 0.0192);
+  const engine::Rig rig = bend_rollers(*s.packing, bend).rig;
+  ASSERT_EQ(rig.tools.size(), 2u);
+  const double axis = 0.5 * s.packing->width, r_max = axis - bend.radius;
+  std::size_t left = 0, right = 0;
+  for (const engine::Touch& t : rig.tools[0].touches) {
+    const Disc& d = s.packing->discs[t.grain];
+    EXPECT_EQ(t.normal.y, 1.0);
+    EXPECT_LT(std::fabs(std::fabs(d.x - axis) - 0.0096), 2.0 * r_max);
+    EXPECT_LT(d.y, 4.0 * r_max) << "of the flat face";
+    (d.x < axis ? left : right) += 1;
+  }
+  EXPECT_GE(left, 1u);
+  EXPECT_GE(right, 1u);
+  for (const engine::Touch& t : rig.tools[1].touches) {
+    const Disc& d = s.packing->discs[t.grain];
+    EXPECT_EQ(t.normal.y, -1.0);
+    EXPECT_LT(std::fabs(d.x - axis), 2.0 * r_max);
+    EXPECT_GT(d.y, r_max + bend.radius - 3.0 * r_max) << "of the top of the arc";
+  }
+}
+
+// The crack runs from the notch; what the supports carry is what the loading roller presses with.
+TEST(SemiCircularBend, BreaksInEquilibrium) {
+  const Recipe recipe = small_bend();
+  const TestResult r = run_alone(recipe);
+  ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
+  EXPECT_LT(number(r, "energy_error").value, 5e-3);
+  EXPECT_LT(number(r, "platen_difference_95").value, 0.05);
+  const double K = number(r, "K_Ic_apparent").value;
+  EXPECT_GT(K, 0.2e6);
+  EXPECT_LT(K, 5e6);
+  const double a = number(r, "notch_length").value;
+  EXPECT_NEAR(a, 0.006, 4.2e-4) << "to a grain's radius";
+  // Y'(0.5, 0.8) = 6.6460 by hand; it rises by 1.8 from a/R = 0.5 to 0.6 (reading.test.cpp).
+  EXPECT_NEAR(number(r, "Y_prime").value, 6.6460 + 15.0 * (a / 0.012 - 0.5), 0.15);
+  EXPECT_NEAR(K, number(r, "Y_prime").value * std::sqrt(pi * a) * number(r, "P_max").value / 0.024, 1e-9 * K);
+  EXPECT_GT(number(r, "mouth_opening_at_peak").value, 0.0);
+  double largest = 0.0;
+  for (const HistoryRow& row : r.history.rows) {
+    EXPECT_DOUBLE_EQ(row.load, 0.024 * row.axial_stress);
+    largest = std::max(largest, row.load);
+  }
+  EXPECT_DOUBLE_EQ(largest, number(r, "P_max").value);
+  ASSERT_FALSE(r.cracks.empty());
+  const double axis = 0.5 * r.history.width, end = axis - 0.012 + 0.006;
+  const Vec2 first = r.cracks.front().position;
+  EXPECT_LT(norm(first - Vec2{axis, end}), 0.003) << "within a few grains of the end of the notch";
+}
+
+// The direct solution of an isotropic rock is K_I alone, and close to the factor of an isotropic body.
+TEST(SemiCircularBend, DirectSolutionOfIsotropicRockIsModeOne) {
+  const Recipe r = small_bend();
+  const Specimen s = first_specimen(r);
+  const BendSpecimen bend = as_sawn(*s.packing, bend_specimen(r));
+  const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).rig);
+  ASSERT_EQ(K.missing, "");
+  EXPECT_NEAR(K.K_I / isotropic_K_I(bend, 1.0), 1.0, 0.15) << "one packing of 20 grains in the radius";
+  EXPECT_LT(std::fabs(K.K_II), 0.1 * K.K_I);
+}
+
+// Planes farther apart than the ring can average over: no number that looks like one.
+TEST(SemiCircularBend, NoDirectIntensityOfAFewPlanes) {
+  Recipe r = small_bend();
+  r.bedding.resize(1);
+  r.bedding.front().spacing = 0.002;
+  const Specimen s = first_specimen(r);
+  const BendSpecimen bend = as_sawn(*s.packing, bend_specimen(r));
+  const auto numbers = direct_numbers(direct_intensity(s, bend, bend_rollers(*s.packing, bend).rig), 1e6);
+  EXPECT_TRUE(std::isnan(numbers.front().value));
+  EXPECT_NE(numbers.front().note.find("bedding planes within the ring"), std::string::npos);
+}
+
+TEST(SemiCircularBend, DefinitionsSpeakOfTheNominalStress) {
+  expect_speaks_of("nominal stress",
+                   bend_numbers(marble_of("semi_circular_bend"), {}, {0.012, 0.006, 0.0192}, 2700.0));
+}
+
+}  // namespace
+}  // namespace phy::lab
