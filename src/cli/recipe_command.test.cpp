@@ -88,5 +88,17 @@ TEST_F(RecipeFile, IsCheckedAndCompleted) {
   EXPECT_EQ(phyllite("recipe " + path).code, 3);
 }
 
+TEST(RecipeCommand, OtherFilesAreExplainedInTheSameWay) {
+  for (const auto& [verb, key] : {std::pair{"rock", "elastic_reading"}, std::pair{"study", "times"}}) {
+    const std::string word = verb;
+    EXPECT_THAT(phyllite(word + " --reference").text, HasSubstr("| `" + std::string(key) + "` |"));
+    const Answer a = phyllite(word + " --explain " + key);
+    EXPECT_EQ(a.code, 0);
+    EXPECT_THAT(a.text, HasSubstr("allowed"));
+    EXPECT_EQ(phyllite(word + " --explain " + key + "s").code, 2);
+  }
+  EXPECT_THAT(phyllite("study --explain intercept").text, HasSubstr("line.intercept"));
+}
+
 }  // namespace
 }  // namespace phy::cli
