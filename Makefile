@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy docs web browser clean
+.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -78,6 +78,10 @@ lint:
 
 tidy: build
 	@git ls-files 'src/*.cpp' | grep -v '\.test\.' | xargs -P $(JOBS) -n 2 clang-tidy -p $(BUILD) --quiet 2>/dev/null
+
+# After a change that is meant to change bits: writes tests/recorded.txt anew and REASON into CHANGELOG.md.
+record: build
+	@python3 tools/record.py $(BUILD) "$(REASON)"
 
 docs: build
 	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference; $(BUILD)/phyllite rock --reference) > docs/reference.md

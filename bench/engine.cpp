@@ -63,7 +63,7 @@ void press(benchmark::State& state, engine::Isa isa, Precision precision, int la
   options.precision = precision;
   options.lanes = lanes;
   const auto group = engine::make_group(specimens.front()->packing, options);
-  std::vector<std::unique_ptr<lab::LabTest>> tests;
+  std::vector<std::unique_ptr<lab::Procedure>> tests;
   for (int l = 0; l < lanes; ++l)
     tests.push_back(
         lab::make_test(specimens[angles == 1 ? 3 : static_cast<std::size_t>(l) % 7], recipe, *group, l));
@@ -84,7 +84,7 @@ void press(benchmark::State& state, engine::Isa isa, Precision precision, int la
 }
 
 /// Any kind of test on the paper's packing at 45 degrees, 10 MPa where there is a confining or normal stress,
-/// all lanes alike: the loop of the press with another rig.
+/// all lanes alike: the loop of the press with another boundary.
 void kind(benchmark::State& state, const char* which, Confinement sides) {
   if (engine::native_isa() < engine::Isa::avx512) {
     state.SkipWithError("not measured: instruction set absent");
@@ -104,7 +104,7 @@ void kind(benchmark::State& state, const char* which, Confinement sides) {
   options.precision = recipe.engine.precision;
   options.lanes = 16;
   const auto group = engine::make_group(specimen->packing, options);
-  std::vector<std::unique_ptr<lab::LabTest>> tests;
+  std::vector<std::unique_ptr<lab::Procedure>> tests;
   for (int l = 0; l < options.lanes; ++l) tests.push_back(lab::make_test(specimen, recipe, *group, l));
   const auto block = [&] {
     group->advance();

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 
 class ProgramTest : public phy::InFolder {
  protected:

@@ -44,7 +44,7 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
   return out;
 }
 
-std::vector<Number> told(std::vector<Number> numbers) {
+std::vector<Number> with_reasons(std::vector<Number> numbers) {
   for (Number& n : numbers) {
     if (std::isfinite(n.value)) continue;
     n.value = nan;

@@ -24,7 +24,8 @@ namespace phy::analysis {
 
 struct AxialOptions {
   WavePath path;
-  double jump_strain = 0.0;  ///< axial strain of a jump start, 0: none; cracks below it could not show
+  double jump_strain =
+      0.0;  ///< axial strain of an affine pre-strain, 0: none; cracks below it could not show
   StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of the strength
   double secant = 0.5;               ///< level of E_secant, fraction of the strength
   /// Of E_small: before cracking, comparable with the direct elastic solution.
@@ -43,7 +44,7 @@ std::vector<Number> common_numbers(const History& history, const LoadingBranch& 
 void add(std::vector<Number>& numbers, std::vector<Number> more);
 
 /// The list as a result holds it: what has no finite value is NaN, and says why.
-std::vector<Number> told(std::vector<Number> numbers);
+std::vector<Number> with_reasons(std::vector<Number> numbers);
 
 /// The number of that name, or nullptr.
 const Number* find(const std::vector<Number>& numbers, const std::string& name);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 #include "records/test_description.hpp"
 
 namespace phy::analysis {
@@ -15,7 +15,7 @@ namespace {
 
 std::vector<Number> numbers_of(const History& h, const std::vector<CrackEvent>& cracks,
                                const AxialOptions& options = {}) {
-  return told(axial_numbers(h, loading_branch(h), cracks, options));
+  return with_reasons(axial_numbers(h, loading_branch(h), cracks, options));
 }
 
 TEST(Analyse, HeadlineNumbersAreByGauge) {
@@ -65,7 +65,7 @@ TEST(Analyse, EveryNumberHasItsOwnNameAUnitAndADefinition) {
 }
 
 /// What has no finite value must be NaN and say why.
-void expect_told(const History& h, const std::vector<CrackEvent>& cracks) {
+void expect_reasons(const History& h, const std::vector<CrackEvent>& cracks) {
   for (const Number& n : numbers_of(h, cracks))
     EXPECT_TRUE(std::isfinite(n.value) || (std::isnan(n.value) && !n.note.empty()))
         << n.name << " " << n.value;
@@ -76,24 +76,24 @@ TEST(Analyse, WhateverTheHistoryNothingIsLeftUntold) {
   const std::vector<CrackEvent> cracks(5);
   const HistoryColumns& columns = TestKind()->columns;
   History rows;
-  expect_told(rows, cracks);
+  expect_reasons(rows, cracks);
   for (const double v : {0.0, 5.0, -5.0, nan, inf}) {
     rows.rows.clear();
     for (int n = 1; n <= 4; ++n) {
       HistoryRow r;
       for (const HistoryColumn& c : columns) r.*c.value = v;
       rows.rows.push_back(r);
-      expect_told(rows, cracks);
+      expect_reasons(rows, cracks);
     }
   }
   for (const HistoryColumn& c : columns) {
     for (const double v : {0.0, nan, inf, -inf}) {
       History spoiled = marble();
       for (HistoryRow& r : spoiled.rows) r.*c.value = v;
-      expect_told(spoiled, cracks);
+      expect_reasons(spoiled, cracks);
       spoiled = marble();
       spoiled.rows.front().*c.value = spoiled.rows[199].*c.value = spoiled.rows.back().*c.value = v;
-      expect_told(spoiled, cracks);
+      expect_reasons(spoiled, cracks);
     }
   }
 }

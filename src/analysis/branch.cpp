@@ -13,7 +13,7 @@ namespace phy::analysis {
 LoadingBranch loading_branch(const History& history) {
   LoadingBranch branch;
   const TestDescription& test = *history.kind;
-  branch.strength = test.curve.strength.c_str(), branch.stress = test.stress, branch.tool = test.tool;
+  branch.strength = test.curve.strength.c_str(), branch.stress = test.stress, branch.body = test.body;
   const auto& rows = history.rows;
   std::size_t first = rows.size();
   double largest = 0.0;

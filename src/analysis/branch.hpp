@@ -19,7 +19,7 @@ struct LoadingBranch {
   bool peaked = false;   ///< at least one row follows: the largest stress is a peak, and is the strength
   const char* strength = "ucs";         ///< what the largest stress of this kind of test is called
   const char* stress = "axial stress";  ///< and the stress
-  const char* tool = "platen";          ///< what pushes or pulls
+  const char* body = "platen";          ///< what pushes or pulls
 
   bool empty() const { return rows.empty(); }
 };

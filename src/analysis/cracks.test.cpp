@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 
 namespace phy::analysis {
 namespace {

@@ -20,10 +20,10 @@ std::string range_text(StressRange range) {
 }
 
 std::string place_of(const LoadingBranch& branch, StrainFrom from) {
-  return from == StrainFrom::gauge ? "gauge (middle 60 %)" : std::string(branch.tool) + "s";
+  return from == StrainFrom::gauge ? "gauge (middle 60 %)" : std::string(branch.body) + "s";
 }
 
-/// Says when the history begins too late for a range (jump start, record switched on late).
+/// Says when the history begins too late for a range (affine pre-strain, record switched on late).
 std::string start_note(const LoadingBranch& branch, double fraction) {
   const double start = branch.rows.front().axial_stress / branch.largest;
   return start > fraction ? fmt::format("the history starts at {:.3g} % of the largest stress", 100 * start)

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 
 namespace phy::analysis {
 namespace {
@@ -128,7 +128,7 @@ TEST(Elastic, WithoutAPeakTheLargestStressCounts) {
   EXPECT_EQ(secant(unfinished()).note, n.note);
 }
 
-TEST(Elastic, HistoryThatStartsLate) {  // as after a jump start
+TEST(Elastic, HistoryThatStartsLate) {  // as after an affine pre-strain
   History h = marble();
   h.rows.erase(h.rows.begin(), h.rows.begin() + 89);
   EXPECT_NEAR(tangent(h).value / (50e9 / 0.9), 1.0, 1e-12);

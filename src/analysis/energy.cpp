@@ -17,7 +17,7 @@ constexpr const char* no_energies = "the history holds no energies";
 /// Terms of the energy balance, in the order of the history's columns.
 std::vector<HistoryColumn> energy_columns() {
   std::vector<HistoryColumn> terms;
-  for (const HistoryColumn& c : book_columns())
+  for (const HistoryColumn& c : balance_columns())
     if (std::string(c.unit) == "J/m") terms.push_back(c);
   return terms;
 }
@@ -53,7 +53,7 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
     const double d = std::fabs(r.stress_top - r.stress_bottom) / branch.largest;
     if (std::isfinite(d)) differences.push_back(d);
   }
-  const std::string difference = fmt::format("|top - bottom {} stress| / {}", branch.tool, branch.strength);
+  const std::string difference = fmt::format("|top - bottom {} stress| / {}", branch.body, branch.strength);
   Number all{"platen_difference", nan, "1", "largest " + difference + " before the peak",
              branch_note(branch)};
   Number most{"platen_difference_95", nan, "1",

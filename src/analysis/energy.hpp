@@ -10,7 +10,7 @@ namespace phy::analysis {
 /// What a stress wave runs through. With density or length 0 the number of its transits is not known.
 struct WavePath {
   double density = 0.0;         ///< [kg/m^3]
-  double length = 0.0;          ///< between the tools [m]
+  double length = 0.0;          ///< between the bodies [m]
   double modulus_factor = 1.0;  ///< modulus of the rock over stress / strain of this test, of an elastic body
 };
 

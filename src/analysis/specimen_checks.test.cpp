@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 
 namespace phy::analysis {
 namespace {

@@ -25,9 +25,9 @@ void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_
   const double hidden = std::min(std::max(first_row, jump_strain), branch.strain);
   n.value = stress_at(branch, std::max(*nth, hidden));
   if (*nth > hidden) return;
-  n.note =
-      fmt::format("below {:.4g} MPa: the crack came {}", n.value * 1e-6,
-                  jump_strain > 0.0 ? "by the end of the jump start" : "before the first row of the history");
+  n.note = fmt::format(
+      "below {:.4g} MPa: the crack came {}", n.value * 1e-6,
+      jump_strain > 0.0 ? "by the end of the affine pre-strain" : "before the first row of the history");
 }
 
 }  // namespace
@@ -36,10 +36,10 @@ std::vector<Number> strength(const LoadingBranch& branch) {
   const std::string note = branch_note(branch);
   return {{branch.strength, branch.peaked ? branch.largest : nan, "Pa",
            fmt::format("largest {} of the test (mean of both {}s over the initial width)", branch.stress,
-                       branch.tool),
+                       branch.body),
            note},
           {"peak_strain", branch.peaked ? branch.strain : nan, "1",
-           fmt::format("axial strain of the {}s at the largest {}", branch.tool, branch.stress), note}};
+           fmt::format("axial strain of the {}s at the largest {}", branch.body, branch.stress), note}};
 }
 
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,

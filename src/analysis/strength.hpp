@@ -16,9 +16,9 @@ namespace phy::analysis {
 /// ucs [Pa] and peak_strain [1] (platens). NaN with a note when the stress never falls again.
 std::vector<Number> strength(const LoadingBranch& branch);
 
-/// sigma_ci and sigma_first_crack [Pa]. A crack from before the first row, or from a jump start up to the
-/// axial strain `jump_strain`, gives an upper bound: the note then begins with "below". Cracks may come in
-/// any order.
+/// sigma_ci and sigma_first_crack [Pa]. A crack from before the first row, or from an affine pre-strain up to
+/// the axial strain `jump_strain`, gives an upper bound: the note then begins with "below". Cracks may come
+/// in any order.
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
                                      double jump_strain);
 

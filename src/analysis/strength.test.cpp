@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 
 namespace phy::analysis {
 namespace {
@@ -104,8 +104,9 @@ TEST(CrackInitiation, AfterAJumpStartItIsAnUpperBound) {
   h.rows.erase(h.rows.begin(), h.rows.begin() + 79);  // first row: 40 MPa at strain 0.0008
   const auto early = initiation(h, cracks_from(0.00079, 1e-6, 40), 0.00079);
   EXPECT_NEAR(value(early, "sigma_ci"), 40e6, 1.0);
-  EXPECT_EQ(note(early, "sigma_ci"), "below 40 MPa: the crack came by the end of the jump start");
-  EXPECT_EQ(note(early, "sigma_first_crack"), "below 40 MPa: the crack came by the end of the jump start");
+  EXPECT_EQ(note(early, "sigma_ci"), "below 40 MPa: the crack came by the end of the affine pre-strain");
+  EXPECT_EQ(note(early, "sigma_first_crack"),
+            "below 40 MPa: the crack came by the end of the affine pre-strain");
   const auto late = initiation(h, cracks_from(0.001, 1e-6, 40), 0.00079);
   EXPECT_NEAR(value(late, "sigma_ci"), E * (0.001 + 2e-6), 1.0);
   EXPECT_EQ(note(late, "sigma_ci"), "");
@@ -114,7 +115,7 @@ TEST(CrackInitiation, AfterAJumpStartItIsAnUpperBound) {
 TEST(CrackInitiation, RowsWithinTheJumpDoNotHideIt) {  // the history begins before the jump ends at 0.0008
   const auto numbers = initiation(marble(), cracks_from(0.0007, 1e-6, 40), 0.0008);
   EXPECT_NEAR(value(numbers, "sigma_ci"), 40e6, 1.0);
-  EXPECT_EQ(note(numbers, "sigma_ci"), "below 40 MPa: the crack came by the end of the jump start");
+  EXPECT_EQ(note(numbers, "sigma_ci"), "below 40 MPa: the crack came by the end of the affine pre-strain");
 }
 
 TEST(CrackInitiation, BeforeTheFirstRow) {

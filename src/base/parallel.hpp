@@ -13,7 +13,7 @@
 namespace phy {
 
 /// Calls work(i) for i = 0 ... n - 1, each on a thread of its own, and returns when all have ended. Each of
-/// the n ends with leave(), also one for whom there was no thread: the others may wait for him. The first
+/// the n ends with leave(), also one for which there was no thread: the others may wait for it. The first
 /// exception sets `broken`, so that the others can stop soon, and is thrown again at the end.
 template <class Work, class Leave>
 void on_threads(std::size_t n, std::atomic<bool>& broken, const Work& work, const Leave& leave) {

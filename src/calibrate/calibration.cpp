@@ -13,7 +13,7 @@
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
-#include "calibrate/foresee.hpp"
+#include "calibrate/identifiability.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
@@ -62,9 +62,9 @@ const CalibratedParameter* open_link(const std::vector<Estimate>& estimates, con
 
 /// Which data speak about each parameter, and what would pin the others. `met`: the model meets the table.
 void add_identifiability(std::vector<Estimate>& estimates, const Evidence& evidence, bool met) {
-  const std::vector<Estimate> foreseen = foresee(evidence);
+  const std::vector<Estimate> identifiable = identifiability(evidence);
   for (Estimate& e : estimates) {
-    const Estimate& f = *estimate_of(foreseen, e.determined ? e.parameter : open_link(estimates, e));
+    const Estimate& f = *estimate_of(identifiable, e.determined ? e.parameter : open_link(estimates, e));
     if (e.determined)
       e.rests_on = f.rests_on;
     else if (f.determined)
@@ -76,7 +76,7 @@ void add_identifiability(std::vector<Estimate>& estimates, const Evidence& evide
 
 /// UCS over tension at each angle that has both and where they differ: the laboratory's and, where the
 /// strengths are out of reach, the nearest that the search found.
-void tell_ratios(Calibration& result) {
+void report_ratios(Calibration& result) {
   for (const Comparison& t : result.verification)
     for (const Comparison& u : result.verification)
       if (is_strength(t.target.property) && t.target.property != Property::ucs &&
@@ -88,7 +88,7 @@ void tell_ratios(Calibration& result) {
 }
 
 /// Brazilian tests of the verification that are none by the rule of the ISRM.
-void tell_validity(Calibration& result) {
+void report_validity(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (c.n_invalid > 0)
       add_line(result.notes, cell_name(c.target),
@@ -99,14 +99,14 @@ void tell_validity(Calibration& result) {
 }
 
 /// Remarks on the tests behind the strengths of the verification.
-void tell_quality(Calibration& result) {
+void report_quality(Calibration& result) {
   QualityTally tally;
   for (const Comparison& c : result.verification) tally.add(c.quality);
   if (!tally.text().empty()) result.notes.push_back("on unseen packings " + tally.text());
 }
 
 /// Strengths of which not every unseen packing has one.
-void tell_missing(Calibration& result) {
+void report_missing(Calibration& result) {
   for (const Comparison& c : result.verification)
     if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
       add_line(result.notes, cell_name(c.target),
@@ -146,7 +146,7 @@ void judge_strength(Calibration& result, bool short_search) {
     result.verdict.findings.push_back(fmt::format(
         "the strengths as a whole are {:.0f} % off: the nearest that were found stand in the table",
         100.0 * error));
-    tell_ratios(result);
+    report_ratios(result);
   }
   if (short_search)
     result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
@@ -216,13 +216,13 @@ void check_budget(std::int64_t n, std::int64_t max_tests) {
 
 /// E and nu of the press beside the table's, where it has them. Where they differ much from those at small
 /// strain, the user must know which of the two the laboratory means.
-void add_pressed(Calibration& result, const std::vector<Comparison>& pressed) {
+void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& tangent_from_test) {
   double worst = 0.0, theta = 0.0;
-  for (const Comparison& p : pressed) {
+  for (const Comparison& p : tangent_from_test) {
     const Comparison* small_strain = row_of(result.verification, p.target);
     if (small_strain == nullptr) continue;
-    result.pressed.push_back(p);
-    result.pressed.back().target = small_strain->target;
+    result.tangent_from_test.push_back(p);
+    result.tangent_from_test.back().target = small_strain->target;
     const double change = p.mean / small_strain->mean - 1.0;
     if (p.target.property == Property::E && std::fabs(change) > std::fabs(worst))
       worst = change, theta = p.target.theta;
@@ -253,10 +253,10 @@ bool calibrate_strength(Calibration& result, std::vector<Estimate>& estimates, c
   if (fit.interrupted) return false;
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
   options.say("verification of the strengths on unseen packings");
-  std::vector<Comparison> pressed;
+  std::vector<Comparison> tangent_from_test;
   const std::vector<Comparison> rows =
-      strength_response(result.recipe, evidence.strengths, unseen, simulator, &pressed);
-  add_pressed(result, pressed);
+      strength_response(result.recipe, evidence.strengths, unseen, simulator, &tangent_from_test);
+  add_tangents_from_test(result, tangent_from_test);
   const auto n_all = static_cast<std::int64_t>(evidence.strengths.size());
   result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
@@ -313,7 +313,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
       !calibrate_strength(result, estimates, evidence, options, search, unseen, simulator, short_search))
     return false;
   make_ready(result.recipe, evidence);
-  tell_validity(result), tell_quality(result), tell_missing(result);
+  report_validity(result), report_quality(result), report_missing(result);
   judge(result, elastic, evidence, short_search);
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !elastic.parameters.empty(), strength);

@@ -6,8 +6,8 @@
 
 #include <tuple>
 
-#include "calibrate/paper_press.test.hpp"
-#include "calibrate/reading.test.hpp"
+#include "calibrate/paper_press_fixture.hpp"
+#include "calibrate/reading_fixture.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::calibrate {
@@ -43,8 +43,8 @@ TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
   PaperPress press;
   press.tangent = 0.8;
   const Calibration c = calibrated(rock(), press);
-  ASSERT_EQ(c.pressed.size(), 8U);  // E and nu at four angles
-  for (const Comparison& p : c.pressed) {
+  ASSERT_EQ(c.tangent_from_test.size(), 8U);  // E and nu at four angles
+  for (const Comparison& p : c.tangent_from_test) {
     const Comparison* small_strain = row_of(c.verification, p.target);
     ASSERT_NE(small_strain, nullptr);
     EXPECT_NEAR(p.mean / small_strain->mean, p.target.property == Property::E ? 0.8 : 1.0, 1e-9);

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double at_edge = 0.01;  // of a logarithm
 
-void tell_edges(ElasticVerdict& verdict, const std::vector<Estimate>& parameters) {
+void report_edges(ElasticVerdict& verdict, const std::vector<Estimate>& parameters) {
   for (const Estimate& e : parameters)
     if (std::log(e.value / e.box_low) < at_edge || std::log(e.box_high / e.value) < at_edge)
       verdict.findings.push_back(fmt::format("{} lies at the edge of its box ({:.4g})", e.symbol, e.value));
 }
 
 /// E of one cell beyond what passes without a word. True: the scatter of the packings does not explain it.
-bool tell_modulus(ElasticVerdict& verdict, const Comparison& c) {
+bool report_modulus(ElasticVerdict& verdict, const Comparison& c) {
   const Target& t = c.target;
   const double noise = excusing_error(t) / t.mean;
   const double packings = c.sd / std::sqrt(static_cast<double>(c.n_packings)) / t.mean;
@@ -36,7 +36,7 @@ bool tell_modulus(ElasticVerdict& verdict, const Comparison& c) {
 }
 
 /// Why: what the table asks of any body of its kind; what nu had to give for E.
-void tell_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool nu_missed) {
+void report_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool nu_missed) {
   if (evidence.rock.bedded)
     if (const std::string limit = elastic_limit(evidence.moduli); !limit.empty())
       verdict.findings.push_back(limit);
@@ -62,7 +62,7 @@ bool misses(const Comparison& modulus) {
 
 ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
   ElasticVerdict verdict;
-  tell_edges(verdict, fit.parameters);
+  report_edges(verdict, fit.parameters);
   double worst = 0.0;
   bool nu_missed = false;
   for (const Comparison& c : fit.comparisons) {
@@ -72,13 +72,13 @@ ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
       add_line(verdict.findings, cell_name(t),
                "the model has no answer (`phyllite elastic` with calibrated.toml tells why)");
     } else if (misses(c) && t.property == Property::E) {
-      if (tell_modulus(verdict, c)) worst = std::max(worst, std::fabs(c.error()));
+      if (report_modulus(verdict, c)) worst = std::max(worst, std::fabs(c.error()));
     } else if (misses(c)) {
       nu_missed = true;
       verdict.findings.push_back(fmt::format("nu({:g}) = {:.3f} instead of {:.3f}", t.theta, c.mean, t.mean));
     }
   }
-  if (worst > 0.0 || nu_missed) tell_limit(verdict, fit, evidence, nu_missed);
+  if (worst > 0.0 || nu_missed) report_limit(verdict, fit, evidence, nu_missed);
   verdict.out_of_reach = verdict.out_of_reach || worst > 2.0 * elastic_tolerance;
   return verdict;
 }

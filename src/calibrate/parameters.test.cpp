@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "calibrate/experience.hpp"
-#include "calibrate/reading.test.hpp"
+#include "calibrate/prior_regression.hpp"
+#include "calibrate/reading_fixture.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy::calibrate {
@@ -132,11 +132,11 @@ TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
   }
 }
 
-// The posterior is free to add ratios; experience speaks of those that it has learnt.
-TEST(CalibratedParameters, ExperienceSpeaksOfRatiosThatAreSought) {
+// The posterior is free to add ratios; the prior regression speaks of those that it has learnt.
+TEST(CalibratedParameters, ThePriorSpeaksOfRatiosThatAreSought) {
   for (const bool joints : {false, true}) {
     const std::vector<const StrengthParameter*> ratios = strength_ratios(joints);
-    for (const StrengthParameter* p : experienced_ratios(joints))
+    for (const StrengthParameter* p : regressed_ratios(joints))
       EXPECT_NE(std::find(ratios.begin(), ratios.end(), p), ratios.end()) << p->key;
   }
 }

@@ -157,11 +157,11 @@ class OwnSimulator : public Simulator {
       hooks.on_progress = [&](const study::StudyProgress& p) {
         options_.on_progress({p.n_done, p.n_total, clockwork_.seconds_left(p)});
       };
-    study::StoreDesk desk(plan, store(), hooks, options_.threads);
+    study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;
     machine.threads = options_.threads, machine.isa = engine::native_isa();
-    study::work_at(desk, plan, machine);
-    clockwork_.end(desk.progress());
+    study::work_at(queue, plan, machine);
+    clockwork_.end(queue.progress());
   }
 };
 

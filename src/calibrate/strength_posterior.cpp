@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "calibrate/experience.hpp"
+#include "calibrate/prior_regression.hpp"
 
 namespace phy::calibrate {
 
@@ -36,7 +36,7 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
       targets_(evidence.strengths),
       parameters_(strength_parameters(evidence.rock.bedded)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
-  for (const Target& t : targets_) foretold_.push_back(foretold_strength(recipe, t.property, t.theta));
+  for (const Target& t : targets_) prior_.push_back(prior_strength(recipe, t.property, t.theta));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const StrengthParameter* p : strength_ratios(evidence.rock.bedded))
     least_.push_back(
@@ -72,7 +72,7 @@ bool StrengthPosterior::has_runs() const {
 void StrengthPosterior::learn() {
   models_.clear();
   discrepancy_ = 0.0;
-  for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], foretold_[i]);
+  for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], prior_[i]);
 }
 
 Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) const {

@@ -63,7 +63,7 @@ class StrengthPosterior {
 
  private:
   std::vector<std::vector<SurrogateRun>> runs_;  // per target
-  std::vector<Foretold> foretold_;
+  std::vector<PriorMean> prior_;
   std::vector<Surrogate> models_;
   std::vector<Target> targets_;
   std::vector<const StrengthParameter*> parameters_;

@@ -173,7 +173,7 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
 }
 
 /// Says once how many tests of all batches came to nothing.
-void tell_without_peak(StrengthFit& fit) {
+void report_without_peak(StrengthFit& fit) {
   if (fit.n_without_peak > 0)
     fit.notes.push_back(fmt::format("{} of {} tests of the search gave no usable peak and were left out",
                                     fit.n_without_peak, fit.n_tests));
@@ -217,7 +217,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     draws = posterior.draws(StrengthPosterior::none, seed);
     if (posterior.find_discrepancy(draws)) draws = posterior.draws(StrengthPosterior::none, seed);
   };
-  draw(0);  // from experience alone
+  draw(0);  // from the prior mean alone
   std::size_t n_points = 0;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
@@ -229,14 +229,14 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
         fit.findings.emplace_back("no test of some angle gave a usable peak: strengths were not fitted");
-      tell_without_peak(fit);
+      report_without_peak(fit);
       return fit;
     }
     n_points += points.size();
     draw(b + 1);
   }
   report(posterior, draws, packings_behind(n_points, seeds.size()), fit);
-  tell_without_peak(fit);
+  report_without_peak(fit);
   return fit;
 }
 

@@ -11,8 +11,8 @@
 
 #include "base/check.hpp"
 #include "calibrate/calibration.hpp"
-#include "calibrate/paper_press.test.hpp"
-#include "calibrate/reading.test.hpp"
+#include "calibrate/paper_press_fixture.hpp"
+#include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
@@ -393,10 +393,10 @@ TEST(StrengthStage, WhatIsTheSameAtAllAnglesIsOneLine) {
           "UCS(0), UCS(30), UCS(60), UCS(90): no test on unseen packings gave a usable peak (no drop; "
           "raise test.max_strain)"));
   const Calibration some = found([](const Recipe& r) { return r.packing.seed != 2; });
-  int told = 0;
+  int reported = 0;
   for (const std::string& note : some.notes)
-    told += note.find("of the search gave no usable peak") != note.npos ? 1 : 0;
-  EXPECT_EQ(told, 1) << testing::PrintToString(some.notes);
+    reported += note.find("of the search gave no usable peak") != note.npos ? 1 : 0;
+  EXPECT_EQ(reported, 1) << testing::PrintToString(some.notes);
 }
 
 TEST(StrengthStage, UnseenPackingsWithoutAPeakAreCounted) {

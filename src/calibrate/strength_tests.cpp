@@ -21,7 +21,7 @@ constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 2.0;
-constexpr double jump_share = 0.35;         // of the expected peak strain
+constexpr double pre_strain_share = 0.35;   // of the expected peak strain
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
@@ -119,7 +119,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
 Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
   Recipe one = of(recipe, target, seed);
   one.test.platen_speed *= search_speed;
-  if (one.test.kind->may_jump) one.test.jump_strain = jump_share * strains_[target];
+  if (one.test.kind->may_pre_strain) one.test.jump_strain = pre_strain_share * strains_[target];
   return one;
 }
 
@@ -159,7 +159,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                                          std::vector<Comparison>* pressed) {
+                                          std::vector<Comparison>* tangent_from_test) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -170,10 +170,10 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
     rows.push_back(over_packings(targets[i], test_of(targets[i].property)->curve.strength, some));
-    if (pressed == nullptr || targets[i].property != Property::ucs) continue;
+    if (tangent_from_test == nullptr || targets[i].property != Property::ucs) continue;
     for (const auto& [property, number] : {std::pair{Property::E, "E_tangent"}, {Property::nu, "nu"}}) {
       const Target target{property, targets[i].theta, std::nan(""), std::nan("")};
-      pressed->push_back(over_packings(target, number, some));
+      tangent_from_test->push_back(over_packings(target, number, some));
     }
   }
   return rows;

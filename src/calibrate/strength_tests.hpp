@@ -1,7 +1,7 @@
 // The tests of a table: what the laboratory did to its specimens, done to specimens of the model.
 //
 // Platens move at a speed at which a wave crosses the specimen a hundred times until the earliest peak. The
-// search of the strengths takes twice that and a jump start (docs/calibration.md, "Two speeds").
+// search of the strengths takes twice that and an affine pre-strain (docs/calibration.md, "Two speeds").
 #pragma once
 #include <vector>
 
@@ -21,8 +21,8 @@ class StrengthTests {
   StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                 Simulator& simulator);
   Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
-  /// For the search: jump start and twice the speed halve the steps of a compression test and move UCS by
-  /// +0.7 +- 0.4 %.
+  /// For the search: affine pre-strain and twice the speed halve the steps of a compression test and move UCS
+  /// by +0.7 +- 0.4 %.
   Recipe quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
 
  private:
@@ -33,11 +33,11 @@ class StrengthTests {
 /// Strength of a test [Pa]; NaN if it has none.
 double strength_of(const TestResult& result, Property property);
 
-/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `pressed` gains E
-/// (tangent at 40 - 60 % of the strength) and nu of the tests of UCS; their targets have no values.
+/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `tangent_from_test`
+/// gains E (tangent at 40 - 60 % of the strength) and nu of the tests of UCS; their targets have no values.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                                          std::vector<Comparison>* pressed = nullptr);
+                                          std::vector<Comparison>* tangent_from_test = nullptr);
 
 /// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
 /// wave crosses the specimen a hundred times until the earliest peak. `all`: their UCS over the modulus

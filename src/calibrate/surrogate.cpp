@@ -11,7 +11,7 @@ namespace {
 // Amplitudes in units of log(strength); slopes per half box: by maximum likelihood from 240 runs of UCS at
 // eight angles, drawn over the box on four coarse packings
 // (docs/decisions/0006-calibration-in-two-grain-sizes.md), and, the scatter, from the tests of 48 rocks
-// against what others foretell (experience.hpp).
+// against what others predict (prior_regression.hpp).
 constexpr double remainder_size = 0.055;
 constexpr double length = 0.8;  // of the remainder, in half boxes
 constexpr double coarse_constant = 0.10, coarse_slope = 0.05;
@@ -33,13 +33,12 @@ double Surrogate::response_kernel(std::span<const double> of, std::span<const do
   const Vector a = vector_of(of), b = vector_of(other);
   const double dot = a.dot(b);
   return square(response_) *
-         (square(foretold_.constant) + square(foretold_.slope) * dot +
-          square(foretold_.curvature) * square(dot) +
+         (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * square(dot) +
           square(remainder_size) * std::exp(-0.5 * (a - b).squaredNorm() / square(length)));
 }
 
-Surrogate::Surrogate(std::vector<SurrogateRun> runs, Foretold foretold)
-    : runs_(std::move(runs)), foretold_(std::move(foretold)) {
+Surrogate::Surrogate(std::vector<SurrogateRun> runs, PriorMean prior_mean)
+    : runs_(std::move(runs)), prior_(std::move(prior_mean)) {
   if (runs_.empty()) return;
   double best = -std::numeric_limits<double>::infinity();
   std::pair<double, double> chosen{1.0, 1.0};
@@ -60,7 +59,7 @@ double Surrogate::learn(double response, double scatter) {
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const SurrogateRun& a = runs_[static_cast<std::size_t>(i)];
-    y[i] = a.y - foretold_.value(a.z);
+    y[i] = a.y - prior_.value(a.z);
     for (Eigen::Index j = 0; j <= i; ++j) {
       const SurrogateRun& b = runs_[static_cast<std::size_t>(j)];
       double k = response_kernel(a.z, b.z);
@@ -89,7 +88,7 @@ Surrogate::Value Surrogate::at(std::span<const double> z) const {
   const double prior = response_kernel(z, z);
   const Eigen::Map<const Eigen::MatrixXd> factor(factor_.data(), n, n);
   const double known = runs_.empty() ? 0.0 : factor.triangularView<Eigen::Lower>().solve(k).squaredNorm();
-  return {foretold_.value(z) + k.dot(vector_of(weights_)), std::max(0.0, prior - known)};
+  return {prior_.value(z) + k.dot(vector_of(weights_)), std::max(0.0, prior - known)};
 }
 
 }  // namespace phy::calibrate

@@ -7,12 +7,12 @@
 //     + [both coarse] (constant + slopes)                             what coarse grains answer differently
 //     + [same packing] + [same run]                                   scatter of packings, of runs
 //
-// z in [-1, 1] spans the box in logarithms. Where the response is foretold (experience.hpp), the process is
-// that of the difference to what is foretold, with smaller amplitudes. The amplitudes are those of typical
-// rocks in this box; two factors, one on response and one on scatter, follow from the runs by their
-// posterior mode. The value asked for is that of fine grains, mean over packings: only the first line of k
-// takes part, and its variance says how well the runs have settled it. Rejected: one length per parameter by
-// maximum likelihood, thirty runs do not fix it.
+// z in [-1, 1] spans the box in logarithms. Where the response is predicted (prior_regression.hpp), the
+// process is that of the difference to what is predicted, with smaller amplitudes. The amplitudes are those
+// of typical rocks in this box; two factors, one on response and one on scatter, follow from the runs by
+// their posterior mode. The value asked for is that of fine grains, mean over packings: only the first line
+// of k takes part, and its variance says how well the runs have settled it. Rejected: one length per
+// parameter by maximum likelihood, thirty runs do not fix it.
 #pragma once
 #include <functional>
 #include <span>
@@ -29,7 +29,7 @@ struct SurrogateRun {
 
 /// What is known of a response before its first run: its value at every point, and how far a rock may lie
 /// from that, in units of the logarithm, slope and curvature per half box.
-struct Foretold {
+struct PriorMean {
   std::function<double(std::span<const double>)> value = [](std::span<const double>) { return 0.0; };
   double constant = 1.0, slope = 0.33, curvature = 0.08;
 };
@@ -39,13 +39,13 @@ class Surrogate {
   struct Value {
     double mean = 0.0, variance = 0.0;
   };
-  /// Without runs it knows what is foretold.
-  explicit Surrogate(std::vector<SurrogateRun> runs, Foretold foretold = {});
+  /// Without runs it knows what is predicted.
+  explicit Surrogate(std::vector<SurrogateRun> runs, PriorMean prior_mean = {});
   Value at(std::span<const double> z) const;
 
  private:
   std::vector<SurrogateRun> runs_;
-  Foretold foretold_;
+  PriorMean prior_;
   double response_ = 1.0;        // factor on the amplitudes
   std::vector<double> factor_;   // columns, lower triangle: Cholesky factor of the covariance of the runs
   std::vector<double> weights_;  // of the runs

@@ -60,15 +60,15 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
 }
 
 TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
-  const Foretold foretold{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15, 0.06,
-                          0.04};
-  const Surrogate none({}, foretold), few(runs(6, 0.02, 0.0, 0), foretold);
+  const PriorMean prior_mean{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15,
+                             0.06, 0.04};
+  const Surrogate none({}, prior_mean), few(runs(6, 0.02, 0.0, 0), prior_mean);
   const Point z = point(7, 3);
-  EXPECT_DOUBLE_EQ(none.at(z).mean, foretold.value(z));
+  EXPECT_DOUBLE_EQ(none.at(z).mean, prior_mean.value(z));
   EXPECT_GT(std::sqrt(none.at(z).variance), 0.1);
   EXPECT_LT(rms(few), 0.85 * rms(Surrogate(runs(6, 0.02, 0.0, 0))));
   double chi = 0.0;
-  EXPECT_LT(rms(Surrogate(runs(30, 0.02, 0.0, 0), foretold), &chi), 0.03);
+  EXPECT_LT(rms(Surrogate(runs(30, 0.02, 0.0, 0), prior_mean), &chi), 0.03);
   EXPECT_LT(chi, 2.0);
 }
 

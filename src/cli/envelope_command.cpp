@@ -71,21 +71,22 @@ std::vector<double> read_stresses(const std::vector<std::string>& words) {
 class Findings {
  public:
   void add(const std::string& who, const std::string& what) {
-    const auto it = std::find_if(told_.begin(), told_.end(), [&](const auto& t) { return t.what == what; });
-    if (it == told_.end())
-      told_.push_back({who, what});
+    const auto it =
+        std::find_if(findings_.begin(), findings_.end(), [&](const auto& t) { return t.what == what; });
+    if (it == findings_.end())
+      findings_.push_back({who, what});
     else
       it->who += ", " + who;
   }
   void print(int width) const {
-    for (const Finding& f : told_) print_wrapped(width, 2, "{}: {}\n", f.who, f.what);
+    for (const Finding& f : findings_) print_wrapped(width, 2, "{}: {}\n", f.who, f.what);
   }
 
  private:
   struct Finding {
     std::string who, what;
   };
-  std::vector<Finding> told_;
+  std::vector<Finding> findings_;
 };
 
 /// NaN where there is no fit.
@@ -165,7 +166,7 @@ void print_outcomes(const study::EnvelopeTests& tests, int width) {
       for (const QualityMark& mark : quality_marks(r.numbers))
         if (r.outcome.status == Status::peaked)
           findings.add(fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
-                       fmt::format("remark: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
+                       fmt::format("warning: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       if (const Outcome& o = r.outcome; o.status != Status::peaked)

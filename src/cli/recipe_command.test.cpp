@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"

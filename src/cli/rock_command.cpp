@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/quote.hpp"
-#include "calibrate/foresee.hpp"
+#include "calibrate/identifiability.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/keys.hpp"
 #include "cli/machine.hpp"
@@ -51,7 +51,7 @@ int rock_check(const std::string& path, int width) {
   const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
-  const std::vector<calibrate::Estimate> expected = calibrate::foresee(evidence);
+  const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
             report::foresight_table({expected.begin(), expected.end()}, width));
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);

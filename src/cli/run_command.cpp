@@ -42,8 +42,8 @@ void print_packing(const Packing& p, double seconds, bool cached, int width) {
   const PackingReport& r = p.report;
   print_wrapped(
       width, 10,
-      "packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, floaters {}\n",
-      p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_floaters);
+      "packing   {} discs, porosity {:.4f}, coordination {:.3f}, fabric <cos 2a> {:+.4f}, rattlers {}\n",
+      p.discs.size(), r.porosity, r.coordination, r.fabric, r.n_rattlers);
   print_wrapped(width, 10,
                 "          {}, mean overlap {:.2e} of the radius, unbalanced {:.1e}; {} in {:.2f} s\n",
                 p.stress_free ? "overlaps stress-free"

@@ -11,10 +11,10 @@ namespace {
 
 int show(const std::string& path, const Session& session) {
   const RunRecord run = io::read_run(path);
-  const TestRecord& first = run.tests.front();
+  const SpecimenRecord& first = run.tests.front();
   std::vector<TestResult> results;
   bool all_peaked = run.missing.empty();
-  for (const TestRecord& t : run.tests) {
+  for (const SpecimenRecord& t : run.tests) {
     results.push_back(t.result);
     all_peaked = all_peaked && t.result.outcome.status == Status::peaked;
   }

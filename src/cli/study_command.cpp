@@ -81,11 +81,12 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
     if (!has_answer(r.outcome.status)) line.note(r.name + ": " + r.outcome.reason);
   };
   const study::MachineOptions machine = machine_of(session);
-  study::StoreDesk desk(plan, store, hooks, ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
-  const study::WorkReport report = ranks != nullptr ? study::work_as_host(*ranks, desk, plan, machine)
-                                                    : study::work_at(desk, plan, machine);
+  study::StoreQueue queue(plan, store, hooks,
+                          ranks != nullptr ? ranks->sum(machine.threads) : machine.threads);
+  const study::WorkReport report = ranks != nullptr ? study::work_as_host(*ranks, queue, plan, machine)
+                                                    : study::work_at(queue, plan, machine);
   line.finish();
-  return {report, desk.progress().n_new, desk.progress().n_guest};
+  return {report, queue.progress().n_new, queue.progress().n_guest};
 }
 
 std::string in(const std::string& folder, const std::string& name) {
@@ -104,8 +105,8 @@ void check_tables(const std::string& folder, const std::string& option) {
 }
 
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
-void tell_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
-                  int width) {
+void report_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
+                    int width) {
   io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, rows));
   io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, rows));
   print_out("{}", study::effects_text(plan, rows, width));
@@ -119,7 +120,7 @@ std::ptrdiff_t n_finished(const study::StudyRows& rows) {
 void write_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
                   int width) {
   io::write_output(in(folder, "results.csv"), study::study_csv(plan, rows));
-  tell_effects(plan, rows, folder, width);
+  report_effects(plan, rows, folder, width);
   print_out("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
@@ -281,7 +282,7 @@ int effects_of_study(const StudyArguments& args, const Session& session) {
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + sh_word(args.folder) + "`"});
-  tell_effects(plan, rows, folder, session.terminal_width);
+  report_effects(plan, rows, folder, session.terminal_width);
   return 0;
 }
 

@@ -61,7 +61,8 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
     print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
   else
     print_wrapped(
-        width, 10, "press     {:.3f} m/s per platen, {} precision, jump start {}\n", s.base.test.platen_speed,
+        width, 10, "press     {:.3f} m/s per platen, {} precision, affine pre-strain {}\n",
+        s.base.test.platen_speed,
         s.base.engine.precision == Precision::double_precision ? "double" : "single",
         s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
   if (left == 0) return;

@@ -36,8 +36,8 @@ struct LinearBond {
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
-                                 Sums<R>& sums, const Broke& broke) {
+  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
+                                         const Step<R>& step, Sums<R>& sums, const Broke& broke) {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt;
     const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * step.dt);

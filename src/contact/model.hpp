@@ -44,8 +44,8 @@ constexpr double touching_gap = 1e-6;
 
 /// Stiffness of a contact in the two parts that the direct solution tells apart.
 struct ElasticPart {
-  laws::Tangent<double> push;  ///< acts only while the grains press on each other
-  laws::Tangent<double> hold;  ///< acts always
+  laws::Tangent<double> unilateral;  ///< acts only while the grains press on each other
+  laws::Tangent<double> bilateral;   ///< acts always
 };
 
 /// A parameter of the recipe that elastic constants depend on: of the matrix or of a bedding set.

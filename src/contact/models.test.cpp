@@ -48,7 +48,7 @@ struct Moved {
     model.install(s, c, fields.data());
   }
   /// One step of length 1: closer by `closure`, grain 2 sliding along t = (0, 1), and turning.
-  Push<double> step(double closure, double slide, double rotation) {
+  ContactForce<double> step(double closure, double slide, double rotation) {
     motion.stretch -= closure, motion.rotation += rotation;
     motion.vx = -closure, motion.vy = slide;
     const Memory<double, true> memory{fields.data(), true};
@@ -76,23 +76,23 @@ struct Moved {
 template <class Model>
 void expect_one_model(const Specimen& s, const Contact& c) {
   Moved<Model> hot(s, c);
-  const Push<double> f = hot.step(1e-8, 2e-10, 3e-7);
+  const ContactForce<double> f = hot.step(1e-8, 2e-10, 3e-7);
   const laws::Tangent<double> k = Model::model().stiffness(s, c, true);
   EXPECT_NEAR(f.fx, k.k_n * 1e-8, tiny * std::fabs(f.fx));
   EXPECT_NEAR(f.fy, -k.k_s * 2e-10, tiny * std::fabs(f.fy));
   EXPECT_NEAR(f.M, -k.k_m * 3e-7, tiny * k.k_m * 3e-7);
   const double energy = 0.5 * (k.k_n * 1e-16 + k.k_s * 4e-20 + k.k_m * 9e-14);
   EXPECT_NEAR(hot.sums.linear + hot.sums.bond + hot.sums.joint, energy, tiny * energy);
-  ContactState told;
-  Model::model().describe(hot.standing(), told);
-  EXPECT_NEAR(told.F_n, f.fx, tiny * std::fabs(f.fx));
-  EXPECT_NEAR(told.F_s, f.fy, tiny * std::fabs(f.fy));
-  EXPECT_FALSE(told.broken);
-  EXPECT_NEAR(told.normal.x, 1.0, 1e-15);
+  ContactState reported;
+  Model::model().describe(hot.standing(), reported);
+  EXPECT_NEAR(reported.F_n, f.fx, tiny * std::fabs(f.fx));
+  EXPECT_NEAR(reported.F_s, f.fy, tiny * std::fabs(f.fy));
+  EXPECT_FALSE(reported.broken);
+  EXPECT_NEAR(reported.normal.x, 1.0, 1e-15);
   const ElasticPart parts = Model::model().elastic(s, c, 0.0);
-  EXPECT_NEAR(parts.push.k_n + parts.hold.k_n, k.k_n, 1e-14 * k.k_n);
-  EXPECT_NEAR(parts.push.k_s + parts.hold.k_s, k.k_s, 1e-14 * k.k_s);
-  EXPECT_NEAR(parts.push.k_m + parts.hold.k_m, k.k_m, 1e-14 * k.k_m);
+  EXPECT_NEAR(parts.unilateral.k_n + parts.bilateral.k_n, k.k_n, 1e-14 * k.k_n);
+  EXPECT_NEAR(parts.unilateral.k_s + parts.bilateral.k_s, k.k_s, 1e-14 * k.k_s);
+  EXPECT_NEAR(parts.unilateral.k_m + parts.bilateral.k_m, k.k_m, 1e-14 * k.k_m);
   EXPECT_FALSE(Model::model().at_strength(hot.standing()));
   hot.step(-1.0, 0.0, 0.0);
   EXPECT_EQ(hot.n_broken, 1);
@@ -113,7 +113,8 @@ TEST(Models, LoopAndFilesAgree) {
 TEST(Models, RatesAreDerivativesOfTheirStiffness) {
   const Specimen s = two_grains(StiffnessConvention::pfc5);
   const auto total = [](const ElasticPart& p) {
-    return p.push.k_n + 3.0 * p.push.k_s + p.hold.k_n + 2.0 * p.hold.k_s + 1e7 * p.hold.k_m;
+    return p.unilateral.k_n + 3.0 * p.unilateral.k_s + p.bilateral.k_n + 2.0 * p.bilateral.k_s +
+           1e7 * p.bilateral.k_m;
   };
   for (const ContactKind kind : {ContactKind::touching, ContactKind::bonded, ContactKind::joint}) {
     Contact c = s.contacts[0];

@@ -23,8 +23,8 @@ struct SmoothJoint {
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
-                                 Sums<R>& sums, const Broke& broke) {
+  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
+                                         const Step<R>& step, Sums<R>& sums, const Broke& broke) {
     const Kinematics<R>& k = step.motion;
     const R normal_x = step.side * p[nx];
     const R normal_y = step.side * p[ny];

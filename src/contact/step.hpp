@@ -9,7 +9,7 @@
 //   static const ContactModel& model();                                   its cold side
 //
 //   template <bool sample, class R, class P, class Memory, class Broke>
-//   static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
+//   static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
 //                          const Step<R>& step, Sums<R>& sums, const Broke& broke);
 //
 // It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
@@ -44,7 +44,7 @@ struct Step {
 
 /// On grain 2; grain 1 gets the opposite force.
 template <class R>
-struct Push {
+struct ContactForce {
   R fx, fy;  ///< [N/m]
   R M;       ///< couple at the contact point [N]
 };

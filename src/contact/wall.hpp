@@ -1,5 +1,5 @@
-// A grain against a rigid tool: the linear contact of the grain's own modulus, whatever holds the grains to
-// each other. The tool is grain 1; n points into the specimen. Friction is the tool's.
+// A grain against a rigid body: the linear contact of the grain's own modulus, whatever holds the grains to
+// each other. The body is grain 1; n points into the specimen. Friction is the body's.
 #pragma once
 #include "laws/linear/linear.hpp"
 #include "records/recipe.hpp"
@@ -20,7 +20,7 @@ laws::Tangent<double> elastic(const MatrixRecipe& m, bool smooth);
 /// Its derivative with respect to a parameter of the matrix.
 laws::Tangent<double> elastic_rate(const MatrixRecipe& m, bool smooth, const ElasticParameter& p);
 
-/// p[i]: parameters as above. `rough`: 1 where the tool has friction, else 0.
+/// p[i]: parameters as above. `rough`: 1 where the body has friction, else 0.
 template <class R>
 laws::linear::Parameters<R> law(const R* p, R rough) {
   return {p[k_n], p[k_s], p[inv_k_s], p[mu] * rough};

@@ -3,7 +3,7 @@
 //   work of the boundary = d(kinetic + strain energies) + slip + damping + released
 //
 // with d(...) since the boundary was placed. Strain energies are those of grains, cement, interfaces and of
-// grains against tools; slip is the work of friction and dilation, damping that of local damping, released
+// grains against bodies; slip is the work of friction and dilation, damping that of local damping, released
 // what bonds held when they broke. Nothing in it is fitted: what is left over, as a fraction of the work, is
 // the energy error of the time stepping (HistoryRow::energy_error), which the watchdog and the quality of a
 // result go by.

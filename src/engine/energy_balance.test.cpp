@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {
@@ -70,11 +70,11 @@ TEST(EnergyBalance, OfACollisionCloses) {
     MatrixRecipe m;
     m.mu = 0.2;  // they slip all the time that they touch
     const auto s = shared(assembly({{R, R, R}, {(1.0 + 0.6 * 2.01) * R, (1.0 + 0.8 * 2.01) * R, R}}, m));
-    Rig rig;
-    rig.tools = {pusher(2, 1.0)};  // never placed: gives the first step its stiffness
+    Boundary boundary;
+    boundary.bodies = {pusher(2, 1.0)};  // never placed: gives the first step its stiffness
     LaneSetup setup;
     setup.damping = 0.2, setup.step_safety = 0.02;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     const auto group = small_group(*s, precision, 20);
     group->load(0, s, setup);
     group->start_moving(0, [&](Vec2 x) { return Vec2{x.x < 1.5 * R ? speed : 0.0, 0.0}; });
@@ -119,27 +119,27 @@ struct PulledBond {
       stiffness = s.bedding[0].k_n * 2.0 * R, strength = s.bedding[0].sigma_n * 2.0 * R;
     }
     in_step = strength / (stiffness * (n - 0.5));
-    Rig rig;
-    rig.tools.resize(2);
-    for (std::uint32_t i = 0; i < 2; ++i) rig.tools[i].grips = {{i, true, true, true}};
-    rig.axial = {0, 1, {1.0, 0.0}, 0.0};
+    Boundary boundary;
+    boundary.bodies.resize(2);
+    for (std::uint32_t i = 0; i < 2; ++i) boundary.bodies[i].grips = {{i, true, true, true}};
+    boundary.axial = {0, 1, {1.0, 0.0}, 0.0};
     LaneSetup setup;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     group = small_group(s, precision, interval);
     group->load(0, shared(s), setup);
-    group->place_rig(0);
+    group->place_boundary(0);
     const double speed = 0.5 * in_step / group->time_step(0);
-    for (const int tool : {0, 1}) {
-      Drive drive;
-      drive.velocity = {tool == 0 ? -speed : speed, 0.0};
-      group->drive(0, tool, drive);
+    for (const int body : {0, 1}) {
+      PrescribedMotion prescribed;
+      prescribed.velocity = {body == 0 ? -speed : speed, 0.0};
+      group->prescribe(0, body, prescribed);
     }
   }
 };
 
-// The bond carries k n du when it breaks: it releases half its square over k. The tools have felt the forces
+// The bond carries k n du when it breaks: it releases half its square over k. The bodies have felt the forces
 // of all steps before, the last of them to nothing: work = sum over steps of the mean force times du.
-void expect_books_of(PulledBond& t, bool joint, double tolerance) {
+void expect_balance_of(PulledBond& t, bool joint, double tolerance) {
   constexpr int n = PulledBond::n;
   const HistoryRow& r = t.group->row(0);
   const double& strain = joint ? r.strain_joint : r.strain_bond;
@@ -148,7 +148,7 @@ void expect_books_of(PulledBond& t, bool joint, double tolerance) {
   const double held = 0.5 * t.stiffness * std::pow(300 * t.in_step, 2);
   EXPECT_NEAR(strain, held, tolerance * held);
   EXPECT_NEAR(r.boundary_work, held, tolerance * held);
-  EXPECT_NEAR(t.group->tool(0, 1).force.x, t.stiffness * 300 * t.in_step, tolerance * t.strength);
+  EXPECT_NEAR(t.group->body(0, 1).force.x, t.stiffness * 300 * t.in_step, tolerance * t.strength);
   for (int i = 0; i < 2; ++i) t.group->advance();
   ASSERT_EQ(t.group->cracks(0).size(), 1U);
   const Breakage& broken = t.group->cracks(0)[0];
@@ -171,8 +171,8 @@ void expect_books_of(PulledBond& t, bool joint, double tolerance) {
 TEST(EnergyBalance, OfABondThatIsPulledApart) {
   for (const bool joint : {false, true}) {
     PulledBond exact(joint, Precision::double_precision), coarse(joint, Precision::single_precision);
-    expect_books_of(exact, joint, 1e-9);
-    expect_books_of(coarse, joint, 1e-4);  // places that are sums of n steps
+    expect_balance_of(exact, joint, 1e-9);
+    expect_balance_of(coarse, joint, 1e-4);  // places that are sums of n steps
   }
 }
 

@@ -12,7 +12,8 @@
 //   for front: for t: row = front - t; move(row); forces(row)
 // Every grain sees the same operations in the same order as without skewing; no bit changes. If a contact
 // joins rows that are not neighbours (fragments), the group runs with skew 1, where any lower row has been
-// moved already. Tools in balance (rig.hpp) forbid skewing: where they stand in a cycle depends on all rows.
+// moved already. Bodies in balance (boundary.hpp) forbid skewing: where they stand in a cycle depends on all
+// rows.
 //
 // Energy. Local damping F_damp = -alpha |F| sign(v) takes alpha |F| sign(v) (v_old + v_new)/2 dt, which
 // closes the kinetic energy of the leap-frog exactly; per cycle the sum goes to `damping` (times 2/dt), slip
@@ -21,7 +22,7 @@
 #pragma once
 #include "base/lane_memory.hpp"
 #include "contact/step.hpp"
-#include "engine/tool_loop.hpp"
+#include "engine/body_loop.hpp"
 #include "engine/view.hpp"
 
 namespace phy::engine {
@@ -36,7 +37,7 @@ class ForceLoop {
   using Matrix = typename Models::Matrix;
   using Interface = typename Models::Interface;
   using Kinematics = contact::Kinematics<R>;
-  using Push = contact::Push<R>;
+  using Push = contact::ContactForce<R>;
   static constexpr std::size_t W = NumberTraits<R>::width;
   static constexpr std::size_t n_contact_fields = c_fields + Models::n_fields;
   static constexpr T closest = T(1e-4);  // of (distance of two centres / that at the start)^2
@@ -81,7 +82,7 @@ class ForceLoop {
     }
   }
 
-  /// All cycles but the forces of the last, where tools in balance have to know all rows. Forces of a cycle
+  /// All cycles but the forces of the last, where bodies in balance have to know all rows. Forces of a cycle
   /// and motion of the next still share a sweep, unless contacts join rows that are not neighbours.
   void step_by_step(int n_steps) {
     const int behind = v.skew > 1 ? 1 : v.n_rows;
@@ -96,10 +97,10 @@ class ForceLoop {
     ToolLoop<R>(v, lane).balance(n_steps - 1);
   }
 
-  // The rig (tool_loop.hpp), out of the way of the loop over contacts.
+  // The boundary (body_loop.hpp), out of the way of the loop over contacts.
   PHY_RARE void hold_grips(int row, int step) { ToolLoop<R>(v, lane).hold(row, step); }
   template <bool sample>
-  PHY_RARE R press_tools(int row, int step) {
+  PHY_RARE R press_bodies(int row, int step) {
     return ToolLoop<R>(v, lane).template press<sample>(row, step);
   }
 
@@ -241,7 +242,7 @@ class ForceLoop {
   void forces_row(int row, int step) {
     RowSums sums;
     if (v.row_touch[row] != v.row_touch[row + 1] || v.row_load[row] != v.row_load[row + 1])
-      sums.slip = press_tools<sample>(row, step);
+      sums.slip = press_bodies<sample>(row, step);
     const std::int32_t end = v.row_contact[row + 1];
     // The next contact's square root and divisions run while this contact's law is evaluated: one contact is
     // a chain of some 150 cycles, longer than what the processor looks ahead.

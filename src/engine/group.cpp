@@ -71,13 +71,13 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   info.setup = setup;
   info.fresh = true;
   info.hold = specimen->matrix.unbreakable;
-  if (!info.setup.rig) info.setup.rig = std::make_shared<const Rig>();
-  boundary_.adopt(info.rig());
+  if (!info.setup.boundary) info.setup.boundary = std::make_shared<const Boundary>();
+  boundary_.adopt(info.boundary());
   LaneBoundary& edge = boundary_.lane(l);
-  edge.rig = info.setup.rig;
-  edge.tools.resize(info.rig().tools.size());
+  edge.boundary = info.setup.boundary;
+  edge.bodies.resize(info.boundary().bodies.size());
   edge.damping = setup.damping, edge.density = specimen->matrix.density;
-  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.rig());
+  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary());
   for (const Contact& c : specimen->contacts) {
     const Disc& a = grains_.packing().discs[c.a];
     const Disc& b = grains_.packing().discs[c.b];
@@ -99,7 +99,7 @@ void Group<T>::move_lane(int lane, LaneGroup& target, int to_lane) {
   PHY_CHECK(at(lane).specimen && !to->at(to_lane).specimen, "a specimen moves into an empty lane");
   to->check_neighbour(*at(lane).specimen);
   const std::size_t from = index(lane), into = index(to_lane);
-  to->boundary_.adopt(at(lane).rig());
+  to->boundary_.adopt(at(lane).boundary());
   to->at(to_lane) = at(lane);
   contacts_.copy(from, to->contacts_, into);
   grains_.copy(from, to->grains_, into);
@@ -134,7 +134,7 @@ void Group<T>::start_moving(int lane, const std::function<Vec2(Vec2)>& velocity)
 }
 
 template <class T>
-void Group<T>::jump(int lane, double axial_strain) {
+void Group<T>::pre_strain(int lane, double axial_strain) {
   if (dirty_) rebuild();
   const std::size_t l = index(lane);
   Lane& info = lanes_[l];
@@ -149,11 +149,11 @@ void Group<T>::jump(int lane, double axial_strain) {
     grains_.set(g, g_ux, l, u.x);
     grains_.set(g, g_uy, l, u.y);
   }
-  const LoadAxis& axis = info.rig().axial;
+  const LoadAxis& axis = info.boundary().axial;
   const Vec2 closing = 0.5 * axial_strain * packing.height * axis.direction;
-  std::vector<ToolMotion>& tools = boundary_.lane(l).tools;
-  tools[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
-  tools[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
+  std::vector<BodyMotion>& bodies = boundary_.lane(l).bodies;
+  bodies[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
+  bodies[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
   contacts_.affine_start(l, *info.specimen, field);
   info.energy.settle();
   dirty_ = true;
@@ -171,7 +171,7 @@ bool Group<T>::at_strength(int lane) const {
 }
 
 template <class T>
-void Group<T>::place_rig(int lane) {
+void Group<T>::place_boundary(int lane) {
   const std::size_t l = index(lane);
   Lane& info = lanes_[l];
   boundary_.place(l);
@@ -196,7 +196,7 @@ void Group<T>::fill_lane_table() {
     const Lane& lane = lanes_[l];
     const MatrixRecipe m = lane.specimen ? lane.specimen->matrix : MatrixRecipe{};
     double wall[contact::wall::n_parameters];
-    contact::wall::parameters(m, lane.setup.tool_friction, wall);
+    contact::wall::parameters(m, lane.setup.body_friction, wall);
     for (int i = 0; i < contact::wall::n_parameters; ++i) put(l_wall + i, wall[i]);
     put(l_hold, lane.hold ? contact::unlimited : 0.0);
     if (!lane.specimen) continue;

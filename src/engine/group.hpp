@@ -3,7 +3,7 @@
 //   grain_memory     order and state of the grains
 //   neighbour_list   which pairs are looked at
 //   contact_memory   states of the contacts by their models
-//   boundary         tools and jacket
+//   boundary         bodies and jacket
 //   energy_balance   work and where it went
 // Its members: group.cpp loading, the block of cycles, states for others; group_contacts.cpp renewing the
 // list, creation of contacts, the stable step; group_rows.cpp history rows, cracks, watchdog.
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/boundary.hpp"
+#include "engine/boundary_memory.hpp"
 #include "engine/contact_memory.hpp"
 #include "engine/energy_balance.hpp"
 #include "engine/lane_group.hpp"
@@ -35,13 +35,13 @@ struct Lane {
   std::int64_t step = 0;
   EnergyBalance energy;
   double base_axial = 0.0, base_lateral = 0.0;  // of the strain gauge
-  double zero_travel = 0.0;                     // of the axial tools where strains count from [m]
+  double zero_travel = 0.0;                     // of the axial bodies where strains count from [m]
   HistoryRow row;
   LaneHealth health;
   std::vector<Breakage> cracks;
   std::int64_t n_contacts = 0;
 
-  const Rig& rig() const { return *setup.rig; }
+  const Boundary& boundary() const { return *setup.boundary; }
 };
 
 template <class T>
@@ -53,22 +53,22 @@ class Group final : public LaneGroup {
   void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) override;
   void clear(int lane) override;
   void move_lane(int lane, LaneGroup& to, int to_lane) override;
-  void place_rig(int lane) override;
+  void place_boundary(int lane) override;
   void zero_strains(int lane) override;
   void hold_bonds(int lane, bool hold) override { at(lane).hold = hold; }
-  void drive(int lane, int tool, const Drive& drive) override {
-    boundary_.drive(index(lane), static_cast<std::size_t>(tool), drive);
+  void prescribe(int lane, int body, const PrescribedMotion& prescribed) override {
+    boundary_.prescribe(index(lane), static_cast<std::size_t>(body), prescribed);
   }
   void press(int lane, double pressure) override { boundary_.lane(index(lane)).pressure = pressure; }
   void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) override;
-  void jump(int lane, double axial_strain) override;
+  void pre_strain(int lane, double axial_strain) override;
   bool at_strength(int lane) const override;
   void set_motion(int lane, std::uint32_t id, const GrainState& state, Vec2 velocity, double spin) override;
   void advance() override;
 
   const HistoryRow& row(int lane) const override { return at(lane).row; }
-  const ToolState& tool(int lane, int tool) const override {
-    return boundary_.lane(index(lane)).tools[static_cast<std::size_t>(tool)].state;
+  const BodyState& body(int lane, int body) const override {
+    return boundary_.lane(index(lane)).bodies[static_cast<std::size_t>(body)].state;
   }
   JacketState jacket(int lane) const override {
     const LaneBoundary& edge = boundary_.lane(index(lane));
@@ -91,7 +91,7 @@ class Group final : public LaneGroup {
   GrainMemory<T> grains_;
   NeighbourList<T> list_;
   ContactMemory<T> contacts_;
-  Boundary<T> boundary_;
+  BoundaryMemory<T> boundary_;
   Buffer<T> lane_table_, slip_, damping_;
   Buffer<double> sample_;
   std::vector<RawCrack> raw_cracks_;

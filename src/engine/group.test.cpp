@@ -1,10 +1,10 @@
-// What a group is to its lanes: mates, moves, and states that have no direction.
+// What a group is to its lanes: neighbours, moves, and states that have no direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/check.hpp"
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {
@@ -38,7 +38,8 @@ TEST(Joint, GrainsPassThroughEachOther) {
   }
 }
 
-// Constants of a contact are the same in all lanes: a mate of the other convention would be computed wrongly.
+// Constants of a contact are the same in all lanes: a neighbour of the other convention would be computed
+// wrongly.
 TEST(Group, NeighboursShareTheStiffnessConvention) {
   MatrixRecipe m;
   const auto one = std::make_shared<const Specimen>(assembly({{1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}}, m));
@@ -76,38 +77,38 @@ struct CrushedBlock {
     s.bedding = {set};
     bond_touching(s);
     joint_crossing(s);
-    Rig rig;
-    rig.tools.resize(4);
+    Boundary boundary;
+    boundary.bodies.resize(4);
     for (std::uint32_t i = 0; i < 5; ++i) {
-      rig.tools[0].touches.push_back({i, {0.0, 1.0}, 0.0});
-      rig.tools[1].touches.push_back({25 + i, {0.0, -1.0}, 0.0});
+      boundary.bodies[0].touches.push_back({i, {0.0, 1.0}, 0.0});
+      boundary.bodies[1].touches.push_back({25 + i, {0.0, -1.0}, 0.0});
     }
     for (std::uint32_t row = 0; row < 6; ++row) {
-      rig.tools[2].touches.push_back({5 * row, {1.0, 0.0}, row % 2 == 0 ? 0.0 : R});
-      rig.tools[3].touches.push_back({5 * row + 4, {-1.0, 0.0}, row % 2 == 1 ? 0.0 : R});
+      boundary.bodies[2].touches.push_back({5 * row, {1.0, 0.0}, row % 2 == 0 ? 0.0 : R});
+      boundary.bodies[3].touches.push_back({5 * row + 4, {-1.0, 0.0}, row % 2 == 1 ? 0.0 : R});
     }
-    rig.tools[0].rough = rig.tools[1].rough = true;
-    rig.axial = {0, 1, {0.0, 1.0}, 1.0};
-    setup.tool_friction = 0.3;
-    setup.rig = shared(rig);
+    boundary.bodies[0].rough = boundary.bodies[1].rough = true;
+    boundary.axial = {0, 1, {0.0, 1.0}, 1.0};
+    setup.body_friction = 0.3;
+    setup.boundary = shared(boundary);
     specimen = shared(std::move(s));
   }
-  /// Loads a lane and sets it going; mates go at speeds of their own.
+  /// Loads a lane and sets it going; neighbours go at speeds of their own.
   void start(LaneGroup& group, int lane, double speed, bool balance) const {
     group.load(lane, specimen, setup);
-    group.place_rig(lane);
-    for (const int tool : {0, 1, 2, 3}) {
-      Drive drive;
-      const double sign = tool % 2 == 0 ? 1.0 : -1.0;
-      if (tool < 2) {
-        drive.velocity = {0.0, sign * speed};
-        drive.ramp = 1e-6;
+    group.place_boundary(lane);
+    for (const int body : {0, 1, 2, 3}) {
+      PrescribedMotion prescribed;
+      const double sign = body % 2 == 0 ? 1.0 : -1.0;
+      if (body < 2) {
+        prescribed.velocity = {0.0, sign * speed};
+        prescribed.ramp = 1e-6;
       } else if (balance) {
-        drive.balance_x = {true, sign * 2000.0};
+        prescribed.balance_x = {true, sign * 2000.0};
       } else {
-        drive.servo_x = {true, sign * 2000.0, 40e9, 0.0, 1.0};
+        prescribed.servo_x = {true, sign * 2000.0, 40e9, 0.0, 1.0};
       }
-      group.drive(lane, tool, drive);
+      group.prescribe(lane, body, prescribed);
     }
     for (const std::uint32_t grain : {30U, 31U}) group.set_motion(lane, grain, {}, {-3.0, 0.0}, 0.0);
   }
@@ -125,7 +126,7 @@ void expect_same_contacts(const std::vector<ContactState>& one, const std::vecto
 
 /// All that a lane shows, bit by bit.
 void expect_same(LaneGroup& one, int l, LaneGroup& two, int k) {
-  for (const HistoryColumns& columns : {clock_columns(), gauge_columns(), book_columns()})
+  for (const HistoryColumns& columns : {clock_columns(), gauge_columns(), balance_columns()})
     for (const HistoryColumn& c : columns) EXPECT_EQ(one.row(l).*c.value, two.row(k).*c.value) << c.name;
   EXPECT_EQ(one.time_step(l), two.time_step(k));
   EXPECT_EQ(one.health(l).reason, two.health(k).reason);
@@ -139,11 +140,11 @@ void expect_same(LaneGroup& one, int l, LaneGroup& two, int k) {
     EXPECT_TRUE(b.crack.a == c.crack.a && b.crack.b == c.crack.b && b.crack.mode == c.crack.mode) << i;
     EXPECT_TRUE(b.crack.energy == c.crack.energy && b.crack.position.x == c.crack.position.x) << i;
   }
-  for (int tool = 0; tool < 4; ++tool) {
-    const ToolState &s = one.tool(l, tool), &t = two.tool(k, tool);
-    EXPECT_TRUE(s.displacement.x == t.displacement.x && s.displacement.y == t.displacement.y) << tool;
-    EXPECT_TRUE(s.force.x == t.force.x && s.force.y == t.force.y) << tool;
-    EXPECT_TRUE(s.mean_force.x == t.mean_force.x) << tool;
+  for (int body = 0; body < 4; ++body) {
+    const BodyState &s = one.body(l, body), &t = two.body(k, body);
+    EXPECT_TRUE(s.displacement.x == t.displacement.x && s.displacement.y == t.displacement.y) << body;
+    EXPECT_TRUE(s.force.x == t.force.x && s.force.y == t.force.y) << body;
+    EXPECT_TRUE(s.mean_force.x == t.mean_force.x) << body;
   }
   expect_same_contacts(one.snapshot(l).contacts, two.snapshot(k).contacts);
 }
@@ -160,8 +161,8 @@ void expect_eventful(LaneGroup& group, int lane) {
   EXPECT_TRUE(group.health(lane).ok) << group.health(lane).reason;
 }
 
-/// A specimen that wanders through groups of 4, 8 and 1 (float: 16) lanes, among mates in other states, is
-/// the one that stayed alone.
+/// A specimen that wanders through groups of 4, 8 and 1 (float: 16) lanes, among neighbours in other states,
+/// is the one that stayed alone.
 void expect_moves_unseen(Precision precision, bool balance) {
   const CrushedBlock block;
   const auto group_of = [&](int lanes) {

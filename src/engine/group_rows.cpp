@@ -17,23 +17,23 @@ bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
 /// Of all that a lane reports.
 bool all_numbers(const HistoryRow& row, const LaneBoundary& edge) {
-  for (const HistoryColumns* columns : {&gauge_columns(), &book_columns()})
+  for (const HistoryColumns* columns : {&gauge_columns(), &balance_columns()})
     for (const HistoryColumn& c : *columns)
       if (!std::isfinite(row.*c.value)) return false;
-  for (const ToolMotion& t : edge.tools)
+  for (const BodyMotion& t : edge.bodies)
     if (!is_finite(t.state.displacement) || !is_finite(t.state.force)) return false;
   return std::isfinite(edge.pressure) && std::isfinite(edge.swept);
 }
 
 }  // namespace
 
-/// Of the axial tools since the rig was placed [m].
+/// Of the axial bodies since the boundary was placed [m].
 template <class T>
 double Group<T>::travel(std::size_t l) const {
-  const LoadAxis& axis = lanes_[l].rig().axial;
+  const LoadAxis& axis = lanes_[l].boundary().axial;
   const LaneBoundary& edge = boundary_.lane(l);
   if (!axis.present() || !edge.placed) return 0.0;
-  const auto at = [&](int tool) { return edge.tools[static_cast<std::size_t>(tool)].state.displacement; };
+  const auto at = [&](int body) { return edge.bodies[static_cast<std::size_t>(body)].state.displacement; };
   return axis.travel(at(axis.lo), at(axis.hi));
 }
 
@@ -89,7 +89,7 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   CrackEvent& e = broken.crack;
   e.step = lane.step + raw.step + 1;
   e.time = lane.time + (raw.step + 1) * lane.dt;
-  if (const LoadAxis& axis = lane.rig().axial; axis.present() && boundary_.lane(l).placed)
+  if (const LoadAxis& axis = lane.boundary().axial; axis.present() && boundary_.lane(l).placed)
     broken.travel = axis.travel(boundary_.displacement(step, static_cast<std::size_t>(axis.lo), l),
                                 boundary_.displacement(step, static_cast<std::size_t>(axis.hi), l));
   e.a = std::min(pa, pb);
@@ -171,7 +171,7 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
         grains_.packing_id(key_a(*missed)), grains_.packing_id(key_b(*missed)));
   else if (overlap >= worst_overlap)
     reason = deepest_overlap(l);
-  else if (std::fabs(travel(l) - lane.zero_travel) > lane.rig().axial.loaded &&
+  else if (std::fabs(travel(l) - lane.zero_travel) > lane.boundary().axial.loaded &&
            std::fabs(r.energy_error) > worst_energy)
     reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
   else

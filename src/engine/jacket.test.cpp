@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/boundary.hpp"
 #include "engine/kernels.hpp"
-#include "engine/rig.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 
@@ -29,12 +29,12 @@ struct GroupOptions {
   const ContactPhysics* contacts = &standard_contacts();  ///< models of matrix and interfaces
 };
 
-/// Numerics and rig of a lane. Lanes of a group share the geometry of the rig.
+/// Numerics and boundary of a lane. Lanes of a group share the geometry of the boundary.
 struct LaneSetup {
   double damping = 0.7;
   double step_safety = 0.92;
-  double tool_friction = 0.0;                ///< of the rough tools
-  std::shared_ptr<const Rig> rig = nullptr;  ///< null: no boundary at all
+  double body_friction = 0.0;                          ///< of the rough bodies
+  std::shared_ptr<const Boundary> boundary = nullptr;  ///< null: no boundary at all
 };
 
 /// What the watchdog saw at the end of a block.
@@ -44,10 +44,10 @@ struct LaneHealth {
   bool outran = false;  ///< two grains met that were not looked for as a contact
 };
 
-/// A bond or joint that has broken, and where the tools were then.
+/// A bond or joint that has broken, and where the bodies were then.
 struct Breakage {
   CrackEvent crack;     ///< without its strain, which is the test's affair
-  double travel = 0.0;  ///< of the axial tools since the rig was placed [m]
+  double travel = 0.0;  ///< of the axial bodies since the boundary was placed [m]
 };
 
 class LaneGroup {
@@ -55,7 +55,7 @@ class LaneGroup {
   virtual ~LaneGroup() = default;
 
   virtual int lanes() const = 0;
-  /// Puts a specimen into a lane, at rest, its rig not yet in place. Throws InternalError when it is of
+  /// Puts a specimen into a lane, at rest, its boundary not yet in place. Throws InternalError when it is of
   /// another packing, or geometry of contacts, than its neighbours.
   virtual void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) = 0;
   /// Empties a lane.
@@ -63,21 +63,21 @@ class LaneGroup {
   /// Moves a running specimen into an empty lane of another group of the same packing, precision and block.
   /// Between blocks only; the state of both groups is whole again after their next block.
   virtual void move_lane(int lane, LaneGroup& to, int to_lane) = 0;
-  /// Sets the rig against the specimen as it lies now, at rest, and starts the balance at zero.
-  virtual void place_rig(int lane) = 0;
+  /// Sets the boundary against the specimen as it lies now, at rest, and starts the balance at zero.
+  virtual void place_boundary(int lane) = 0;
   /// The strains of the gauges, and the travel that the watchdog goes by, count from now.
   virtual void zero_strains(int lane) = 0;
-  /// Stops or allows breakage (relaxation, jump start, elastic runs).
+  /// Stops or allows breakage (relaxation, affine pre-strain, elastic runs).
   virtual void hold_bonds(int lane, bool hold) = 0;
-  /// How a tool moves from now on.
-  virtual void drive(int lane, int tool, const Drive& drive) = 0;
+  /// How a body moves from now on.
+  virtual void prescribe(int lane, int body, const PrescribedMotion& prescribed) = 0;
   /// Pressure of the jacket from now on [Pa].
   virtual void press(int lane, double pressure) = 0;
   /// Gives all grains a velocity [m/s] by their place; its energy enters the balance as work.
   virtual void start_moving(int lane, const std::function<Vec2(Vec2)>& velocity) = 0;
-  /// Sets the affine state of the jump start along the rig's axial axis (y), rig in place. Its strain energy
-  /// enters the balance as work.
-  virtual void jump(int lane, double axial_strain) = 0;
+  /// Sets the affine pre-strain along the boundary's axial axis (y), boundary in place.
+  /// Its strain energy enters the balance as work.
+  virtual void pre_strain(int lane, double axial_strain) = 0;
   /// True when a bond or joint carries its strength or more: it would break the moment breakage is allowed.
   virtual bool at_strength(int lane) const = 0;
   /// Gives a grain (packing number) a displacement [m, rad], a velocity [m/s] and a spin [rad/s].
@@ -87,10 +87,10 @@ class LaneGroup {
   virtual void advance() = 0;
 
   /// State at the end of the block: gauges, energies, bookkeeping. Strain and stress of the boundary are
-  /// left at 0: the test makes them from tools and jacket. Where the watchdog has fired only step and time
+  /// left at 0: the test makes them from bodies and jacket. Where the watchdog has fired only step and time
   /// are of now: the rest is the last row that had passed it.
   virtual const HistoryRow& row(int lane) const = 0;
-  virtual const ToolState& tool(int lane, int tool) const = 0;
+  virtual const BodyState& body(int lane, int body) const = 0;
   virtual JacketState jacket(int lane) const = 0;
   virtual const LaneHealth& health(int lane) const = 0;
   virtual std::vector<Breakage>& cracks(int lane) = 0;  ///< all so far, ordered within each block

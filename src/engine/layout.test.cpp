@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/rng.hpp"
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {

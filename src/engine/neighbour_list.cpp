@@ -42,9 +42,9 @@ bool NeighbourList<T>::worn(std::size_t lane, const Farthest& most, double block
 }
 
 template <class T>
-bool NeighbourList<T>::outlived(std::size_t lane, const Farthest& most, double block, double tools) const {
+bool NeighbourList<T>::outlived(std::size_t lane, const Farthest& most, double block, double bodies) const {
   const double grains = most.moved[lane] + most.speed[lane] * block, skin = grains_->skin();
-  return 2.0 * grains > skin - meeting_gap * grains_->smallest_radius() || grains + tools > skin;
+  return 2.0 * grains > skin - meeting_gap * grains_->smallest_radius() || grains + bodies > skin;
 }
 
 template <class T>

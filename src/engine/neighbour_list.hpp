@@ -34,8 +34,8 @@ class NeighbourList {
   bool searched(std::size_t lane) const { return lanes_[lane].searched; }
   /// The lane's list would hardly outlast the next block, of `block` seconds: worth renewing with the others.
   bool worn(std::size_t lane, const Farthest& most, double block) const;
-  /// Grains may meet outside the list in the next block, or a tool, moving by `tools` [m], meet one.
-  bool outlived(std::size_t lane, const Farthest& most, double block, double tools) const;
+  /// Grains may meet outside the list in the next block, or a body, moving by `bodies` [m], meet one.
+  bool outlived(std::size_t lane, const Farthest& most, double block, double bodies) const;
   /// Makes a lane's list. `push`: per sorted grain, how far a jacket drives it in a block [m]; may be empty.
   void search(std::size_t lane, double block, std::vector<double> push);
   /// Adds a pair whatever its gap.

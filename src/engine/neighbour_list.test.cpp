@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {
@@ -28,7 +28,7 @@ TEST(NearPairs, ReachAsFarAsAFastGrainFlies) {
 }
 
 /// Two loose discs side by side, `gap` apart, the left one under way to the right at 0.004 R per
-/// cycle of the first step; one cycle per block. A tool that is never placed gives the first step its
+/// cycle of the first step; one cycle per block. A body that is never placed gives the first step its
 /// stiffness.
 struct Meeting {
   static constexpr double R = 3e-4;
@@ -43,11 +43,11 @@ struct Meeting {
   /// `s` has the two discs, `left_disc` is the number of the left one.
   Meeting(Specimen s, std::uint32_t left_disc, Precision precision) : left(left_disc) {
     gap = std::fabs(s.packing->discs[1].x - s.packing->discs[0].x) - 2.0 * R;
-    Rig rig;
-    rig.tools = {pusher(2, 1.0)};
+    Boundary boundary;
+    boundary.bodies = {pusher(2, 1.0)};
     LaneSetup setup;
     setup.damping = 0.0, setup.step_safety = 0.25;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     group = small_group(s, precision, 1);
     const auto specimen = shared(std::move(s));
     for (const int lane : {0, 1}) group->load(lane, specimen, setup);  // in lane 1 nothing happens

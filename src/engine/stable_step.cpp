@@ -66,7 +66,7 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-/// A tool's contact, on the diagonal block of its grain.
+/// A body's contact, on the diagonal block of its grain.
 void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
@@ -108,7 +108,7 @@ ContactStiffness initial_stiffness(const contact::Models& models, const Specimen
 }
 
 FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
-                               const Rig& rig)
+                               const Boundary& boundary)
     : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
   const std::size_t n = packing_->discs.size();
   std::vector<Sym3> diagonal(n, Sym3{});
@@ -121,8 +121,8 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
     entries.push_back({c.a, c.b, norm_ab});
   }
   std::vector<double> own(n), next(n);
-  for (const Tool& tool : rig.tools)
-    for (const Touch& t : tool.touches)
+  for (const BoundaryBody& body : boundary.bodies)
+    for (const Touch& t : body.touches)
       if (t.gap < packing_->discs[t.grain].r) add_wall(specimen, t, diagonal[t.grain]);
   for (std::size_t i = 0; i < n; ++i) {
     own[i] = largest_eigenvalue(diagonal[i]);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "contact/model.hpp"
-#include "engine/rig.hpp"
+#include "engine/boundary.hpp"
 #include "records/specimen.hpp"
 
 namespace phy::engine {
@@ -36,9 +36,9 @@ std::vector<ContactStiffness> initial_stiffnesses(const contact::Models& models,
 /// The bound with its witness x, so that new contacts can be added without starting over.
 class FrequencyBound {
  public:
-  /// Grains within a radius of a tool count as touching it.
+  /// Grains within a radius of a body count as touching it.
   FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
-                 const Rig& rig = {});
+                 const Boundary& boundary = {});
   /// Upper bound of omega_max [1/s].
   double omega() const;
   /// A contact is created: the bound rises by what its row of N can at most become. Breakage only lowers the

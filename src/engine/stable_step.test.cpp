@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/rng.hpp"
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {

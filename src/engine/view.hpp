@@ -27,8 +27,8 @@ enum LaneField {
   l_dt,       // time step
   l_accel,    // time step / grain density
   l_damping,  // local damping coefficient
-  l_grips,    // 1 where the rig's grips hold, else 0
-  l_wall,     // the first of the parameters of grains against tools (contact/wall.hpp)
+  l_grips,    // 1 where the boundary's grips hold, else 0
+  l_wall,     // the first of the parameters of grains against bodies (contact/wall.hpp)
   n_lane_fields = l_wall + 4
 };
 
@@ -65,23 +65,23 @@ struct ContactConst {
   T lever_a, lever_b;  ///< R + initial gap / 2
 };
 
-/// A grain near a tool. Sorted by row, tool, grain.
+/// A grain near a body. Sorted by row, body, grain.
 template <class T>
 struct TouchPoint {
-  std::int32_t grain, tool;
+  std::int32_t grain, body;
   T nx, ny;  ///< normal, into the specimen
-  T rough;   ///< 1: the lane's tool friction, 0: none
+  T rough;   ///< 1: the lane's body friction, 0: none
 };
 
-/// A grain that a tool holds, by component. Sorted by row.
+/// A grain that a body holds, by component. Sorted by row.
 struct GripPoint {
-  std::int32_t grain, tool;
+  std::int32_t grain, body;
   bool x, y, rotation;
 };
 
-/// A component of a tool that is in balance in some lane (rig.hpp).
+/// A component of a body that is in balance in some lane (boundary.hpp).
 struct BalancePoint {
-  std::int32_t tool, component;  ///< 0: x, 1: y
+  std::int32_t body, component;  ///< 0: x, 1: y
   std::int32_t first, end;       ///< its touches along the component, in `balanced_touch`
 };
 
@@ -108,21 +108,21 @@ struct GroupView {
   const T* lane = nullptr;
   const T* matrix = nullptr;  ///< parameters of the matrix model, lane vectors
   const T* joint = nullptr;   ///< rows of parameters of the interface model
-  int n_tools = 0, n_grains = 0;
+  int n_bodies = 0, n_grains = 0;
   const TouchPoint<T>* touch = nullptr;
   const GripPoint* grip = nullptr;
   const std::int32_t* load = nullptr;  ///< grains that the jacket presses in some lane, sorted
   const T* load_force = nullptr;       ///< on each of them along x, a lane vector
-  const T* touch_gap = nullptr;        ///< per tool and grain: closure needed before the tool acts
-  T* touch_shear = nullptr;            ///< per tool and grain: shear force
-  T* tool_u = nullptr;                 ///< per step, tool, component: displacement
-  T* tool_v = nullptr;                 ///< per step, tool, component: velocity
-  T* tool_force = nullptr;             ///< per step, tool, component: force on the specimen
+  const T* touch_gap = nullptr;        ///< per body and grain: closure needed before the body acts
+  T* touch_shear = nullptr;            ///< per body and grain: shear force
+  T* body_u = nullptr;                 ///< per step, body, component: displacement
+  T* body_v = nullptr;                 ///< per step, body, component: velocity
+  T* body_force = nullptr;             ///< per step, body, component: force on the specimen
   int n_balanced = 0;
   const BalancePoint* balanced = nullptr;
   const std::int32_t* balanced_touch = nullptr;  ///< places in `touch`
-  const T* balance_on = nullptr;     ///< per tool and component: 1 in the lanes that are in balance
-  const T* balance_force = nullptr;  ///< per tool and component: force on the specimen
+  const T* balance_on = nullptr;     ///< per body and component: 1 in the lanes that are in balance
+  const T* balance_force = nullptr;  ///< per body and component: force on the specimen
   T* slip = nullptr;                 ///< per step: slip work
   T* damping = nullptr;              ///< per step: 2/dt times the work of local damping
   double* sample = nullptr;          ///< n_sample_fields lane vectors

@@ -1,5 +1,5 @@
 // What the watchdog sees, each of its checks made to fire by the engine itself, and what it leaves: the last
-// row that had passed, and its mates untouched.
+// row that had passed, and its neighbours untouched.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "contact/wall.hpp"
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {
@@ -22,7 +22,7 @@ void expect_last_good(const LaneGroup& group, const HistoryRow& good, int block,
   const HistoryRow& r = group.row(0);
   EXPECT_EQ(r.step, block * steps);
   EXPECT_GT(r.time, good.time);
-  for (const HistoryColumns& columns : {gauge_columns(), book_columns()})
+  for (const HistoryColumns& columns : {gauge_columns(), balance_columns()})
     for (const HistoryColumn& c : columns) EXPECT_EQ(r.*c.value, good.*c.value) << c.name;
 }
 
@@ -50,7 +50,7 @@ struct Motion {
   Vec2 velocity;
 };
 
-/// A block from `bad` in one of two lanes; `alone` is what the other would be without a mate.
+/// A block from `bad` in one of two lanes; `alone` is what the other would be without a neighbour.
 void expect_no_number(const Motion& bad, Precision precision) {
   RowOfDiscs alone(precision, soft_contact()), t(precision, soft_contact());
   alone.load(0);
@@ -68,8 +68,8 @@ void expect_no_number(const Motion& bad, Precision precision) {
   t.group->clear(0);
   alone.group->advance(), t.group->advance();
   EXPECT_TRUE(t.group->health(1).ok);
-  for (const HistoryColumn& c : book_columns())
-    EXPECT_EQ(t.group->row(1).*c.value, alone.group->row(0).*c.value) << "of its mate: " << c.name;
+  for (const HistoryColumn& c : balance_columns())
+    EXPECT_EQ(t.group->row(1).*c.value, alone.group->row(0).*c.value) << "of its neighbour: " << c.name;
 }
 
 TEST(Watchdog, SeesWhatIsNoNumber) {
@@ -149,20 +149,20 @@ struct DiscBetweenWalls {
 
   std::unique_ptr<LaneGroup> group(double safety, double loaded, Precision precision) const {
     const auto s = shared(assembly({{R, R, R}}, m));
-    Rig rig;
-    rig.tools.resize(2);
-    rig.tools[0].touches = {{0, {0.0, 1.0}, 0.0}}, rig.tools[1].touches = {{0, {0.0, -1.0}, 0.0}};
-    rig.axial = {0, 1, {0.0, 1.0}, loaded};
+    Boundary boundary;
+    boundary.bodies.resize(2);
+    boundary.bodies[0].touches = {{0, {0.0, 1.0}, 0.0}}, boundary.bodies[1].touches = {{0, {0.0, -1.0}, 0.0}};
+    boundary.axial = {0, 1, {0.0, 1.0}, loaded};
     LaneSetup setup;
     setup.damping = 0.0, setup.step_safety = safety;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     auto g = small_group(*s, precision, interval);
     g->load(0, s, setup);
-    g->place_rig(0);
-    Drive drive;
-    drive.velocity = {0.0, speed};
-    drive.ramp = ramp * dt;
-    g->drive(0, 0, drive);
+    g->place_boundary(0);
+    PrescribedMotion prescribed;
+    prescribed.velocity = {0.0, speed};
+    prescribed.ramp = ramp * dt;
+    g->prescribe(0, 0, prescribed);
     return g;
   }
   /// The energy error after the next block.
@@ -223,7 +223,7 @@ TEST(Watchdog, LetsALongStablePass) {
   }
 }
 
-// Before it is loaded the balance is over next to nothing: the watchdog waits until the tools have gone as
+// Before it is loaded the balance is over next to nothing: the watchdog waits until the bodies have gone as
 // far as counts, from where the strains count.
 TEST(Watchdog, WaitsForTheLoad) {
   for (const int zeroed_after : {0, 9}) {
@@ -256,10 +256,10 @@ struct Billiards {
     Specimen s =
         assembly({{R, R, R}, {3.0 * R + first, R, R}, {5.0 * R + first + gap, R, R}}, MatrixRecipe{});
     group = small_group(s, precision, interval);
-    Rig rig;
-    rig.tools = {pusher(3, 1.0)};  // never placed: gives the first step its stiffness
+    Boundary boundary;
+    boundary.bodies = {pusher(3, 1.0)};  // never placed: gives the first step its stiffness
     setup.damping = 0.0, setup.step_safety = 0.02;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     specimen = shared(std::move(s));
     group->load(0, specimen, setup);
     group->advance();  // at rest

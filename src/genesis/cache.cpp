@@ -58,7 +58,7 @@ std::string to_text(const std::string& key, const Packing& p) {
   text += hex(p.width) + " " + hex(p.height) + " " + (p.stress_free ? "1" : "0") + " " + p.hash + "\n";
   PackingReport report = p.report;
   for (const double* number : numbers_of(report)) text += hex(*number) + " ";
-  text += std::to_string(report.n_floaters) + "\n" + std::to_string(p.discs.size()) + "\n";
+  text += std::to_string(report.n_rattlers) + "\n" + std::to_string(p.discs.size()) + "\n";
   for (const Disc& d : p.discs) text += hex(d.x) + " " + hex(d.y) + " " + hex(d.r) + "\n";
   return text + std::string(last_line) + fingerprint(text) + "\n";
 }
@@ -74,7 +74,7 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
   for (double* number : numbers_of(p.report))
     if (!read_hex(in, *number)) return {};
   std::size_t n = 0;
-  if (!(in >> p.report.n_floaters >> n)) return {};
+  if (!(in >> p.report.n_rattlers >> n)) return {};
   p.discs.resize(n);
   for (Disc& d : p.discs)
     if (!read_hex(in, d.x) || !read_hex(in, d.y) || !read_hex(in, d.r)) return {};

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "base/hash.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "genesis/packing.hpp"
 
 namespace phy::genesis {
@@ -45,7 +45,7 @@ TEST_F(Cache, GivesBackTheSameBits) {
   EXPECT_EQ(kept->report.porosity, made->report.porosity);
   EXPECT_EQ(kept->report.coordination, made->report.coordination);
   EXPECT_EQ(kept->report.fabric, made->report.fabric);
-  EXPECT_EQ(kept->report.n_floaters, made->report.n_floaters);
+  EXPECT_EQ(kept->report.n_rattlers, made->report.n_rattlers);
   EXPECT_EQ(kept->report.unbalanced, made->report.unbalanced);
   EXPECT_EQ(std::distance(fs::directory_iterator(cache), {}), 1);  // no temporary file left
 }

@@ -8,8 +8,8 @@
 #include "base/check.hpp"
 #include "base/hash.hpp"
 #include "base/rng.hpp"
-#include "genesis/floaters.hpp"
 #include "genesis/near_pairs.hpp"
+#include "genesis/rattlers.hpp"
 #include "genesis/settle.hpp"
 
 namespace phy::genesis {
@@ -23,7 +23,7 @@ constexpr double loose_growth = 2e-3;      // radii, when nothing touches yet
 constexpr double loose_overlap = 1e-9;     // of the mean radius: no force
 constexpr long max_iterations = 200000;
 constexpr int max_stress_steps = 200;
-constexpr int max_floater_passes = 3;  // two thirds are gone then; further passes gain little
+constexpr int max_rattler_passes = 3;  // two thirds are gone then; further passes gain little
 
 double draw_radius(const PackingRecipe& r, std::uint32_t i) {
   const double u = uniform(static_cast<std::uint32_t>(r.seed), Stream::radius, i);
@@ -109,7 +109,7 @@ PackingReport report_on(const SettleBox& box, const std::vector<Disc>& discs, co
   r.coordination = 2.0 * static_cast<double>(e.n_contacts) / static_cast<double>(discs.size());
   r.mean_overlap = e.mean_overlap / mean_radius(discs);
   r.unbalanced = e.unbalanced;
-  r.n_floaters = static_cast<std::int64_t>(find_floaters(box, discs).size());
+  r.n_rattlers = static_cast<std::int64_t>(find_rattlers(box, discs).size());
   double fabric = 0.0;
   long n = 0;
   for (const Pair& p : near_pairs(discs, 0.0)) {
@@ -187,8 +187,8 @@ Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, cons
     return settle(box, discs, tolerance, loose_overlap * mean_radius(discs), max_iterations);
   };
   Equilibrium e = balance(nearly_balanced);
-  for (int pass = 0; pass < max_floater_passes && !e.loose; ++pass) {
-    if (grow_floaters(box, discs, e.mean_overlap) == 0) break;
+  for (int pass = 0; pass < max_rattler_passes && !e.loose; ++pass) {
+    if (grow_rattlers(box, discs, e.mean_overlap) == 0) break;
     e = balance(nearly_balanced);
   }
   if (!e.loose) e = balance(balanced);

@@ -4,7 +4,7 @@
 //   2. placement  at random in the box, overlapping as it comes
 //   3. settling   frictionless, to balanced forces (settle.hpp)
 //   4. stress     only `isotropic`: radii times 1 + alpha, settled again, until the mean stress is right
-//   5. floaters   discs with fewer than three contacts grow into their cages (floaters.hpp); then 3, 4 again
+//   5. rattlers   discs with fewer than three contacts grow into their cages (rattlers.hpp); then 3, 4 again
 //
 // Source of the procedure: Potyondy & Cundall 2004, specimen genesis. Differences, and why: discs start at
 // full size (the energy minimisation copes with any overlap); the stress is reached by radii alone, walls

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "genesis/floaters.hpp"
+#include "genesis/rattlers.hpp"
 
 namespace phy::genesis {
 namespace {
@@ -55,30 +55,30 @@ TEST(RadiusChange, IsExactForTheHexagonalLattice) {
 }
 
 /// Five by five discs of radius 1 that overlap by 2e-3, the central one replaced by a smaller one.
-std::vector<Disc> lattice_with_floater(double r) {
+std::vector<Disc> lattice_with_rattler(double r) {
   std::vector<Disc> discs;
   for (int i = 0; i < 25; ++i) discs.push_back({0.999 + 1.998 * (i % 5), 0.999 + 1.998 * (i / 5), 1.0});
   discs[12].r = r;
   return discs;
 }
 
-TEST(Floaters, AreGrownUntilTheyTouch) {
+TEST(Rattlers, AreGrownUntilTheyTouch) {
   const SettleBox box{9.99, 9.99};
-  std::vector<Disc> discs = lattice_with_floater(0.9);
+  std::vector<Disc> discs = lattice_with_rattler(0.9);
   const std::vector<Disc> before = discs;
-  EXPECT_EQ(find_floaters(box, discs), std::vector<std::uint32_t>{12});
-  EXPECT_EQ(grow_floaters(box, discs, 1e-3), 1);
-  EXPECT_TRUE(find_floaters(box, discs).empty());
+  EXPECT_EQ(find_rattlers(box, discs), std::vector<std::uint32_t>{12});
+  EXPECT_EQ(grow_rattlers(box, discs, 1e-3), 1);
+  EXPECT_TRUE(find_rattlers(box, discs).empty());
   EXPECT_NEAR(discs[12].r, 1.0, 5e-3);
   for (std::size_t i = 0; i < discs.size(); ++i) EXPECT_EQ(discs[i].r, i == 12 ? discs[12].r : before[i].r);
 }
 
-TEST(Floaters, InTooLargeACageStayAsTheyWere) {
+TEST(Rattlers, InTooLargeACageStayAsTheyWere) {
   const SettleBox box{9.99, 9.99};
-  std::vector<Disc> discs = lattice_with_floater(0.7);
-  EXPECT_EQ(grow_floaters(box, discs, 1e-3), 0);
+  std::vector<Disc> discs = lattice_with_rattler(0.7);
+  EXPECT_EQ(grow_rattlers(box, discs, 1e-3), 0);
   EXPECT_EQ(discs[12].r, 0.7);
-  EXPECT_EQ(find_floaters(box, discs).size(), 1U);
+  EXPECT_EQ(find_rattlers(box, discs).size(), 1U);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "genesis/bedding.hpp"
 #include "genesis/bond.hpp"
 #include "genesis/cut.hpp"
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 namespace phy::genesis {
 Specimen make_specimen(std::shared_ptr<const Packing> packing, const MatrixRecipe& matrix,

@@ -64,14 +64,14 @@ std::string discs_csv(const Packing& packing) {
 
 namespace {
 
-constexpr std::size_t told = 20;  // bad lines in full; the rest is counted
+constexpr std::size_t max_reported = 20;  // bad lines in full; the rest is counted
 
 /// Problems of a table of discs, the first ones in full.
 struct BadLines {
   std::vector<Problem> problems;
   std::size_t n = 0;
   void add(Problem p) {
-    if (++n <= told) problems.push_back(std::move(p));
+    if (++n <= max_reported) problems.push_back(std::move(p));
   }
 };
 
@@ -134,8 +134,8 @@ DiscFile parse_discs(std::string_view text, const std::string& where) {
       bad.add({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
   }
   find_coincident(file.discs, lines, where, bad);
-  if (bad.n > told)
-    bad.problems.push_back({where, "", "", "", std::to_string(bad.n - told) + " more bad lines"});
+  if (bad.n > max_reported)
+    bad.problems.push_back({where, "", "", "", std::to_string(bad.n - max_reported) + " more bad lines"});
   if (file.discs.empty() && bad.n == 0)
     bad.problems.push_back({where, "disc", "", "at least one line of x,y,r below the header", ""});
   if (!bad.problems.empty()) throw InputError(std::move(bad.problems));

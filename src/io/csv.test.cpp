@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/rng.hpp"
 #include "records/assembly.hpp"
 #include "records/test_description.hpp"
@@ -131,16 +131,16 @@ TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
 }
 
 TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {
-  const auto told = [](const std::string& rows) { return problems_of(header + rows); };
-  const std::string two = told("0.01,0.01,1e-3\n0.02,0.01,1e-3\n0.01,0.01,5e-4\n");
+  const auto reported = [](const std::string& rows) { return problems_of(header + rows); };
+  const std::string two = reported("0.01,0.01,1e-3\n0.02,0.01,1e-3\n0.01,0.01,5e-4\n");
   EXPECT_NE(two.find("d.csv:4"), two.npos) << two;
   EXPECT_NE(two.find("that of line 2"), two.npos) << two;
-  EXPECT_EQ(told("0.01,0.01,1e-3\n0.01,0.0100002,1e-3\n").substr(0, 7), "d.csv:3");  // 2e-4 of the radius
-  EXPECT_EQ(told("0.01,0.01,1e-3\n0.01,0.010002,1e-3\n"), "no error");               // 2e-3: an overlap
-  EXPECT_EQ(told("-1e300,0,1e-3\n1e300,0,1e-3\n"), "no error");                      // far apart
+  EXPECT_EQ(reported("0.01,0.01,1e-3\n0.01,0.0100002,1e-3\n").substr(0, 7), "d.csv:3");  // 2e-4 of the radius
+  EXPECT_EQ(reported("0.01,0.01,1e-3\n0.01,0.010002,1e-3\n"), "no error");               // 2e-3: an overlap
+  EXPECT_EQ(reported("-1e300,0,1e-3\n1e300,0,1e-3\n"), "no error");                      // far apart
   std::string many;
   for (int i = 0; i < 60; ++i) many += "0.01,0.01,1e-3\n";
-  const std::string all = told(many);
+  const std::string all = reported(many);
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 20) << all;
   EXPECT_NE(all.find("39 more bad lines"), all.npos) << all;
 }

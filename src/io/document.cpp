@@ -109,13 +109,13 @@ Document::Document(TomlValue root, std::string where, const Schema& schema, std:
   check_tables();
 }
 
-void Document::tell(const TomlValue& value, const std::string& path, const std::string& expected,
-                    const std::string& remedy) {
+void Document::report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
+                              const std::string& remedy) {
   problems.push_back({at_line(where_, value.line), path, as_written(value), expected, remedy});
 }
 
 void Document::tell_unreadable(const std::string& key, const IoError& error) {
-  tell(*find(key), key, "a file that can be read", error.what());
+  report_problem(*find(key), key, "a file that can be read", error.what());
 }
 
 void Document::check() const {
@@ -132,19 +132,19 @@ void Document::check_tables() {
     if (node == nullptr) continue;
     const auto list = schema_.lists.find(name);
     if (list == schema_.lists.end() && node->kind != Kind::table)
-      tell(*node, name, "a table", "write [" + name + "] on a line of its own");
+      report_problem(*node, name, "a table", "write [" + name + "] on a line of its own");
     else if (list != schema_.lists.end() &&
              (node->kind != Kind::list || node->items.size() > list->second ||
               std::any_of(node->items.begin(), node->items.end(),
                           [](const TomlValue& v) { return v.kind != Kind::table; })))
-      tell(*node, name, "up to " + std::to_string(list->second) + " tables",
-           "write [[" + name + "]] above the keys of each");
+      report_problem(*node, name, "up to " + std::to_string(list->second) + " tables",
+                     "write [[" + name + "]] above the keys of each");
     const std::vector<const TomlValue*> all = tables(name);
     for (std::size_t i = 0; i < all.size(); ++i)
       if (!is_open(schema_, name))
         check_keys(*all[i], name, path_in(name, i, schema_.lists.contains(name), ""));
   }
-  all_told_apart_ = problems.empty();
+  all_lines_known_ = problems.empty();
   read_values();
 }
 
@@ -181,7 +181,7 @@ void Document::read(const Field& f, const TomlValue& v, const std::string& path)
     case FieldKind::value: value.read = true; return;
     case FieldKind::text:
       value.text = v.text, value.read = v.kind == Kind::text;
-      if (!value.read) tell(v, path, "text in quotes", "");
+      if (!value.read) report_problem(v, path, "text in quotes", "");
       return;
     case FieldKind::quantities:
     case FieldKind::integers:
@@ -189,12 +189,12 @@ void Document::read(const Field& f, const TomlValue& v, const std::string& path)
     default: break;
   }
   value.read = take_value(f, v, value.number, remedy);
-  if (!value.read) tell(v, path, range_text(f), remedy);
+  if (!value.read) report_problem(v, path, range_text(f), remedy);
 }
 
 bool Document::take_list(const Field& f, const TomlValue& list, const std::string& path, Value& into) {
   const bool wrong = list.kind != Kind::list || (list.items.empty() && f.kind != FieldKind::quantities);
-  if (wrong) return tell(list, path, range_text(f), list_remedy(f)), false;
+  if (wrong) return report_problem(list, path, range_text(f), list_remedy(f)), false;
   if (f.kind == FieldKind::values) return true;
   bool all = true;
   for (const TomlValue& item : list.items) {
@@ -204,7 +204,7 @@ bool Document::take_list(const Field& f, const TomlValue& list, const std::strin
     const bool twice = good && f.kind == FieldKind::integers &&
                        std::find(into.list.begin(), into.list.end(), number) != into.list.end();
     if (!good || twice)
-      tell(item, path, range_text(f), twice ? "remove the second one" : remedy), all = false;
+      report_problem(item, path, range_text(f), twice ? "remove the second one" : remedy), all = false;
     if (good) into.list.push_back(number);
   }
   return all;
@@ -246,7 +246,7 @@ std::string Document::place(const std::string& path) const {
 
 bool Document::is_known(const std::string& path) const {
   const Value* v = value_at(path);
-  return v != nullptr ? v->read : all_told_apart_;
+  return v != nullptr ? v->read : all_lines_known_;
 }
 
 double Document::number(const std::string& path, double otherwise) const {

@@ -41,8 +41,8 @@ class Document {
   Document& operator=(const Document&) = delete;
 
   std::vector<Problem> problems;
-  void tell(const TomlValue& value, const std::string& path, const std::string& expected,
-            const std::string& remedy);
+  void report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
+                      const std::string& remedy);
   /// A file that this one names under `key` cannot be read.
   void tell_unreadable(const std::string& key, const IoError& error);
   /// Throws InputError with all problems, if there are any.
@@ -78,7 +78,7 @@ class Document {
   std::string where_;
   const Schema& schema_;
   std::map<std::string, Value> values_;
-  bool all_told_apart_ = true;  // every line of the file is TOML, and belongs to a key that we know
+  bool all_lines_known_ = true;  // every line of the file is TOML, and belongs to a key that we know
 
   void check_tables();
   void check_keys(const TomlValue& table, const std::string& name, const std::string& prefix);

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/parallel.hpp"
 
 namespace phy::io {

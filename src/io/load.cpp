@@ -31,13 +31,13 @@ Outcome read_outcome(const Json& j, const std::string& where) {
                            "another version may have written it: run the recipe again"});
 }
 
-void read_numbers(const Json& j, TestRecord& record) {
+void read_numbers(const Json& j, SpecimenRecord& record) {
   for (const auto& [name, n] : j.at("numbers").items())
     record.result.numbers.push_back(
         {name, number(n.at("value")), n.at("unit"), n.at("definition"), n.value("note", "")});
 }
 
-void read_packing(const Json& j, TestRecord& record) {
+void read_packing(const Json& j, SpecimenRecord& record) {
   const Json& p = j.at("packing");
   record.packing_hash = p.at("hash");
   record.n_grains = p.at("n_grains");
@@ -47,7 +47,7 @@ void read_packing(const Json& j, TestRecord& record) {
   r.coordination = number(p.at("coordination"));
   r.fabric = number(p.at("fabric"));
   r.stress_left = number(p.at("stress_left [Pa]"));
-  r.n_floaters = p.at("n_floaters");
+  r.n_rattlers = p.at("n_floaters");
   r.mean_overlap = number(p.at("mean_overlap"));
   r.unbalanced = number(p.at("unbalanced"));
   for (const Json& b : j.at("bedding"))
@@ -80,10 +80,10 @@ void refuse_control_characters(const Json& j, const std::string& where) {
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
-TestRecord parse_result(const std::string& text, const std::string& where) {
+SpecimenRecord parse_result(const std::string& text, const std::string& where) {
   const Json j = parse_format(text);
   refuse_control_characters(j, where);
-  TestRecord record;
+  SpecimenRecord record;
   record.program = j.at("program");
   record.recipe = recipe_in(j, where);
   TestResult& r = record.result;
@@ -135,11 +135,11 @@ auto parsed(const std::string& file, const Parse& parse) {
 std::string json_of(const std::string& folder) { return (fs::path(folder) / "result.json").string(); }
 
 /// Specimens that the recipe of the run names and that have no folder among the results.
-void tell_missing(RunRecord& run, const std::string& path) {
+void report_missing(RunRecord& run, const std::string& path) {
   if (run.tests.empty() || is_result(path)) return;
   for (const std::string& name : specimen_names(run.tests.front().recipe)) {
     const bool found = std::any_of(run.tests.begin(), run.tests.end(),
-                                   [&](const TestRecord& t) { return t.result.name == name; }) ||
+                                   [&](const SpecimenRecord& t) { return t.result.name == name; }) ||
                        std::any_of(run.missing.begin(), run.missing.end(), [&](const MissingTest& m) {
                          return fs::path(m.name).filename() == folder_name(name);
                        });
@@ -162,9 +162,9 @@ Recipe read_result_recipe(const std::string& folder) {
   return parsed(file, [&](const std::string& text) { return recipe_in(parse_format(text), file); });
 }
 
-TestRecord read_result(const std::string& folder) {
+SpecimenRecord read_result(const std::string& folder) {
   const std::string file = json_of(folder);
-  TestRecord record = parsed(file, [&](const std::string& text) { return parse_result(text, file); });
+  SpecimenRecord record = parsed(file, [&](const std::string& text) { return parse_result(text, file); });
   const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   History& history = record.result.history;
   history = parse_history(read_file(path("history.csv")), path("history.csv"));
@@ -192,10 +192,10 @@ RunRecord read_run(const std::string& path) {
     }
   }
   if (run.tests.empty()) throw InputError(Problem{path, "", "", "a result that can be read", last});
-  std::stable_sort(run.tests.begin(), run.tests.end(), [](const TestRecord& a, const TestRecord& b) {
+  std::stable_sort(run.tests.begin(), run.tests.end(), [](const SpecimenRecord& a, const SpecimenRecord& b) {
     return a.result.intact != b.result.intact ? b.result.intact : a.result.theta < b.result.theta;
   });
-  tell_missing(run, path);
+  report_missing(run, path);
   return run;
 }
 

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 namespace phy::io {
 
 /// One result folder. A folder without cracks or scene (results of other programs) gives a record without
 /// them. Throws IoError (unreadable), or InputError when a file is no result of this format.
-TestRecord read_result(const std::string& folder);
+SpecimenRecord read_result(const std::string& folder);
 
 /// The result folders of a run: `path` itself or those in it. Throws IoError (unreadable).
 std::vector<std::string> result_folders(const std::string& path);

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/nan.hpp"
 #include "base/rng.hpp"
 #include "io/scene.hpp"
@@ -76,7 +76,7 @@ class Load : public InFolder {
 
 TEST_F(Load, EveryNumberComesBackToTheSameBits) {
   write("a");
-  const TestRecord back = read_result((folder / "a").string());
+  const SpecimenRecord back = read_result((folder / "a").string());
   const Specimen s = lattice();
   const TestResult sent = moving(s);
   EXPECT_EQ(result_json(back), read(folder / "a" / "result.json"));

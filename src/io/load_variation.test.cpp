@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "io/regressions.hpp"
 #include "io/toml_in.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 
 namespace phy::io {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/rng.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"

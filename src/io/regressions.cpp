@@ -48,7 +48,7 @@ Regression read_line(Document& file, const TomlValue& table, const std::string& 
   Regression line;
   for (const char* key : {"source", "number", "key", "slope", "intercept"})
     if (table.find(key) == nullptr)
-      file.tell(table, path + key, "a line with source, number, key, slope and intercept", "");
+      file.report_problem(table, path + key, "a line with source, number, key, slope and intercept", "");
   line.source = file.text(path + "source", ""), line.number = file.text(path + "number", "");
   line.key = file.text(path + "key", "");
   line.slope = file.number(path + "slope", 0.0);
@@ -57,14 +57,15 @@ Regression read_line(Document& file, const TomlValue& table, const std::string& 
     std::vector<std::string> known;
     for (const Field& f : recipe_fields()) known.push_back(f.path());
     const std::string near = nearest(line.key, known);
-    file.tell(
+    file.report_problem(
         *file.find(path + "key"), path + "key", "a key of the recipe",
         near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?");
   }
   if (const TomlValue* intercept = file.find(path + "intercept")) {
     const std::optional<double> value = take_any_unit(*intercept, line.unit);
     if (!value)
-      file.tell(*intercept, path + "intercept", "a number with its unit", "for example \"312.4 GPa/m\"");
+      file.report_problem(*intercept, path + "intercept", "a number with its unit",
+                          "for example \"312.4 GPa/m\"");
     line.intercept = value.value_or(0.0);
   }
   return line;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
 

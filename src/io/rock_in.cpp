@@ -13,7 +13,7 @@
 #include "io/rock_table.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
-#include "records/rock_remarks.hpp"
+#include "records/rock_warnings.hpp"
 
 namespace phy::io {
 namespace {
@@ -77,7 +77,7 @@ class RockReader {
     read_table();
     if (has_model) check_model(), check_discs();
     if (problems_.empty())
-      for (std::string& remark : remarks_on(rock_)) rock_.notes.push_back(std::move(remark));
+      for (std::string& warning : warnings_about(rock_)) rock_.notes.push_back(std::move(warning));
     file_.check();
   }
 
@@ -102,7 +102,7 @@ class RockReader {
     if (!recipe) return false;
     rock_.model = *recipe;
     const auto refuse = [&](const char* expected, const char* remedy) {
-      file_.tell(*file_.find("recipe"), "recipe", expected, remedy);
+      file_.report_problem(*file_.find("recipe"), "recipe", expected, remedy);
       return false;
     };
     bool good = true;

@@ -74,7 +74,7 @@ Head head_of(const std::string& cell) {
   return h;
 }
 
-/// What can be computed with at all; what is only doubtful, records/rock_remarks.hpp tells.
+/// What can be computed with at all; what is only doubtful, records/rock_warnings.hpp tells.
 struct Range {
   double low, high;
   const char* text;
@@ -127,8 +127,8 @@ class ReadingReader {
         return i;
     return std::nullopt;
   }
-  void tell(const std::string& key, const std::string& value, const std::string& expected,
-            const std::string& remedy) {
+  void report_problem(const std::string& key, const std::string& value, const std::string& expected,
+                      const std::string& remedy) {
     problems_.push_back({at(table_.header_line), key, value, expected, remedy});
   }
 
@@ -141,29 +141,30 @@ class ReadingReader {
       const Dimension d = dimension_of(h);
       if (h.kind == Column::other) {
         if (!h.unit.empty())
-          tell(cell, "",
-               "a known column: theta or beta, E, nu, UCS, DTS, BTS, each with _sd, diameter, confining, n",
-               "rename it, or take its unit out of the header to have it passed over");
+          report_problem(
+              cell, "",
+              "a known column: theta or beta, E, nu, UCS, DTS, BTS, each with _sd, diameter, confining, n",
+              "rename it, or take its unit out of the header to have it passed over");
         else if (!h.name.empty())
           ignored.push_back(cell);
         continue;
       }
       if (const auto [it, fresh] = seen.emplace(h.name, h.unit); !fresh)
-        tell(cell, "", "one column of this name",
-             it->second != h.unit ? "its units are mixed: " + it->second + " and " + h.unit : "");
+        report_problem(cell, "", "one column of this name",
+                       it->second != h.unit ? "its units are mixed: " + it->second + " and " + h.unit : "");
       if (d == Dimension::none) continue;
       if (!parse_quantity("1 " + h.unit, d).ok)
-        tell(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
-             "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
+        report_problem(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
+                       "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
     }
     if (find(Column::theta) && find(Column::beta))
-      tell("beta", "", "one convention of angles", "keep theta or beta, not both");
+      report_problem("beta", "", "one convention of angles", "keep theta or beta, not both");
     for (std::size_t i = 0; i < heads_.size(); ++i)
       if (heads_[i].kind == Column::scatter && !find(Column::value, heads_[i].property))
-        tell(table_.header[i], "", "a column of the values themselves", "");
+        report_problem(table_.header[i], "", "a column of the values themselves", "");
     bool any = false;
     for (const Head& h : heads_) any = any || h.kind == Column::value;
-    if (!any) tell("header", "", "at least one of the columns E, nu, UCS, DTS, BTS", "");
+    if (!any) report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS", "");
     if (find(Column::beta))
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
     if (!ignored.empty())

@@ -71,12 +71,12 @@ Json quality_json(const TestResult& result) {
   return j;
 }
 
-Json packing_json(const TestRecord& record) {
+Json packing_json(const SpecimenRecord& record) {
   const PackingReport& r = record.packing;
   return {{"hash", record.packing_hash}, {"n_grains", record.n_grains},
           {"porosity", r.porosity},      {"coordination", r.coordination},
           {"fabric", r.fabric},          {"stress_left [Pa]", r.stress_left},
-          {"n_floaters", r.n_floaters},  {"mean_overlap", r.mean_overlap},
+          {"n_floaters", r.n_rattlers},  {"mean_overlap", r.mean_overlap},
           {"unbalanced", r.unbalanced},  {"stress_free", record.stress_free}};
 }
 
@@ -117,7 +117,7 @@ std::string folder_name(const std::string& name) {
   return folder;
 }
 
-std::string result_json(const TestRecord& record) {
+std::string result_json(const SpecimenRecord& record) {
   const TestResult& result = record.result;
   Json j;
   j["format"] = result_format;
@@ -153,7 +153,7 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   place.add("history.csv", history_csv(result.history));
   place.add("cracks.csv", cracks_csv(result.cracks, result.history.kind));
   add_snapshots(place, *specimen.packing, result);
-  const TestRecord record = record_of(recipe, version, specimen, result);
+  const SpecimenRecord record = record_of(recipe, version, specimen, result);
   place.add("scene.bin", pack_scene(record.scene, result.history.kind));
   place.add("result.json", result_json(record));
   place.publish();

@@ -8,7 +8,7 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 namespace phy::io {
 
@@ -20,7 +20,7 @@ constexpr int result_format = 1;
 std::string folder_name(const std::string& name);
 
 /// The text of a result.json.
-std::string result_json(const TestRecord& record);
+std::string result_json(const SpecimenRecord& record);
 
 /// Throws IoError where the folder of a result cannot be put, as check_place(): before hours of work are
 /// lost.

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/nan.hpp"
 #include "io/toml_in.hpp"
 #include "records/assembly.hpp"

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t max_bytes = 1U << 20U;  // what a user writes has some kilobytes
 constexpr std::size_t max_line = 4096;        // bounds the depth of nesting, on which the parser recurses
-constexpr std::size_t max_told = 50;          // problems; more help nobody
+constexpr std::size_t max_problems = 50;      // problems; more help nobody
 
 /// Follows strings and comments through a text, one character after the other.
 class Lexer {
@@ -62,7 +62,7 @@ class Lexer {
 /// Lines in another encoding, one problem a line.
 void find_other_encodings(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   std::size_t line = 1, told = 0;
-  for (std::size_t i = 0; i < text.size() && problems.size() < max_told;) {
+  for (std::size_t i = 0; i < text.size() && problems.size() < max_problems;) {
     const std::size_t n = utf8_length(text.substr(i));
     if (n == 0 && told != line)
       problems.push_back({at_line(where, told = line), "", "", "text in UTF-8", "save the file as UTF-8"});
@@ -82,11 +82,11 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
   if (!problems.empty()) return;
   Lexer lexer;
   std::size_t line = 1, begin = 0, told = 0;
-  const auto tell = [&](const std::string& expected, const std::string& remedy) {
+  const auto report_problem = [&](const std::string& expected, const std::string& remedy) {
     if (told != line) problems.push_back({at_line(where, line), "", "", expected, remedy});
     told = line;
   };
-  for (std::size_t i = 0; i < text.size() && problems.size() < max_told; ++i) {
+  for (std::size_t i = 0; i < text.size() && problems.size() < max_problems; ++i) {
     const auto u = static_cast<unsigned char>(text[i]);
     lexer.take(text, i);
     if (u == '\n') {
@@ -95,9 +95,10 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
     }
     const bool control = (u < 32 && u != '\r' && u != '\t') || u == 127;
     if (control || (u > 127 && !lexer.in_text()))
-      tell("plain ASCII text", "remove the odd character (byte " + std::to_string(u) + ") from this line");
+      report_problem("plain ASCII text",
+                     "remove the odd character (byte " + std::to_string(u) + ") from this line");
     if (i - begin >= max_line)
-      tell("lines of at most " + std::to_string(max_line) + " characters", "break the line");
+      report_problem("lines of at most " + std::to_string(max_line) + " characters", "break the line");
   }
 }
 
@@ -191,7 +192,7 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
                         left_out  ? syntax_remedy(content, description)
                         : in_list ? "close the list begun above with ]"
                                   : ""});
-    if (problems.size() >= max_told || !left_out) return result;
+    if (problems.size() >= max_problems || !left_out) return result;
     text.erase(begin, end - begin);
   }
 }

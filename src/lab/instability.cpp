@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/tests.hpp"
 
 namespace phy::lab {
@@ -63,7 +63,7 @@ class Suspects {
     const double stress = kept.value != nullptr ? recipe_.test.*kept.value : 0.0;
     if (stress < squeezed * matrix_.E_c) return;
     add("lower test.{}: it is {:.2g} of the contact modulus{}", kept.key, stress / matrix_.E_c,
-        boundary_of(packing_, recipe_).rig.jacket
+        boundary_of(packing_, recipe_).boundary.jacket
             ? "; test.confinement = \"walls\" does not drive grains that have come loose, as a jacket does"
             : "");
   }

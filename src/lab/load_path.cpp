@@ -9,12 +9,13 @@
 namespace phy::lab {
 namespace {
 
-/// What the tool reaches joins the cluster of `hub`. Returns how many grains it reaches.
-std::size_t reach(const engine::Tool& tool, const Packing& packing, std::uint32_t hub, Clusters& clusters) {
+/// What the body reaches joins the cluster of `hub`. Returns how many grains it reaches.
+std::size_t reach(const engine::BoundaryBody& body, const Packing& packing, std::uint32_t hub,
+                  Clusters& clusters) {
   std::size_t n = 0;
-  for (const engine::Touch& t : tool.touches)
+  for (const engine::Touch& t : body.touches)
     if (t.gap < packing.discs[t.grain].r) clusters.join(t.grain, hub), ++n;
-  for (const engine::Grip& g : tool.grips) clusters.join(g.grain, hub), ++n;
+  for (const engine::Grip& g : body.grips) clusters.join(g.grain, hub), ++n;
   return n;
 }
 
@@ -22,16 +23,16 @@ std::size_t reach(const engine::Tool& tool, const Packing& packing, std::uint32_
 
 void check_load_path(const Specimen& specimen, const Recipe& recipe) {
   const Packing& packing = *specimen.packing;
-  const engine::Rig rig = boundary_of(packing, recipe).rig;
+  const engine::Boundary boundary = boundary_of(packing, recipe).boundary;
   const auto n = static_cast<std::uint32_t>(packing.discs.size()), lo = n, hi = n + 1;
-  Clusters clusters(n + 2);  // the grains and the two tools
+  Clusters clusters(n + 2);  // the grains and the two bodies
   for (const Contact& c : specimen.contacts) clusters.join(c.a, c.b);
   std::string lost;
   bool no_reach = false;
-  for (const auto& [number, hub] : {std::pair(rig.axial.lo, lo), std::pair(rig.axial.hi, hi)}) {
-    const engine::Tool& tool = rig.tools[static_cast<std::size_t>(number)];
-    if (reach(tool, packing, hub, clusters) == 0)
-      no_reach = true, lost = "the " + tool.name + " reaches no disc";
+  for (const auto& [number, hub] : {std::pair(boundary.axial.lo, lo), std::pair(boundary.axial.hi, hi)}) {
+    const engine::BoundaryBody& body = boundary.bodies[static_cast<std::size_t>(number)];
+    if (reach(body, packing, hub, clusters) == 0)
+      no_reach = true, lost = "the " + body.name + " reaches no disc";
   }
   if (clusters.find(lo) == clusters.find(hi)) return;
   if (lost.empty())
@@ -51,8 +52,8 @@ void check_load_path(const Specimen& specimen, const Recipe& recipe) {
               : counted ? std::to_string(p.n_grains)
                         : fmt::format("{:g}", p.porosity),
               fmt::format("discs that touch, in chains from the {} to the {}",
-                          rig.tools[static_cast<std::size_t>(rig.axial.lo)].name,
-                          rig.tools[static_cast<std::size_t>(rig.axial.hi)].name),
+                          boundary.bodies[static_cast<std::size_t>(boundary.axial.lo)].name,
+                          boundary.bodies[static_cast<std::size_t>(boundary.axial.hi)].name),
               lost + (imported  ? ": move them closer, or raise matrix.bond_gap, which bonds small gaps"
                       : counted ? ": raise it, or raise matrix.bond_gap"
                                 : ": lower it, or raise matrix.bond_gap")});

@@ -4,13 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "lab/lab_test.hpp"
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
+#include "lab/procedure.hpp"
 #include "records/test_description.hpp"
 
 namespace phy::lab {
 
-/// The key that decides which grains the tools hold: what to change where they hold none.
+/// The key that decides which grains the bodies hold: what to change where they hold none.
 struct HoldKey {
   const char* key = "";                 ///< "test.grip_thickness"
   double TestRecipe::*value = nullptr;  ///< [m]; null: the test has no such key
@@ -20,20 +20,20 @@ struct HoldKey {
 
 struct TestRoom {
   TestDescription description;
-  /// Tests with equal names on one packing have the same rig and may share a group.
-  std::string (*rig_name)(const Recipe&) = nullptr;
+  /// Tests with equal names on one packing have the same boundary and may share a group.
+  std::string (*boundary_name)(const Recipe&) = nullptr;
   TestBoundary (*boundary)(const Packing&, const Recipe&) = nullptr;
   /// The procedure, in a lane of the group.
-  std::unique_ptr<LabTest> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&, engine::LaneGroup&,
-                                    int lane) = nullptr;
+  std::unique_ptr<Procedure> (*begin)(const std::shared_ptr<const Specimen>&, const Recipe&,
+                                      engine::LaneGroup&, int lane) = nullptr;
   HoldKey hold = {};
 };
 
-/// TestRoom::begin of a procedure, which has the constructor of LabTest.
-template <class Procedure>
-std::unique_ptr<LabTest> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                    engine::LaneGroup& group, int lane) {
-  auto test = std::make_unique<Procedure>(specimen, recipe, group, lane);
+/// TestRoom::begin of a procedure, which has the constructor of Procedure.
+template <class P>
+std::unique_ptr<Procedure> begin_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                      engine::LaneGroup& group, int lane) {
+  auto test = std::make_unique<P>(specimen, recipe, group, lane);
   test->begin();
   return test;
 }

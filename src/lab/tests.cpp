@@ -38,14 +38,14 @@ const TestRoom& room_of(const Recipe& recipe) {
   return *rooms().front();
 }
 
-std::string rig_name(const Recipe& recipe) { return room_of(recipe).rig_name(recipe); }
+std::string boundary_name(const Recipe& recipe) { return room_of(recipe).boundary_name(recipe); }
 
 TestBoundary boundary_of(const Packing& packing, const Recipe& recipe) {
   return room_of(recipe).boundary(packing, recipe);
 }
 
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   engine::LaneGroup& group, int lane) {
+std::unique_ptr<Procedure> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                     engine::LaneGroup& group, int lane) {
   return room_of(recipe).begin(specimen, recipe, group, lane);
 }
 

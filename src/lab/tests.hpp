@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "lab/lab_test.hpp"
+#include "lab/procedure.hpp"
 #include "lab/room.hpp"
 
 namespace phy::lab {
@@ -11,15 +11,15 @@ namespace phy::lab {
 /// The room of the recipe's test.
 const TestRoom& room_of(const Recipe& recipe);
 
-/// Tests with equal names on one packing have the same rig and may share a group.
-std::string rig_name(const Recipe& recipe);
+/// Tests with equal names on one packing have the same boundary and may share a group.
+std::string boundary_name(const Recipe& recipe);
 
 /// The boundary of the recipe's test.
 TestBoundary boundary_of(const Packing& packing, const Recipe& recipe);
 
 /// The recipe's test, in a lane of the group.
-std::unique_ptr<LabTest> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
-                                   engine::LaneGroup& group, int lane);
+std::unique_ptr<Procedure> make_test(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe,
+                                     engine::LaneGroup& group, int lane);
 
 /// Runs the recipe's test on one specimen to its end, alone and in double precision.
 TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Recipe& recipe);

@@ -40,7 +40,7 @@ struct Comparison {
   int n_packings = 0;
   int n_invalid = 0;  ///< Brazilian: of these, first crack off the central third (lab/brazilian/reading.hpp)
   std::string missing;   ///< why the first packing without an answer has none
-  QualityTally quality;  ///< remarks of the tests behind the mean
+  QualityTally quality;  ///< warnings of the tests behind the mean
   double error() const { return mean / target.mean - 1.0; }
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
@@ -75,7 +75,7 @@ struct Calibration {
   /// E (tangent) and nu that the press measures at 40 - 60 % of UCS on the unseen packings, beside the
   /// table's: what bonds and joints have lost by then is missing from `fitted` and `verification`, which are
   /// moduli at small strain. Where the table holds E or nu, and UCS.
-  std::vector<Comparison> pressed;
+  std::vector<Comparison> tangent_from_test;
   Verdict verdict;
   std::vector<std::string> notes;
   std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included

@@ -11,7 +11,7 @@ const char* to_string(Grade grade) {
   switch (grade) {
     case Grade::unknown: return "not assessed";
     case Grade::good: return "good";
-    case Grade::remark: return "remark";
+    case Grade::warning: return "warning";
     case Grade::untrusted: return "untrusted";
   }
   return "";
@@ -39,7 +39,7 @@ const std::vector<QualityLimit>& quality_limits() {
       {"rows_to_peak", true, 20.0, 5.0, "too few rows of the history see the way to the peak",
        "lower test.history_interval, or test.platen_speed"},
       {"platen_difference_95", false, 0.03, 0.1,
-       "both tools press with different forces, inertia carries the difference",
+       "opposite platens (or grips, jaws, boxes) press with different forces, inertia carries the difference",
        "lower test.platen_speed, or raise engine.damping"},
       {"kinetic_ratio", false, 0.01, 0.1, "the specimen is in motion, not in equilibrium",
        "lower test.platen_speed, or raise engine.damping"},
@@ -64,8 +64,8 @@ std::vector<QualityMark> quality_marks(const std::vector<Number>& numbers) {
     for (const Number& n : numbers) {
       if (n.name != limit.number || !std::isfinite(n.value)) continue;
       const auto beyond = [&](double bound) { return limit.least ? n.value < bound : n.value > bound; };
-      if (beyond(limit.remark))
-        marks.push_back({&limit, n.value, beyond(limit.untrusted) ? Grade::untrusted : Grade::remark});
+      if (beyond(limit.warning))
+        marks.push_back({&limit, n.value, beyond(limit.untrusted) ? Grade::untrusted : Grade::warning});
     }
   std::stable_sort(marks.begin(), marks.end(),
                    [](const QualityMark& p, const QualityMark& q) { return p.grade > q.grade; });
@@ -97,7 +97,7 @@ void QualityTally::add(const QualityTally& more) {
 std::string QualityTally::text() const {
   std::string text;
   const char* between = "";
-  if (n_marked > 0) text += fmt::format("{} of {} tests carry a remark: ", n_marked, n_results);
+  if (n_marked > 0) text += fmt::format("{} of {} tests carry a warning: ", n_marked, n_results);
   for (const auto& [measure, n] : measures)
     text += fmt::format("{}{} ({})", between, measure, n), between = ", ";
   if (n_unknown > 0)

@@ -1,7 +1,7 @@
 // Whether a result can be believed: the measures of a test beside the limits that they should keep.
 //
 // Every measure is a number of the result like any other (analysis/energy.hpp, analysis/specimen_checks.hpp),
-// so it is stored, tabled and read back with the rest; only the limits stand here. Two levels: a *remark*
+// so it is stored, tabled and read back with the rest; only the limits stand here. Two levels: a *warning*
 // leaves the number standing and is shown wherever the number is; *untrusted* means that the number is not
 // one of the rock, and ends the test with that outcome, out of every mean and fit. The limits come from tests
 // made bad on purpose: docs/reliability.md.
@@ -16,14 +16,14 @@
 namespace phy {
 
 /// `unknown`: the result has no measures, it is of an older version of this program.
-enum class Grade { unknown, good, remark, untrusted };
+enum class Grade { unknown, good, warning, untrusted };
 const char* to_string(Grade grade);
 
 /// How far a measure may go. Measures of which little is bad (rows, transits) have `least` set.
 struct QualityLimit {
   const char* number;  ///< name of the measure among the numbers of a result
   bool least;          ///< the limits are lower bounds, else upper ones
-  double remark;       ///< beyond it the result carries a remark
+  double warning;      ///< beyond it the result carries a warning
   double untrusted;    ///< beyond it the result is not trusted
   const char* says;    ///< what is wrong then, after the name and the value
   const char* advice;  ///< what to change
@@ -35,8 +35,8 @@ const std::vector<QualityLimit>& quality_limits();
 struct QualityMark {
   const QualityLimit* limit = nullptr;
   double value = 0.0;
-  Grade grade = Grade::remark;
-  double bound() const { return grade == Grade::untrusted ? limit->untrusted : limit->remark; }
+  Grade grade = Grade::warning;
+  double bound() const { return grade == Grade::untrusted ? limit->untrusted : limit->warning; }
   /// "kinetic_ratio above 0.01"
   std::string name() const;
   /// "kinetic_ratio 0.08, above 0.01: the specimen is in motion, not in equilibrium"
@@ -56,7 +56,7 @@ struct QualityTally {
   std::map<std::string, std::size_t> measures;             ///< results beyond a limit, by measure
   void add(const std::vector<Number>& numbers);
   void add(const QualityTally& more);
-  /// "3 of 35 tests carry a remark: energy_error (1), kinetic_ratio (2)"; empty where none does.
+  /// "3 of 35 tests carry a warning: energy_error (1), kinetic_ratio (2)"; empty where none does.
   std::string text() const;
 };
 

@@ -1,4 +1,4 @@
-// When a measure is a remark and when it makes a result untrusted.
+// When a measure is a warning and when it makes a result untrusted.
 #include "records/quality.hpp"
 
 #include <gmock/gmock.h>
@@ -44,12 +44,12 @@ TEST(Quality, ASoundResultHasNoMarks) {
 
 TEST(Quality, EveryMeasureOfTheListIsJudgedOnItsBadSide) {
   for (const QualityLimit& limit : quality_limits()) {
-    EXPECT_TRUE(limit.least ? limit.untrusted < limit.remark : limit.untrusted > limit.remark)
+    EXPECT_TRUE(limit.least ? limit.untrusted < limit.warning : limit.untrusted > limit.warning)
         << limit.number;
     const double worse = limit.least ? -1e-6 : 1e-6;
-    EXPECT_EQ(grade_of(sound_but(limit.number, limit.remark)), Grade::good) << limit.number;
-    EXPECT_EQ(grade_of(sound_but(limit.number, limit.remark + worse)), Grade::remark) << limit.number;
-    EXPECT_EQ(grade_of(sound_but(limit.number, limit.untrusted)), Grade::remark) << limit.number;
+    EXPECT_EQ(grade_of(sound_but(limit.number, limit.warning)), Grade::good) << limit.number;
+    EXPECT_EQ(grade_of(sound_but(limit.number, limit.warning + worse)), Grade::warning) << limit.number;
+    EXPECT_EQ(grade_of(sound_but(limit.number, limit.untrusted)), Grade::warning) << limit.number;
     EXPECT_EQ(grade_of(sound_but(limit.number, limit.untrusted + worse)), Grade::untrusted) << limit.number;
   }
 }
@@ -83,7 +83,7 @@ TEST(Quality, ATallyCountsResultsAndMeasures) {
   more.add(sound_but("energy_error", 0.03));
   more.add(sound_but("rattlers", 0.2));
   tally.add(more);
-  EXPECT_EQ(tally.text(), "3 of 4 tests carry a remark: energy_error (2), rattlers (1)");
+  EXPECT_EQ(tally.text(), "3 of 4 tests carry a warning: energy_error (2), rattlers (1)");
   QualityTally old;
   old.add({measured("ucs", 50e6)});
   EXPECT_EQ(old.text(), "1 of 1 tests are of an older version, which did not assess them");

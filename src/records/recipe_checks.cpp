@@ -39,8 +39,8 @@ class CrossChecks {
   std::vector<Problem> problems_;
 
   /// `paths`: the key that is told, then those that it is held against.
-  void tell(const Paths& paths, const std::string& value, const std::string& expected,
-            const std::string& remedy) {
+  void report_problem(const Paths& paths, const std::string& value, const std::string& expected,
+                      const std::string& remedy) {
     if (std::all_of(paths.begin(), paths.end(), is_known_))
       problems_.push_back({where_(paths.front()), paths.front(), value, expected, remedy});
   }
@@ -49,27 +49,29 @@ class CrossChecks {
   void packing() {
     const PackingRecipe& p = r_.packing;
     if (p.initial_stress == InitialStress::isotropic && !(p.isotropic_stress > 0.0))
-      tell({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
-           print_quantity(p.isotropic_stress, Dimension::pressure), "above 0 with isotropic",
-           "give the stress, for example \"0.5 MPa\"");
+      report_problem({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
+                     print_quantity(p.isotropic_stress, Dimension::pressure), "above 0 with isotropic",
+                     "give the stress, for example \"0.5 MPa\"");
     if (p.initial_stress == InitialStress::stress_free && p.isotropic_stress > 0.0)
-      tell({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
-           print_quantity(p.isotropic_stress, Dimension::pressure), "0 with stress_free",
-           "leave it out, or set initial_stress = \"isotropic\"");
+      report_problem({"packing.isotropic_stress", "packing.initial_stress", "packing.file"},
+                     print_quantity(p.isotropic_stress, Dimension::pressure), "0 with stress_free",
+                     "leave it out, or set initial_stress = \"isotropic\"");
     if (p.radius_min > p.radius_max)
-      return tell({"packing.radius_min", "packing.radius_max", "packing.file"}, length(p.radius_min),
-                  "at most radius_max = " + length(p.radius_max), "exchange the two");
+      return report_problem({"packing.radius_min", "packing.radius_max", "packing.file"},
+                            length(p.radius_min), "at most radius_max = " + length(p.radius_max),
+                            "exchange the two");
     const SpecimenSize& size = r_.specimen;
     const double least = min_grains_across * (p.radius_min + p.radius_max);
     if (std::min(size.width, size.height) < least)
-      tell({size.width < size.height ? "specimen.width" : "specimen.height", "specimen.width",
-            "specimen.height", "packing.radius_min", "packing.radius_max", "packing.file"},
-           length(std::min(size.width, size.height)), "at least ten mean grain diameters, " + length(least),
-           "use smaller grains or a larger specimen");
+      report_problem({size.width < size.height ? "specimen.width" : "specimen.height", "specimen.width",
+                      "specimen.height", "packing.radius_min", "packing.radius_max", "packing.file"},
+                     length(std::min(size.width, size.height)),
+                     "at least ten mean grain diameters, " + length(least),
+                     "use smaller grains or a larger specimen");
     if ((p.n_grains > 0) == (p.porosity > 0.0))
-      return tell({"packing.n_grains", "packing.porosity", "packing.file"}, std::to_string(p.n_grains),
-                  "exactly one of n_grains and porosity",
-                  p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
+      return report_problem({"packing.n_grains", "packing.porosity", "packing.file"},
+                            std::to_string(p.n_grains), "exactly one of n_grains and porosity",
+                            p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
     p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
   }
   void grains_fill_the_box() {
@@ -78,33 +80,33 @@ class CrossChecks {
     const double smallest = n * pi * p.radius_min * p.radius_min,
                  largest = n * pi * p.radius_max * p.radius_max;
     if (p.n_grains < min_grains)
-      tell({"packing.n_grains", "packing.file"}, std::to_string(p.n_grains),
-           "0, or at least " + std::to_string(min_grains), "");
+      report_problem({"packing.n_grains", "packing.file"}, std::to_string(p.n_grains),
+                     "0, or at least " + std::to_string(min_grains), "");
     else if (smallest > 1.05 * area || largest < 0.7 * area)
-      tell({"packing.n_grains", "specimen.width", "specimen.height", "packing.radius_min",
-            "packing.radius_max", "packing.file"},
-           std::to_string(p.n_grains), "a number of grains of this size that fills the specimen",
-           "give porosity instead (for example 0.16) and let the number follow");
+      report_problem({"packing.n_grains", "specimen.width", "specimen.height", "packing.radius_min",
+                      "packing.radius_max", "packing.file"},
+                     std::to_string(p.n_grains), "a number of grains of this size that fills the specimen",
+                     "give porosity instead (for example 0.16) and let the number follow");
   }
   void porosity_gives_a_number() {
     const PackingRecipe& p = r_.packing;
     const double solid = (1.0 - p.porosity) * r_.specimen.width * r_.specimen.height;
     const double fewest = solid / (pi * p.radius_max * p.radius_max);
     if (fewest > static_cast<double>(max_recipe_grains))
-      tell({"packing.porosity", "specimen.width", "specimen.height", "packing.radius_min",
-            "packing.radius_max", "packing.file"},
-           print_number(p.porosity),
-           "at most " + std::to_string(max_recipe_grains) + " grains; this gives more than " +
-               std::to_string(static_cast<std::int64_t>(std::min(fewest, 1e15))),
-           "use larger grains or a smaller specimen");
+      report_problem({"packing.porosity", "specimen.width", "specimen.height", "packing.radius_min",
+                      "packing.radius_max", "packing.file"},
+                     print_number(p.porosity),
+                     "at most " + std::to_string(max_recipe_grains) + " grains; this gives more than " +
+                         std::to_string(static_cast<std::int64_t>(std::min(fewest, 1e15))),
+                     "use larger grains or a smaller specimen");
   }
 
   void matrix() {
     const MatrixRecipe& m = r_.matrix;
     if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
-      tell({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
-           "0 deg with shear_strength = \"constant\"",
-           "leave it out, or set shear_strength = \"cohesion_friction\"");
+      report_problem({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
+                     "0 deg with shear_strength = \"constant\"",
+                     "leave it out, or set shear_strength = \"cohesion_friction\"");
   }
 
   void bedding(std::size_t i) {
@@ -112,35 +114,35 @@ class CrossChecks {
     const double diameter = 2.0 * r_.packing.radius_max;
     const std::string set = "bedding[" + std::to_string(i) + "].";
     if (b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing)
-      tell({set + "zone_thickness", set + "spacing", set + "rule"}, length(b.zone_thickness),
-           "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
+      report_problem({set + "zone_thickness", set + "spacing", set + "rule"}, length(b.zone_thickness),
+                     "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
     if (r_.packing.file.empty() && b.spacing < diameter)
-      tell({set + "spacing", "packing.radius_max", "packing.file"}, length(b.spacing),
-           "at least the largest grain diameter, " + length(diameter),
-           "use a wider spacing or smaller grains");
+      report_problem({set + "spacing", "packing.radius_max", "packing.file"}, length(b.spacing),
+                     "at least the largest grain diameter, " + length(diameter),
+                     "use a wider spacing or smaller grains");
     if (tan_degrees(b.psi) > b.mu)
-      tell({set + "psi", set + "mu"}, print_quantity(b.psi, Dimension::angle),
-           "tan(psi) <= mu = " + print_number(b.mu),
-           "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
+      report_problem({set + "psi", set + "mu"}, print_quantity(b.psi, Dimension::angle),
+                     "tan(psi) <= mu = " + print_number(b.mu),
+                     "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
   }
 
   void test() {
     const TestRecipe& t = r_.test;
     if (!t.angles.empty() && r_.bedding.empty())
-      tell({"test.angles", "bedding"}, "given", "a [[bedding]] set to turn",
-           "add [[bedding]], or remove test.angles");
+      report_problem({"test.angles", "bedding"}, "given", "a [[bedding]] set to turn",
+                     "add [[bedding]], or remove test.angles");
     std::vector<double> sorted = t.angles;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-      tell({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
-           "remove the second one; for another specimen change a seed");
+      report_problem({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
+                     "remove the second one; for another specimen change a seed");
     test_of_kind();
     for (const auto& [key, strain] :
          {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"jump_strain", t.jump_strain}})
       if (strain >= t.max_strain)
-        tell({std::string("test.") + key, "test.max_strain"}, print_number(strain),
-             "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+        report_problem({std::string("test.") + key, "test.max_strain"}, print_number(strain),
+                       "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
   }
 
   void test_of_kind() {
@@ -149,40 +151,40 @@ class CrossChecks {
     const double side = std::min(r_.specimen.width, (cut.half ? 2.0 : 1.0) * r_.specimen.height);
     const double least = min_grains_across * (r_.packing.radius_min + r_.packing.radius_max);
     if (t.disc_diameter > side)
-      tell({"test.disc_diameter", "specimen.width", "specimen.height"}, length(t.disc_diameter),
-           (cut.half ? "at most the width and twice the height, " : "at most the smaller side, ") +
-               length(side),
-           cut.half ? "half a disc is cut from the packing; use a larger specimen"
-                    : "a disc is cut from the packing; use a larger specimen");
+      report_problem({"test.disc_diameter", "specimen.width", "specimen.height"}, length(t.disc_diameter),
+                     (cut.half ? "at most the width and twice the height, " : "at most the smaller side, ") +
+                         length(side),
+                     cut.half ? "half a disc is cut from the packing; use a larger specimen"
+                              : "a disc is cut from the packing; use a larger specimen");
     else if (t.disc_diameter > 0.0 && t.disc_diameter < least && r_.packing.file.empty())
-      tell({"test.disc_diameter", "packing.radius_min", "packing.radius_max", "packing.file"},
-           length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
-           "use a larger disc or smaller grains");
+      report_problem({"test.disc_diameter", "packing.radius_min", "packing.radius_max", "packing.file"},
+                     length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
+                     "use a larger disc or smaller grains");
     if (cut.notch_width > 0.0) notch(cut);
     if (3.0 * t.grip_thickness > r_.specimen.height)
-      tell({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
-           "at most a third of the height", "the rock between the grips is what is tested");
+      report_problem({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
+                     "at most a third of the height", "the rock between the grips is what is tested");
     if (t.shear_gap > 0.5 * r_.specimen.height)
-      tell({"test.shear_gap", "specimen.height"}, length(t.shear_gap), "at most half the height",
-           "the boxes have to hold something");
+      report_problem({"test.shear_gap", "specimen.height"}, length(t.shear_gap), "at most half the height",
+                     "the boxes have to hold something");
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
-      tell({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
-           "give test.normal_stress, from which it grows");
-    if (t.jump_strain > 0.0 && !t.kind->may_jump)
-      tell({"test.jump_strain", "test.kind"}, print_number(t.jump_strain), "0 for this kind of test",
-           "only the uniaxial press can start loaded");
+      report_problem({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
+                     "give test.normal_stress, from which it grows");
+    if (t.jump_strain > 0.0 && !t.kind->may_pre_strain)
+      report_problem({"test.jump_strain", "test.kind"}, print_number(t.jump_strain),
+                     "0 for this kind of test", "only the uniaxial press can start loaded");
   }
 
   void notch(const SpecimenCut& cut) {
     const double grain = 2.0 * r_.packing.radius_max, widest = widest_notch * cut.diameter;
     if (cut.notch_width < grain && r_.packing.file.empty())
-      tell({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),
-           "0, or at least the largest grain diameter, " + length(grain),
-           "whole grains are taken out; leave it out, or use smaller grains");
+      report_problem({"test.notch_width", "packing.radius_max", "packing.file"}, length(cut.notch_width),
+                     "0, or at least the largest grain diameter, " + length(grain),
+                     "whole grains are taken out; leave it out, or use smaller grains");
     if (cut.notch_width > widest)
-      tell({"test.notch_width", "test.disc_diameter", "specimen.width", "specimen.height"},
-           length(cut.notch_width), "at most a twentieth of the diameter, " + length(widest),
-           "the formula of the test is that of a crack; saw a thinner notch");
+      report_problem({"test.notch_width", "test.disc_diameter", "specimen.width", "specimen.height"},
+                     length(cut.notch_width), "at most a twentieth of the diameter, " + length(widest),
+                     "the formula of the test is that of a crack; saw a thinner notch");
   }
 };
 

@@ -24,7 +24,7 @@ const HistoryColumns& gauge_columns() {
   return columns;
 }
 
-const HistoryColumns& book_columns() {
+const HistoryColumns& balance_columns() {
   static const HistoryColumns columns = {
       {"n_cracks", "1", "broken bonds and joints so far", &Row::n_cracks},
       {"boundary_work", "J/m", "work done by the platens", &Row::boundary_work},
@@ -74,10 +74,10 @@ std::optional<Status> status_of(std::string_view name) {
 std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the_test) {
   std::vector<std::string> names = {"step", "time"};
   names.insert(names.end(), of_the_test.begin(), of_the_test.end());
-  for (const char* book :
+  for (const char* balance :
        {"n_cracks", "boundary_work", "kinetic", "strain_linear", "strain_bond", "strain_joint", "strain_wall",
         "slip", "damping", "released", "energy_error", "unbalanced"})
-    names.emplace_back(book);
+    names.emplace_back(balance);
   return names;
 }
 

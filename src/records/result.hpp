@@ -72,9 +72,9 @@ struct HistoryColumn {
   double HistoryRow::*value;
 };
 using HistoryColumns = std::vector<HistoryColumn>;
-const HistoryColumns& clock_columns();  ///< cycle and time: the first of every test
-const HistoryColumns& gauge_columns();  ///< strains of the middle of the specimen
-const HistoryColumns& book_columns();   ///< cracks, energies, bookkeeping: the last of every test
+const HistoryColumns& clock_columns();    ///< cycle and time: the first of every test
+const HistoryColumns& gauge_columns();    ///< strains of the middle of the specimen
+const HistoryColumns& balance_columns();  ///< cracks, energies, bookkeeping: the last of every test
 HistoryColumns joined(std::initializer_list<HistoryColumns> parts);
 /// "axial_strain [1]": a column in the head of a table.
 std::string heading(const HistoryColumn& column);
@@ -151,7 +151,7 @@ struct TestResult {
   std::string hash;             ///< bits of history, cracks and final positions
 };
 
-/// Names of the columns that the hash of a history covers, in this order: clock, those of the test, books.
+/// Names of the columns that the hash of a history covers, in this order: clock, those of the test, balance.
 std::vector<std::string> hashed_fields(std::initializer_list<const char*> of_the_test);
 
 /// Fingerprint over the bits of the history's values that the test names (TestDescription::hashed), of every

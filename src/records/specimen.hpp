@@ -22,7 +22,7 @@ struct PackingReport {
   double coordination = 0.0;    ///< mean number of touching neighbours, 2 N_contacts / N
   double fabric = 0.0;          ///< <cos 2 angle> of the contact normals; 0 = isotropic
   double stress_left = 0.0;     ///< [Pa] mean stress locked in
-  std::int64_t n_floaters = 0;  ///< discs with fewer than three contacts
+  std::int64_t n_rattlers = 0;  ///< discs with fewer than three contacts
   double mean_overlap = 0.0;    ///< mean overlap / mean radius
   double unbalanced = 0.0;      ///< mean unbalanced force / mean contact force at the end
 };

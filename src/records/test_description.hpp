@@ -79,7 +79,7 @@ struct KeptStress {
 struct TestDescription {
   const char* name = "";                ///< the recipe's word
   const char* stress = "axial stress";  ///< on which the strength is read, in words
-  const char* tool = "platen";          ///< what pushes or pulls, in words
+  const char* body = "platen";          ///< what pushes or pulls, in words
   const char* extent = "strain {} %";   ///< how far a test has come, of what its limits of strain are about
   HistoryColumns columns;               ///< of the history, one of them of HistoryRow::axial_strain
   /// Names of the columns that the hash of a history covers, in this order (hashed_fields). A column that is
@@ -87,8 +87,8 @@ struct TestDescription {
   std::vector<std::string> hashed;
   TestCurve curve;
   std::vector<TableColumn> table;
-  bool runs_to_end = false;  ///< to test.max_strain, whatever happens, for what comes after the peak
-  bool may_jump = false;     ///< can start loaded (test.jump_strain)
+  bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
+  bool may_pre_strain = false;  ///< can start loaded (test.jump_strain)
   KeptStress kept_stress = {};
   ExpectedPeak expected = {};
   /// What is cut from the packing; null: the whole rectangle is tested.

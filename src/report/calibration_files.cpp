@@ -107,7 +107,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["left_out"] = rows_json(c.left_out);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
     j["left_out"][i]["interpolated"] = interpolated(c.left_out, c.left_out[i].target);
-  j["pressed"] = rows_json(c.pressed);
+  j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},

@@ -198,8 +198,9 @@ std::string macro_table(const Calibration& c, int terminal_width) {
                           column("error", [&](R r) { return error(row_of(c.verification, r.target)); })};
   std::vector<Columns> groups = {laboratory, fit, unseen};
   std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
-  if (!c.pressed.empty()) {
-    groups.push_back({column("at 50 % UCS", [&](R r) { return value(row_of(c.pressed, r.target)); })});
+  if (!c.tangent_from_test.empty()) {
+    groups.push_back(
+        {column("at 50 % UCS", [&](R r) { return value(row_of(c.tangent_from_test, r.target)); })});
     legend +=
         "at 50 % UCS: tangent E and nu of the press at 40 - 60 % of UCS, unseen packings; fit and unseen: at "
         "small "

@@ -25,8 +25,8 @@ AngleCurve sampled(std::string note, const std::function<double(double)>& value)
   return curve;
 }
 
-const TestRecord* intact_of(const RunRecord& run) {
-  for (const TestRecord& t : run.tests)
+const SpecimenRecord* intact_of(const RunRecord& run) {
+  for (const SpecimenRecord& t : run.tests)
     if (t.result.intact) return &t;
   return nullptr;
 }
@@ -36,11 +36,12 @@ const TestRecord* intact_of(const RunRecord& run) {
 theory::Eq1Options reference_for(const RunRecord& run) {
   theory::Eq1Options options;
   options.reference = theory::Eq1Reference::free;
-  if (const TestRecord* intact = intact_of(run); intact != nullptr && value_of(*intact, "E_tangent") > 0.0) {
+  if (const SpecimenRecord* intact = intact_of(run);
+      intact != nullptr && value_of(*intact, "E_tangent") > 0.0) {
     options.reference = theory::Eq1Reference::given;
     options.E = value_of(*intact, "E_tangent");
   }
-  for (const TestRecord& t : run.tests)
+  for (const SpecimenRecord& t : run.tests)
     if (!t.result.intact && t.result.theta == 90.0 && value_of(t, "E_tangent") > 0.0)
       options.reference = theory::Eq1Reference::measured_90;
   return options;
@@ -49,7 +50,7 @@ theory::Eq1Options reference_for(const RunRecord& run) {
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   std::vector<theory::ModulusReading> readings;
   double nu_90 = nan, spacing = 0.0;
-  for (const TestRecord& t : run.tests) {
+  for (const SpecimenRecord& t : run.tests) {
     if (t.result.intact) continue;
     if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
     if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
@@ -81,7 +82,7 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
 void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
   std::vector<theory::StrengthReading> readings;
   double ends = 0.0, n_ends = 0.0, strongest = 0.0;
-  for (const TestRecord& t : run.tests) {
+  for (const SpecimenRecord& t : run.tests) {
     const double ucs = value_of(t, "ucs");
     if (!(ucs > 0.0) || t.result.intact) continue;
     readings.push_back({t.result.theta, ucs});
@@ -104,7 +105,7 @@ void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
 
 }  // namespace
 
-double value_of(const TestRecord& test, const std::string& name) {
+double value_of(const SpecimenRecord& test, const std::string& name) {
   if (test.result.outcome.status == Status::untrusted) return nan;
   for (const Number& n : test.result.numbers)
     if (n.name == name) return n.value;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 #include "records/variation.hpp"
 #include "theory/eq1_fit.hpp"
 
@@ -39,6 +39,6 @@ theory::Eq1Fit fit_moduli(const std::vector<AngleValue>& E, double E_intact);
 std::vector<MacroPoint> macro_points(const Variation& variation, const VariedParameter& parameter);
 
 /// Value of a number for curves and fits: NaN where the result has none, or is not to be trusted.
-double value_of(const TestRecord& test, const std::string& name);
+double value_of(const SpecimenRecord& test, const std::string& name);
 
 }  // namespace phy::report

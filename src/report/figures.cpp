@@ -24,13 +24,13 @@ namespace {
 using Row = GnuplotScript::Row;
 constexpr double dots_per_mm = 16.0;  // of pictures in figures: 400 per inch
 
-std::string heading(const TestRecord& t) {
+std::string heading(const SpecimenRecord& t) {
   return t.result.intact ? "intact" : fmt::format("{{/:Italic θ}} = {:g}°", t.result.theta);
 }
 
-std::vector<const TestRecord*> with_scene(const RunRecord& run) {
-  std::vector<const TestRecord*> tests;
-  for (const TestRecord& t : run.tests)
+std::vector<const SpecimenRecord*> with_scene(const RunRecord& run) {
+  std::vector<const SpecimenRecord*> tests;
+  for (const SpecimenRecord& t : run.tests)
     if (!t.scene.frames.empty()) tests.push_back(&t);
   if (tests.empty())
     throw InputError(Problem{"result", "scene.bin", "", "discs and displacements",
@@ -46,7 +46,8 @@ const TestCurve& axes_of(const RunRecord& run) {
 }
 
 /// Where the curve first reaches the value of a number.
-void add_mark(const TestRecord& t, const TestCurve& axes, const std::string& name, std::vector<Row>& marks) {
+void add_mark(const SpecimenRecord& t, const TestCurve& axes, const std::string& name,
+              std::vector<Row>& marks) {
   const double level = value_of(t, name);
   for (const HistoryRow& row : t.result.history.rows)
     if (axes.stress_of(row) >= level)
@@ -64,7 +65,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
   const std::array<std::string, 3> names = {"sigma_ci", "sigma_cd", axes.strength};
   const std::array<std::string, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", axes.strength_label};
   constexpr std::array<int, 3> symbols = {9, 5, 7};
-  for (const TestRecord& t : data.run.tests) {
+  for (const SpecimenRecord& t : data.run.tests) {
     std::vector<Row> rows;
     for (const HistoryRow& row : t.result.history.rows)
       rows.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * axes.stress_of(row)});
@@ -95,7 +96,7 @@ struct Panel {
 /// What a panel shows: laboratory, theory, model. Empty where the tests have no such number.
 std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, const Panel& p) {
   std::vector<Row> model, theory, laboratory;
-  for (const TestRecord& t : data.run.tests)
+  for (const SpecimenRecord& t : data.run.tests)
     if (const double v = value_of(t, p.number); !t.result.intact && std::isfinite(v))
       model.push_back({t.result.theta, p.factor * v});
   if (model.empty()) return {};
@@ -153,7 +154,7 @@ double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
 struct Window {
   double x0, y0, x1, y1;
 };
-Canvas picture_of(const TestRecord& t, const Window& w, double width, bool at_end) {
+Canvas picture_of(const SpecimenRecord& t, const Window& w, double width, bool at_end) {
   const double scale = dots_per_mm * width / (w.x1 - w.x0);
   Canvas canvas(static_cast<int>(std::lround(scale * (w.x1 - w.x0))),
                 static_cast<int>(std::lround(scale * (w.y1 - w.y0))), 0xffffff);
@@ -165,12 +166,12 @@ Canvas picture_of(const TestRecord& t, const Window& w, double width, bool at_en
 }
 
 /// The specimen with a little room for what bulges.
-Window whole(const TestRecord& t) {
+Window whole(const SpecimenRecord& t) {
   const double edge = 0.03 * t.scene.width;
   return {-edge, -edge, t.scene.width + edge, t.scene.height + edge};
 }
 
-void show(GnuplotScript& s, const TestRecord& t, const Window& w, double width, bool at_end,
+void show(GnuplotScript& s, const SpecimenRecord& t, const Window& w, double width, bool at_end,
           const std::string& title) {
   s.add("set title '{}' offset 0,-0.7; set xrange [{}:{}]; set yrange [{}:{}]", title, 1e3 * w.x0, 1e3 * w.x1,
         1e3 * w.y0, 1e3 * w.y1);
@@ -184,7 +185,7 @@ double specimens(GnuplotScript& s, const FigureData& data, double width, bool at
   const auto tests = with_scene(data.run);
   const auto n = static_cast<double>(tests.size());
   double aspect = 0.0;
-  for (const TestRecord* t : tests) {
+  for (const SpecimenRecord* t : tests) {
     const Window w = whole(*t);
     aspect = std::max(aspect, (w.y1 - w.y0) / (w.x1 - w.x0));
   }
@@ -196,7 +197,7 @@ double specimens(GnuplotScript& s, const FigureData& data, double width, bool at
   const double edge = 0.5 * (1.0 - n * panel / width) + 0.003;
   s.add("set multiplot layout 1,{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing 0.003,0", tests.size(), edge,
         1.0 - edge, key / height, 1.0 - title / height);
-  for (const TestRecord* t : tests) {
+  for (const SpecimenRecord* t : tests) {
     show(s, *t, whole(*t), panel, at_end, heading(*t));
     s.add("unset label");
   }
@@ -207,9 +208,9 @@ double specimens(GnuplotScript& s, const FigureData& data, double width, bool at
 /// The specimen nearest to 30 degrees before the test, and a window on its bedding.
 double model(GnuplotScript& s, const FigureData& data, double width) {
   const auto tests = with_scene(data.run);
-  const TestRecord& t =
-      **std::min_element(tests.begin(), tests.end(), [](const TestRecord* a, const TestRecord* b) {
-        const auto far = [](const TestRecord& r) {
+  const SpecimenRecord& t =
+      **std::min_element(tests.begin(), tests.end(), [](const SpecimenRecord* a, const SpecimenRecord* b) {
+        const auto far = [](const SpecimenRecord& r) {
           return r.result.intact ? 1e3 : std::abs(r.result.theta - 30.0);
         };
         return far(*a) < far(*b);
@@ -269,7 +270,7 @@ double rose(GnuplotScript& s, const FigureData& data, double width) {
       hex_color(crack_colors[0]), hex_color(crack_colors[1]));
   s.add("set multiplot layout {},{} margins 0.01,0.99,{},0.90 spacing 0.01,0.10", n > 4 ? 2 : 1,
         n > 4 ? (n + 1) / 2 : n, n > 4 ? 0.07 : 0.12);
-  for (const TestRecord& t : data.run.tests) {
+  for (const SpecimenRecord& t : data.run.tests) {
     const Rose r = crack_rose(t.result.cracks);
     double largest = 1.0;
     for (std::size_t i = 0; i < r.tension.size(); ++i) largest = std::max(largest, r.tension[i] + r.shear[i]);

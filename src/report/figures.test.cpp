@@ -109,8 +109,8 @@ TEST(Figures, WhatIsNotThereIsRefused) {
 }
 
 /// A test at an angle, with one number and one moment of a disc or a specimen.
-TestRecord test_at(double theta, const std::string& number, double aspect) {
-  TestRecord t;
+SpecimenRecord test_at(double theta, const std::string& number, double aspect) {
+  SpecimenRecord t;
   t.result.intact = false, t.result.theta = theta;
   t.result.numbers = {{number, 1e6, "Pa", "", ""}};
   t.scene.width = 0.01, t.scene.height = 0.01 * aspect;
@@ -124,7 +124,7 @@ TestRecord test_at(double theta, const std::string& number, double aspect) {
 TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
   FigureData data;
   data.run.tests = {test_at(0.0, "bts", 1.0), test_at(90.0, "bts", 1.0)};
-  for (TestRecord& t : data.run.tests) t.recipe.test.kind = TestKind("brazilian");
+  for (SpecimenRecord& t : data.run.tests) t.recipe.test.kind = TestKind("brazilian");
   const std::string script = script_of("anisotropy", data);
   EXPECT_THAT(script, HasSubstr("Brazilian strength [MPa]"));
   EXPECT_THAT(script, HasSubstr("layout 1,1 "));
@@ -163,7 +163,7 @@ TEST(Canvas, ADiscCoversItsArea) {
 
 // One disc moves by a tenth of the picture; the crack appears with its strain.
 TEST(SpecimenPicture, FollowsTheTest) {
-  TestRecord t;
+  SpecimenRecord t;
   t.scene.width = t.scene.height = 0.01;
   t.scene.discs = {{0.003, 0.005, 0.001}, {0.005, 0.005, 0.001}};
   for (const float u : {0.0F, 0.001F}) {

@@ -19,7 +19,7 @@ constexpr Color paper = 0xffffff, ink = 0x3d464c;
 }  // namespace
 
 Film::Film(const RunRecord& run, const FilmOptions& options) : options_(options) {
-  for (const TestRecord& t : run.tests) {
+  for (const SpecimenRecord& t : run.tests) {
     if (t.scene.frames.empty()) continue;
     places_.push_back({&t, {}});
     axes_ = t.recipe.test.kind->curve;

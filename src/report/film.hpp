@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "records/specimen_record.hpp"
 #include "records/test_description.hpp"
-#include "records/test_record.hpp"
 #include "report/specimen_picture.hpp"
 
 namespace phy::report {
@@ -31,7 +31,7 @@ class Film {
 
  private:
   struct Place {
-    const TestRecord* test;
+    const SpecimenRecord* test;
     SpecimenView view;
   };
   void draw_curves(Canvas& canvas, double strain) const;

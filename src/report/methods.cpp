@@ -13,7 +13,7 @@ namespace {
 
 std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
 
-std::string packing_text(const TestRecord& t) {
+std::string packing_text(const SpecimenRecord& t) {
   const Recipe& r = t.recipe;
   const std::string source =
       r.packing.file.empty()
@@ -63,7 +63,7 @@ std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {
 }
 
 /// What ended a test, by its history: a test whose stress has fallen far enough ends first for that.
-std::string end_of(const TestRecord& test) {
+std::string end_of(const SpecimenRecord& test) {
   const TestRecipe& t = test.recipe.test;
   const Outcome& outcome = test.result.outcome;
   const std::vector<HistoryRow>& rows = test.result.history.rows;
@@ -84,14 +84,14 @@ std::string end_of(const TestRecord& test) {
 /// How the tests ended, those that ended alike together.
 std::string ends_text(const RunRecord& run) {
   std::vector<std::string> ends;
-  for (const TestRecord& t : run.tests) add_line(ends, t.result.name, end_of(t));
+  for (const SpecimenRecord& t : run.tests) add_line(ends, t.result.name, end_of(t));
   return fmt::format("How each test ended: {}.", fmt::join(ends, "; "));
 }
 
 std::string loading_text(const RunRecord& run) {
-  const TestRecord& t = run.tests.front();
+  const SpecimenRecord& t = run.tests.front();
   double least = t.result.dt, most = t.result.dt;
-  for (const TestRecord& other : run.tests)
+  for (const SpecimenRecord& other : run.tests)
     least = std::min(least, other.result.dt), most = std::max(most, other.result.dt);
   const Recipe& r = t.recipe;
   return fmt::format(
@@ -102,7 +102,7 @@ std::string loading_text(const RunRecord& run) {
       r.engine.precision == Precision::double_precision ? "double" : "single", ends_text(run));
 }
 
-std::string definitions_text(const TestRecord& t) {
+std::string definitions_text(const SpecimenRecord& t) {
   std::string text = "Definitions. ";
   const std::string strength = t.recipe.test.kind->curve.quantity().number;
   for (const std::string& name : {std::string("E_tangent"), std::string("nu"), strength,
@@ -116,7 +116,7 @@ std::string definitions_text(const TestRecord& t) {
 
 std::vector<std::string> methods_text(const RunRecord& run) {
   if (run.tests.empty()) return {};
-  const TestRecord& t = run.tests.front();
+  const SpecimenRecord& t = run.tests.front();
   std::vector<std::string> text = {packing_text(t), matrix_text(t.recipe.matrix)};
   for (const BeddingRecipe& b : t.recipe.bedding) text.push_back(bedding_text(b, *t.recipe.test.kind));
   text.push_back(loading_text(run));

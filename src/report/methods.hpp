@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 namespace phy::report {
 

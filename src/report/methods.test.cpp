@@ -15,8 +15,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Stress over strain, straight lines, in MPa; signs and columns of the kind.
-TestRecord test_of(const Recipe& recipe, const std::string& name, Outcome outcome,
-                   const std::vector<std::pair<double, double>>& curve) {
+SpecimenRecord test_of(const Recipe& recipe, const std::string& name, Outcome outcome,
+                       const std::vector<std::pair<double, double>>& curve) {
   const Specimen s = assembly(hexagonal(5, 8, 0.001), MatrixRecipe{});
   TestResult r;
   r.name = name, r.kind = r.history.kind = recipe.test.kind, r.outcome = std::move(outcome);
@@ -31,7 +31,7 @@ TestRecord test_of(const Recipe& recipe, const std::string& name, Outcome outcom
   return record_of(recipe, "9.9", s, r);
 }
 
-std::string methods(const std::vector<TestRecord>& tests) {
+std::string methods(const std::vector<SpecimenRecord>& tests) {
   RunRecord run;
   run.tests = tests;
   return fmt::format("{}", fmt::join(methods_text(run), "\n"));

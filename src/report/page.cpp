@@ -68,7 +68,7 @@ Json cracks_json(const std::vector<CrackEvent>& cracks, double sign) {
           {"size", packed<float>(cracks, [](const CrackEvent& c) { return c.size; })}};
 }
 
-Json test_json(const TestRecord& t, std::size_t index) {
+Json test_json(const SpecimenRecord& t, std::size_t index) {
   const Rose rose = crack_rose(t.result.cracks);
   const TestCurve& axes = t.recipe.test.kind->curve;
   Json bedding = Json::array();
@@ -121,8 +121,8 @@ Json variation_json(const Variation& v) {
 
 Json report_json(const RunRecord& run, const PageExtras& extras) {
   Json j;
-  const TestRecord none;
-  const TestRecord& first = run.tests.empty() ? none : run.tests.front();
+  const SpecimenRecord none;
+  const SpecimenRecord& first = run.tests.empty() ? none : run.tests.front();
   j["name"] = !extras.name.empty() ? extras.name : run.tests.empty() ? "no specimens" : first.recipe.name;
   j["program"] = run.tests.empty() ? std::string("phyllite ") + PHY_VERSION : first.program;
   j["axes"] = axes_json(first.recipe.test.kind->curve);

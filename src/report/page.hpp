@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "records/rock.hpp"
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 #include "records/variation.hpp"
 
 namespace phy::report {

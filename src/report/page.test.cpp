@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
-TestRecord test_at(double theta) {
+SpecimenRecord test_at(double theta) {
   Specimen s = assembly(hexagonal(5, 8, 0.001), MatrixRecipe{});
   Recipe recipe;
   recipe.name = "<script>alert('name')</script>";
@@ -116,11 +116,11 @@ TEST(Page, CarriesCalibrationAndLaboratory) {
 // A tension test is recorded as negative; its curve and cracks reach the page growing.
 TEST(Page, CurvesGrowWhateverTheTest) {
   RunRecord press = three(), pull = press;
-  for (TestRecord& t : press.tests) {
+  for (SpecimenRecord& t : press.tests) {
     t.result.history.rows[1].axial_stress = 3e6;
     t.result.cracks[1].strain = 0.25;
   }
-  for (TestRecord& t : pull.tests) {
+  for (SpecimenRecord& t : pull.tests) {
     t.recipe.test.kind = TestKind("direct_tension");
     t.result.history.rows[2].axial_strain *= -1.0;
     t.result.history.rows[1].axial_stress = -3e6;
@@ -178,7 +178,7 @@ TEST(TheoryCurves, GoThroughReadingsThatTheyMade) {
   RunRecord run;
   const theory::JointedRock rock{60e9, 40e9, 8e9, 0.2};
   for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0}) {
-    TestRecord t = test_at(theta);
+    SpecimenRecord t = test_at(theta);
     t.result.numbers = {{"E_tangent", theory::goodman_E(rock, theta), "Pa", "", ""},
                         {"nu", theory::goodman_nu(rock, theta), "1", "", ""}};
     run.tests.push_back(t);

@@ -14,7 +14,7 @@ namespace {
 constexpr double thinnest = 1.2;  // line of a crack [pixels]
 
 /// Per disc the number of its colour in disc_colors.
-std::vector<std::size_t> tones_of(const TestRecord& t) {
+std::vector<std::size_t> tones_of(const SpecimenRecord& t) {
   std::vector<std::size_t> tone(t.scene.discs.size(), 0);
   if (!t.bedding.empty() && !t.recipe.bedding.empty()) {
     const Vec2 normal = plane_normal(t.bedding[0].theta);
@@ -64,12 +64,12 @@ void draw_disc(Canvas& canvas, Vec2 at, double r, Color color) {
 
 }  // namespace
 
-double last_strain(const TestRecord& test) {
+double last_strain(const SpecimenRecord& test) {
   const auto& rows = test.result.history.rows;
   return rows.empty() ? 0.0 : test.recipe.test.kind->curve.strain_of(rows.back());
 }
 
-void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain) {
+void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenView& view, double strain) {
   const Scene& scene = test.scene;
   const double sign = test.recipe.test.kind->curve.sign;
   const std::vector<std::size_t> tone = tones_of(test);

@@ -1,6 +1,6 @@
 // A specimen as pixels, at any moment of its test: for films and figures.
 #pragma once
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 #include "report/canvas.hpp"
 
 namespace phy::report {
@@ -14,10 +14,10 @@ struct SpecimenView {
 
 /// Draws the discs (moved as at axial strain `strain`, straight between frames) and the cracks up to it.
 /// Needs a scene with at least one frame.
-void draw_specimen(Canvas& canvas, const TestRecord& test, const SpecimenView& view, double strain);
+void draw_specimen(Canvas& canvas, const SpecimenRecord& test, const SpecimenView& view, double strain);
 
 /// Strain of the last row, as draw_specimen takes it: positive, in the direction of the test
 /// (records/test_description.hpp).
-double last_strain(const TestRecord& test);
+double last_strain(const SpecimenRecord& test);
 
 }  // namespace phy::report

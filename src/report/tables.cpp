@@ -105,22 +105,22 @@ std::string head_of(const TestResult& r, const Number& n) {
 }  // namespace
 
 std::string missing_numbers(const Results& results) {
-  std::vector<std::pair<std::string, std::string>> told;  // reason, tests
+  std::vector<std::pair<std::string, std::string>> reported;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
       const bool missing = (n.name == "sigma_ci" || n.name == "sigma_cd") && !std::isfinite(n.value);
       if (r.outcome.status != Status::peaked || (!missing && !has_reservation(r, n))) continue;
       const std::string reason = head_of(r, n) + (missing ? " -: " : " *: ") + n.note;
       const auto it =
-          std::find_if(told.begin(), told.end(), [&](const auto& t) { return t.first == reason; });
-      if (it == told.end())
-        told.emplace_back(reason, r.name);
+          std::find_if(reported.begin(), reported.end(), [&](const auto& t) { return t.first == reason; });
+      if (it == reported.end())
+        reported.emplace_back(reason, r.name);
       else
         it->second += ", " + r.name;
     }
   }
   std::string text;
-  for (const auto& [reason, tests] : told) text += fmt::format("{} ({})\n", reason, tests);
+  for (const auto& [reason, tests] : reported) text += fmt::format("{} ({})\n", reason, tests);
   return text;
 }
 
@@ -129,7 +129,7 @@ namespace {
 /// One line per measure and limit, with the tests and their values. Of tests that are not to be trusted, or
 /// found no peak, the outcome tells the cause, and the rest follows from it.
 std::string quality_lines(const Results& results) {
-  std::vector<std::pair<QualityMark, std::string>> told;  // a mark, tests with values
+  std::vector<std::pair<QualityMark, std::string>> reported;  // a mark, tests with values
   for (const TestResult& r : results) {
     if (r.outcome.status != Status::peaked) continue;
     for (const QualityMark& mark : quality_marks(r.numbers)) {
@@ -137,14 +137,14 @@ std::string quality_lines(const Results& results) {
       const auto same = [&](const auto& t) {
         return t.first.limit == mark.limit && t.first.grade == mark.grade;
       };
-      if (const auto it = std::find_if(told.begin(), told.end(), same); it != told.end())
+      if (const auto it = std::find_if(reported.begin(), reported.end(), same); it != reported.end())
         it->second += ", " + test;
       else
-        told.emplace_back(mark, test);
+        reported.emplace_back(mark, test);
     }
   }
   std::string text;
-  for (const auto& [mark, tests] : told)
+  for (const auto& [mark, tests] : reported)
     text += fmt::format("{}: {}: {}; {} ({})\n", to_string(mark.grade), mark.name(), mark.limit->says,
                         mark.limit->advice, tests);
   return text;

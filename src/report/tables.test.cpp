@@ -142,7 +142,7 @@ TEST(OutcomeLines, TellARemarkOnceWithTheTestsThatItIsSaidOf) {
   }
   EXPECT_EQ(
       outcome_lines(all),
-      "remark: rattlers above 0.1: this share of the grains can carry nothing; put more discs into the box "
+      "warning: rattlers above 0.1: this share of the grains can carry nothing; put more discs into the box "
       "(packing.n_grains, packing.porosity or the imported file) (test 0 0.16, test 2 0.2)\n");
   for (TestResult& r : all) r.outcome = {Status::untrusted, "rattlers 0.4", "raise it"};
   EXPECT_EQ(outcome_lines({all[0]}), "test 0: untrusted: rattlers 0.4; raise it\n");

@@ -38,7 +38,7 @@ Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Mo
   const contact::ContactModel& model = models.of(c.kind);
   l.n = model.normal(s, c, l.branch);
   l.k = model.elastic(s, c, gap);
-  l.unilateral = l.k.push.k_n > 0.0;
+  l.unilateral = l.k.unilateral.k_n > 0.0;
   return l;
 }
 
@@ -76,14 +76,14 @@ void add_platens(Network& net, const Specimen& specimen, Platens platens) {
       l.branch = l.n = {0.0, top ? -1.0 : 1.0};
       l.arm_b = d.r;  // a platen does not turn: its own arm never acts
       l.unilateral = platens == Platens::frictionless;
-      l.k.push = contact::wall::elastic(specimen.matrix, l.unilateral);
+      l.k.unilateral = contact::wall::elastic(specimen.matrix, l.unilateral);
       net.links.push_back(l);
     }
   }
 }
 
 laws::Tangent<double> stiffness(const Link& l, bool active) {
-  return active ? l.k.push + l.k.hold : l.k.hold;
+  return active ? l.k.unilateral + l.k.bilateral : l.k.bilateral;
 }
 
 std::vector<laws::Tangent<double>> stiffness_rates(const Network& net, const Specimen& s,
@@ -95,7 +95,7 @@ std::vector<laws::Tangent<double>> stiffness_rates(const Network& net, const Spe
     if (p.bedding != nullptr && (c.kind != ContactKind::joint || c.set != set)) continue;
     const double gap = gap_of(s, c, branch_of(s, c, net.links[i].shift));
     const contact::ElasticPart rate = net.models.of(c.kind).elastic_rate(s, c, gap, p);
-    rates[i] = active[i] ? rate.push + rate.hold : rate.hold;
+    rates[i] = active[i] ? rate.unilateral + rate.bilateral : rate.bilateral;
   }
   for (std::size_t i = net.n_contacts; i < net.links.size(); ++i)
     if (active[i]) rates[i] = contact::wall::elastic_rate(s.matrix, frictionless(net.links[i]), p);

@@ -9,9 +9,10 @@
 //
 // with the arms R + gap/2 of the present geometry, so that a rigid rotation of the pair moves nothing. n and
 // the stiffnesses are those that the contact models state (contact/model.hpp), in two parts: what holds in
-// any case, and what only pushes. Which of the pushing parts act is decided by the caller (uniaxial.hpp);
-// `active` says so per link. Overlaps of the packing count as stress-free: a pushing part acts as soon as its
-// grains approach. For a packing with a locked-in stress this is the limit of axial stresses well above it.
+// any case, and what only pushes. Which of the unilateral parts act is decided by the caller (uniaxial.hpp);
+// `active` says so per link. Overlaps of the packing count as stress-free: a unilateral part acts as soon as
+// its grains approach. For a packing with a locked-in stress this is the limit of axial stresses well above
+// it.
 //
 // Platens are bodies like grains, placed after them, with all movements prescribed.
 #pragma once
@@ -58,7 +59,7 @@ Network make_network(const Specimen& specimen, Vec2 period = {},
 /// touch the lines y = 0 and y = height. Glued: sliding is resisted too and nothing comes off.
 void add_platens(Network& network, const Specimen& specimen, Platens platens);
 
-/// Stiffness of a link. `active`: its pushing part acts.
+/// Stiffness of a link. `active`: its unilateral part acts.
 laws::Tangent<double> stiffness(const Link& link, bool active);
 
 /// Derivative of all links' stiffnesses with respect to a parameter of the matrix, or of bedding set `set`;

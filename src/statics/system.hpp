@@ -89,7 +89,7 @@ struct LoadCase {
   ElasticOutcome outcome;
   Movements u;
 };
-/// Everything at once, for a few load cases: pushing parts act where `active` (empty: everywhere).
+/// Everything at once, for a few load cases: unilateral parts act where `active` (empty: everywhere).
 LoadCase solve_once(const Network& network, const Boundary& boundary, std::vector<char> active = {});
 
 /// Effective stiffness [Pa] of a periodic cell: stress (xx, yy, xy) from strain (xx, yy, 2 xy).

@@ -191,7 +191,7 @@ TEST(Beam, CantileverUnderTipForceAndMoment) {  // V5
   const double N = n;
   const Network net = beam(n);
   const Link& l = net.links[0];
-  const double kn_I = l.k.hold.k_m, ks_A = l.k.hold.k_s;
+  const double kn_I = l.k.bilateral.k_m, ks_A = l.k.bilateral.k_s;
   const std::vector<char> bonds_only(net.links.size(), 0);
   const std::size_t tip = 3 * static_cast<std::size_t>(n);
   Boundary boundary;
@@ -248,7 +248,8 @@ TEST(System, CoupledStiffnessTurnsWhatItIsPressedOn) {
   expect_near(-answer.u[3], P / 4.0 * (1.0 / k_1 + 1.0 / k_2));
   expect_near(answer.u[5], P / (4.0 * h) * (1.0 / k_1 - 1.0 / k_2));
   // With one of them broken off the grain turns about the other without resistance.
-  net.links[0].k.hold.k_n = k_1, net.links[0].k.hold.k_m = k_1 * h * h, net.links[0].k.hold.k_nm = k_1 * h;
+  net.links[0].k.bilateral.k_n = k_1, net.links[0].k.bilateral.k_m = k_1 * h * h,
+  net.links[0].k.bilateral.k_nm = k_1 * h;
   const auto loose = loose_bodies(net, stiffnesses(net, {1}), {{0, 0}, {0, 1}, {0, 2}});
   EXPECT_EQ(loose, (std::vector<char>{0, 1}));
 }
@@ -258,7 +259,7 @@ TEST(System, RefusesStiffnessesThatAreNone) {
   Boundary boundary;
   move_with(boundary, net, 0, {});
   const contact::ElasticPart sound = net.links[0].k;
-  net.links[0].k.hold.k_n = -1e12;
+  net.links[0].k.bilateral.k_n = -1e12;
   LoadCase answer = solve_once(net, boundary);
   EXPECT_EQ(answer.outcome.status, ElasticStatus::bad_stiffness);
   EXPECT_EQ(answer.outcome.grains, (std::vector<std::uint32_t>{0, 1}));

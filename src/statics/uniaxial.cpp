@@ -148,8 +148,8 @@ void UniaxialStatics::read(Reading& reading) {
   reading.nu = -reading.lateral / reading.axial;
 }
 
-// Opens and closes pushing parts by the last solution. The third change is the last: open, closed, open for
-// good.
+// Opens and closes unilateral parts by the last solution. The third change is the last: open, closed, open
+// for good.
 UniaxialStatics::Update UniaxialStatics::update(std::vector<std::uint8_t>& changes) {
   constexpr std::uint8_t last_change = 3;
   Update update;
@@ -230,8 +230,8 @@ void UniaxialStatics::finish(ElasticResult& result, const Reading& reading, cons
   for (std::size_t i = 0; i < network_.links.size(); ++i) {
     const Link& l = network_.links[i];
     if (l.a >= network_.n_grains) continue;
-    result.n_contacts += l.k.push.k_n > 0.0 || l.k.hold.k_n > 0.0 ? 1 : 0;
-    result.n_open += l.k.push.k_n > 0.0 && !active_[i] ? 1 : 0;
+    result.n_contacts += l.k.unilateral.k_n > 0.0 || l.k.bilateral.k_n > 0.0 ? 1 : 0;
+    result.n_open += l.k.unilateral.k_n > 0.0 && !active_[i] ? 1 : 0;
   }
   std::vector<std::uint32_t> loose;
   for (std::uint32_t i = 0; i < network_.n_grains; ++i)

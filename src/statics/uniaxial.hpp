@@ -4,7 +4,7 @@
 // read like those of the press: platen strain 2 delta / H, and the least-squares gauge of the middle 60 % of
 // the height (engine/layout.hpp). Stress is the mean platen force over the width.
 //
-// Contacts push but do not pull. Which of the pushing parts act is found by iteration: all act at first;
+// Contacts push but do not pull. Which of the unilateral parts act is found by iteration: all act at first;
 // after each solution those whose grains part are taken out and those whose grains approach are put back. An
 // open contact loses its shear spring too, so no energy is minimised and a few contacts find no consistent
 // state (closed they open, open they close). A contact that changes its state for the third time is held open
@@ -30,7 +30,7 @@
 namespace phy::statics {
 
 struct ElasticOptions {
-  bool bilateral = false;  ///< pushing parts also pull
+  bool bilateral = false;  ///< unilateral parts also pull
   Platens platens = Platens::frictionless;
   bool sensitivities = true;
   double tolerance = 1e-6;         ///< relative change of E, absolute change of nu
@@ -44,11 +44,11 @@ struct ElasticOptions {
 class UniaxialStatics {
  public:
   ElasticResult solve(const Specimen& specimen, const ElasticOptions& options = {});
-  /// As solve, with the closed pushing parts given (one per link of the last network) instead of searched
+  /// As solve, with the closed unilateral parts given (one per link of the last network) instead of searched
   /// for.
   ElasticResult solve_held(const Specimen& specimen, const std::vector<char>& active,
                            const ElasticOptions& options = {});
-  /// State of every link after the last solve: 1 = its pushing part acts.
+  /// State of every link after the last solve: 1 = its unilateral part acts.
   const std::vector<char>& active() const { return active_; }
   /// Movements of grains and platens at axial strain 1 after the last solve; empty if there is no answer.
   const Movements& movements() const { return u_; }

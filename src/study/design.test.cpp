@@ -9,7 +9,7 @@
 #include <set>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "study/plan.hpp"
 #include "study/study_in.hpp"
@@ -151,10 +151,10 @@ TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
   EXPECT_THAT(s.rows[0], ElementsAre(100e9, 1.0, 30.0));
   EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 40.0));
   io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
-  const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
+  const std::string reported = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
   for (const char* part : {"points.csv:2 = 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
                            "bedding.rule = ring", "points.csv:4"})
-    EXPECT_THAT(told, HasSubstr(part));
+    EXPECT_THAT(reported, HasSubstr(part));
   io::write_file(at("points.csv"), "");
   EXPECT_THAT(problems_of("design = \"list\"\nfile = \"points.csv\"\n"),
               HasSubstr("points.csv: expected a header"));
@@ -172,7 +172,7 @@ TEST_F(StudyFile, ListsMayBeWrittenByASpreadsheet) {
 }
 
 TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {
-  const std::string told = problems_of(
+  const std::string reported = problems_of(
       "design = \"sobl\"\nsamples = 0\nbedding.k_n = 3\npackings = [1, 1]\n[[vary]]\nkey = \"bedding.kn\"\n"
       "times = [1]\n[[vary]]\nkey = \"bedding.k_s\"\nvalues = [\"3 GPa\", 3]\n[[vary]]\nkey = "
       "\"test.angles\"\n"
@@ -184,7 +184,7 @@ TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {
         "study.toml:5: packings", "did you mean \"bedding.k_n\"", "has the wrong unit", "has no unit",
         "with one number, choice or switch", "one of: values; times; from and to",
         "a bedding set of the base recipe", "exchange the two", "did you mean \"test.stop_at\""})
-    EXPECT_THAT(told, HasSubstr(part));
+    EXPECT_THAT(reported, HasSubstr(part));
 }
 
 TEST_F(StudyFile, PointsThatNoRecipeMayHaveAreRefused) {
@@ -212,9 +212,9 @@ TEST_F(StudyFile, SeedsAndAnglesHaveKeysOfTheirOwn) {
   EXPECT_THAT(problems_of(theta), HasSubstr("add the angles there"));
   EXPECT_EQ(points_of(read(varied("bedding[1].theta", "\"30 deg\", \"60 deg\""))).size(), 3u);
   io::write_file(at("points.csv"), "bedding.theta [deg],packing.seed\n30,2\n");
-  const std::string told = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
-  EXPECT_THAT(told, HasSubstr("points.csv:1: column = packing.seed"));
-  EXPECT_THAT(told, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
+  const std::string reported = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
+  EXPECT_THAT(reported, HasSubstr("points.csv:1: column = packing.seed"));
+  EXPECT_THAT(reported, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
 }
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {

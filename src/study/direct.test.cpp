@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "analysis/analyse.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "genesis/specimen.hpp"
 #include "study/effects.hpp"
 #include "study/experiment.hpp"
@@ -46,9 +46,9 @@ class DirectStudy : public InFolder {
   static void work(const Plan& plan, Store& store, int threads = 2) {
     MachineOptions machine;
     machine.threads = threads;
-    StoreDesk desk(plan, store, {}, threads);
-    work_at(desk, plan, machine);
-    EXPECT_EQ(desk.progress().n_failed, 0u);
+    StoreQueue queue(plan, store, {}, threads);
+    work_at(queue, plan, machine);
+    EXPECT_EQ(queue.progress().n_failed, 0u);
   }
 };
 

@@ -9,7 +9,7 @@
 
 #include "analysis/analyse.hpp"
 #include "base/nan.hpp"
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 namespace phy::study {
 namespace {

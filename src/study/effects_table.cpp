@@ -178,7 +178,7 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
   return all;
 }
 
-/// How many finished tests the effects do without, and how many of the others carry a remark.
+/// How many finished tests the effects do without, and how many of the others carry a warning.
 std::string left_out_text(const StudyRows& rows, Solver solver) {
   std::size_t n_finished = 0, n_untrusted = 0;
   QualityTally tally;

@@ -1,4 +1,4 @@
-// How long a test will take, guessed before it runs: for the order of the queue, for the first lots of the
+// How long a test will take, guessed before it runs: for the order of the queue, for the first chunks of the
 // workers and for the expected time. Decides no result.
 #pragma once
 #include "records/recipe.hpp"

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"

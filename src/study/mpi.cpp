@@ -27,8 +27,8 @@ Ranks::Ranks() {
 Ranks::~Ranks() = default;
 int Ranks::sum(int value) const { return value; }
 void Ranks::check_same(const Plan&) const {}
-WorkReport work_as_host(const Ranks&, StoreDesk& desk, const Plan& plan, const MachineOptions& machine) {
-  return work_at(desk, plan, machine);
+WorkReport work_as_host(const Ranks&, StoreQueue& queue, const Plan& plan, const MachineOptions& machine) {
+  return work_at(queue, plan, machine);
 }
 void work_as_guest(const Ranks&, const Plan&, const MachineOptions&, const std::atomic<bool>&) {}
 
@@ -60,7 +60,7 @@ bool look(int from, int tag, MPI_Status& status) {
   return there != 0;
 }
 
-// What the store keeps of a result and the desk counts, nothing more. NaN travels as null.
+// What the store keeps of a result and the task queue counts, nothing more. NaN travels as null.
 json packed(const TestResult& r) {
   json numbers = json::array();
   for (const Number& n : r.numbers) numbers.push_back({n.name, n.value, n.unit, n.definition, n.note});
@@ -92,11 +92,11 @@ TestResult unpacked(const json& j) {
   return r;
 }
 
-/// The desk of rank 0 as seen from another rank.
-class RemoteDesk : public Desk {
+/// The task queue of rank 0 as seen from another rank.
+class RemoteQueue : public TaskQueue {
  public:
   /// `stop`: this rank is to end soon, whatever the others do.
-  explicit RemoteDesk(const std::atomic<bool>& stop) : stop_(stop) {}
+  explicit RemoteQueue(const std::atomic<bool>& stop) : stop_(stop) {}
   Assignment enter() override {
     const json a = ask({{"ask", "enter"}});
     return {static_cast<Assignment::Kind>(a[0].get<int>()), a[1], a[2]};
@@ -138,7 +138,7 @@ class RemoteDesk : public Desk {
 /// Answers the other ranks until all have ended, also after an error here: told to stop, they end soon.
 class Server {
  public:
-  Server(StoreDesk& desk, int n_guests) : desk_(desk), n_left_(n_guests) {}
+  Server(StoreQueue& queue, int n_guests) : queue_(queue), n_left_(n_guests) {}
   std::vector<WorkReport> reports;
 
   /// Throws the first error again, at the end.
@@ -156,8 +156,8 @@ class Server {
         reply = answer(request);
       } catch (...) {  // of the store
         if (!error) error = std::current_exception();
-        desk_.close();
-        if (request["ask"] != "deliver") reply = answer(request);  // a closed desk touches no store
+        queue_.close();
+        if (request["ask"] != "deliver") reply = answer(request);  // a closed task queue touches no store
       }
       send(reply, status.MPI_SOURCE, answer_tag);
     }
@@ -165,26 +165,26 @@ class Server {
   }
 
  private:
-  StoreDesk& desk_;
+  StoreQueue& queue_;
   int n_left_;
 
   json answer(const json& q) {
     const std::string what = q["ask"];
     if (what == "enter") {
-      const Assignment a = desk_.enter();
+      const Assignment a = queue_.enter();
       return {static_cast<int>(a.kind), a.batch, a.n_tests};
     }
     std::optional<std::size_t> last;
     if (q.contains("last")) last = q["last"].get<std::size_t>();
-    if (what == "leave") desk_.leave(q["batch"], last);
+    if (what == "leave") queue_.leave(q["batch"], last);
     if (what == "take") {
-      const auto test = desk_.take(q["batch"], last);
+      const auto test = queue_.take(q["batch"], last);
       return test ? json(*test) : json(nullptr);
     }
-    if (what == "deliver") desk_.deliver_from(q["host"], q["test"], unpacked(q["result"]));
-    if (what == "count") desk_.count(q["work"]);
+    if (what == "deliver") queue_.deliver_from(q["host"], q["test"], unpacked(q["result"]));
+    if (what == "count") queue_.count(q["work"]);
     if (what == "end") --n_left_, reports.push_back({q["cpu"], q["wall"], q["idle"]});
-    return desk_.stopped();
+    return queue_.stopped();
   }
 };
 
@@ -226,15 +226,15 @@ void Ranks::check_same(const Plan& plan) const {
                              "let all ranks read the same files"});
 }
 
-WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan,
+WorkReport work_as_host(const Ranks& ranks, StoreQueue& queue, const Plan& plan,
                         const MachineOptions& machine) {
-  Server server(desk, ranks.size() - 1);
+  Server server(queue, ranks.size() - 1);
   WorkReport report;
   std::atomic<bool> broken{false};
   on_threads(
-      2, broken, [&](std::size_t i) { i == 0 ? server.run() : void(report = work_at(desk, plan, machine)); },
+      2, broken, [&](std::size_t i) { i == 0 ? server.run() : void(report = work_at(queue, plan, machine)); },
       [&] {
-        if (broken) desk.close();
+        if (broken) queue.close();
       });
   // Ranks have equally many workers unless told otherwise; each counts with its own wall time.
   double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;
@@ -250,11 +250,11 @@ WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan,
 
 void work_as_guest(const Ranks&, const Plan& plan, const MachineOptions& machine,
                    const std::atomic<bool>& stop) {
-  RemoteDesk desk(stop);
+  RemoteQueue queue(stop);
   try {
-    desk.end(work_at(desk, plan, machine));
+    queue.end(work_at(queue, plan, machine));
   } catch (...) {
-    desk.end({});  // or rank 0 would wait for ever
+    queue.end({});  // or rank 0 would wait for ever
     throw;
   }
 }

@@ -1,4 +1,4 @@
-// A study on several machines: MPI ranks whose workers take their tests from the desk of rank 0.
+// A study on several machines: MPI ranks whose workers take their tests from the task queue of rank 0.
 //
 // Rank 0 owns the store, has a worker for each of its threads like any study, and one more thread that
 // answers the other ranks: what next, here is a result, is there a stop. A request takes a millisecond and a
@@ -32,8 +32,9 @@ class Ranks {
   int rank_ = 0, size_ = 1;
 };
 
-/// Rank 0: works at the desk and serves the other ranks. The report is about all workers of all ranks.
-WorkReport work_as_host(const Ranks& ranks, StoreDesk& desk, const Plan& plan, const MachineOptions& machine);
+/// Rank 0: works at the task queue and serves the other ranks. The report is about all workers of all ranks.
+WorkReport work_as_host(const Ranks& ranks, StoreQueue& queue, const Plan& plan,
+                        const MachineOptions& machine);
 /// The other ranks. `stop` ends this one soon: rank 0 goes on without it, its tests are left for a resume.
 void work_as_guest(const Ranks& ranks, const Plan& plan, const MachineOptions& machine,
                    const std::atomic<bool>& stop);

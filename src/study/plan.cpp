@@ -23,9 +23,9 @@ using BatchName =
     std::tuple<std::string, std::string, std::string, StiffnessConvention, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
-  return {r.packing.file,     genesis::packing_key(r.specimen, r.packing, r.matrix),
-          lab::rig_name(r),   r.matrix.stiffness_convention,
-          r.engine.precision, r.test.history_interval};
+  return {r.packing.file,        genesis::packing_key(r.specimen, r.packing, r.matrix),
+          lab::boundary_name(r), r.matrix.stiffness_convention,
+          r.engine.precision,    r.test.history_interval};
 }
 
 /// Batches, longest tests first; equal ones in the order of the design.

@@ -1,7 +1,7 @@
 // From a study to its work: every point on every packing and bond seed falls apart into specimens; specimens
 // that occur twice (the base of one_at_a_time, the intact rock) are run once.
 //
-// Tests of one packing, rig, stiffness convention and block length can share a group of lanes: a batch.
+// Tests of one packing, boundary, stiffness convention and block length can share a group of lanes: a batch.
 // Within a batch the longest come first, so that lanes and cores run dry together. The length of a test is
 // not known before its peak; a guess is enough for the order and, scaled by what finished tests took, for the
 // remaining time.

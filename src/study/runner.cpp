@@ -32,38 +32,38 @@ TestResult not_made(const PlannedTest& test, const std::string& reason) {
 /// One worker thread.
 class Worker {
  public:
-  Worker(Desk& desk, const Plan& plan, const MachineOptions& machine, CrewExchange& exchange,
+  Worker(TaskQueue& queue, const Plan& plan, const MachineOptions& machine, LaneBatchExchange& exchange,
          const std::atomic<bool>& broken)
-      : desk_(desk), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
+      : queue_(queue), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
 
   void run() {
     while (!stopped()) {
-      const Assignment a = desk_.enter();
+      const Assignment a = queue_.enter();
       if (a.kind == Assignment::Kind::work) {
         run_batch(a);
-        desk_.leave(a.batch, last_);
+        queue_.leave(a.batch, last_);
         continue;
       }
       const bool finished = a.kind == Assignment::Kind::finished;
-      std::unique_ptr<Crew> crew = finished ? exchange_.wait() : exchange_.wait_for(patience);
-      if (crew)
-        run_crew(std::move(crew), hooks({}), exchange_);
+      std::unique_ptr<LaneBatch> lane_batch = finished ? exchange_.wait() : exchange_.wait_for(patience);
+      if (lane_batch)
+        run_lane_batch(std::move(lane_batch), hooks({}), exchange_);
       else if (finished)
         return;
     }
   }
 
  private:
-  Desk& desk_;
+  TaskQueue& queue_;
   const Plan& plan_;
   const MachineOptions& machine_;
-  CrewExchange& exchange_;
+  LaneBatchExchange& exchange_;
   const std::atomic<bool>& broken_;  // another worker has failed
   std::shared_ptr<const Packing> packing_;
   std::optional<std::size_t> last_;  // of this batch
   statics::UniaxialStatics statics_;
 
-  bool stopped() { return broken_.load() || desk_.stopped(); }
+  bool stopped() { return broken_.load() || queue_.stopped(); }
 
   void run_batch(const Assignment& a) {
     const Recipe& any = plan_.tests[plan_.batches[a.batch].tests.front()].recipe;
@@ -71,24 +71,24 @@ class Worker {
     try {
       packing_ = packing_of(any);
     } catch (const InputError& e) {
-      while (const auto test = desk_.take(a.batch, last_)) {
+      while (const auto test = queue_.take(a.batch, last_)) {
         last_ = test;
-        desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
+        queue_.deliver(*test, not_made(plan_.tests[*test], e.what()));
       }
       return;
     }
     if (plan_.study.solver == Solver::direct) return solve_batch(a.batch);
     MachineOptions alone = machine_;
     alone.threads = 1;
-    auto crew = std::make_unique<Crew>(held_by(any), crew_options(a.n_tests, any, alone));
+    auto lane_batch = std::make_unique<LaneBatch>(held_by(any), lane_batch_options(a.n_tests, any, alone));
     const LaneHooks lanes = hooks([&] { return next(a.batch); });
-    crew->fill(lanes);
-    run_crew(std::move(crew), lanes, exchange_);
+    lane_batch->fill(lanes);
+    run_lane_batch(std::move(lane_batch), lanes, exchange_);
   }
   void solve_batch(std::size_t batch) {
     while (const std::optional<Job> job = next(batch)) {
-      desk_.deliver(job->index, solve_directly(*job->specimen, statics_));
-      desk_.count(plan_.tests[job->index].cost);
+      queue_.deliver(job->index, solve_directly(*job->specimen, statics_));
+      queue_.count(plan_.tests[job->index].cost);
     }
   }
   /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
@@ -99,13 +99,13 @@ class Worker {
     if (!next_job) next_job = [] { return std::optional<Job>(); };
     return {
         std::move(next_job),
-        [this](std::size_t test, const TestResult& result) { desk_.deliver(test, result); },
-        [this](double steps, std::size_t n_grains) { desk_.count(steps * static_cast<double>(n_grains)); },
+        [this](std::size_t test, const TestResult& result) { queue_.deliver(test, result); },
+        [this](double steps, std::size_t n_grains) { queue_.count(steps * static_cast<double>(n_grains)); },
         [this] { return stopped(); }};
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {
-      const auto test = desk_.take(batch, last_);
+      const auto test = queue_.take(batch, last_);
       if (!test) return {};
       last_ = test;
       const Recipe& recipe = plan_.tests[*test].recipe;
@@ -114,7 +114,7 @@ class Worker {
         lab::check_load_path(*job.specimen, recipe);
         return job;
       } catch (const InputError& e) {
-        desk_.deliver(*test, not_made(plan_.tests[*test], e.what()));
+        queue_.deliver(*test, not_made(plan_.tests[*test], e.what()));
       }
     }
     return {};
@@ -128,7 +128,7 @@ double StudyProgress::seconds_left(double seconds) const {
   return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
 }
 
-StoreDesk::StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers)
+StoreQueue::StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers)
     : plan_(plan),
       store_(store),
       hooks_(hooks),
@@ -152,9 +152,9 @@ StoreDesk::StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, in
   keeper_ = std::jthread([this](const std::stop_token& stop) { keep_claims(stop); });
 }
 
-StoreDesk::~StoreDesk() { keeper_.request_stop(); }
+StoreQueue::~StoreQueue() { keeper_.request_stop(); }
 
-void StoreDesk::keep_claims(const std::stop_token& stop) {
+void StoreQueue::keep_claims(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, stop, renewal, [] { return false; }) && !stop.stop_requested()) {
     lock.unlock();
@@ -166,26 +166,26 @@ void StoreDesk::keep_claims(const std::stop_token& stop) {
   }
 }
 
-void StoreDesk::finish(std::size_t test, bool failed) {
+void StoreQueue::finish(std::size_t test, bool failed) {
   ++progress_.n_done;
   progress_.n_failed += failed ? 1 : 0;
   progress_.cost_left -= plan_.tests[test].cost;
 }
 
-void StoreDesk::enqueue(std::size_t test) {
+void StoreQueue::enqueue(std::size_t test) {
   Kind& kind = kind_of(test);
   kind.tests.push_back(test);
   kind.work += plan_.tests[test].cost;
 }
 
-std::size_t StoreDesk::n_waiting(std::size_t batch) const {
+std::size_t StoreQueue::n_waiting(std::size_t batch) const {
   std::size_t n = 0;
   for (const auto& [number, kind] : waiting_[batch]) n += kind.tests.size();
   return n;
 }
 
 /// What others had may be finished, or free again.
-void StoreDesk::look_again() {
+void StoreQueue::look_again() {
   std::vector<std::size_t> still;
   for (const std::size_t test : elsewhere_) {
     const PlannedTest& t = plan_.tests[test];
@@ -197,7 +197,7 @@ void StoreDesk::look_again() {
   elsewhere_ = std::move(still);
 }
 
-Assignment StoreDesk::enter() {
+Assignment StoreQueue::enter() {
   const std::lock_guard lock(mutex_);
   if (stopped()) return {};
   const auto pick = [&] {
@@ -220,7 +220,7 @@ Assignment StoreDesk::enter() {
   return {Assignment::Kind::work, batch, std::min(n_waiting(batch), (n + workers - 1) / workers)};
 }
 
-void StoreDesk::leave(std::size_t batch, std::optional<std::size_t> last) {
+void StoreQueue::leave(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
   --n_inside_[batch];
   if (last) --kind_of(*last).n_at;
@@ -229,7 +229,7 @@ void StoreDesk::leave(std::size_t batch, std::optional<std::size_t> last) {
 /// The kind of the last test. When none of it is left, a new kind begins: the one with the most work per
 /// worker times its longest test. Work alone would begin long tests late and leave workers idle at the end;
 /// length alone would bring all kinds together in one group.
-StoreDesk::Kind& StoreDesk::choose(std::size_t batch, std::optional<std::size_t> last) {
+StoreQueue::Kind& StoreQueue::choose(std::size_t batch, std::optional<std::size_t> last) {
   if (last && !kind_of(*last).tests.empty()) return kind_of(*last);
   const auto urgency = [&](const Kind& k) {
     return k.work / (1.0 + k.n_at) * plan_.tests[k.tests.front()].cost;
@@ -241,7 +241,7 @@ StoreDesk::Kind& StoreDesk::choose(std::size_t batch, std::optional<std::size_t>
   return *best;
 }
 
-std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std::size_t> last) {
+std::optional<std::size_t> StoreQueue::take(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
   while (n_waiting(batch) > 0 && !stopped()) {
     Kind& kind = choose(batch, last);
@@ -258,7 +258,7 @@ std::optional<std::size_t> StoreDesk::take(std::size_t batch, std::optional<std:
   return {};
 }
 
-void StoreDesk::deliver_from(const std::string& host, std::size_t test, const TestResult& result) {
+void StoreQueue::deliver_from(const std::string& host, std::size_t test, const TestResult& result) {
   const PlannedTest& t = plan_.tests[test];
   if (result.outcome.status == Status::interrupted) return store_.release(t.key);
   store_.put(t.key, io::write_recipe(t.recipe), result, host);
@@ -272,28 +272,28 @@ void StoreDesk::deliver_from(const std::string& host, std::size_t test, const Te
   if (hooks_.on_progress) hooks_.on_progress(progress_);
 }
 
-void StoreDesk::count(double work) {
+void StoreQueue::count(double work) {
   const std::lock_guard lock(mutex_);
   progress_.work += work;
   if (hooks_.on_progress) hooks_.on_progress(progress_);
 }
 
-StudyProgress StoreDesk::progress() {
+StudyProgress StoreQueue::progress() {
   const std::lock_guard lock(mutex_);
   return progress_;
 }
 
-WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine) {
+WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& machine) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
   const auto start = std::chrono::steady_clock::now();
   std::mutex mutex;
   std::atomic<bool> broken{false};
-  CrewExchange exchange(machine.threads);
+  LaneBatchExchange exchange(machine.threads);
   WorkReport report;
   on_threads(
       static_cast<std::size_t>(machine.threads), broken,
       [&](std::size_t) {
-        Worker(desk, plan, machine, exchange, broken).run();
+        Worker(queue, plan, machine, exchange, broken).run();
         const std::lock_guard lock(mutex);
         report.cpu_seconds += thread_seconds();
       },

@@ -1,8 +1,8 @@
-// Runs the tests of a plan: worker threads, each with one group of lanes at a time, fed from one desk.
+// Runs the tests of a plan: worker threads, each with one group of lanes at a time, fed from one queue.
 //
-// The desk gives out tests and takes results. StoreDesk owns the store: it claims a test before giving it
-// out, so that other processes on the same store leave it alone, and stores the result as soon as it is
-// there. With MPI the workers of other ranks ask the desk of rank 0 (study/mpi.hpp); nothing else in a
+// The task queue gives out tests and takes results. StoreQueue owns the store: it claims a test before giving
+// it out, so that other processes on the same store leave it alone, and stores the result as soon as it is
+// there. With MPI the workers of other ranks ask the task queue of rank 0 (study/mpi.hpp); nothing else in a
 // worker changes.
 #pragma once
 #include <atomic>
@@ -51,9 +51,9 @@ struct Assignment {
   std::size_t n_tests = 0;  ///< a fair share of the batch, for the number of lanes
 };
 
-class Desk {
+class TaskQueue {
  public:
-  virtual ~Desk() = default;
+  virtual ~TaskQueue() = default;
   /// A packing to work on. `wait`: all that is left runs elsewhere; ask again a little later.
   virtual Assignment enter() = 0;
   /// The worker goes, with its last test of the batch.
@@ -67,10 +67,10 @@ class Desk {
   virtual bool stopped() = 0;
 };
 
-class StoreDesk : public Desk {
+class StoreQueue : public TaskQueue {
  public:
-  StoreDesk(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers);
-  ~StoreDesk() override;
+  StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers);
+  ~StoreQueue() override;
   Assignment enter() override;
   void leave(std::size_t batch, std::optional<std::size_t> last) override;
   std::optional<std::size_t> take(std::size_t batch, std::optional<std::size_t> last) override;
@@ -119,7 +119,7 @@ struct WorkReport {
   double idle = 0.0;          ///< share of workers' time after they had run dry
 };
 
-/// Works at the desk until it is finished or stopped. Rethrows the first exception of a worker.
-WorkReport work_at(Desk& desk, const Plan& plan, const MachineOptions& machine);
+/// Works at the task queue until it is finished or stopped. Rethrows the first exception of a worker.
+WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& machine);
 
 }  // namespace phy::study

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
@@ -33,18 +33,18 @@ class Runner : public InFolder {
   /// Progress at the end of a study by one worker.
   static StudyProgress progress_after(const Plan& plan, Store& store) {
     const StudyHooks none;
-    StoreDesk desk(plan, store, none, 1);
+    StoreQueue queue(plan, store, none, 1);
     MachineOptions machine;
     machine.isa = engine::native_isa();
-    work_at(desk, plan, machine);
-    return desk.progress();
+    work_at(queue, plan, machine);
+    return queue.progress();
   }
   static WorkReport work(const Plan& plan, Store& store, int threads, const StudyHooks& hooks = {}) {
     MachineOptions machine;
     machine.isa = engine::native_isa();
     machine.threads = threads;
-    StoreDesk desk(plan, store, hooks, threads);
-    return work_at(desk, plan, machine);
+    StoreQueue queue(plan, store, hooks, threads);
+    return work_at(queue, plan, machine);
   }
 };
 
@@ -65,21 +65,21 @@ TEST_F(Runner, AWorkerIsGivenTheAngleThatItsLanesHold) {
   const Plan p = plan("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [0.5, 1, 2]\n");  // 45, 60 deg, intact
   Store store(at("s.sqlite"));
   const StudyHooks none;
-  StoreDesk desk(p, store, none, 2);
-  const std::size_t batch = desk.enter().batch;
+  StoreQueue queue(p, store, none, 2);
+  const std::size_t batch = queue.enter().batch;
   std::optional<std::size_t> one, two;
   std::vector<std::size_t> kinds_one, kinds_two;
   for (int i = 0; i < 3; ++i) {  // two workers in turn
-    one = desk.take(batch, one), two = desk.take(batch, two);
+    one = queue.take(batch, one), two = queue.take(batch, two);
     kinds_one.push_back(p.tests[*one].kind), kinds_two.push_back(p.tests[*two].kind);
   }
   EXPECT_EQ(std::set<std::size_t>(kinds_one.begin(), kinds_one.end()).size(), 1u);
   EXPECT_EQ(std::set<std::size_t>(kinds_two.begin(), kinds_two.end()).size(), 1u);
   EXPECT_NE(kinds_one[0], kinds_two[0]) << "the second worker begins another angle";
-  const auto last = desk.take(batch, one);
+  const auto last = queue.take(batch, one);
   ASSERT_TRUE(last);
   EXPECT_TRUE(p.tests[*last].recipe.bedding.empty()) << "what is left";
-  EXPECT_FALSE(desk.take(batch, last));
+  EXPECT_FALSE(queue.take(batch, last));
 }
 
 // Or the others would keep away from a kind that nobody is at any more.
@@ -87,12 +87,12 @@ TEST_F(Runner, AWorkerThatLeavesIsAtNoKind) {
   const Plan p = plan("[[vary]]\nkey = \"bedding.mu\"\nvalues = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7]\n");
   Store store(at("s.sqlite"));
   const StudyHooks none;
-  StoreDesk desk(p, store, none, 2);
-  const std::size_t batch = desk.enter().batch;
-  const auto one = desk.take(batch, {});
-  desk.leave(batch, one);
-  const std::size_t again = desk.enter().batch;
-  const auto two = desk.take(again, {});
+  StoreQueue queue(p, store, none, 2);
+  const std::size_t batch = queue.enter().batch;
+  const auto one = queue.take(batch, {});
+  queue.leave(batch, one);
+  const std::size_t again = queue.enter().batch;
+  const auto two = queue.take(again, {});
   EXPECT_EQ(p.tests[*two].kind, p.tests[*one].kind) << "still the kind with most work";
 }
 

@@ -14,21 +14,21 @@ namespace phy::study {
 namespace {
 
 /// What the workers of run_tests share.
-struct Desk {
+struct TaskQueue {
   const std::vector<std::shared_ptr<const Specimen>>& specimens;
   std::shared_ptr<const Recipe> recipe;
   const ScheduleHooks& hooks;
   std::vector<TestResult> results;
-  std::deque<std::size_t> waiting;  // in no worker's first lot
+  std::deque<std::size_t> waiting;  // in no worker's first chunk
   std::mutex mutex;
   Progress progress;
   std::atomic<bool> broken{false};  // a worker has failed
 
   bool stopped() const { return broken || (hooks.stop != nullptr && hooks.stop->load()); }
-  /// The next test of the worker's lot, then of all that wait.
-  std::optional<Job> next(std::deque<std::size_t>& lot) {
+  /// The next test of the worker's chunk, then of all that wait.
+  std::optional<Job> next(std::deque<std::size_t>& chunk) {
     const std::lock_guard lock(mutex);
-    std::deque<std::size_t>& from = lot.empty() ? waiting : lot;
+    std::deque<std::size_t>& from = chunk.empty() ? waiting : chunk;
     if (stopped() || from.empty()) return std::nullopt;
     const std::size_t i = from.front();
     from.pop_front();
@@ -49,14 +49,14 @@ struct Desk {
     const std::lock_guard lock(mutex);
     hooks.on_reading(index, strain, stress);
   }
-  void work(std::deque<std::size_t>& lot, const CrewOptions& options, CrewExchange& exchange) {
-    const LaneHooks hooks_of_lanes = for_lanes(lot);
-    auto crew = std::make_unique<Crew>(specimens.front()->packing, options);
-    for (crew->fill(hooks_of_lanes); crew; crew = exchange.wait())
-      run_crew(std::move(crew), hooks_of_lanes, exchange);
+  void work(std::deque<std::size_t>& chunk, const LaneBatchOptions& options, LaneBatchExchange& exchange) {
+    const LaneHooks hooks_of_lanes = for_lanes(chunk);
+    auto lane_batch = std::make_unique<LaneBatch>(specimens.front()->packing, options);
+    for (lane_batch->fill(hooks_of_lanes); lane_batch; lane_batch = exchange.wait())
+      run_lane_batch(std::move(lane_batch), hooks_of_lanes, exchange);
   }
-  LaneHooks for_lanes(std::deque<std::size_t>& lot) {
-    return {[this, &lot] { return next(lot); },
+  LaneHooks for_lanes(std::deque<std::size_t>& chunk) {
+    return {[this, &chunk] { return next(chunk); },
             [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
             [this](double steps, std::size_t) { block(steps); }, [this] { return stopped(); },
             hooks.on_reading
@@ -66,7 +66,7 @@ struct Desk {
 };
 
 /// Time per cycle of a group over that of one lane: bench_engine, seven angles. A lane alone computes one law
-/// per contact, mates at other angles make it two.
+/// per contact, neighbours at other angles make it two.
 double slowness(int lanes) {
   return lanes == 1 ? 1.0 : lanes == 2 ? 1.6 : lanes == 4 ? 1.75 : lanes == 8 ? 2.1 : 2.5;
 }
@@ -89,7 +89,8 @@ std::vector<std::size_t> longest_first(const std::vector<double>& cost) {
 
 }  // namespace
 
-CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine) {
+LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recipe,
+                                    const MachineOptions& machine) {
   const Precision precision = recipe.engine.precision;
   engine::GroupOptions group;
   group.isa = machine.isa;
@@ -102,29 +103,29 @@ CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const Ma
   return {group, machine.lanes > 0};
 }
 
-std::vector<std::size_t> first_lots(const std::vector<double>& cost, std::size_t n_workers,
-                                    Precision precision, int widest) {
+std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
+                                      Precision precision, int widest) {
   const auto most = static_cast<std::size_t>(widest);
-  const auto lots_within = [&](double time) {
-    std::vector<std::size_t> lots;
-    for (std::size_t i = 0; i < cost.size() && lots.size() < n_workers; i += lots.back()) {
+  const auto chunks_within = [&](double time) {
+    std::vector<std::size_t> chunks;
+    for (std::size_t i = 0; i < cost.size() && chunks.size() < n_workers; i += chunks.back()) {
       std::size_t n = 1;
       while (n < most && i + n < cost.size() &&
              cost[i] * slowness(fitting_lanes(n + 1, precision, widest)) <= time)
         ++n;
-      lots.push_back(n);
+      chunks.push_back(n);
     }
-    return lots;
+    return chunks;
   };
   std::vector<double> times;  // one of them is the answer
   for (const double c : cost)
     for (int lanes = 1; lanes <= widest; lanes *= 2) times.push_back(c * slowness(lanes));
   std::sort(times.begin(), times.end());
   const auto fitting = std::partition_point(times.begin(), times.end(), [&](double time) {
-    const auto lots = lots_within(time);
-    return std::accumulate(lots.begin(), lots.end(), std::size_t{0}) < cost.size();
+    const auto chunks = chunks_within(time);
+    return std::accumulate(chunks.begin(), chunks.end(), std::size_t{0}) < cost.size();
   });
-  return lots_within(fitting == times.end() ? times.back() : *fitting);
+  return chunks_within(fitting == times.end() ? times.back() : *fitting);
 }
 
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
@@ -132,31 +133,33 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
   const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
-  Desk desk{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
+  TaskQueue queue{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
-    desk.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
-    desk.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
+    queue.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
+    queue.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
     cost.push_back(cost_of(*specimens[i], recipe));
   }
-  desk.progress.n_total = specimens.size();
-  for (const std::size_t i : longest_first(cost)) desk.waiting.push_back(i);
+  queue.progress.n_total = specimens.size();
+  for (const std::size_t i : longest_first(cost)) queue.waiting.push_back(i);
   std::sort(cost.begin(), cost.end(), std::greater<>());
-  const int widest = crew_options(specimens.size(), recipe, machine).group.lanes;
-  std::vector<std::deque<std::size_t>> lots;
+  const int widest = lane_batch_options(specimens.size(), recipe, machine).group.lanes;
+  std::vector<std::deque<std::size_t>> chunks;
   for (const std::size_t n :
-       first_lots(cost, static_cast<std::size_t>(machine.threads), recipe.engine.precision, widest)) {
-    const auto end = desk.waiting.begin() + static_cast<std::ptrdiff_t>(n);
-    lots.emplace_back(desk.waiting.begin(), end);
-    desk.waiting.erase(desk.waiting.begin(), end);
+       first_chunks(cost, static_cast<std::size_t>(machine.threads), recipe.engine.precision, widest)) {
+    const auto end = queue.waiting.begin() + static_cast<std::ptrdiff_t>(n);
+    chunks.emplace_back(queue.waiting.begin(), end);
+    queue.waiting.erase(queue.waiting.begin(), end);
   }
-  CrewExchange exchange(static_cast<int>(lots.size()));
+  LaneBatchExchange exchange(static_cast<int>(chunks.size()));
   on_threads(
-      lots.size(), desk.broken,
-      [&](std::size_t i) { desk.work(lots[i], crew_options(lots[i].size(), recipe, machine), exchange); },
+      chunks.size(), queue.broken,
+      [&](std::size_t i) {
+        queue.work(chunks[i], lane_batch_options(chunks[i].size(), recipe, machine), exchange);
+      },
       [&] { exchange.leave(); });
-  return std::move(desk.results);
+  return std::move(queue.results);
 }
 
 }  // namespace phy::study

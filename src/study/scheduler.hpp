@@ -1,5 +1,5 @@
 // Runs many specimens: groups of one packing in SIMD lanes, groups on worker threads, finished lanes filled
-// again, tests shared out anew near the end (crew.hpp).
+// again, tests shared out anew near the end (lane_batch.hpp).
 //
 // Parallel over groups, never inside a specimen: a group has no barrier, and its sums keep their order.
 // Workers take specimens from one queue. A result depends on its specimen and recipe alone, never on the
@@ -14,7 +14,7 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
-#include "study/crew.hpp"
+#include "study/lane_batch.hpp"
 
 namespace phy::study {
 
@@ -46,13 +46,14 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks = {});
 
-/// A crew for so many specimens of the recipe.
-CrewOptions crew_options(std::size_t n_specimens, const Recipe& recipe, const MachineOptions& machine);
+/// A lane batch for so many specimens of the recipe.
+LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recipe,
+                                    const MachineOptions& machine);
 
-/// Sizes of the first lots of few tests for several workers, longest test first: such that the slowest worker
-/// is done as soon as possible, which leaves long tests alone in the fastest groups. Tests that find no place
-/// come later, as lanes fall free. `cost`: cycles of each test, falling.
-std::vector<std::size_t> first_lots(const std::vector<double>& cost, std::size_t n_workers,
-                                    Precision precision, int widest);
+/// Sizes of the first chunks of few tests for several workers, longest test first: such that the slowest
+/// worker is done as soon as possible, which leaves long tests alone in the fastest groups. Tests that find
+/// no place come later, as lanes fall free. `cost`: cycles of each test, falling.
+std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
+                                      Precision precision, int widest);
 
 }  // namespace phy::study

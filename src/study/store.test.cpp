@@ -14,7 +14,7 @@
 #include <set>
 
 #include "base/check.hpp"
-#include "base/in_folder.test.hpp"
+#include "base/in_folder_fixture.hpp"
 #include "base/nan.hpp"
 #include "io/toml_in.hpp"
 #include "study/experiment.hpp"

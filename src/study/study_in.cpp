@@ -17,7 +17,7 @@ namespace phy::study {
 namespace {
 
 using Kind = io::TomlValue::Kind;
-constexpr std::size_t max_told = 20;
+constexpr std::size_t max_problems = 20;
 constexpr double max_specimens = 1e6;  // a slip of the pen, not a study
 constexpr double max_seed = 4294967295.0;
 
@@ -136,9 +136,9 @@ class Reader {
   Study study_;
   bool base_ok_ = false;
 
-  void tell(const io::TomlValue& v, const std::string& key, const std::string& expected,
-            const std::string& remedy) {
-    file_.tell(v, key, expected, remedy);
+  void report_problem(const io::TomlValue& v, const std::string& key, const std::string& expected,
+                      const std::string& remedy) {
+    file_.report_problem(v, key, expected, remedy);
   }
 
   void read_base() {
@@ -159,10 +159,11 @@ class Reader {
     study_.bond_seeds = seeds("bond_seeds", study_.base.matrix.bond_seed);
     if (const io::TomlValue* v = file_.find("bond_seeds");
         study_.bond_seeds.size() > 1 && study_.solver == Solver::direct)
-      tell(*v, "bond_seeds", "one seed with solver = \"direct\"", "nothing breaks there: leave it out");
+      report_problem(*v, "bond_seeds", "one seed with solver = \"direct\"",
+                     "nothing breaks there: leave it out");
     if (const io::TomlValue* v = file_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
-      tell(*v, "packings", "no seeds with packing.file",
-           "an imported packing has no seed; vary nothing here");
+      report_problem(*v, "packings", "no seeds with packing.file",
+                     "an imported packing has no seed; vary nothing here");
   }
   void read_found() {
     const std::string name = file_.text("regressions", "");
@@ -208,7 +209,7 @@ class Reader {
         if (io::take_value(*key.field, table->items[i], value, remedy))
           key.put(study_.base, value);
         else
-          tell(table->items[i], "set.\"" + name + "\"", range_text(*key.field), remedy);
+          report_problem(table->items[i], "set.\"" + name + "\"", range_text(*key.field), remedy);
       }
   }
 
@@ -224,31 +225,33 @@ class Reader {
   void read_factor(const io::TomlValue& table, const std::string& name) {
     const io::TomlValue* key = table.find("key");
     if (key == nullptr)
-      return tell(table, name + ".key", "a key of the recipe in quotes", "for example key = \"bedding.k_n\"");
+      return report_problem(table, name + ".key", "a key of the recipe in quotes",
+                            "for example key = \"bedding.k_n\"");
     if (!file_.is_known(name + ".key")) return;
     Factor f;
     f.key = usable(key->text, key->line, name + ".key");
     if (f.key.field == nullptr) return;
     if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
-      return tell(*key, name + ".key", "a key that varies from point to point", remedy);
+      return report_problem(*key, name + ".key", "a key that varies from point to point", remedy);
     const io::TomlValue *values = table.find("values"), *times = table.find("times"),
                         *from = table.find("from"), *to = table.find("to");
     const int n_ways = (values != nullptr) + (times != nullptr) + (from != nullptr || to != nullptr);
     if (n_ways != 1 || (from == nullptr) != (to == nullptr))
-      return tell(table, name, "one of: values; times; from and to", "say once what " + key->text + " takes");
+      return report_problem(table, name, "one of: values; times; from and to",
+                            "say once what " + key->text + " takes");
     if (values != nullptr) read_values(f, *values, name + ".values");
     if (times != nullptr) read_times(f, *times, name + ".times");
     if (from != nullptr) read_range(f, table, name);
     const bool by_levels = study_.design == Design::one_at_a_time || study_.design == Design::full_factorial;
     if (by_levels && f.levels.empty() && from != nullptr && file_.is_known("design"))
-      tell(*from, name, "values or times with this design",
-           "a range is for latin_hypercube, sobol, morris and saltelli");
+      report_problem(*from, name, "values or times with this design",
+                     "a range is for latin_hypercube, sobol, morris and saltelli");
     study_.vary.push_back(f);
   }
   bool value_in(const Factor& f, const io::TomlValue& v, const std::string& name, double& value) {
     std::string remedy;
     if (io::take_value(*f.key.field, v, value, remedy)) return true;
-    tell(v, name, range_text(*f.key.field), remedy);
+    report_problem(v, name, range_text(*f.key.field), remedy);
     return false;
   }
   void read_values(Factor& f, const io::TomlValue& list, const std::string& name) {
@@ -260,8 +263,8 @@ class Reader {
     if (!file_.is_known(name)) return;
     const bool countable = f.key.field->kind == FieldKind::quantity || f.key.field->kind == FieldKind::number;
     if (list.items.empty() || !countable)
-      return tell(list, name, "a list of factors of a key that is a number",
-                  "write [0.5, 1, 2], or use values");
+      return report_problem(list, name, "a list of factors of a key that is a number",
+                            "write [0.5, 1, 2], or use values");
     const double base = f.key.get(study_.base);
     const Field& field = *f.key.field;
     for (const io::TomlValue& v : list.items) {
@@ -269,17 +272,19 @@ class Reader {
       if (within_range(field, value))
         f.levels.push_back(value);
       else
-        tell(v, name, "a factor that keeps " + f.key.path() + " within " + range_text(field), "");
+        report_problem(v, name, "a factor that keeps " + f.key.path() + " within " + range_text(field), "");
     }
   }
   void read_range(Factor& f, const io::TomlValue& table, const std::string& name) {
     const io::TomlValue *from = table.find("from"), *to = table.find("to");
     if (f.key.field->kind == FieldKind::choice || f.key.field->kind == FieldKind::boolean)
-      return tell(*from, name, "values for this key", "a range is for numbers");
+      return report_problem(*from, name, "values for this key", "a range is for numbers");
     if (!value_in(f, *from, name + ".from", f.from) || !value_in(f, *to, name + ".to", f.to)) return;
-    if (!(f.from < f.to)) tell(*to, name + ".to", "above from = " + f.key.print(f.from), "exchange the two");
+    if (!(f.from < f.to))
+      report_problem(*to, name + ".to", "above from = " + f.key.print(f.from), "exchange the two");
     f.logarithmic = file_.number(name + ".scale", 0.0) == 1.0;
-    if (f.logarithmic && !(f.from > 0.0)) tell(*from, name + ".from", "above 0 on a logarithmic scale", "");
+    if (f.logarithmic && !(f.from > 0.0))
+      report_problem(*from, name + ".from", "above 0 on a logarithmic scale", "");
   }
 
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
@@ -301,7 +306,7 @@ class Reader {
     problems_.insert(problems_.end(), table.problems.begin(), table.problems.end());
     const std::vector<std::string> units = read_header(table, where);
     for (const io::TableRow& row : table.rows)
-      if (problems_.size() < max_told) read_row(row, units, where);
+      if (problems_.size() < max_problems) read_row(row, units, where);
   }
   std::vector<std::string> read_header(const io::Table& table, const std::string& file) {
     std::vector<std::string> units;
@@ -367,7 +372,7 @@ class Reader {
       for (Problem& p :
            cross_checks(r, [&](const std::string&) { return path_ + " at " + describe(study_, point); }))
         problems_.push_back(std::move(p));
-      if (problems_.size() >= max_told) return;
+      if (problems_.size() >= max_problems) return;
     }
   }
 };

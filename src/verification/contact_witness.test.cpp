@@ -88,8 +88,8 @@ TEST(ContactBench, ComesToTheClosedFormWhereContactsOpenAndClose) {
   }
 }
 
-// Work put in = stored + dissipated + released along a fine path: the books of the bench close.
-TEST(ContactBench, BooksClose) {
+// Work put in = stored + dissipated + released along a fine path: the energy balance of the bench closes.
+TEST(ContactBench, EnergyBalanceCloses) {
   for (const lab::LawInfo& law : lab::law_infos()) {
     const std::vector<double> v = parameters_of(law);
     const auto contact = lab::bench_contact(law.name, v);

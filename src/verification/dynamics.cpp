@@ -8,7 +8,7 @@
 #include "base/exact_math.hpp"
 #include "engine/lane_group.hpp"
 #include "engine/stable_step.hpp"
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 #include "records/assembly.hpp"
 #include "verification/cases.hpp"
 
@@ -28,7 +28,7 @@ struct Bench {
     engine::LaneSetup setup;
     setup.damping = damping;
     setup.step_safety = safety;
-    setup.rig = std::make_shared<const engine::Rig>(lab::platens(*specimen->packing).rig);
+    setup.boundary = std::make_shared<const engine::Boundary>(lab::platens(*specimen->packing).boundary);
     group->load(0, specimen, setup);
   }
   double dt() const { return group->time_step(0); }
@@ -207,10 +207,10 @@ std::vector<Check> energy_balance() {
   bond_touching(s);
   joint_crossing(s);
   Bench b(std::move(s), 0.7, 100, 0.92);
-  b.group->place_rig(0);
+  b.group->place_boundary(0);
   const double ramp = 2e-5 * b.specimen->packing->height / 0.05;
-  b.group->drive(0, 0, {{0.0, 0.05}, ramp, {}, {}});
-  b.group->drive(0, 1, {{0.0, -0.05}, ramp, {}, {}});
+  b.group->prescribe(0, 0, {{0.0, 0.05}, ramp, {}, {}});
+  b.group->prescribe(0, 1, {{0.0, -0.05}, ramp, {}, {}});
   double worst = 0.0;
   std::size_t n = 0;
   for (int i = 0; i < 400 && n < 60; ++i) {
@@ -266,7 +266,7 @@ std::vector<VerificationCase> dynamics_cases() {
       {"V15", "Free vibration of two bonded discs: axial, bending, shear", "closed form",
        "leap-frog frequency corrected exactly", pair_vibration},
       {"V17", "Energy balance of a press run through breakage", "first law",
-       "the books are kept per cycle; breakage is booked with the forces of the breaking cycle",
+       "the energy balance is kept per cycle; breakage is counted with the forces of the breaking cycle",
        energy_balance},
       {"V19", "The bound of the highest frequency is above it, and close", "Collatz-Wielandt bound",
        "a bound must never be below; how far above is a matter of speed", stable_step},

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "calibrate/reading.test.hpp"
+#include "calibrate/reading_fixture.hpp"
 #include "twin_trial.hpp"
 
 namespace phy {

@@ -21,8 +21,8 @@ struct Rolling {
   static const ContactModel& model();
 
   template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static Push<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory, const Step<R>& step,
-                                 Sums<R>& sums, const Broke&) {
+  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
+                                         const Step<R>& step, Sums<R>& sums, const Broke&) {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, closure = -(k.stretch + R(step.gap));
     const laws::linear::Parameters<R> law{p[k_n], p[k_s], p[inv_k_s], p[mu]};

@@ -40,9 +40,9 @@ std::unique_ptr<engine::LaneGroup> turning(double overlap, double spin, int lane
   packing->stress_free = false;
   s.packing = packing;
   s.contacts = {{0, 1, ContactKind::touching}};
-  engine::Rig rig;
-  rig.tools = {engine::Tool{"held", {}, {{0, true, true, true}}},
-               engine::Tool{"axle", {}, {{1, true, true, false}}}};
+  engine::Boundary boundary;
+  boundary.bodies = {engine::BoundaryBody{"held", {}, {{0, true, true, true}}},
+                     engine::BoundaryBody{"axle", {}, {{1, true, true, false}}}};
   engine::GroupOptions options;
   options.lanes = lanes;
   options.precision = precision;
@@ -51,10 +51,10 @@ std::unique_ptr<engine::LaneGroup> turning(double overlap, double spin, int lane
   auto group = engine::make_group(s.packing, options);
   engine::LaneSetup setup;
   setup.damping = 0.0, setup.step_safety = 0.01;  // rolling counts from the second step on
-  setup.rig = std::make_shared<const engine::Rig>(rig);
+  setup.boundary = std::make_shared<const engine::Boundary>(boundary);
   const int lane = lanes - 1;
   group->load(lane, std::make_shared<const Specimen>(s), setup);
-  group->place_rig(lane);
+  group->place_boundary(lane);
   group->set_motion(lane, 1, {}, {0.0, 0.0}, spin);
   return group;
 }
@@ -106,11 +106,11 @@ TEST(RollingResistance, MeetsAcrossAPlaneAsABrokenInterface) {
   options.interval = 50;
   options.contacts = &rolling;
   auto group = engine::make_group(s.packing, options);
-  engine::Rig rig;  // of no effect but on the step: without any contact there would be none
-  rig.tools = {engine::Tool{"near", {{0, {1.0, 0.0}, 0.5 * R}}, {}}};
+  engine::Boundary boundary;  // of no effect but on the step: without any contact there would be none
+  boundary.bodies = {engine::BoundaryBody{"near", {{0, {1.0, 0.0}, 0.5 * R}}, {}}};
   engine::LaneSetup setup;
   setup.damping = 0.0, setup.step_safety = 0.02;  // a collision lasts longer than a block
-  setup.rig = std::make_shared<const engine::Rig>(rig);
+  setup.boundary = std::make_shared<const engine::Boundary>(boundary);
   group->load(0, std::make_shared<const Specimen>(s), setup);
   const double speed = 2.0 * gap / (50.0 * group->time_step(0));  // halfway through the block they meet
   group->set_motion(0, 0, {}, {speed, 0.0}, 30.0);
@@ -124,7 +124,7 @@ TEST(RollingResistance, MeetsAcrossAPlaneAsABrokenInterface) {
   EXPECT_NEAR(met.contacts[0].normal.x, 1.0, 1e-15);
 }
 
-// Loose grains in the uniaxial press: what the tools put in is all accounted for.
+// Loose grains in the uniaxial press: what the bodies put in is all accounted for.
 TEST(RollingResistance, RunsInThePress) {
   Recipe recipe;
   recipe.specimen = {0.010, 0.020};

@@ -1,12 +1,12 @@
 // One hash: the same recipe and precision give the same bits for every number of lanes, instruction set,
-// thread count, skew, lane mate and compiler. The golden hashes below were recorded with g++ 12 and hold for
-// clang as well.
+// thread count, skew, lane neighbour and compiler. The recorded hashes are those of g++ 12 and hold
+// for clang as well.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
-#include <map>
 
+#include "base/recorded_fixture.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
@@ -108,7 +108,7 @@ TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
 
 /// Hash of a test that goes to another group after every block, back and forth; `stay`: of one that does not.
 std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& specimen,
-                     const std::shared_ptr<const Specimen>& mate, bool stay) {
+                     const std::shared_ptr<const Specimen>& neighbour, bool stay) {
   engine::GroupOptions options;
   options.precision = r.engine.precision;
   options.isa = engine::native_isa();
@@ -119,8 +119,8 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
     options.lanes = widths[i];
     groups[i] = engine::make_group(specimen->packing, options);
   }
-  // In the other group a lane mate that is ahead, with contacts and touches of its own.
-  const auto other = lab::make_test(mate, r, *groups[1], 5);
+  // In the other group a lane neighbour that is ahead, with contacts and touches of its own.
+  const auto other = lab::make_test(neighbour, r, *groups[1], 5);
   for (int block = 0; block < 20; ++block) {
     groups[1]->advance();
     if (other->after_block()) break;
@@ -164,7 +164,7 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   for (const double jump : {5e-4, 2e-2}) {
     r.test.jump_strain = jump;
     r.test.max_strain = jump + 5e-4;
-    check(r, ", jump start");
+    check(r, ", affine pre-strain");
   }
 }
 
@@ -197,9 +197,7 @@ TEST_P(OneHash, IsTheRecordedOne) {
   machine.isa = engine::native_isa();
   machine.lanes = 4;
   const auto h = hashes(r, specimens_of(r), machine);
-  const std::map<Precision, std::string> golden = {{Precision::double_precision, "f355b0470b647180"},
-                                                   {Precision::single_precision, "af6aed32667b3803"}};
-  EXPECT_EQ(h[1], golden.at(GetParam()));
+  expect_recorded(GetParam() == Precision::double_precision ? "press/double" : "press/float", h[1]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, OneHash,

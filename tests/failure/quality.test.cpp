@@ -65,7 +65,7 @@ class Quality : public ProgramTest {
 
 TEST_F(Quality, ASlowTestOfARealSpecimenIsGood) {
   EXPECT_EQ(run("run " + rock() + " --out " + out()), 0) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("good"), Not(HasSubstr("remark")), Not(HasSubstr("untrusted"))));
+  EXPECT_THAT(output, AllOf(HasSubstr("good"), Not(HasSubstr("warning")), Not(HasSubstr("untrusted"))));
   EXPECT_EQ(result()["quality"]["grade"], "good");
   EXPECT_TRUE(result()["quality"]["marks"].empty());
 }
@@ -114,9 +114,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(Quality, WithoutDampingTheNumberStandsWithARemark) {
   EXPECT_EQ(run("run " + rock({"damping = 0"}) + " --out " + out()), 0) << output;
-  EXPECT_THAT(output, AllOf(HasSubstr("remark"), HasSubstr("raise engine.damping")));
+  EXPECT_THAT(output, AllOf(HasSubstr("warning"), HasSubstr("raise engine.damping")));
   EXPECT_EQ(result()["outcome"]["status"], "peaked");
-  EXPECT_EQ(result()["quality"]["grade"], "remark");
+  EXPECT_EQ(result()["quality"]["grade"], "warning");
 }
 
 // In a study an untrusted test is left out of means and effects, unless asked for.
@@ -132,7 +132,7 @@ TEST_F(Quality, AStudyLeavesUntrustedTestsOut) {
   EXPECT_THAT(csv,
               AllOf(HasSubstr("status,reason,quality,marks"), HasSubstr(",untrusted,"), HasSubstr(",good,")));
   EXPECT_EQ(run("study effects " + out() + " --with-untrusted"), 0) << output;
-  EXPECT_THAT(output, AllOf(Not(HasSubstr("left out")), HasSubstr("1 of 3 tests carry a remark")));
+  EXPECT_THAT(output, AllOf(Not(HasSubstr("left out")), HasSubstr("1 of 3 tests carry a warning")));
 }
 
 TEST_F(Quality, AnEnvelopeLeavesUntrustedTestsOut) {

@@ -22,8 +22,8 @@ TEST_F(PaperEq2, DensePackingCrossingRuleGivesLines) {
   study::Store store(at("study.sqlite"));
   study::MachineOptions machine;
   machine.threads = 2;
-  study::StoreDesk desk(plan, store, {}, machine.threads);
-  study::work_at(desk, plan, machine);
+  study::StoreQueue queue(plan, store, {}, machine.threads);
+  study::work_at(queue, plan, machine);
   const study::JointFits fits = study::fit_joints(plan, study::rows_of(plan, store), {"E_gauge"});
   EXPECT_GE(study::curve_lines(plan, fits.K_n, 0)[0].R2, 0.999);
   EXPECT_GE(study::curve_lines(plan, fits.K_s, 1)[0].R2, 0.995);

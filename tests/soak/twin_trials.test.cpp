@@ -21,7 +21,7 @@ std::string store_of(std::uint32_t k) {
   return folder.empty() ? "" : fmt::format("{}/rock-{}.sqlite", folder, k);
 }
 
-/// Mean over the targets of log(model on unseen packings over what the fit foretold).
+/// Mean over the targets of log(model on unseen packings over what the fit predicted).
 double mean_offset(const Calibration& found, Property property) {
   double sum = 0.0;
   int n = 0;
@@ -64,7 +64,7 @@ TEST(TwinTrials, TwentyRocks) {
         to_string(t.found.verdict.status));
     std::printf(
         "         packings of the table against the unseen ones: E %.2f %%, UCS %.2f %%; unseen UCS against "
-        "what the search foretold: %+.2f %%\n",
+        "what the search predicted: %+.2f %%\n",
         100.0 * rmse_against(t.response, t.unseen, Property::E),
         100.0 * rmse_against(t.response, t.unseen, Property::ucs),
         100.0 * mean_offset(t.found, Property::ucs));

@@ -55,7 +55,7 @@ export interface Calibration {
   fitted: Comparison[];
   verification: Comparison[];
   left_out: Comparison[];
-  pressed?: Comparison[]; // E and nu at half of UCS; not in older files
+  tangent_from_test?: Comparison[]; // E and nu at half of UCS; not in older files
   notes: string[];
 }
 
@@ -86,7 +86,7 @@ export interface Rose {
 
 /** What speaks against a test (result.json, "quality"). */
 export interface Quality {
-  grade: string; // good, remark, untrusted
+  grade: string; // good, warning, untrusted
   marks: { number: string; value: number; limit: number; grade: string; says: string; advice: string }[];
 }
 

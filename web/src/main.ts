@@ -76,8 +76,8 @@ function crackLegend(): HTMLElement {
 
 // --- what is missing ----------------------------------------------------------------------------------------
 
-/** What is remarked on tests that count, each once with the tests that it is said of. */
-function remarks(): [string, string[]][] {
+/** What is warned of in tests that count, each once with the tests that it is said of. */
+function warnings(): [string, string[]][] {
   const told = new Map<string, string[]>();
   for (const t of report.tests.filter((t) => t.outcome.status === "peaked"))
     for (const m of t.quality.marks) {
@@ -92,7 +92,7 @@ function notices(): Child[] {
   const about = (t: Test) => [t.outcome.reason, t.outcome.advice].filter((s) => s.length > 0).join("; ");
   return [
     ...failed.map((t) => h("p", { class: "notice" }, h("strong", {}, `${t.name}: ${t.outcome.status}. `), about(t))),
-    ...remarks().map(([says, names]) => h("p", { class: "remark" }, h("strong", {}, "Remark. "), `${says} (${names.join(", ")})`)),
+    ...warnings().map(([says, names]) => h("p", { class: "warning" }, h("strong", {}, "Warning. "), `${says} (${names.join(", ")})`)),
     ...report.missing.map((m) => h("p", { class: "notice" }, h("strong", {}, `${m.name}: missing. `), m.reason)),
   ];
 }
@@ -594,7 +594,7 @@ function calibration() {
     ),
     comparisonTable(c.fitted, "On the packings of the fit"),
     comparisonTable(c.verification, "On packings that the fit has not seen"),
-    comparisonTable(c.pressed ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
+    comparisonTable(c.tangent_from_test ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
     comparisonTable(c.left_out, "Each value predicted without it"),
     h("h3", {}, "What the data determine"),
     table(

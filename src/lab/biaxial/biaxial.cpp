@@ -7,22 +7,22 @@
 
 #include "base/units.hpp"
 #include "lab/biaxial/reading.hpp"
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 
 namespace phy::lab {
 
 TestBoundary confined_platens(const Packing& packing, const TestRecipe& test) {
   TestBoundary press = platens(packing);
-  engine::Rig& rig = press.rig;
+  engine::Boundary& boundary = press.boundary;
   if (test.confining_stress == 0.0) return press;
   if (test.confinement == Confinement::walls) {
-    rig.tools.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
-    rig.tools.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
-    rig.lateral = {2, 3, {1.0, 0.0}};
+    boundary.bodies.push_back(flat_wall(packing, "left wall", {0.0, 0.0}, {1.0, 0.0}, false));
+    boundary.bodies.push_back(flat_wall(packing, "right wall", {packing.width, 0.0}, {-1.0, 0.0}, false));
+    boundary.lateral = {2, 3, {1.0, 0.0}};
     press.lateral = {packing.width, packing.height};
     return press;
   }
-  rig.jacket = true;
+  boundary.jacket = true;
   return press;
 }
 
@@ -35,18 +35,17 @@ constexpr double most_confining_strain = 0.05;  // beyond, the specimen has fail
 /// For the servo of a pair of platens of that area, `length` apart [m]: change of force per displacement of
 /// each within a block of `time`, of rock as stiff as its contacts, at rest and as a wave [N/m per m].
 double block_stiffness(const Specimen& specimen, double area, double length, double time) {
-  return 2.0 * specimen.matrix.modulus() * area / length +
-         wave_stiffness(specimen.matrix, area, time);
+  return 2.0 * specimen.matrix.modulus() * area / length + wave_stiffness(specimen.matrix, area, time);
 }
 
-class BiaxialTest final : public LabTest {
+class BiaxialTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
-  void drive() override;
+  void prescribe_motion() override;
   double first_stop_strain() const override { return first_wave_strain; }
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
@@ -64,16 +63,16 @@ void BiaxialTest::confine(double stress, bool platens_too) {
     axial.stiffness = block_stiffness(*specimen_, p.width, p.height,
                                       result_.dt * static_cast<double>(recipe_.test.history_interval));
     axial.max_speed = servo_speed * recipe_.test.platen_speed;
-    group_->drive(lane_, 0, {{}, 0.0, {}, axial});
+    group_->prescribe(lane_, 0, {{}, 0.0, {}, axial});
     axial.force = -axial.force;
-    group_->drive(lane_, 1, {{}, 0.0, {}, axial});
+    group_->prescribe(lane_, 1, {{}, 0.0, {}, axial});
   }
   if (recipe_.test.confinement == Confinement::jacket) return group_->press(lane_, stress);
-  engine::Drive wall;
+  engine::PrescribedMotion wall;
   wall.balance_x = {true, stress * p.height};
-  group_->drive(lane_, 2, wall);
+  group_->prescribe(lane_, 2, wall);
   wall.balance_x.force = -wall.balance_x.force;
-  group_->drive(lane_, 3, wall);
+  group_->prescribe(lane_, 3, wall);
 }
 
 void BiaxialTest::on_placed() {
@@ -97,19 +96,19 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
         fmt::format("strain {:.1f} % before the confining stress was reached", 100.0 * row.axial_strain),
         "the rock does not bear this confining stress; lower it");
   const double axial =
-      0.5 * (group_->tool(lane_, 0).mean_force.y - group_->tool(lane_, 1).mean_force.y) / packing().width;
+      0.5 * (group_->body(lane_, 0).mean_force.y - group_->body(lane_, 1).mean_force.y) / packing().width;
   const double lateral = row.lateral_stress / target, along = axial / target;
   const double worse = std::fabs(lateral - 1.0) > std::fabs(along - 1.0) ? lateral : along;
   return load_once_steady(now == target, worse, close_enough);
 }
 
-void BiaxialTest::drive() { close_platens(packing().height); }
+void BiaxialTest::prescribe_motion() { close_platens(packing().height); }
 
 std::vector<Number> BiaxialTest::numbers(const analysis::WavePath& path) const {
   return confined_numbers(result_.history, result_.cracks, recipe_.test.confining_stress, path);
 }
 
-std::string rig_name_of(const Recipe& r) {
+std::string boundary_name_of(const Recipe& r) {
   if (r.test.confining_stress == 0.0) return "unconfined biaxial";
   return r.test.confinement == Confinement::walls ? "walls" : "jacket";
 }
@@ -137,7 +136,7 @@ HistoryColumns columns() {
        {{"lateral_stress", "Pa", "mean side force / initial height, or pressure of the jacket",
          &Row::lateral_stress},
         {"deviatoric_stress", "Pa", "axial - lateral stress", &Row::deviatoric_stress}},
-       book_columns()});
+       balance_columns()});
 }
 
 TestDescription description() {
@@ -165,7 +164,7 @@ TestDescription description() {
 
 const TestRoom& biaxial_room() {
   static const TestRoom room = {
-      description(), rig_name_of,
+      description(), boundary_name_of,
       [](const Packing& packing, const Recipe& r) { return confined_platens(packing, r.test); },
       begin_test<BiaxialTest>};
   return room;

@@ -6,7 +6,7 @@
 //   load      strains count from here; platens close at test.platen_speed, the sides keep the stress
 //
 // Sides (test.confinement): "walls", two frictionless rigid walls without mass, each in balance with the
-// confining stress in every step (engine/rig.hpp, docs/decisions/0007), as in a press with side platens;
+// confining stress in every step (engine/boundary.hpp, docs/decisions/0007), as in a press with side platens;
 // "jacket", a pressure on the grains that are the surface of the sides at the time (engine/jacket.hpp,
 // docs/decisions/0008), as a rubber jacket: sides may bulge. Without confining stress there are no sides:
 // the uniaxial press.
@@ -19,7 +19,7 @@
 
 namespace phy::lab {
 
-/// The press with sides: walls (tools 2 left, 3 right) or a jacket; none without confining stress.
+/// The press with sides: walls (bodies 2 left, 3 right) or a jacket; none without confining stress.
 TestBoundary confined_platens(const Packing& packing, const TestRecipe& test);
 
 const TestRoom& biaxial_room();

@@ -5,7 +5,7 @@
 
 #include "engine/jacket.hpp"
 #include "lab/biaxial/reading.hpp"
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
 namespace {
@@ -32,7 +32,7 @@ TEST(Biaxial, WithoutConfiningStressIsThePress) {
   EXPECT_EQ(number(free, "confinement_error").note, "not confined");
 }
 
-TEST(Biaxial, JacketKeepsTheStressAndTheBooks) {
+TEST(Biaxial, JacketKeepsTheStressAndTheEnergyBalance) {
   const TestResult r = run_alone(confined(10e6, Confinement::jacket));
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
   EXPECT_EQ(r.outcome.reason.find("peak deviatoric stress "), 0u) << r.outcome.reason;
@@ -48,7 +48,7 @@ TEST(Biaxial, JacketKeepsTheStressAndTheBooks) {
   EXPECT_GT(most, 0.0) << "shortens before it dilates";
 }
 
-TEST(Biaxial, WallsKeepTheBooksAndConfinementStrengthens) {
+TEST(Biaxial, WallsKeepTheEnergyBalanceAndConfinementStrengthens) {
   const TestResult free = run_alone(confined(0.0, Confinement::walls));
   Recipe r = confined(10e6, Confinement::walls);
   r.engine.step_safety = 0.46;  // 330 grains fail at once: the burst alone costs up to 1.3e-3 at the usual
@@ -79,7 +79,7 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
     over = test->after_block();
     if (test->latest().strain <= 0.0) continue;  // still preparing
     for (const int wall : {2, 3})
-      for (const Vec2 force : {group->tool(0, wall).force, group->tool(0, wall).mean_force}) {
+      for (const Vec2 force : {group->body(0, wall).force, group->body(0, wall).mean_force}) {
         const double stress = (wall == 2 ? force.x : -force.x) / specimen->packing->height;
         least = std::min(least, stress), most = std::max(most, stress);
       }
@@ -93,7 +93,7 @@ TEST(Biaxial, EachWallPressesWithItsStress) {
 TEST(Biaxial, JacketCoversTheSides) {
   const Recipe r = confined(10e6, Confinement::jacket);
   const auto packing = small_packing(r);
-  EXPECT_TRUE(confined_platens(*packing, r.test).rig.jacket);
+  EXPECT_TRUE(confined_platens(*packing, r.test).boundary.jacket);
   std::vector<Vec2> x;
   std::vector<double> radius;
   for (const Disc& d : packing->discs) x.push_back({d.x, d.y}), radius.push_back(d.r);
@@ -126,7 +126,7 @@ TestResult run_in_precision(const std::shared_ptr<const Specimen>& specimen, con
 
 // Grains that break loose at the sides are driven in by the jacket, at tens of metres per second; what they
 // run into must have been listed. The same packings over more seeds and angles: tests/soak/jacket.test.cpp.
-TEST(Biaxial, JacketKeepsTheBooksWhereGrainsComeLoose) {
+TEST(Biaxial, JacketKeepsTheEnergyBalanceWhereGrainsComeLoose) {
   Recipe r;
   r.packing.n_grains = 1197;
   r.packing.radius_min = 0.625e-3, r.packing.radius_max = 1.0375e-3;

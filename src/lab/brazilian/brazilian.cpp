@@ -8,8 +8,8 @@
 
 #include "base/exact_math.hpp"
 #include "base/units.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/brazilian/reading.hpp"
-#include "lab/rigs.hpp"
 
 namespace phy::lab {
 
@@ -21,8 +21,8 @@ double disc_diameter(const Recipe& recipe) {
 namespace {
 
 /// A jaw on the arc of the rim around `up` = (0, +-1).
-engine::Tool jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
-  engine::Tool tool{std::move(name), {}, {}, true};
+engine::BoundaryBody jaw(const Packing& packing, std::string name, double diameter, double angle, double up) {
+  engine::BoundaryBody body{std::move(name), {}, {}, true};
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
   const double arc = angle / 180.0 * pi * 0.5 * diameter;
   const int n = static_cast<int>(std::ceil(arc / ray_spacing(packing)));
@@ -36,24 +36,24 @@ engine::Tool jaw(const Packing& packing, std::string name, double diameter, doub
   for (std::uint32_t g = 0; g < held.size(); ++g) {
     if (held[g] == 0) continue;
     const Vec2 inwards = centre - Vec2{packing.discs[g].x, packing.discs[g].y};
-    tool.touches.push_back({g, (1.0 / norm(inwards)) * inwards, 0.0});
+    body.touches.push_back({g, (1.0 / norm(inwards)) * inwards, 0.0});
   }
-  return tool;
+  return body;
 }
 
 }  // namespace
 
 TestBoundary jaws(const Packing& packing, double diameter, double angle) {
   TestBoundary splitter;
-  engine::Rig& rig = splitter.rig;
+  engine::Boundary& boundary = splitter.boundary;
   if (angle > 0.0) {
-    rig.tools = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
-                 jaw(packing, "top jaw", diameter, angle, 1.0)};
+    boundary.bodies = {jaw(packing, "bottom jaw", diameter, angle, -1.0),
+                       jaw(packing, "top jaw", diameter, angle, 1.0)};
   } else {
     double low = packing.height, high = 0.0;
     for (const Disc& d : packing.discs) low = std::min(low, d.y - d.r), high = std::max(high, d.y + d.r);
-    rig.tools = {flat_wall(packing, "bottom platen", {0.0, low}, {0.0, 1.0}, true),
-                 flat_wall(packing, "top platen", {0.0, high}, {0.0, -1.0}, true)};
+    boundary.bodies = {flat_wall(packing, "bottom platen", {0.0, low}, {0.0, 1.0}, true),
+                       flat_wall(packing, "top platen", {0.0, high}, {0.0, -1.0}, true)};
   }
   set_axial(splitter, 0, 1, {0.0, 1.0}, {diameter, 0.5 * pi * diameter / brazilian_arc_factor(0.5 * angle)});
   return splitter;
@@ -61,16 +61,16 @@ TestBoundary jaws(const Packing& packing, double diameter, double angle) {
 
 namespace {
 
-class BrazilianTest final : public LabTest {
+class BrazilianTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
-  void drive() override;
+  void prescribe_motion() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 };
 
-void BrazilianTest::drive() { close_platens(disc_diameter(recipe_)); }
+void BrazilianTest::prescribe_motion() { close_platens(disc_diameter(recipe_)); }
 
 std::vector<Number> BrazilianTest::numbers(const analysis::WavePath& path) const {
   return disc_numbers(result_.history, result_.cracks, disc_diameter(recipe_), path.density);
@@ -87,7 +87,7 @@ TestDescription description() {
          &HistoryRow::axial_stress},
         {"centre_tension_top", "Pa", "the same from the top platen", &HistoryRow::stress_top},
         {"centre_tension_bottom", "Pa", "the same from the bottom platen", &HistoryRow::stress_bottom}},
-       book_columns()});
+       balance_columns()});
   d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "centre_tension",
                             "centre_tension_top", "centre_tension_bottom"});
   d.curve.strain = "closure of the platens / diameter", d.curve.stress = "tension at the centre";

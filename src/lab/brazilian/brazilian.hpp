@@ -5,7 +5,7 @@
 // rim where it stands out most; a few grains carry the load, and the rim may crush before the centre splits.
 // With an angle (usual: 10 degrees) two rigid jaws hold that arc of the rim: every grain that a ray from
 // outside meets first has a frictionless contact along its radius, stress-free at the start, as a jaw bedded
-// on the rough rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab/lab_test.hpp.
+// on the rough rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab/procedure.hpp.
 //
 // History: stress is the tension at the centre of an elastic isotropic disc under the platen force,
 // 2P/(pi D t) times Hondros' factor for the arc; strain is the approach of the platens over the diameter.
@@ -20,7 +20,7 @@ namespace phy::lab {
 double disc_diameter(const Recipe& recipe);
 
 /// Bottom and top of a Brazilian test on a disc in the middle of the box: flat platens against the outermost
-/// grains, or jaws that hold an arc of `angle` [deg] of the rim. Tools 0 and 1. Axial stress: tension at the
+/// grains, or jaws that hold an arc of `angle` [deg] of the rim. Bodies 0 and 1. Axial stress: tension at the
 /// centre (reading.hpp); axial strain: approach over `diameter` [m].
 TestBoundary jaws(const Packing& packing, double diameter, double angle);
 

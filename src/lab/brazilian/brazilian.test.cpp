@@ -6,7 +6,7 @@
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"
 #include "lab/brazilian/reading.hpp"
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
 namespace {
@@ -37,7 +37,7 @@ TEST(CutDisc, HoldsItsShareOfTheRockCentreOnCentre) {
   EXPECT_NE(disc.hash, packing->hash);
 }
 
-TEST(Brazilian, SplitsAndKeepsTheBooks) {
+TEST(Brazilian, SplitsAndKeepsTheEnergyBalance) {
   const TestResult r = run_alone(small_disc());
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
   EXPECT_GT(number(r, "bts").value, 5e6);
@@ -62,20 +62,20 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
   const Recipe r = small_disc();
   const Packing disc = genesis::cut_disc(*small_packing(r), disc_diameter(r));
   const Vec2 centre{0.5 * disc.width, 0.5 * disc.height};
-  const engine::Rig wide = jaws(disc, disc_diameter(r), 20.0).rig,
-                    flat = jaws(disc, disc_diameter(r), 0.0).rig;
-  for (const engine::Tool& tool : wide.tools) {
-    EXPECT_GE(tool.touches.size(), 3u);
-    EXPECT_LE(tool.touches.size(), 8u);
-    for (const engine::Touch& t : tool.touches) {
+  const engine::Boundary wide = jaws(disc, disc_diameter(r), 20.0).boundary,
+                         flat = jaws(disc, disc_diameter(r), 0.0).boundary;
+  for (const engine::BoundaryBody& body : wide.bodies) {
+    EXPECT_GE(body.touches.size(), 3u);
+    EXPECT_LE(body.touches.size(), 8u);
+    for (const engine::Touch& t : body.touches) {
       const Vec2 out = Vec2{disc.discs[t.grain].x, disc.discs[t.grain].y} - centre;
       EXPECT_NEAR(dot(out, t.normal), -norm(out), 1e-12) << "along the radius, inwards";
       EXPECT_LT(std::fabs(out.x / out.y), std::tan(0.24)) << "within the arc and a radius beside it";
     }
   }
-  for (const engine::Tool& tool : flat.tools) {
+  for (const engine::BoundaryBody& body : flat.bodies) {
     double least = 1.0;
-    for (const engine::Touch& t : tool.touches) least = std::min(least, t.gap);
+    for (const engine::Touch& t : body.touches) least = std::min(least, t.gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
   }
 }

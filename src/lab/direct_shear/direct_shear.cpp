@@ -7,23 +7,23 @@
 
 #include "base/units.hpp"
 #include "engine/stable_step.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/direct_shear/reading.hpp"
-#include "lab/rigs.hpp"
 
 namespace phy::lab {
 
 TestBoundary shear_boxes(const Packing& packing, double gap) {
   TestBoundary box;
-  engine::Rig& rig = box.rig;
-  rig.tools = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
+  engine::Boundary& boundary = box.boundary;
+  boundary.bodies = {{"lower box", {}, {}, false}, {"upper box", {}, {}, false}};
   const double middle = 0.5 * packing.height;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y - middle;
-    if (y < -0.5 * gap) rig.tools[0].grips.push_back({i, true, true, true});
-    if (y >= 0.5 * gap) rig.tools[1].grips.push_back({i, true, true, true});
+    if (y < -0.5 * gap) boundary.bodies[0].grips.push_back({i, true, true, true});
+    if (y >= 0.5 * gap) boundary.bodies[1].grips.push_back({i, true, true, true});
   }
   set_axial(box, 1, 0, {1.0, 0.0}, {1.0, packing.width});
-  rig.lateral = {0, 1, {0.0, 1.0}};
+  boundary.lateral = {0, 1, {0.0, 1.0}};
   box.lateral = {1.0, packing.width};
   return box;
 }
@@ -49,14 +49,14 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));
 }
 
-class DirectShearTest final : public LabTest {
+class DirectShearTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
-  void drive() override;
+  void prescribe_motion() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   engine::Servo normal_load(double stress, double spring, double offset) const;
@@ -66,9 +66,9 @@ class DirectShearTest final : public LabTest {
 };
 
 /// The upper box pushes down: its force on the specimen is negative along y. `offset` is its displacement
-/// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo (engine/rig.hpp)
-/// the stress swings for ever where its stiffness is less than 0.4 of what answers within a block; more only
-/// makes it slower.
+/// where the spring is slack. Free grains in a gap carry waves: with the gains of the servo
+/// (engine/boundary.hpp) the stress swings for ever where its stiffness is less than 0.4 of what answers
+/// within a block; more only makes it slower.
 engine::Servo DirectShearTest::normal_load(double stress, double spring, double offset) const {
   const double length = packing().width;
   engine::Servo s;
@@ -93,18 +93,18 @@ bool DirectShearTest::prepare(std::int64_t n_blocks) {
   const double ramp = target / (stiffness_ / packing().width) / recipe_.test.platen_speed;
   const double time = static_cast<double>(n_blocks * recipe_.test.history_interval) * result_.dt;
   const double now = target * std::min(1.0, time / ramp);
-  group_->drive(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
+  group_->prescribe(lane_, 1, {{}, 0.0, {}, normal_load(now, 0.0, 0.0)});
   if (n_blocks == 0) return false;
   return load_once_steady(now == target, latest_row().lateral_stress / target, close_enough);
 }
 
-void DirectShearTest::drive() {
+void DirectShearTest::prescribe_motion() {
   const double speed = recipe_.test.platen_speed;
   const double ramp = recipe_.test.ramp_strain * packing().width / speed;
   const engine::Servo load = normal_load(recipe_.test.normal_stress, recipe_.test.normal_stiffness,
-                                         group_->tool(lane_, 1).displacement.y);
-  group_->drive(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
-  group_->drive(lane_, 1, {{speed, 0.0}, ramp, {}, load});
+                                         group_->body(lane_, 1).displacement.y);
+  group_->prescribe(lane_, 0, {{-speed, 0.0}, ramp, {}, {}});
+  group_->prescribe(lane_, 1, {{speed, 0.0}, ramp, {}, load});
 }
 
 std::vector<Number> DirectShearTest::numbers(const analysis::WavePath& /*the boxes carry no wave*/) const {
@@ -135,12 +135,12 @@ HistoryColumns columns() {
         {"shear_stress_upper", "Pa", "upper box force along the plane / width", &Row::stress_bottom},
         {"shear_stress_lower", "Pa", "lower box force along the plane / width", &Row::stress_top},
         {"normal_stress", "Pa", "mean box force across the plane / width", &Row::lateral_stress}},
-       book_columns()});
+       balance_columns()});
 }
 
 TestDescription description() {
   TestDescription d;
-  d.name = "direct_shear", d.stress = "shear stress", d.tool = "box";
+  d.name = "direct_shear", d.stress = "shear stress", d.body = "box";
   d.extent = "a shear displacement of {} % of the width";
   d.columns = columns();
   d.hashed = hashed_fields({"shear_displacement", "normal_closure", "shear_stress", "shear_stress_upper",

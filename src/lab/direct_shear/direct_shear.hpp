@@ -18,7 +18,7 @@
 
 namespace phy::lab {
 
-/// Two boxes (tools 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
+/// Two boxes (bodies 0 lower, 1 upper) that hold all grains farther than gap / 2 [m] from half the height.
 /// Axial: sliding along x, lateral: closing along y, both as displacements [m]; stresses over the width.
 TestBoundary shear_boxes(const Packing& packing, double gap);
 

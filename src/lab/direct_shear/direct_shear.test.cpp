@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/direct_shear/reading.hpp"
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
 namespace {
@@ -77,10 +77,11 @@ TEST(DirectShear, BoxesHoldAllButTheGap) {
   const Recipe r = box();
   const auto packing = small_packing(r);
   for (const double gap : {0.0, 0.002}) {
-    const engine::Rig rig = shear_boxes(*packing, gap).rig;
+    const engine::Boundary boundary = shear_boxes(*packing, gap).boundary;
     std::size_t free = 0;
     for (const Disc& d : packing->discs) free += std::fabs(d.y - 0.5 * packing->height) < 0.5 * gap ? 1 : 0;
-    EXPECT_EQ(rig.tools[0].grips.size() + rig.tools[1].grips.size() + free, packing->discs.size());
+    EXPECT_EQ(boundary.bodies[0].grips.size() + boundary.bodies[1].grips.size() + free,
+              packing->discs.size());
   }
 }
 

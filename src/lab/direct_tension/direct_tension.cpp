@@ -18,12 +18,12 @@ double grip_thickness(const Recipe& recipe, const Packing& packing) {
 
 TestBoundary grips(const Packing& packing, double thickness) {
   TestBoundary pull;
-  engine::Rig& rig = pull.rig;
-  rig.tools = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
+  engine::Boundary& boundary = pull.boundary;
+  boundary.bodies = {{"bottom grip", {}, {}, false}, {"top grip", {}, {}, false}};
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
     const double y = packing.discs[i].y;
-    if (y < thickness) rig.tools[0].grips.push_back({i, false, true, false});
-    if (y > packing.height - thickness) rig.tools[1].grips.push_back({i, false, true, false});
+    if (y < thickness) boundary.bodies[0].grips.push_back({i, false, true, false});
+    if (y > packing.height - thickness) boundary.bodies[1].grips.push_back({i, false, true, false});
   }
   set_axial(pull, 0, 1, {0.0, 1.0}, {packing.height - 2.0 * thickness, packing.width});
   return pull;
@@ -31,20 +31,20 @@ TestBoundary grips(const Packing& packing, double thickness) {
 
 namespace {
 
-class DirectTensionTest final : public LabTest {
+class DirectTensionTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
-  void drive() override;
+  void prescribe_motion() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 };
 
-void DirectTensionTest::drive() {
+void DirectTensionTest::prescribe_motion() {
   const double speed = recipe_.test.platen_speed;
   const double grip = grip_thickness(recipe_, packing()), free = packing().height - 2.0 * grip;
-  group_->drive(lane_, 0, {{0.0, -speed}, 0.0, {}, {}});
-  group_->drive(lane_, 1, {{0.0, speed}, 0.0, {}, {}});
+  group_->prescribe(lane_, 0, {{0.0, -speed}, 0.0, {}, {}});
+  group_->prescribe(lane_, 1, {{0.0, speed}, 0.0, {}, {}});
   group_->start_moving(lane_, [&](Vec2 x) {
     return Vec2{0.0, speed * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
   });
@@ -56,7 +56,7 @@ std::vector<Number> DirectTensionTest::numbers(const analysis::WavePath& path) c
 
 TestDescription description() {
   TestDescription d;
-  d.name = "direct_tension", d.stress = "tension", d.tool = "grip";
+  d.name = "direct_tension", d.stress = "tension", d.body = "grip";
   d.columns =
       joined({clock_columns(),
               {{"axial_strain", "1", "approach of the grips / free length between them: negative",
@@ -66,7 +66,7 @@ TestDescription description() {
                 &HistoryRow::axial_stress},
                {"grip_stress_top", "Pa", "top grip force / initial width", &HistoryRow::stress_top},
                {"grip_stress_bottom", "Pa", "bottom grip force / initial width", &HistoryRow::stress_bottom}},
-              book_columns()});
+              balance_columns()});
   d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
                             "grip_stress_top", "grip_stress_bottom"});
   d.curve.strain = "elongation", d.curve.stress = "tensile stress", d.curve.sign = -1.0;

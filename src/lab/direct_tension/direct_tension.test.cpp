@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/direct_tension/reading.hpp"
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
 namespace {
@@ -15,7 +15,7 @@ const TestResult& pulled() {
   return one;
 }
 
-TEST(DirectTension, PeaksInTensionAndKeepsTheBooks) {
+TEST(DirectTension, PeaksInTensionAndKeepsTheEnergyBalance) {
   const TestResult& r = pulled();
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
   EXPECT_GT(number(r, "sigma_t").value, 10e6);
@@ -32,13 +32,13 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
   const Recipe recipe = small_rock(TestKind("direct_tension"));
   const auto packing = small_packing(recipe);
   const TestBoundary pull = grips(*packing, grip_thickness(recipe, *packing));
-  const engine::Rig& rig = pull.rig;
+  const engine::Boundary& boundary = pull.boundary;
   const std::vector<GrainState>& u = r.snapshots.back().grains;
-  for (const engine::Tool& tool : rig.tools) {
-    ASSERT_GT(tool.grips.size(), 10u);
+  for (const engine::BoundaryBody& body : boundary.bodies) {
+    ASSERT_GT(body.grips.size(), 10u);
     double least = 1.0, most = -1.0, turn = 0.0;
-    for (const engine::Grip& p : tool.grips) {
-      EXPECT_NEAR(u[p.grain].uy, u[tool.grips.front().grain].uy, 1e-15);
+    for (const engine::Grip& p : body.grips) {
+      EXPECT_NEAR(u[p.grain].uy, u[body.grips.front().grain].uy, 1e-15);
       least = std::min(least, u[p.grain].ux), most = std::max(most, u[p.grain].ux);
       turn = std::max(turn, std::fabs(u[p.grain].rotation));
     }
@@ -46,7 +46,8 @@ TEST(DirectTension, GripsHoldAlongTheLoadOnly) {
     EXPECT_GT(turn, 0.0);
   }
   const double opened = -r.history.rows.back().axial_strain * pull.axial.length;
-  EXPECT_NEAR(u[rig.tools[1].grips.front().grain].uy - u[rig.tools[0].grips.front().grain].uy, opened, 1e-12);
+  EXPECT_NEAR(u[boundary.bodies[1].grips.front().grain].uy - u[boundary.bodies[0].grips.front().grain].uy,
+              opened, 1e-12);
 }
 
 // With the velocity field of uniform straining the stress rises evenly from the first row on: modulus from

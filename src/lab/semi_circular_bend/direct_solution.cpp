@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/nan.hpp"
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "statics/crack_tip.hpp"
 
 namespace phy::lab {
@@ -22,7 +22,7 @@ constexpr double widest = 0.5;      // inner over outer radius of a ring in whic
 
 /// A vertical force on the line x of a roller, shared by its grains on either side. Grains that hardly hang
 /// on the others carry none.
-void press(statics::Boundary& boundary, const Packing& packing, const engine::Tool& roller,
+void press(statics::Boundary& boundary, const Packing& packing, const engine::BoundaryBody& roller,
            const std::vector<int>& n_contacts, double x, double force) {
   const engine::Touch *left = nullptr, *right = nullptr;
   const auto at = [&](const engine::Touch* t) { return packing.discs[t->grain].x; };
@@ -49,14 +49,14 @@ void hold(statics::Boundary& boundary, const std::vector<int>& n_contacts) {
   for (int component = 0; component < 3; ++component) boundary.movements.push_back({{most, component}, 0.0});
 }
 
-statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, const engine::Rig& rollers) {
+statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, const engine::Boundary& rollers) {
   std::vector<int> n_contacts(specimen.packing->discs.size(), 0);
   for (const Contact& c : specimen.contacts) ++n_contacts[c.a], ++n_contacts[c.b];
   const double cx = 0.5 * specimen.packing->width, P = 2.0 * bend.radius;  // nominal stress 1
   statics::Boundary boundary;
   for (const double side : {-0.5, 0.5})
-    press(boundary, *specimen.packing, rollers.tools[0], n_contacts, cx + side * bend.span, 0.5 * P);
-  press(boundary, *specimen.packing, rollers.tools[1], n_contacts, cx, -P);
+    press(boundary, *specimen.packing, rollers.bodies[0], n_contacts, cx + side * bend.span, 0.5 * P);
+  press(boundary, *specimen.packing, rollers.bodies[1], n_contacts, cx, -P);
   hold(boundary, n_contacts);
   return boundary;
 }
@@ -64,7 +64,7 @@ statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, cons
 }  // namespace
 
 DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& bend,
-                                 const engine::Rig& rollers) {
+                                 const engine::Boundary& rollers) {
   const double R = bend.radius, cx = 0.5 * specimen.packing->width;
   const double flat = cx - R;  // height of the flat face: the largest radius
   const Vec2 up{0.0, 1.0};

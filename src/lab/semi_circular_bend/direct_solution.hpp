@@ -10,7 +10,7 @@
 // 8 %, with 2 it is 20 - 35 % too high (docs/theory/semi-circular-bend.md). With fewer than `least_planes`
 // there is no answer.
 #pragma once
-#include "engine/rig.hpp"
+#include "engine/boundary.hpp"
 #include "lab/semi_circular_bend/reading.hpp"
 #include "records/elastic.hpp"
 #include "records/specimen.hpp"
@@ -26,7 +26,7 @@ struct DirectIntensity {
 
 /// `bend`: as sawn; `rollers`: support rollers and loading roller of this specimen (bend_rollers).
 DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& bend,
-                                 const engine::Rig& rollers);
+                                 const engine::Boundary& rollers);
 
 /// K_I and K_II at the largest nominal stress `peak` [Pa]; NaN: there was none.
 std::vector<Number> direct_numbers(const DirectIntensity& direct, double peak);

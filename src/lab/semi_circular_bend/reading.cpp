@@ -6,8 +6,8 @@
 
 #include "analysis/analyse.hpp"
 #include "analysis/strength.hpp"
-#include "base/nan.hpp"
 #include "base/exact_math.hpp"
+#include "base/nan.hpp"
 
 namespace phy::lab {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "analysis/analyse.hpp"
 #include "base/units.hpp"
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/semi_circular_bend/direct_solution.hpp"
 
 namespace phy::lab {
@@ -34,7 +34,7 @@ Vec2 middle(const Packing& half, const BendSpecimen& specimen) {
 double edge(const Packing& half, const BendSpecimen& specimen) { return middle(half, specimen).y; }
 
 /// A roller whose line is at x pushes along `up` = (0, +-1) on what it meets first.
-void add_roller(engine::Tool& tool, const Packing& half, double x, double up, double bearing) {
+void add_roller(engine::BoundaryBody& body, const Packing& half, double x, double up, double bearing) {
   const int n = static_cast<int>(std::ceil(2.0 * bearing / ray_spacing(half)));
   const double outside = up > 0.0 ? -half.height : 2.0 * half.height;
   std::set<std::uint32_t> met;
@@ -43,7 +43,7 @@ void add_roller(engine::Tool& tool, const Packing& half, double x, double up, do
     const std::int64_t g = first_grain(half, {x + along, outside}, {0.0, up});
     if (g >= 0) met.insert(static_cast<std::uint32_t>(g));
   }
-  for (const std::uint32_t g : met) tool.touches.push_back({g, {0.0, up}, 0.0});
+  for (const std::uint32_t g : met) body.touches.push_back({g, {0.0, up}, 0.0});
 }
 
 }  // namespace
@@ -58,13 +58,13 @@ BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen) {
 TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen) {
   TestBoundary press;
   const double centre = middle(half, specimen).x, bearing = edge(half, specimen);
-  engine::Tool supports{"support rollers", {}, {}, true}, loading{"loading roller", {}, {}, true};
+  engine::BoundaryBody supports{"support rollers", {}, {}, true}, loading{"loading roller", {}, {}, true};
   for (const double side : {-0.5, 0.5})
     add_roller(supports, half, centre + side * specimen.span, 1.0, bearing);
   add_roller(loading, half, centre, -1.0, bearing);
-  press.rig.tools = {std::move(supports), std::move(loading)};
+  press.boundary.bodies = {std::move(supports), std::move(loading)};
   const double diameter = 2.0 * specimen.radius;
-  press.rig.axial = {0, 1, {0.0, 1.0}, loaded_share * diameter};
+  press.boundary.axial = {0, 1, {0.0, 1.0}, loaded_share * diameter};
   press.axial = {1.0, diameter};
   return press;
 }
@@ -76,12 +76,12 @@ NotchMouth notch_mouth(const Packing& half, const BendSpecimen& specimen) {
 
 namespace {
 
-class SemiCircularBendTest final : public LabTest {
+class SemiCircularBendTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
-  void drive() override;
+  void prescribe_motion() override;
   void read_more(HistoryRow& row) override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
   double mouth() const;
@@ -97,7 +97,7 @@ double SemiCircularBendTest::mouth() const {
   return grains[static_cast<std::size_t>(mouth_.right)].ux - grains[static_cast<std::size_t>(mouth_.left)].ux;
 }
 
-void SemiCircularBendTest::drive() {
+void SemiCircularBendTest::prescribe_motion() {
   before_ = mouth();
   close_platens(2.0 * bend_.radius);
 }
@@ -113,7 +113,7 @@ std::vector<Number> SemiCircularBendTest::numbers(const analysis::WavePath& path
     out.front().note =
         analysis::joined(out.front().note, "isotropic factor of Kuruppu et al. 2014 on bedded rock");
   const Number* peak = analysis::find(out, "bend_strength");
-  const DirectIntensity direct = direct_intensity(*specimen_, bend_, bend_rollers(packing(), bend_).rig);
+  const DirectIntensity direct = direct_intensity(*specimen_, bend_, bend_rollers(packing(), bend_).boundary);
   analysis::add(out, direct_numbers(direct, peak->value));
   return out;
 }
@@ -140,12 +140,12 @@ HistoryColumns columns() {
         {"nominal_stress_loading", "Pa", "force of the loading roller / diameter", &Row::stress_top},
         {"nominal_stress_supports", "Pa", "force of both support rollers / diameter", &Row::stress_bottom},
         {"mouth_opening", "m", "opening of the notch at the flat face", &Row::mouth_opening}},
-       book_columns()});
+       balance_columns()});
 }
 
 TestDescription description() {
   TestDescription d;
-  d.name = "semi_circular_bend", d.stress = "nominal stress", d.tool = "roller";
+  d.name = "semi_circular_bend", d.stress = "nominal stress", d.body = "roller";
   d.extent = "a load-point displacement of {} % of the width";
   d.columns = columns();
   d.hashed = hashed_fields({"load_point_displacement", "load", "nominal_stress", "nominal_stress_loading",

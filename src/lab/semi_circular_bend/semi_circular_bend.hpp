@@ -6,12 +6,12 @@
 // the middle of that face (genesis/cut.hpp): whole grains are taken out, so the flanks touch nowhere and the
 // end of the notch is as blunt as a grain. Bedding at theta = 0 lies across the notch and the load, at 90
 // along them. Two rollers support the flat face at +-s/2, one loads the top of the arc; loading and support
-// rollers approach at test.platen_speed each. Stop rule: lab/lab_test.hpp.
+// rollers approach at test.platen_speed each. Stop rule: lab/procedure.hpp.
 //
 // A roller is a rigid vertical push, without friction unless test.platen_friction is given, on the grains of
 // the surface that rays within one largest radius of its line meet first, stress-free at the start as a
 // roller bedded on a rough face. Its line does not wander: a real roller rolls along the arc and the face a
-// little. Both support rollers are one tool: they move together, and their sum is recorded.
+// little. Both support rollers are one body: they move together, and their sum is recorded.
 //
 // History: load P per thickness [N/m] and nominal stress P/(2 R B); load-point displacement, the approach of
 // the rollers [m], which contains the seating of the rollers; crack mouth opening [m], between the grains of
@@ -30,7 +30,7 @@ BendSpecimen bend_specimen(const Recipe& recipe);
 /// it, too; elastic K of lattices and packings is that of this length (docs/theory/semi-circular-bend.md).
 BendSpecimen as_sawn(const Packing& half, BendSpecimen specimen);
 
-/// Support rollers and loading roller (tools 0 and 1) of a half disc as genesis::cut_half_disc leaves it.
+/// Support rollers and loading roller (bodies 0 and 1) of a half disc as genesis::cut_half_disc leaves it.
 /// Axial: approach along y as a displacement [m]; stress over the diameter.
 TestBoundary bend_rollers(const Packing& half, const BendSpecimen& specimen);
 

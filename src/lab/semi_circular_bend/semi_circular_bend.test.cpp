@@ -6,8 +6,8 @@
 
 #include "base/exact_math.hpp"
 #include "genesis/cut.hpp"
+#include "lab/procedure_fixture.hpp"
 #include "lab/semi_circular_bend/direct_solution.hpp"
-#include "lab/test_bench.test.hpp"
 
 namespace phy::lab {
 namespace {
@@ -88,11 +88,11 @@ TEST(SemiCircularBend, RollersBearOnTheSurfaceAtTheirLines) {
   EXPECT_DOUBLE_EQ(bend.radius, 0.012);
   EXPECT_DOUBLE_EQ(bend.notch, 0.006);
   EXPECT_DOUBLE_EQ(bend.span, 0.0192);
-  const engine::Rig rig = bend_rollers(*s.packing, bend).rig;
-  ASSERT_EQ(rig.tools.size(), 2u);
+  const engine::Boundary boundary = bend_rollers(*s.packing, bend).boundary;
+  ASSERT_EQ(boundary.bodies.size(), 2u);
   const double axis = 0.5 * s.packing->width, r_max = axis - bend.radius;
   std::size_t left = 0, right = 0;
-  for (const engine::Touch& t : rig.tools[0].touches) {
+  for (const engine::Touch& t : boundary.bodies[0].touches) {
     const Disc& d = s.packing->discs[t.grain];
     EXPECT_EQ(t.normal.y, 1.0);
     EXPECT_LT(std::fabs(std::fabs(d.x - axis) - 0.0096), 2.0 * r_max);
@@ -101,7 +101,7 @@ TEST(SemiCircularBend, RollersBearOnTheSurfaceAtTheirLines) {
   }
   EXPECT_GE(left, 1u);
   EXPECT_GE(right, 1u);
-  for (const engine::Touch& t : rig.tools[1].touches) {
+  for (const engine::Touch& t : boundary.bodies[1].touches) {
     const Disc& d = s.packing->discs[t.grain];
     EXPECT_EQ(t.normal.y, -1.0);
     EXPECT_LT(std::fabs(d.x - axis), 2.0 * r_max);
@@ -142,7 +142,7 @@ TEST(SemiCircularBend, DirectSolutionOfIsotropicRockIsModeOne) {
   const Recipe r = small_bend();
   const Specimen s = first_specimen(r);
   const BendSpecimen bend = as_sawn(*s.packing, bend_specimen(r));
-  const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).rig);
+  const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).boundary);
   ASSERT_EQ(K.missing, "");
   EXPECT_NEAR(K.K_I / isotropic_K_I(bend, 1.0), 1.0, 0.15) << "one packing of 20 grains in the radius";
   EXPECT_LT(std::fabs(K.K_II), 0.1 * K.K_I);
@@ -155,7 +155,8 @@ TEST(SemiCircularBend, NoDirectIntensityOfAFewPlanes) {
   r.bedding.front().spacing = 0.002;
   const Specimen s = first_specimen(r);
   const BendSpecimen bend = as_sawn(*s.packing, bend_specimen(r));
-  const auto numbers = direct_numbers(direct_intensity(s, bend, bend_rollers(*s.packing, bend).rig), 1e6);
+  const auto numbers =
+      direct_numbers(direct_intensity(s, bend, bend_rollers(*s.packing, bend).boundary), 1e6);
   EXPECT_TRUE(std::isnan(numbers.front().value));
   EXPECT_NE(numbers.front().note.find("bedding planes within the ring"), std::string::npos);
 }

@@ -1,50 +1,50 @@
 #include "lab/uniaxial/uniaxial.hpp"
 
 #include "analysis/analyse.hpp"
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 
 namespace phy::lab {
 namespace {
 
-constexpr std::int64_t jump_cycles = 3000;  // damped cycles after the affine strain
+constexpr std::int64_t pre_strain_cycles = 3000;  // damped cycles after the affine strain
 
-class UniaxialTest final : public LabTest {
+class UniaxialTest final : public Procedure {
  public:
-  using LabTest::LabTest;
+  using Procedure::Procedure;
 
  private:
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
-  void drive() override;
+  void prescribe_motion() override;
   double first_stop_strain() const override { return first_wave_strain; }
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
-  bool may_jump_ = recipe_.test.jump_strain > 0.0;
-  bool jumped_ = false;  // the jump was made and kept
+  bool may_pre_strain_ = recipe_.test.jump_strain > 0.0;
+  bool pre_strained_ = false;  // the pre-strain was made and kept
 };
 
 void UniaxialTest::on_placed() {
-  if (!may_jump_) return start_loading();
+  if (!may_pre_strain_) return start_loading();
   group_->hold_bonds(lane_, true);
-  group_->jump(lane_, recipe_.test.jump_strain);
+  group_->pre_strain(lane_, recipe_.test.jump_strain);
 }
 
 bool UniaxialTest::prepare(std::int64_t n_blocks) {
-  if (n_blocks * recipe_.test.history_interval < jump_cycles) return false;
-  may_jump_ = false;
+  if (n_blocks * recipe_.test.history_interval < pre_strain_cycles) return false;
+  may_pre_strain_ = false;
   if (!specimen_->matrix.unbreakable && group_->at_strength(lane_))
     begin();
   else
-    jumped_ = true, start_loading();
+    pre_strained_ = true, start_loading();
   return false;
 }
 
-void UniaxialTest::drive() { close_platens(packing().height); }
+void UniaxialTest::prescribe_motion() { close_platens(packing().height); }
 
 std::vector<Number> UniaxialTest::numbers(const analysis::WavePath& path) const {
   const History& history = result_.history;
   return analysis::axial_numbers(history, analysis::loading_branch(history), result_.cracks,
-                                 {path, jumped_ ? recipe_.test.jump_strain : 0.0});
+                                 {path, pre_strained_ ? recipe_.test.jump_strain : 0.0});
 }
 
 TestDescription description() {
@@ -55,7 +55,7 @@ TestDescription description() {
        {{"axial_strain", "1", "shortening between the platens / initial height", &HistoryRow::axial_strain}},
        gauge_columns(),
        platen_stress_columns(),
-       book_columns()});
+       balance_columns()});
   d.hashed = hashed_fields({"axial_strain", "axial_strain_gauge", "lateral_strain_gauge", "axial_stress",
                             "stress_top", "stress_bottom"});
   d.curve.property = Property::ucs;
@@ -65,7 +65,7 @@ TestDescription description() {
              {"UCS", "MPa", "ucs", 1e-6, 2},
              {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
              {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2}};
-  d.may_jump = true;
+  d.may_pre_strain = true;
   d.loading_text = [](const Recipe& r) { return platens_text(r.test) + " on specimens with free sides."; };
   return d;
 }

@@ -1,4 +1,4 @@
-// The press room: the jump start and its rule.
+// The press room: the affine pre-strain and its rule.
 #include "lab/uniaxial/uniaxial.hpp"
 
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/analyse.hpp"
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 
 namespace phy::lab {
 namespace {
@@ -22,29 +22,30 @@ TestResult press(double jump_strain) {
   return run_alone(r);
 }
 
-TEST(JumpStart, StartsLoadedAndKeepsTheBooks) {
+TEST(JumpStart, StartsLoadedAndKeepsTheEnergyBalance) {
   const double strain = 5e-4;
-  const TestResult plain = press(0.0), jumped = press(strain);
-  ASSERT_EQ(jumped.outcome.status, Status::peaked);
-  const HistoryRow& first = jumped.history.rows.front();
+  const TestResult plain = press(0.0), pre_strained = press(strain);
+  ASSERT_EQ(pre_strained.outcome.status, Status::peaked);
+  const HistoryRow& first = pre_strained.history.rows.front();
   EXPECT_GT(first.axial_strain, strain);
   EXPECT_LT(first.axial_strain, strain + 1e-5) << "one row later";
   EXPECT_EQ(first.n_cracks, 0.0);
   EXPECT_NEAR(first.axial_stress / first.axial_strain_gauge / number(plain, "E_small").value, 1.0, 0.1);
-  // What the damped cycles have left of the jump's work is what the springs hold: half of stress times
+  // What the damped cycles have left of the pre-strain's work is what the springs hold: half of stress times
   // strain.
   const double held = first.boundary_work - first.damping - first.slip;
   EXPECT_NEAR(held / (0.5 * first.axial_stress * first.axial_strain * 0.008 * 0.016), 1.0, 0.1);
-  EXPECT_LT(number(jumped, "energy_error").value, 5e-3);
-  EXPECT_LT(jumped.history.rows.size(), plain.history.rows.size());
-  EXPECT_NEAR(number(jumped, "ucs").value / number(plain, "ucs").value, 1.0, 0.1);  // chance, on 330 grains
+  EXPECT_LT(number(pre_strained, "energy_error").value, 5e-3);
+  EXPECT_LT(pre_strained.history.rows.size(), plain.history.rows.size());
+  EXPECT_NEAR(number(pre_strained, "ucs").value / number(plain, "ucs").value, 1.0,
+              0.1);  // chance, on 330 grains
 }
 
 // A jump so far that a bond or joint would break the moment strengths return is taken back: the test is then
 // the plain one, to the last bit.
 TEST(JumpStart, SpecimenAtItsStrengthIsRunWithoutIt) {
   const TestResult plain = press(0.0), too_far = press(2e-3);
-  ASSERT_LT(plain.cracks.front().strain, 2e-3) << "the jump is to go beyond first breakage";
+  ASSERT_LT(plain.cracks.front().strain, 2e-3) << "the pre-strain is to go beyond first breakage";
   EXPECT_EQ(too_far.hash, plain.hash);
   EXPECT_EQ(too_far.history.rows.front().step, plain.history.rows.front().step);
   EXPECT_EQ(number(too_far, "sigma_first_crack").value, number(plain, "sigma_first_crack").value);

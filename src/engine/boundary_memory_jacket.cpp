@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/boundary.hpp"
+#include "engine/boundary_memory.hpp"
 #include "engine/jacket.hpp"
 
 namespace phy::engine::group {
@@ -13,7 +13,7 @@ constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the
 }  // namespace
 
 template <class T>
-double Boundary<T>::pushed_way(std::size_t g, std::size_t l) const {
+double BoundaryMemory<T>::pushed_way(std::size_t g, std::size_t l) const {
   const LaneBoundary& lane = lanes_[l];
   if (lane.pressed.empty() || lane.pressed[g] == 0.0) return 0.0;
   const double force = (1.0 - lane.damping) * lane.pressure * std::fabs(lane.pressed[g]);
@@ -22,7 +22,7 @@ double Boundary<T>::pushed_way(std::size_t g, std::size_t l) const {
 }
 
 template <class T>
-std::vector<double> Boundary<T>::push(std::size_t l) const {
+std::vector<double> BoundaryMemory<T>::push(std::size_t l) const {
   std::vector<double> ways(jacket_ ? grains_->size() : 0);
   for (std::size_t g = 0; g < ways.size(); ++g) ways[g] = pushed_way(g, l);
   return ways;
@@ -30,7 +30,7 @@ std::vector<double> Boundary<T>::push(std::size_t l) const {
 
 /// Sum of the heights that are pressed, times their displacement [m^2].
 template <class T>
-double Boundary<T>::area_swept(std::size_t l) const {
+double BoundaryMemory<T>::area_swept(std::size_t l) const {
   const std::vector<double>& pressed = lanes_[l].pressed;
   double sum = 0.0;
   for (std::size_t g = 0; g < pressed.size(); ++g) sum += pressed[g] * grains_->get(g, g_ux, l);
@@ -38,7 +38,7 @@ double Boundary<T>::area_swept(std::size_t l) const {
 }
 
 template <class T>
-bool Boundary<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
+bool BoundaryMemory<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
   std::vector<Vec2> x(grains_->size());
   for (std::size_t g = 0; g < x.size(); ++g) x[g] = grains_->place(g, l);
   lanes_[l].pressed = jacket_heights(x, grains_->radii(), grains_->packing().height,
@@ -49,7 +49,7 @@ bool Boundary<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
 }
 
 template <class T>
-bool Boundary<T>::fit_jackets(NeighbourList<T>& list) {
+bool BoundaryMemory<T>::fit_jackets(NeighbourList<T>& list) {
   if (!jacket_) return false;
   bool forgotten = false;
   for (std::size_t l = 0; l < W_; ++l)
@@ -62,7 +62,7 @@ bool Boundary<T>::fit_jackets(NeighbourList<T>& list) {
 
 /// The grains that are pressed in some lane, and the forces on them.
 template <class T>
-void Boundary<T>::list_loads() {
+void BoundaryMemory<T>::list_loads() {
   const auto force = [&](std::size_t g, std::size_t l) {
     return lanes_[l].pressed.empty() ? 0.0 : lanes_[l].pressure * lanes_[l].pressed[g];
   };
@@ -84,11 +84,11 @@ void Boundary<T>::list_loads() {
         std::lower_bound(load_.begin(), load_.end(), grains_->layout().row_grain[row]) - load_.begin());
 }
 
-template double Boundary<double>::area_swept(std::size_t) const;
-template double Boundary<float>::area_swept(std::size_t) const;
-template std::vector<double> Boundary<double>::push(std::size_t) const;
-template std::vector<double> Boundary<float>::push(std::size_t) const;
-template bool Boundary<double>::fit_jackets(NeighbourList<double>&);
-template bool Boundary<float>::fit_jackets(NeighbourList<float>&);
+template double BoundaryMemory<double>::area_swept(std::size_t) const;
+template double BoundaryMemory<float>::area_swept(std::size_t) const;
+template std::vector<double> BoundaryMemory<double>::push(std::size_t) const;
+template std::vector<double> BoundaryMemory<float>::push(std::size_t) const;
+template bool BoundaryMemory<double>::fit_jackets(NeighbourList<double>&);
+template bool BoundaryMemory<float>::fit_jackets(NeighbourList<float>&);
 
 }  // namespace phy::engine::group

@@ -1,12 +1,12 @@
-#include "records/test_record.hpp"
+#include "records/specimen_record.hpp"
 
 #include "base/units.hpp"
 
 namespace phy {
 
-TestRecord record_of(const Recipe& recipe, const std::string& version, const Specimen& specimen,
-                     const TestResult& result) {
-  TestRecord record;
+SpecimenRecord record_of(const Recipe& recipe, const std::string& version, const Specimen& specimen,
+                         const TestResult& result) {
+  SpecimenRecord record;
   record.program = "phyllite " + version;
   record.recipe = recipe;
   const Packing& p = *specimen.packing;

@@ -1,4 +1,4 @@
-#include "calibrate/experience.hpp"
+#include "calibrate/prior_regression.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -17,8 +17,8 @@ constexpr double angle_step = 15.0;
 constexpr int n_bedded = 45, n_intact = 10;
 constexpr double held = 1.2;  // farthest a modulus ratio is believed, in half ranges
 
-// Made by tests/soak/experience.test.cpp; a column per angle 0, 15 ... 90, rows in the order of
-// experience_features.
+// Made by tests/soak/prior_regression.test.cpp; a column per angle 0, 15 ... 90, rows in the order of
+// regression_features.
 constexpr double bedded_table[n_bedded][n_angles] = {
     {0.693, 0.544, -0.020, -0.133, -0.208, 0.172, 0.894},
     {0.134, 0.190, 0.424, 0.514, 0.425, 0.408, 0.187},
@@ -129,12 +129,12 @@ struct Tension {
 
 }  // namespace
 
-std::vector<const StrengthParameter*> experienced_ratios(bool bedded) {
+std::vector<const StrengthParameter*> regressed_ratios(bool bedded) {
   if (!bedded) return {&matrix_tau_c, &matrix_mu};
   return {&matrix_tau_c, &matrix_mu, &joint_cohesion, &joint_sigma_n, &joint_mu};
 }
 
-std::vector<double> experience_features(std::span<const double> places, std::span<const double> moduli) {
+std::vector<double> regression_features(std::span<const double> places, std::span<const double> moduli) {
   std::vector<double> f = {1.0};
   const auto squares = [&](std::span<const double> v) {
     for (std::size_t i = 0; i < v.size(); ++i)
@@ -149,7 +149,7 @@ std::vector<double> experience_features(std::span<const double> places, std::spa
   return f;
 }
 
-std::vector<double> experience_moduli(const Recipe& recipe) {
+std::vector<double> regression_moduli(const Recipe& recipe) {
   const MatrixRecipe& m = recipe.matrix;
   std::vector<double> moduli = {position(m.ks_over_kn, 0.2, 0.6)};
   if (recipe.bedding.empty()) return moduli;
@@ -159,26 +159,27 @@ std::vector<double> experience_moduli(const Recipe& recipe) {
   return moduli;
 }
 
-Experience::Experience(const Recipe& recipe, double theta) : moduli_(experience_moduli(recipe)) {
+PriorRegression::PriorRegression(const Recipe& recipe, double theta) : moduli_(regression_moduli(recipe)) {
   const bool bedded = !recipe.bedding.empty();
-  for (const StrengthParameter* p : experienced_ratios(bedded)) learnt_.push_back(index_of(*p, bedded));
+  for (const StrengthParameter* p : regressed_ratios(bedded)) learnt_.push_back(index_of(*p, bedded));
   coefficients_ =
       bedded ? coefficients_at(theta) : std::vector<double>(intact_table.begin(), intact_table.end());
 }
 
-double Experience::at(std::span<const double> z) const {
+double PriorRegression::at(std::span<const double> z) const {
   std::vector<double> places;
   for (const std::size_t i : learnt_) places.push_back(z[i]);
-  const std::vector<double> f = experience_features(places, moduli_);
+  const std::vector<double> f = regression_features(places, moduli_);
   PHY_CHECK(f.size() == coefficients_.size(), "a coefficient per feature");
   using Vector = Eigen::Map<const Eigen::VectorXd>;
   const auto n = static_cast<Eigen::Index>(f.size());
   return Vector(coefficients_.data(), n).dot(Vector(f.data(), n));
 }
 
-Foretold foretold_strength(const Recipe& recipe, Property property, double theta) {
+PriorMean prior_strength(const Recipe& recipe, Property property, double theta) {
   if (property == Property::ucs)
-    return {[e = Experience(recipe, theta)](std::span<const double> z) { return e.at(z); }, 0.15, 0.06, 0.04};
+    return {[e = PriorRegression(recipe, theta)](std::span<const double> z) { return e.at(z); }, 0.15, 0.06,
+            0.04};
   const double across = property == Property::brazilian ? 90.0 - theta : theta;
   return {[t = Tension{!recipe.bedding.empty(), across}](std::span<const double> z) { return t.at(z); }, 0.4,
           0.2, 0.06};

@@ -17,7 +17,7 @@ struct BeddingRecord {
   BeddingReport report;
 };
 
-struct TestRecord {
+struct SpecimenRecord {
   std::string program;  ///< name and version
   Recipe recipe;
   std::string packing_hash;
@@ -37,12 +37,12 @@ struct MissingTest {
 
 /// The specimens of one run, intact rock last.
 struct RunRecord {
-  std::vector<TestRecord> tests;
+  std::vector<SpecimenRecord> tests;
   std::vector<MissingTest> missing;
 };
 
-TestRecord record_of(const Recipe& recipe, const std::string& version, const Specimen& specimen,
-                     const TestResult& result);
+SpecimenRecord record_of(const Recipe& recipe, const std::string& version, const Specimen& specimen,
+                         const TestResult& result);
 
 /// What a specimen with bedding is called: "theta = 30 deg".
 std::string specimen_name(double theta);

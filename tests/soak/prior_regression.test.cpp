@@ -1,5 +1,5 @@
-// The tests behind src/calibrate/experience.cpp: synthetic rocks from outside the twenty of the twin trials,
-// each at nine points of the strength box. All 48 are 3,456 tests, some 50 minutes of CPU;
+// The tests behind src/calibrate/prior_regression.cpp: synthetic rocks from outside the twenty of the twin
+// trials, each at nine points of the strength box. All 48 are 3,456 tests, some 50 minutes of CPU;
 // PHY_EXPERIENCE_ROCKS sets how many, PHY_EXPERIENCE_STORE a file that keeps finished tests.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "../calibration/twin_trial.hpp"
 #include "analysis/analyse.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/experience.hpp"
+#include "calibrate/prior_regression.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "setting.hpp"
 
@@ -39,7 +39,7 @@ Recipe recipe_of(std::uint32_t rock, std::uint32_t point, const Recipe& model, s
   Recipe r = trial_rock(first_rock + rock, model);
   z.clear();
   std::uint32_t i = 1;
-  for (const calibrate::StrengthParameter* p : calibrate::experienced_ratios(true)) {
+  for (const calibrate::StrengthParameter* p : calibrate::regressed_ratios(true)) {
     z.push_back(2.0 * uniform(point_seed, Stream::test, rock, point, i++) - 1.0);
     p->set(r, p->at_place(z.back()));
   }
@@ -67,12 +67,12 @@ std::vector<Lesson> lessons_of(std::uint32_t rock, const Recipe& model, calibrat
     const Recipe ready = calibrate::test_settings(point, guesses(point), seed, simulator);
     for (const double theta : angles) {
       recipes.push_back(calibrate::single_at(ready, theta, seed));
-      lessons.push_back({rock, theta, z, calibrate::experience_moduli(ready), 0.0});
+      lessons.push_back({rock, theta, z, calibrate::regression_moduli(ready), 0.0});
     }
     recipes.push_back(calibrate::single_at(ready, 0.0, seed));
     recipes.back().bedding.clear();
-    z.resize(calibrate::experienced_ratios(false).size());
-    lessons.push_back({rock, intact, z, calibrate::experience_moduli(recipes.back()), 0.0});
+    z.resize(calibrate::regressed_ratios(false).size());
+    lessons.push_back({rock, intact, z, calibrate::regression_moduli(recipes.back()), 0.0});
   }
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Lesson> peaked;
@@ -89,7 +89,7 @@ constexpr std::uint32_t n_folds = 8, no_fold = n_folds;
 std::uint32_t fold_of(const Lesson& l) { return l.rock % n_folds; }
 
 VectorXd features_of(const std::vector<double>& z, const std::vector<double>& moduli) {
-  const std::vector<double> f = calibrate::experience_features(z, moduli);
+  const std::vector<double> f = calibrate::regression_features(z, moduli);
   return Eigen::Map<const VectorXd>(f.data(), static_cast<Eigen::Index>(f.size()));
 }
 
@@ -130,7 +130,7 @@ double left_out_error(const std::vector<Lesson>& all, double theta) {
   return std::sqrt(squares / n);
 }
 
-TEST(Experience, IsWhatItsTestsTeach) {
+TEST(PriorRegression, IsWhatItsTestsTeach) {
   const auto n = static_cast<std::uint32_t>(setting("PHY_EXPERIENCE_ROCKS", n_rocks));
   const auto simulator = calibrate::make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
                                                     text_setting("PHY_EXPERIENCE_STORE"), nullptr, nullptr});
@@ -158,14 +158,14 @@ TEST(Experience, IsWhatItsTestsTeach) {
   if (n < n_rocks) return;
   for (std::uint32_t k = 0; k < 4; ++k) {  // the table in the program is this one, rounded
     Recipe rock = trial_rock(k, model);
-    const std::vector<double> z(calibrate::experienced_ratios(true).size(), 0.25 * k);
+    const std::vector<double> z(calibrate::regressed_ratios(true).size(), 0.25 * k);
     for (std::size_t a = 0; a < angles.size(); ++a)
-      EXPECT_NEAR(calibrate::Experience(rock, angles[a]).at(z),
-                  columns[a].dot(features_of(z, calibrate::experience_moduli(rock))), 5e-3);
+      EXPECT_NEAR(calibrate::PriorRegression(rock, angles[a]).at(z),
+                  columns[a].dot(features_of(z, calibrate::regression_moduli(rock))), 5e-3);
     rock.bedding.clear();
-    const std::vector<double> two(calibrate::experienced_ratios(false).size(), 0.25 * k);
-    EXPECT_NEAR(calibrate::Experience(rock, 0.0).at(two),
-                without.dot(features_of(two, calibrate::experience_moduli(rock))), 5e-3);
+    const std::vector<double> two(calibrate::regressed_ratios(false).size(), 0.25 * k);
+    EXPECT_NEAR(calibrate::PriorRegression(rock, 0.0).at(two),
+                without.dot(features_of(two, calibrate::regression_moduli(rock))), 5e-3);
   }
 }
 

@@ -27,17 +27,19 @@ inline std::unique_ptr<LaneGroup> small_group(const Specimen& s, Precision preci
 inline std::shared_ptr<const Specimen> shared(Specimen s) {
   return std::make_shared<const Specimen>(std::move(s));
 }
-inline std::shared_ptr<const Rig> shared(Rig rig) { return std::make_shared<const Rig>(std::move(rig)); }
+inline std::shared_ptr<const Boundary> shared(Boundary boundary) {
+  return std::make_shared<const Boundary>(std::move(boundary));
+}
 
-/// A tool that touches grains 0 ... n - 1 and pushes along +x (direction 1) or -x (-1).
-inline Tool pusher(std::uint32_t n, double direction) {
-  Tool t;
+/// A body that touches grains 0 ... n - 1 and pushes along +x (direction 1) or -x (-1).
+inline BoundaryBody pusher(std::uint32_t n, double direction) {
+  BoundaryBody t;
   for (std::uint32_t i = 0; i < n; ++i) t.touches.push_back({i, {direction, 0.0}, 0.0});
   return t;
 }
 
 /// Two loose discs of radius R side by side, `gap` apart, in a group without damping at a fiftieth of the
-/// stable step, where a collision keeps its energy within 5e-3. The tool that gives the step its stiffness is
+/// stable step, where a collision keeps its energy within 5e-3. The body that gives the step its stiffness is
 /// placed with `jacket` only.
 struct TwoDiscs {
   static constexpr double R = 3e-4, skin = 0.25 * R;
@@ -53,15 +55,15 @@ struct TwoDiscs {
     options.lanes = 4;
     options.interval = 400;
     group = make_group(s->packing, options);
-    Rig rig;
-    rig.tools = {pusher(2, 1.0)};
-    for (Touch& t : rig.tools[0].touches) t.gap = 0.5 * R;  // counts for the step, is never reached
-    rig.jacket = jacket;
+    Boundary boundary;
+    boundary.bodies = {pusher(2, 1.0)};
+    for (Touch& t : boundary.bodies[0].touches) t.gap = 0.5 * R;  // counts for the step, is never reached
+    boundary.jacket = jacket;
     LaneSetup setup;
     setup.damping = 0.0, setup.step_safety = 0.02;
-    setup.rig = std::make_shared<const Rig>(rig);
+    setup.boundary = std::make_shared<const Boundary>(boundary);
     group->load(0, s, setup);
-    if (jacket) group->place_rig(0);
+    if (jacket) group->place_boundary(0);
     block = group->time_step(0) * options.interval;
   }
   double moved(std::size_t disc) const { return group->grains(0)[disc].ux; }

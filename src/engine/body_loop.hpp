@@ -1,7 +1,7 @@
-// The rig in the hot loop: tools that touch or hold grains, and the jacket, row by row (rig.hpp).
+// The boundary in the hot loop: bodies that touch or hold grains, and the jacket, row by row (boundary.hpp).
 //
 // Holding works without a second kind of motion: before a row moves, the force on a held component goes to
-// the tool and its velocity becomes the tool's; the ordinary motion then carries it along. The force of step
+// the body and its velocity becomes the body's; the ordinary motion then carries it along. The force of step
 // t is therefore collected in step t + 1, and that of a block's last step at the end of the block.
 //
 // Balance is found by Newton's method on a sum of springs that only push: piecewise linear and rising, so
@@ -23,13 +23,13 @@ class ToolLoop {
 
   ToolLoop(GroupView<T>& view, const R* lane_constants) : v(view), lane(lane_constants) {}
 
-  /// Before a row moves in `step`: the forces of the step before go to the tools, their velocities to the
+  /// Before a row moves in `step`: the forces of the step before go to the bodies, their velocities to the
   /// grains.
   PHY_HOT void hold(int row, int step) {
     for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1];) {
-      const std::size_t at = tool_at(step, v.grip[i].tool);
-      const R vx = load<R>(v.tool_v, at), vy = load<R>(v.tool_v, at + 1);
-      i = each_of_tool(i, row, step - 1, [&](const GripPoint& p, T* grain, MaskOf<R> held) {
+      const std::size_t at = body_at(step, v.grip[i].body);
+      const R vx = load<R>(v.body_v, at), vy = load<R>(v.body_v, at + 1);
+      i = each_of_body(i, row, step - 1, [&](const GripPoint& p, T* grain, MaskOf<R> held) {
         if (p.x) store(grain, g_vx, select(held, vx, load<R>(grain, g_vx)));
         if (p.y) store(grain, g_vy, select(held, vy, load<R>(grain, g_vy)));
         if (p.rotation) store(grain, g_w, select(held, R(0), load<R>(grain, g_w)));
@@ -37,24 +37,24 @@ class ToolLoop {
     }
   }
 
-  /// Forces on held components go to the tools, as those of `step`.
+  /// Forces on held components go to the bodies, as those of `step`.
   void collect(int row, int step) {
     for (std::int32_t i = v.row_grip[row]; i < v.row_grip[row + 1];)
-      i = each_of_tool(i, row, step, [](const GripPoint&, T*, MaskOf<R>) {});
+      i = each_of_body(i, row, step, [](const GripPoint&, T*, MaskOf<R>) {});
   }
 
-  /// Forces of tools and jacket on the grains of a row; returns the slip work.
+  /// Forces of bodies and jacket on the grains of a row; returns the slip work.
   template <bool sample>
   R press(int row, int step) {
     R slip(0);
     const std::int32_t end = v.row_touch[row + 1];
     for (std::int32_t i = v.row_touch[row]; i < end;) {
-      const std::int32_t tool = v.touch[i].tool;
-      const std::size_t at = tool_at(step, tool);
+      const std::int32_t body = v.touch[i].body;
+      const std::size_t at = body_at(step, body);
       Sums sums;
-      for (; i < end && v.touch[i].tool == tool; ++i) touch<sample>(v.touch[i], at, sums);
-      add_to(v.tool_force, at, sums.fx);
-      add_to(v.tool_force, at + 1, sums.fy);
+      for (; i < end && v.touch[i].body == body; ++i) touch<sample>(v.touch[i], at, sums);
+      add_to(v.body_force, at, sums.fx);
+      add_to(v.body_force, at + 1, sums.fy);
       slip += sums.slip;
       if constexpr (sample) add_sample(v.sample, s_strain_wall, sums.energy);
     }
@@ -63,20 +63,20 @@ class ToolLoop {
     return slip;
   }
 
-  /// Puts the tools in balance where they stand in `step`; all rows have moved.
+  /// Puts the bodies in balance where they stand in `step`; all rows have moved.
   void balance(int step) {
     for (int i = 0; i < v.n_balanced; ++i) {
       const BalancePoint& p = v.balanced[i];
       const auto component = static_cast<std::size_t>(p.component);
-      const std::size_t at = tool_at(step, p.tool), place = tool_at(0, p.tool) + component;
+      const std::size_t at = body_at(step, p.body), place = body_at(0, p.body) + component;
       const MaskOf<R> on = load<R>(v.balance_on, place) > R(0);
-      const R planned = load<R>(v.tool_u, at + component), force = load<R>(v.balance_force, place);
-      const std::size_t last = tool_at(step > 0 ? step - 1 : 0, p.tool) + component;
-      const R before = select(on, load<R>(v.tool_u, last), planned);
+      const R planned = load<R>(v.body_u, at + component), force = load<R>(v.balance_force, place);
+      const std::size_t last = body_at(step > 0 ? step - 1 : 0, p.body) + component;
+      const R before = select(on, load<R>(v.body_u, last), planned);
       R now = before;
       MaskOf<R> off = on;
       for (int k = 0; k < most_balance_steps; ++k) {
-        store(v.tool_u, at + component, now);
+        store(v.body_u, at + component, now);
         const Response r = response(p, at);
         const R missing = force - r.force;
         off = off & (abs(missing) > R(force_met) * abs(force));
@@ -84,9 +84,9 @@ class ToolLoop {
         const R start = select(r.stiffness > R(0), now, now + r.reach);
         now = select(off, start + missing / max(r.stiffness, wall()[contact::wall::k_n]), now);
       }
-      store(v.tool_u, at + component, now);
+      store(v.body_u, at + component, now);
       const R speed = (now - before) / lane[l_dt];
-      store(v.tool_v, at + component, select(on, speed, load<R>(v.tool_v, at + component)));
+      store(v.body_v, at + component, select(on, speed, load<R>(v.body_v, at + component)));
     }
   }
 
@@ -98,7 +98,7 @@ class ToolLoop {
   GroupView<T>& v;
   const R* lane;
 
-  /// Force of a tool along a component, as it stands, how it changes with the tool's place, and how far it is
+  /// Force of a body along a component, as it stands, how it changes with the body's place, and how far it is
   /// to the nearest grain (where it touches none).
   struct Response {
     R force = R(0), stiffness = R(0), nearest = R(T(-1e30)), reach = R(0);
@@ -124,22 +124,22 @@ class ToolLoop {
   static_assert(n_lane_fields - l_wall == contact::wall::n_parameters);
   const R* wall() const { return lane + l_wall; }
   T* grain_at(std::int32_t g) const { return v.grain + static_cast<std::size_t>(g) * n_grain_fields * W; }
-  std::size_t tool_at(int step, std::int32_t tool) const {
-    return (static_cast<std::size_t>(step) * static_cast<std::size_t>(v.n_tools) +
-            static_cast<std::size_t>(tool)) *
+  std::size_t body_at(int step, std::int32_t body) const {
+    return (static_cast<std::size_t>(step) * static_cast<std::size_t>(v.n_bodies) +
+            static_cast<std::size_t>(body)) *
            2;
   }
 
-  /// Grips of a row from `i` on that belong to one tool: their forces go to it as those of `step`, before the
-  /// first step nowhere; then `also` has the grain. Returns the next grip. A tool may hold all grains: its
+  /// Grips of a row from `i` on that belong to one body: their forces go to it as those of `step`, before the
+  /// first step nowhere; then `also` has the grain. Returns the next grip. A body may hold all grains: its
   /// sum stays in a register.
   template <class Also>
-  PHY_HOT std::int32_t each_of_tool(std::int32_t i, int row, int step, const Also& also) {
-    const std::int32_t tool = v.grip[i].tool;
-    const std::size_t at = tool_at(step < 0 ? 0 : step, tool);
+  PHY_HOT std::int32_t each_of_body(std::int32_t i, int row, int step, const Also& also) {
+    const std::int32_t body = v.grip[i].body;
+    const std::size_t at = body_at(step < 0 ? 0 : step, body);
     const MaskOf<R> held = lane[l_grips] > R(0);
-    R sum_x = load<R>(v.tool_force, at), sum_y = load<R>(v.tool_force, at + 1);
-    for (; i < v.row_grip[row + 1] && v.grip[i].tool == tool; ++i) {
+    R sum_x = load<R>(v.body_force, at), sum_y = load<R>(v.body_force, at + 1);
+    for (; i < v.row_grip[row + 1] && v.grip[i].body == body; ++i) {
       const GripPoint& p = v.grip[i];
       T* grain = grain_at(p.grain);
       const R fx = p.x ? take(grain, g_fx, held) : R(0);
@@ -148,18 +148,18 @@ class ToolLoop {
       sum_x = sum_x + -fx, sum_y = sum_y + -fy;
       also(p, grain, held);
     }
-    if (step >= 0) store(v.tool_force, at, sum_x), store(v.tool_force, at + 1, sum_y);
+    if (step >= 0) store(v.body_force, at, sum_x), store(v.body_force, at + 1, sum_y);
     return i;
   }
 
   std::size_t place_of(const TouchPoint<T>& p) const {
-    return static_cast<std::size_t>(p.tool) * static_cast<std::size_t>(v.n_grains) +
+    return static_cast<std::size_t>(p.body) * static_cast<std::size_t>(v.n_grains) +
            static_cast<std::size_t>(p.grain);
   }
   R closure(const TouchPoint<T>& p, std::size_t at) const {
     const T* grain = grain_at(p.grain);
-    return R(p.nx) * (load<R>(v.tool_u, at) - load<R>(grain, g_ux)) +
-           R(p.ny) * (load<R>(v.tool_u, at + 1) - load<R>(grain, g_uy)) - load<R>(v.touch_gap, place_of(p));
+    return R(p.nx) * (load<R>(v.body_u, at) - load<R>(grain, g_ux)) +
+           R(p.ny) * (load<R>(v.body_u, at + 1) - load<R>(grain, g_uy)) - load<R>(v.touch_gap, place_of(p));
   }
 
   /// Takes a force off a grain in the lanes whose grips hold.
@@ -169,14 +169,14 @@ class ToolLoop {
     return select(held, force, R(0));
   }
 
-  /// The tool is grain 1: n into the specimen, t = n turned anticlockwise.
+  /// The body is grain 1: n into the specimen, t = n turned anticlockwise.
   template <bool sample>
   void touch(const TouchPoint<T>& p, std::size_t at, Sums& sums) {
     T* grain = grain_at(p.grain);
     const std::size_t place = place_of(p);
     const R nx(p.nx), ny(p.ny), radius(v.grain_const[p.grain].radius);
-    const R vx = load<R>(grain, g_vx) - load<R>(v.tool_v, at);
-    const R vy = load<R>(grain, g_vy) - load<R>(v.tool_v, at + 1);
+    const R vx = load<R>(grain, g_vx) - load<R>(v.body_v, at);
+    const R vy = load<R>(grain, g_vy) - load<R>(v.body_v, at + 1);
     const R d_slide = (nx * vy - ny * vx - load<R>(grain, g_w) * radius) * lane[l_dt];
     const auto law = contact::wall::law(wall(), R(p.rough));
     R shear = load<R>(v.touch_shear, place);

@@ -1,4 +1,4 @@
-#include "lab/rigs.hpp"
+#include "lab/boundaries.hpp"
 
 #include <fmt/format.h>
 
@@ -18,12 +18,13 @@ constexpr double loaded = 1e-4;  // strain from which the energy balance means s
 }  // namespace
 
 void set_axial(TestBoundary& boundary, int lo, int hi, Vec2 direction, LoadScale scale) {
-  boundary.rig.axial = {lo, hi, direction, loaded * scale.length};
+  boundary.boundary.axial = {lo, hi, direction, loaded * scale.length};
   boundary.axial = scale;
 }
 
-engine::Tool flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal, bool rough) {
-  engine::Tool wall;
+engine::BoundaryBody flat_wall(const Packing& packing, std::string name, Vec2 point, Vec2 normal,
+                               bool rough) {
+  engine::BoundaryBody wall;
   wall.name = std::move(name);
   wall.rough = rough;
   for (std::uint32_t i = 0; i < packing.discs.size(); ++i) {
@@ -55,8 +56,8 @@ double ray_spacing(const Packing& packing) {
 
 TestBoundary platens(const Packing& packing) {
   TestBoundary press;
-  press.rig.tools = {flat_wall(packing, "bottom platen", {0.0, 0.0}, {0.0, 1.0}, true),
-                     flat_wall(packing, "top platen", {0.0, packing.height}, {0.0, -1.0}, true)};
+  press.boundary.bodies = {flat_wall(packing, "bottom platen", {0.0, 0.0}, {0.0, 1.0}, true),
+                           flat_wall(packing, "top platen", {0.0, packing.height}, {0.0, -1.0}, true)};
   set_axial(press, 0, 1, {0.0, 1.0}, {packing.height, packing.width});
   return press;
 }

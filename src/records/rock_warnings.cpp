@@ -1,4 +1,4 @@
-#include "records/rock_remarks.hpp"
+#include "records/rock_warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -32,14 +32,14 @@ const Target* at_angle(const std::vector<Target>& targets, Property p, double th
 }
 
 /// Appends "what, what: why" if there is anything.
-void tell(std::vector<std::string>& remarks, const std::vector<std::string>& what, const std::string& why) {
+void warn(std::vector<std::string>& warnings, const std::vector<std::string>& what, const std::string& why) {
   if (what.empty()) return;
   std::string text = "look again: ";
   for (const std::string& w : what) text += w + (&w == &what.back() ? ": " : ", ");
-  remarks.push_back(text + why);
+  warnings.push_back(text + why);
 }
 
-void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& remarks) {
+void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {
   std::vector<std::string> moduli, strengths;
   for (const Target& t : targets) {
     if (t.property == Property::E && (t.mean < least_E || t.mean > most_E))
@@ -47,11 +47,11 @@ void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vec
     if (t.property == Property::ucs && (t.mean < least_ucs || t.mean > most_ucs))
       strengths.push_back(fmt::format("{} = {:.3g} MPa", name_at(rock, "UCS", t.theta), t.mean * 1e-6));
   }
-  tell(remarks, moduli, "hardly any rock lies outside 0.1 to 200 GPa; check the unit in the header");
-  tell(remarks, strengths, "hardly any rock lies outside 0.25 to 600 MPa; check the unit in the header");
+  warn(warnings, moduli, "hardly any rock lies outside 0.1 to 200 GPa; check the unit in the header");
+  warn(warnings, strengths, "hardly any rock lies outside 0.25 to 600 MPa; check the unit in the header");
 }
 
-void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& remarks) {
+void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {
   std::vector<std::string> moduli, tension;
   for (const Target& t : targets) {
     const Target* ucs = at_angle(targets, Property::ucs, t.theta);
@@ -64,13 +64,13 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vec
       tension.push_back(fmt::format("{} = {:.3g} UCS", name_at(rock, to_string(t.property), t.theta), ratio));
     }
   }
-  tell(remarks, moduli,
+  warn(warnings, moduli,
        "most rocks have 200 to 500 (Deere & Miller 1966), hardly any less than 80 or more than 2000; check "
        "units and columns");
-  tell(remarks, tension, "most rocks have about a tenth of UCS in tension; check units and columns");
+  warn(warnings, tension, "most rocks have about a tenth of UCS in tension; check units and columns");
 }
 
-void doubt_replicates(const Rock& rock, std::vector<std::string>& remarks) {
+void doubt_replicates(const Rock& rock, std::vector<std::string>& warnings) {
   struct Cell {
     const RockReading *least = nullptr, *most = nullptr;
     bool has_sd = false;
@@ -90,12 +90,12 @@ void doubt_replicates(const Rock& rock, std::vector<std::string>& remarks) {
                                   name_at(rock, to_string(std::get<0>(key)), c.least->theta),
                                   std::min(c.least->line, c.most->line),
                                   std::max(c.least->line, c.most->line), c.most->value / c.least->value));
-  tell(remarks, apart, "a slip of the pen, or two rocks?");
+  warn(warnings, apart, "a slip of the pen, or two rocks?");
 }
 
 /// What the conversion to plane stress takes for the rock along its bedding, and what it cannot convert.
-void tell_conversion(const Rock& rock, const std::vector<Target>& targets,
-                     std::vector<std::string>& remarks) {
+void report_conversion(const Rock& rock, const std::vector<Target>& targets,
+                       std::vector<std::string>& warnings) {
   std::vector<std::string> stand_ins, left;
   for (const Property p : {Property::E, Property::nu}) {
     double nearest = 0.0;
@@ -104,27 +104,28 @@ void tell_conversion(const Rock& rock, const std::vector<Target>& targets,
   }
   for (const Target& t : of_property(targets, Property::nu))
     if (at_angle(targets, Property::E, t.theta) == nullptr) left.push_back(name_at(rock, "nu", t.theta));
-  tell(
-      remarks, stand_ins,
+  warn(
+      warnings, stand_ins,
       "taken for the value along the bedding, which the conversion of plane strain needs; the table has none "
       "nearer to 90 degrees");
-  tell(remarks, left, "not converted from plane strain, for want of E at the same angle");
+  warn(warnings, left, "not converted from plane strain, for want of E at the same angle");
 }
 
 }  // namespace
 
-std::vector<std::string> remarks_on(const Rock& rock) {
+std::vector<std::string> warnings_about(const Rock& rock) {
   Rock as_written = rock;  // a conversion is not the table's doing
   as_written.reading = ElasticReading::plane_stress;
   const std::vector<Target> targets = targets_of(as_written);
-  std::vector<std::string> remarks;
-  doubt_values(rock, targets, remarks);
-  doubt_ratios(rock, targets, remarks);
-  doubt_replicates(rock, remarks);
+  std::vector<std::string> warnings;
+  doubt_values(rock, targets, warnings);
+  doubt_ratios(rock, targets, warnings);
+  doubt_replicates(rock, warnings);
   const bool moduli = !of_property(targets, Property::E).empty(),
              nu = !of_property(targets, Property::nu).empty();
-  if (rock.reading == ElasticReading::plane_strain && moduli && nu) tell_conversion(rock, targets, remarks);
-  return remarks;
+  if (rock.reading == ElasticReading::plane_strain && moduli && nu)
+    report_conversion(rock, targets, warnings);
+  return warnings;
 }
 
 }  // namespace phy

@@ -9,6 +9,6 @@
 namespace phy {
 
 /// One sentence per kind of doubt.
-std::vector<std::string> remarks_on(const Rock& rock);
+std::vector<std::string> warnings_about(const Rock& rock);
 
 }  // namespace phy

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "analysis/histories.test.hpp"
+#include "analysis/histories_fixture.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"

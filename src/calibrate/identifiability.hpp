@@ -15,7 +15,7 @@
 namespace phy::calibrate {
 
 /// One estimate per parameter, with intervals for the elastic ones (values NaN: it has none before the fit).
-std::vector<Estimate> foresee(const Evidence& evidence);
+std::vector<Estimate> identifiability(const Evidence& evidence);
 
 /// Sentences for the user: what the table holds, what is missing, what a further test would bring.
 std::vector<std::string> advice(const Evidence& evidence);

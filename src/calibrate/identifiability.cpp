@@ -1,4 +1,4 @@
-#include "calibrate/foresee.hpp"
+#include "calibrate/identifiability.hpp"
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ std::string elastic_test(const LabReading& test, const Evidence& evidence) {
 }
 
 /// `sd`: of what it acts on.
-Estimate foreseen_modulus(const ElasticParameter& p, double sd, const Evidence& evidence) {
+Estimate identified_modulus(const ElasticParameter& p, double sd, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
   const LabReading& test = evidence.rock.bedded ? p.bedded_reading : p.intact_reading;
@@ -86,7 +86,7 @@ Estimate foreseen_modulus(const ElasticParameter& p, double sd, const Evidence& 
 
 /// The rule in terms of what the table holds: without UCS nothing is fitted, and where the tests of a rule
 /// are missing, UCS is all that the fit has.
-Estimate foreseen_strength(const StrengthParameter& p, const Evidence& evidence) {
+Estimate identified_strength(const StrengthParameter& p, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
   e.low = e.high = std::nan("");
@@ -120,16 +120,16 @@ std::string assumed_scatter(const std::vector<Target>& targets, Property propert
 
 }  // namespace
 
-std::vector<Estimate> foresee(const Evidence& evidence) {
+std::vector<Estimate> identifiability(const Evidence& evidence) {
   const bool bedded = evidence.rock.bedded;
   std::vector<Estimate> estimates;
   const std::vector<const ElasticParameter*> elastic = elastic_parameters(true);
   const std::vector<double> sd = expected_sd(evidence, elastic);
   for (std::size_t i = 0; i < elastic.size(); ++i)
     if (bedded || !elastic[i]->of_joint())
-      estimates.push_back(foreseen_modulus(*elastic[i], sd[i], evidence));
+      estimates.push_back(identified_modulus(*elastic[i], sd[i], evidence));
   for (const StrengthParameter* p : strength_parameters(bedded))
-    estimates.push_back(foreseen_strength(*p, evidence));
+    estimates.push_back(identified_strength(*p, evidence));
   return estimates;
 }
 

@@ -1,4 +1,4 @@
-#include "engine/boundary.hpp"
+#include "engine/boundary_memory.hpp"
 
 #include <algorithm>
 
@@ -9,9 +9,9 @@ namespace {
 
 constexpr double servo_proportional = 0.6;
 constexpr double servo_integral = 0.2;
-constexpr double far_away = 1.0;  // m: gap of a tool that is not there
+constexpr double far_away = 1.0;  // m: gap of a body that is not there
 
-/// One component of the servo (rig.hpp): displacement per block from the mean force of the last one.
+/// One component of the servo (boundary.hpp): displacement per block from the mean force of the last one.
 double servo_step(const Servo& servo, double mean_force, double displacement, double& memory, double block) {
   const double missing = (servo.force - servo.spring * displacement - mean_force) / servo.stiffness;
   const double most = servo.max_speed * block;
@@ -19,9 +19,9 @@ double servo_step(const Servo& servo, double mean_force, double displacement, do
   return std::clamp(memory + servo_proportional * missing, -most, most);
 }
 
-/// Upper bound of a tool's speed. In balance it is at most that of the fastest grain: moving all grains that
+/// Upper bound of a body's speed. In balance it is at most that of the fastest grain: moving all grains that
 /// it touches moves it by as much.
-double fastest_tool(const Drive& d, double fastest_grain) {
+double fastest_body(const PrescribedMotion& d, double fastest_grain) {
   return norm(d.velocity) + (d.servo_x.on ? d.servo_x.max_speed : 0.0) +
          (d.servo_y.on ? d.servo_y.max_speed : 0.0) +
          (d.balance_x.on || d.balance_y.on ? fastest_grain : 0.0);
@@ -30,7 +30,7 @@ double fastest_tool(const Drive& d, double fastest_grain) {
 }  // namespace
 
 template <class T>
-Boundary<T>::Boundary(const GrainMemory<T>& grains, int interval)
+BoundaryMemory<T>::BoundaryMemory(const GrainMemory<T>& grains, int interval)
     : grains_(&grains),
       W_(grains.lanes()),
       n_steps_(static_cast<std::size_t>(interval)),
@@ -40,7 +40,7 @@ Boundary<T>::Boundary(const GrainMemory<T>& grains, int interval)
       row_load_(row_touch_) {}
 
 template <class T>
-void Boundary<T>::clear(std::size_t l) {
+void BoundaryMemory<T>::clear(std::size_t l) {
   lanes_[l] = {};
   for (std::size_t p = 0; p < n_tools_ * grains_->size(); ++p) {
     touch_gap_[p * W_ + l] = T(far_away);
@@ -49,7 +49,7 @@ void Boundary<T>::clear(std::size_t l) {
 }
 
 template <class T>
-void Boundary<T>::copy(std::size_t l, Boundary<T>& to, std::size_t k) const {
+void BoundaryMemory<T>::copy(std::size_t l, BoundaryMemory<T>& to, std::size_t k) const {
   to.lanes_[k] = lanes_[l];
   for (std::size_t place = 0; place < n_tools_ * grains_->size(); ++place) {
     to.touch_gap_[place * to.W_ + k] = touch_gap_[place * W_ + l];
@@ -57,32 +57,33 @@ void Boundary<T>::copy(std::size_t l, Boundary<T>& to, std::size_t k) const {
   }
 }
 
-/// Lanes of a group share the geometry of their rig: it follows from the packing and the kind of test.
+/// Lanes of a group share the geometry of their boundary: it follows from the packing and the kind of test.
 template <class T>
-void Boundary<T>::adopt(const Rig& rig) {
-  if (rig.tools.empty() && !rig.jacket) return;
+void BoundaryMemory<T>::adopt(const Boundary& boundary) {
+  if (boundary.bodies.empty() && !boundary.jacket) return;
   if (n_tools_ > 0 || jacket_) {
-    PHY_CHECK(rig.tools.size() == n_tools_ && rig.jacket == jacket_, "lanes share one rig");
+    PHY_CHECK(boundary.bodies.size() == n_tools_ && boundary.jacket == jacket_, "lanes share one boundary");
     return;
   }
-  jacket_ = rig.jacket;
-  n_tools_ = rig.tools.size();
+  jacket_ = boundary.jacket;
+  n_tools_ = boundary.bodies.size();
   const std::size_t per_step = n_steps_ * n_tools_ * 2 * W_, n = grains_->size();
-  tool_u_.assign(per_step), tool_v_.assign(per_step), tool_force_.assign(per_step), tool_du_.assign(per_step);
+  body_u_.assign(per_step), body_v_.assign(per_step), body_force_.assign(per_step), body_du_.assign(per_step);
   balance_on_.assign(n_tools_ * 2 * W_), balance_force_.assign(n_tools_ * 2 * W_);
   touch_gap_.assign(n_tools_ * n * W_);
   touch_shear_.assign(n_tools_ * n * W_);
   std::fill_n(touch_gap_.get(), n_tools_ * n * W_, T(far_away));
   touch_normal_.assign(n_tools_ * n, Vec2{});
   for (std::size_t t = 0; t < n_tools_; ++t)
-    for (const Touch& p : rig.tools[t].touches) touch_normal_[t * n + grains_->sorted_id(p.grain)] = p.normal;
-  list_grips(rig);
+    for (const Touch& p : boundary.bodies[t].touches)
+      touch_normal_[t * n + grains_->sorted_id(p.grain)] = p.normal;
+  list_grips(boundary);
 }
 
 template <class T>
-void Boundary<T>::list_grips(const Rig& rig) {
+void BoundaryMemory<T>::list_grips(const Boundary& boundary) {
   for (std::size_t t = 0; t < n_tools_; ++t)
-    for (const Grip& p : rig.tools[t].grips)
+    for (const Grip& p : boundary.bodies[t].grips)
       grip_.push_back({static_cast<std::int32_t>(grains_->sorted_id(p.grain)), static_cast<std::int32_t>(t),
                        p.x, p.y, p.rotation});
   std::stable_sort(grip_.begin(), grip_.end(),
@@ -95,49 +96,49 @@ void Boundary<T>::list_grips(const Rig& rig) {
 }
 
 template <class T>
-void Boundary<T>::drive(std::size_t l, std::size_t tool, const Drive& drive) {
-  ToolMotion& motion = lanes_[l].tools[tool];
-  motion.drive = drive;
-  motion.drive_time = 0.0;
+void BoundaryMemory<T>::prescribe(std::size_t l, std::size_t body, const PrescribedMotion& prescribed) {
+  BodyMotion& motion = lanes_[l].bodies[body];
+  motion.prescribed = prescribed;
+  motion.motion_time = 0.0;
 }
 
 template <class T>
-void Boundary<T>::place_tool(std::size_t tool, std::size_t l) {
+void BoundaryMemory<T>::place_body(std::size_t body, std::size_t l) {
   const std::size_t n = grains_->size();
   std::vector<double> gap(n, far_away);
-  for (const Touch& p : lanes_[l].rig->tools[tool].touches) gap[grains_->sorted_id(p.grain)] = p.gap;
-  const Vec2* normal = touch_normal_.data() + tool * n;
+  for (const Touch& p : lanes_[l].boundary->bodies[body].touches) gap[grains_->sorted_id(p.grain)] = p.gap;
+  const Vec2* normal = touch_normal_.data() + body * n;
   double sum = 0.0, count = 0.0;
   for (std::size_t g = 0; g < n; ++g)
     if (gap[g] <= 0.0) sum += dot(normal[g], grains_->displacement(g, l)), count += 1.0;
   const double mean = count > 0.0 ? sum / count : 0.0;
   for (std::size_t g = 0; g < n; ++g) {
     const double u = dot(normal[g], grains_->displacement(g, l));
-    const std::size_t place = (tool * n + g) * W_ + l;
+    const std::size_t place = (body * n + g) * W_ + l;
     touch_gap_[place] = T(gap[g] <= 0.0 ? -u : std::max(gap[g] - mean, -u));
     touch_shear_[place] = T(0);
   }
 }
 
 template <class T>
-void Boundary<T>::place(std::size_t l) {
+void BoundaryMemory<T>::place(std::size_t l) {
   LaneBoundary& lane = lanes_[l];
-  for (std::size_t t = 0; t < lane.rig->tools.size(); ++t) place_tool(t, l);
-  lane.tools.assign(n_tools_, ToolMotion{});
+  for (std::size_t t = 0; t < lane.boundary->bodies.size(); ++t) place_body(t, l);
+  lane.bodies.assign(n_tools_, BodyMotion{});
   lane.placed = true;
   lane.swept = 0.0;
 }
 
 template <class T>
-void Boundary<T>::add_work(std::size_t l, double& work) {
+void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
   LaneBoundary& lane = lanes_[l];
-  for (ToolMotion& t : lane.tools) t.state.mean_force = {};
+  for (BodyMotion& t : lane.bodies) t.state.mean_force = {};
   for (std::size_t s = 0; s < n_steps_; ++s) {
-    for (std::size_t t = 0; t < lane.tools.size(); ++t) {
-      ToolState& state = lane.tools[t].state;
-      const Vec2 force = tool_vector(tool_force_, s, t, l);
-      const std::size_t i = tool_at(s, t, l);
-      work += dot(0.5 * (state.force + force), {tool_du_[i], tool_du_[i + W_]});
+    for (std::size_t t = 0; t < lane.bodies.size(); ++t) {
+      BodyState& state = lane.bodies[t].state;
+      const Vec2 force = body_vector(body_force_, s, t, l);
+      const std::size_t i = body_at(s, t, l);
+      work += dot(0.5 * (state.force + force), {body_du_[i], body_du_[i + W_]});
       state.force = force;
       state.mean_force = state.mean_force + (1.0 / static_cast<double>(n_steps_)) * force;
     }
@@ -149,67 +150,68 @@ void Boundary<T>::add_work(std::size_t l, double& work) {
 }
 
 template <class T>
-bool Boundary<T>::near(std::size_t tool, std::size_t g, const NeighbourList<T>& list) const {
-  const Vec2 n = touch_normal_[tool * grains_->size() + g];
+bool BoundaryMemory<T>::near(std::size_t body, std::size_t g, const NeighbourList<T>& list) const {
+  const Vec2 n = touch_normal_[body * grains_->size() + g];
   if (n.x == 0.0 && n.y == 0.0) return false;
   for (std::size_t l = 0; l < W_; ++l) {
     if (!acts(l)) continue;
-    const double gap = static_cast<double>(touch_gap_[(tool * grains_->size() + g) * W_ + l]);
+    const double gap = static_cast<double>(touch_gap_[(body * grains_->size() + g) * W_ + l]);
     const double reach = list.usual_range() + list.range(l, g);
-    if (dot(n, lanes_[l].tools[tool].state.displacement - grains_->displacement(g, l)) - gap > -reach)
+    if (dot(n, lanes_[l].bodies[body].state.displacement - grains_->displacement(g, l)) - gap > -reach)
       return true;
   }
   return false;
 }
 
 template <class T>
-void Boundary<T>::list_touches(const NeighbourList<T>& list) {
+void BoundaryMemory<T>::list_touches(const NeighbourList<T>& list) {
   touch_.clear();
-  const Rig* rig = nullptr;
+  const Boundary* boundary = nullptr;
   for (std::size_t l = W_; l-- > 0;) {
-    for (ToolMotion& t : lanes_[l].tools) t.listed_at = t.state.displacement;
-    if (acts(l)) rig = lanes_[l].rig.get();
+    for (BodyMotion& t : lanes_[l].bodies) t.listed_at = t.state.displacement;
+    if (acts(l)) boundary = lanes_[l].boundary.get();
   }
   const std::vector<std::int32_t>& row_grain = grains_->layout().row_grain;
   for (std::size_t row = 0; row + 1 < row_touch_.size(); ++row) {
     row_touch_[row] = static_cast<std::int32_t>(touch_.size());
-    if (rig == nullptr) continue;
-    for (std::size_t tool = 0; tool < n_tools_; ++tool)
+    if (boundary == nullptr) continue;
+    for (std::size_t body = 0; body < n_tools_; ++body)
       for (auto g = static_cast<std::size_t>(row_grain[row]);
            g < static_cast<std::size_t>(row_grain[row + 1]); ++g) {
-        if (!near(tool, g, list)) continue;
-        const Vec2 n = touch_normal_[tool * grains_->size() + g];
-        touch_.push_back({static_cast<std::int32_t>(g), static_cast<std::int32_t>(tool), T(n.x), T(n.y),
-                          T(rig->tools[tool].rough ? 1 : 0)});
+        if (!near(body, g, list)) continue;
+        const Vec2 n = touch_normal_[body * grains_->size() + g];
+        touch_.push_back({static_cast<std::int32_t>(g), static_cast<std::int32_t>(body), T(n.x), T(n.y),
+                          T(boundary->bodies[body].rough ? 1 : 0)});
       }
   }
   row_touch_.back() = static_cast<std::int32_t>(touch_.size());
 }
 
-/// Velocity of a tool in the next block at full speed; 0 where it is in balance.
+/// Velocity of a body in the next block at full speed; 0 where it is in balance.
 template <class T>
-Vec2 Boundary<T>::block_velocity(LaneBoundary& lane, ToolMotion& tool) const {
+Vec2 BoundaryMemory<T>::block_velocity(LaneBoundary& lane, BodyMotion& body) const {
   const double block = lane.dt * static_cast<double>(n_steps_);
-  const Drive& d = tool.drive;
-  const ToolState& s = tool.state;
+  const PrescribedMotion& d = body.prescribed;
+  const BodyState& s = body.state;
   Vec2 v{d.balance_x.on ? 0.0 : d.velocity.x, d.balance_y.on ? 0.0 : d.velocity.y};
   if (d.servo_x.on)
-    v.x = servo_step(d.servo_x, s.mean_force.x, s.displacement.x, tool.memory.x, block) / block;
+    v.x = servo_step(d.servo_x, s.mean_force.x, s.displacement.x, body.memory.x, block) / block;
   if (d.servo_y.on)
-    v.y = servo_step(d.servo_y, s.mean_force.y, s.displacement.y, tool.memory.y, block) / block;
+    v.y = servo_step(d.servo_y, s.mean_force.y, s.displacement.y, body.memory.y, block) / block;
   return v;
 }
 
-/// What the loop has to know of tools in balance: planned at rest, they are moved by it.
+/// What the loop has to know of bodies in balance: planned at rest, they are moved by it.
 template <class T>
-void Boundary<T>::plan_balance() {
+void BoundaryMemory<T>::plan_balance() {
   balanced_.clear(), balanced_touch_.clear();
   for (std::size_t t = 0; t < n_tools_; ++t)
     for (std::size_t c = 0; c < 2; ++c) {
       bool any = false;
       for (std::size_t l = 0; l < W_; ++l) {
-        const std::size_t i = tool_at(0, t, l) + c * W_;
-        const Drive d = t < lanes_[l].tools.size() ? lanes_[l].tools[t].drive : Drive{};
+        const std::size_t i = body_at(0, t, l) + c * W_;
+        const PrescribedMotion d =
+            t < lanes_[l].bodies.size() ? lanes_[l].bodies[t].prescribed : PrescribedMotion{};
         const Balance& b = c == 0 ? d.balance_x : d.balance_y;
         balance_on_[i] = T(b.on ? 1 : 0), balance_force_[i] = T(b.force);
         any = any || b.on;
@@ -217,7 +219,7 @@ void Boundary<T>::plan_balance() {
       if (!any) continue;
       const auto first = static_cast<std::int32_t>(balanced_touch_.size());
       for (std::size_t i = 0; i < touch_.size(); ++i)
-        if (touch_[i].tool == static_cast<std::int32_t>(t) && (c == 0 ? touch_[i].nx : touch_[i].ny) != T(0))
+        if (touch_[i].body == static_cast<std::int32_t>(t) && (c == 0 ? touch_[i].nx : touch_[i].ny) != T(0))
           balanced_touch_.push_back(static_cast<std::int32_t>(i));
       balanced_.push_back({static_cast<std::int32_t>(t), static_cast<std::int32_t>(c), first,
                            static_cast<std::int32_t>(balanced_touch_.size())});
@@ -225,17 +227,17 @@ void Boundary<T>::plan_balance() {
 }
 
 template <class T>
-void Boundary<T>::read_balance() {
+void BoundaryMemory<T>::read_balance() {
   for (const BalancePoint& p : balanced_) {
-    const auto tool = static_cast<std::size_t>(p.tool), c = static_cast<std::size_t>(p.component);
+    const auto body = static_cast<std::size_t>(p.body), c = static_cast<std::size_t>(p.component);
     for (std::size_t l = 0; l < W_; ++l) {
-      if (balance_on_[tool_at(0, tool, l) + c * W_] == T(0)) continue;
-      Vec2& displacement = lanes_[l].tools[tool].state.displacement;
+      if (balance_on_[body_at(0, body, l) + c * W_] == T(0)) continue;
+      Vec2& displacement = lanes_[l].bodies[body].state.displacement;
       double& u = c == 0 ? displacement.x : displacement.y;
       for (std::size_t s = 0; s < n_steps_; ++s) {
-        const std::size_t i = tool_at(s, tool, l) + c * W_;
-        const auto now = static_cast<double>(tool_u_[i]);
-        tool_du_[i] = now - u;
+        const std::size_t i = body_at(s, body, l) + c * W_;
+        const auto now = static_cast<double>(body_u_[i]);
+        body_du_[i] = now - u;
         u = now;
       }
     }
@@ -243,55 +245,55 @@ void Boundary<T>::read_balance() {
 }
 
 template <class T>
-void Boundary<T>::plan_lane(std::size_t l) {
+void BoundaryMemory<T>::plan_lane(std::size_t l) {
   LaneBoundary& lane = lanes_[l];
-  for (std::size_t t = 0; t < lane.tools.size(); ++t) {
-    ToolMotion& tool = lane.tools[t];
-    const Drive& d = tool.drive;
-    const Vec2 full = block_velocity(lane, tool);
+  for (std::size_t t = 0; t < lane.bodies.size(); ++t) {
+    BodyMotion& body = lane.bodies[t];
+    const PrescribedMotion& d = body.prescribed;
+    const Vec2 full = block_velocity(lane, body);
     for (std::size_t s = 0; s < n_steps_; ++s) {
-      const double fraction = d.ramp > 0.0 ? std::min(1.0, (tool.drive_time + 0.5 * lane.dt) / d.ramp) : 1.0;
+      const double fraction = d.ramp > 0.0 ? std::min(1.0, (body.motion_time + 0.5 * lane.dt) / d.ramp) : 1.0;
       const Vec2 v{d.servo_x.on ? full.x : full.x * fraction, d.servo_y.on ? full.y : full.y * fraction};
       const Vec2 du = lane.dt * v;
-      tool.drive_time += lane.dt;
-      tool.state.displacement = tool.state.displacement + du;
-      const std::size_t i = tool_at(s, t, l);
-      tool_du_[i] = du.x, tool_du_[i + W_] = du.y;
-      tool_v_[i] = T(v.x), tool_v_[i + W_] = T(v.y);
-      tool_u_[i] = T(tool.state.displacement.x), tool_u_[i + W_] = T(tool.state.displacement.y);
+      body.motion_time += lane.dt;
+      body.state.displacement = body.state.displacement + du;
+      const std::size_t i = body_at(s, t, l);
+      body_du_[i] = du.x, body_du_[i + W_] = du.y;
+      body_v_[i] = T(v.x), body_v_[i + W_] = T(v.y);
+      body_u_[i] = T(body.state.displacement.x), body_u_[i + W_] = T(body.state.displacement.y);
     }
   }
 }
 
 template <class T>
-void Boundary<T>::plan() {
+void BoundaryMemory<T>::plan() {
   plan_balance();
-  std::fill_n(tool_force_.get(), n_steps_ * n_tools_ * 2 * W_, T(0));
+  std::fill_n(body_force_.get(), n_steps_ * n_tools_ * 2 * W_, T(0));
   for (std::size_t l = 0; l < W_; ++l) plan_lane(l);
 }
 
 template <class T>
-double Boundary<T>::reach(std::size_t l, double fastest_grain, double block) const {
+double BoundaryMemory<T>::reach(std::size_t l, double fastest_grain, double block) const {
   double most = 0.0;
-  for (const ToolMotion& t : lanes_[l].tools)
-    most = std::max(most,
-                    norm(t.state.displacement - t.listed_at) + fastest_tool(t.drive, fastest_grain) * block);
+  for (const BodyMotion& t : lanes_[l].bodies)
+    most = std::max(
+        most, norm(t.state.displacement - t.listed_at) + fastest_body(t.prescribed, fastest_grain) * block);
   return most;
 }
 
 template <class T>
-void Boundary<T>::enter(GroupView<T>& v) {
+void BoundaryMemory<T>::enter(GroupView<T>& v) {
   v.row_touch = row_touch_.data(), v.row_grip = row_grip_.data(), v.row_load = row_load_.data();
-  v.n_tools = static_cast<int>(n_tools_);
+  v.n_bodies = static_cast<int>(n_tools_);
   v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(), v.load_force = load_force_.get();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
-  v.tool_u = tool_u_.get(), v.tool_v = tool_v_.get(), v.tool_force = tool_force_.get();
+  v.body_u = body_u_.get(), v.body_v = body_v_.get(), v.body_force = body_force_.get();
   v.n_balanced = static_cast<int>(balanced_.size()), v.balanced = balanced_.data();
   v.balanced_touch = balanced_touch_.data();
   v.balance_on = balance_on_.get(), v.balance_force = balance_force_.get();
 }
 
-template class Boundary<double>;
-template class Boundary<float>;
+template class BoundaryMemory<double>;
+template class BoundaryMemory<float>;
 
 }  // namespace phy::engine::group

@@ -1,16 +1,18 @@
 // What all tests of the laboratory have in common, for one lane of a group.
 //
 // Phases
-//   settle    only for packings with a locked-in stress: breakage off, no tools, damped cycles until the mean
+//   settle    only for packings with a locked-in stress: breakage off, no bodies, damped cycles until the
+//   mean
 //             unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have
 //             gone)
-//   prepare   the rig is in place; what a kind of test does before it loads (jump start, confinement)
-//   load      a history row every test.history_interval cycles, until the stop rule, the watchdog or the user
+//   prepare   the boundary is in place; what a kind of test does before it loads (affine pre-strain,
+//   confinement) load      a history row every test.history_interval cycles, until the stop rule, the
+//   watchdog or the user
 //             ends it
 // Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
 // test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
 // test.max_strain is reached (not peaked). A peak needs three broken bonds. The test reads rows and decides;
-// the group computes. Strains count from the moment the rig is in place.
+// the group computes. Strains count from the moment the boundary is in place.
 #pragma once
 #include <memory>
 #include <string>
@@ -18,8 +20,8 @@
 
 #include "analysis/energy.hpp"
 #include "engine/lane_group.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/moments.hpp"
-#include "lab/rigs.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
@@ -27,12 +29,13 @@
 
 namespace phy::lab {
 
-class LabTest {
+class Procedure {
  public:
   /// Specimen, recipe and group outlive the test.
-  LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group, int lane);
-  virtual ~LabTest() = default;
-  LabTest(LabTest&&) = default;
+  Procedure(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
+            int lane);
+  virtual ~Procedure() = default;
+  Procedure(Procedure&&) = default;
   /// Loads the specimen into the lane: before the first block, and to start over.
   void begin();
   /// Reads the lane after a block. True when the test is over.
@@ -53,22 +56,22 @@ class LabTest {
   Reading latest() const;
 
  protected:
-  /// The rig is in place: prepare, or call start_loading.
+  /// The boundary is in place: prepare, or call start_loading.
   virtual void on_placed() { start_loading(); }
   /// After a block of preparation: ends with start_loading or begin. True when the test is over.
   virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
-  /// Sets the tools in motion, at the start of loading.
-  virtual void drive() = 0;
+  /// Sets the bodies in motion, at the start of loading.
+  virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }
   /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
   virtual double first_stop_strain() const { return 0.0; }
-  /// What the history of this test holds beyond strain and stress of its tools (which `row` has already).
+  /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
   virtual void read_more(HistoryRow& /*row*/) {}
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
   virtual std::vector<Number> numbers(const analysis::WavePath& path) const = 0;
 
   void start_loading();
-  /// Both platens, tools 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
+  /// Both platens, bodies 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
   void close_platens(double length);
   bool end(Status status, std::string reason, std::string advice);
   /// While a stress is prepared: after each block, whether it has reached its full target and lies within
@@ -91,7 +94,7 @@ class LabTest {
   Reading reading(const HistoryRow& row) const;
   /// "strain 0.1234 %"; of direct shear the displacement, over the width.
   std::string extent(double strain, int digits) const;
-  void place_rig();
+  void place_boundary();
   void read_row();
   void write_load();
   void zero_strains();

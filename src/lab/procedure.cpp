@@ -1,4 +1,4 @@
-#include "lab/lab_test.hpp"
+#include "lab/procedure.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ constexpr double least_cracks = 3.0;           // as for sigma_ci: fewer are cha
 
 }  // namespace
 
-LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
-                 int lane)
+Procedure::Procedure(std::shared_ptr<const Specimen> specimen, const Recipe& recipe, engine::LaneGroup& group,
+                     int lane)
     : specimen_(std::move(specimen)),
       recipe_(recipe),
       group_(&group),
@@ -32,15 +32,15 @@ LabTest::LabTest(std::shared_ptr<const Specimen> specimen, const Recipe& recipe,
       boundary_(std::make_shared<const TestBoundary>(boundary_of(*specimen_->packing, recipe))),
       snapshots_(recipe.test.n_snapshots),
       frames_(recipe.test.n_frames) {
-  PHY_CHECK(boundary_->rig.axial.present(), "every test has an axial pair of tools");
+  PHY_CHECK(boundary_->boundary.axial.present(), "every test has an axial pair of bodies");
 }
 
-void LabTest::begin() {
+void Procedure::begin() {
   engine::LaneSetup setup;
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
-  setup.tool_friction = recipe_.test.platen_friction;
-  setup.rig = {boundary_, &boundary_->rig};
+  setup.body_friction = recipe_.test.platen_friction;
+  setup.boundary = {boundary_, &boundary_->boundary};
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
   result_.n_contacts = group_->n_contacts(lane_);
@@ -48,15 +48,15 @@ void LabTest::begin() {
   blocks_ = n_at_target_ = n_steady_ = 0;
   phase_ = Phase::settle;
   if (packing().stress_free) {
-    place_rig();
+    place_boundary();
   } else {
     group_->hold_bonds(lane_, true);
   }
 }
 
-/// The specimen has settled: the rig comes in.
-void LabTest::place_rig() {
-  group_->place_rig(lane_);
+/// The specimen has settled: the boundary comes in.
+void Procedure::place_boundary() {
+  group_->place_boundary(lane_);
   row_ = {};
   zero_axial_ = zero_lateral_ = 0.0;
   blocks_ = 0;
@@ -64,29 +64,29 @@ void LabTest::place_rig() {
   on_placed();
 }
 
-void LabTest::start_loading() {
+void Procedure::start_loading() {
   phase_ = Phase::load;
   group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
-  drive();
+  prescribe_motion();
   result_.history.width = packing().width;
   result_.history.height = packing().height;
 }
 
-void LabTest::close_platens(double length) {
+void Procedure::close_platens(double length) {
   const double speed = recipe_.test.platen_speed;
   const double ramp = recipe_.test.ramp_strain * length / speed;
-  group_->drive(lane_, 0, {{0.0, speed}, ramp, {}, {}});
-  group_->drive(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
+  group_->prescribe(lane_, 0, {{0.0, speed}, ramp, {}, {}});
+  group_->prescribe(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
 }
 
-bool LabTest::end(Status status, std::string reason, std::string advice) {
+bool Procedure::end(Status status, std::string reason, std::string advice) {
   result_.outcome = {status, std::move(reason), std::move(advice)};
   phase_ = Phase::over;
   return true;
 }
 
 /// What broke in the block that the watchdog has rejected is as little worth as its row.
-bool LabTest::end_unstable(const engine::LaneHealth& health) {
+bool Procedure::end_unstable(const engine::LaneHealth& health) {
   const double last_good = row_.step - static_cast<double>(recipe_.test.history_interval);
   std::erase_if(group_->cracks(lane_),
                 [&](const engine::Breakage& b) { return static_cast<double>(b.crack.step) > last_good; });
@@ -94,7 +94,7 @@ bool LabTest::end_unstable(const engine::LaneHealth& health) {
              advice_on_instability(*specimen_, recipe_, row_, health.outran));
 }
 
-bool LabTest::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
+bool Procedure::load_once_steady(bool at_target, double stress_over_target, double tolerance) {
   if (!at_target) return false;
   n_steady_ = std::fabs(stress_over_target - 1.0) < tolerance ? n_steady_ + 1 : 0;
   if (n_steady_ == steady_blocks) {
@@ -112,7 +112,7 @@ bool LabTest::load_once_steady(bool at_target, double stress_over_target, double
 }
 
 /// Of a row that the watchdog has rejected only step and time are of now, as in the group.
-void LabTest::read_row() {
+void Procedure::read_row() {
   const HistoryRow& now = group_->row(lane_);
   if (group_->health(lane_).ok) {
     row_ = now;
@@ -122,23 +122,23 @@ void LabTest::read_row() {
   }
 }
 
-/// Strain and stress, from what the tools and the jacket have done.
-void LabTest::write_load() {
-  const auto tool = [&](int number) -> const engine::ToolState& { return group_->tool(lane_, number); };
+/// Strain and stress, from what the bodies and the jacket have done.
+void Procedure::write_load() {
+  const auto body = [&](int number) -> const engine::BodyState& { return group_->body(lane_, number); };
   const auto strain = [&](const engine::LoadAxis& a, const LoadScale& over) {
-    return a.travel(tool(a.lo).displacement, tool(a.hi).displacement) / over.length;
+    return a.travel(body(a.lo).displacement, body(a.hi).displacement) / over.length;
   };
-  const engine::LoadAxis &along = boundary_->rig.axial, &across = boundary_->rig.lateral;
+  const engine::LoadAxis &along = boundary_->boundary.axial, &across = boundary_->boundary.lateral;
   row_.axial_strain = strain(along, boundary_->axial) - zero_axial_;
-  row_.stress_bottom = dot(tool(along.lo).force, along.direction) / boundary_->axial.area;
-  row_.stress_top = -dot(tool(along.hi).force, along.direction) / boundary_->axial.area;
+  row_.stress_bottom = dot(body(along.lo).force, along.direction) / boundary_->axial.area;
+  row_.stress_top = -dot(body(along.hi).force, along.direction) / boundary_->axial.area;
   row_.axial_stress = 0.5 * (row_.stress_bottom + row_.stress_top);
   if (across.present()) {
-    const Vec2 force = tool(across.lo).force - tool(across.hi).force;
+    const Vec2 force = body(across.lo).force - body(across.hi).force;
     row_.lateral_strain = strain(across, boundary_->lateral) - zero_lateral_;
     row_.lateral_stress = 0.5 * dot(force, across.direction) / boundary_->lateral.area;
   }
-  if (boundary_->rig.jacket) {
+  if (boundary_->boundary.jacket) {
     const engine::JacketState jacket = group_->jacket(lane_);
     row_.lateral_strain = jacket.swept / (packing().width * packing().height) - zero_lateral_;
     row_.lateral_stress = jacket.pressure;
@@ -147,14 +147,14 @@ void LabTest::write_load() {
   row_.volumetric_strain = row_.axial_strain + row_.lateral_strain;
 }
 
-void LabTest::zero_strains() {
+void Procedure::zero_strains() {
   group_->zero_strains(lane_);
   zero_axial_ += row_.axial_strain, zero_lateral_ += row_.lateral_strain;
   row_.axial_strain = row_.lateral_strain = row_.volumetric_strain = 0.0;
   row_.axial_strain_gauge = row_.lateral_strain_gauge = 0.0;
 }
 
-bool LabTest::after_block() {
+bool Procedure::after_block() {
   ++blocks_;
   read_row();
   const HistoryRow& row = row_;
@@ -162,7 +162,7 @@ bool LabTest::after_block() {
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
     if (row.unbalanced <= settled) {
-      place_rig();
+      place_boundary();
       return false;
     }
     if (cycles < settle_cycles) return false;
@@ -178,17 +178,17 @@ bool LabTest::after_block() {
   return check_stop();
 }
 
-LabTest::Reading LabTest::reading(const HistoryRow& row) const {
+Procedure::Reading Procedure::reading(const HistoryRow& row) const {
   const TestCurve& curve = test().curve;
   const double way = curve.strain_of(row);
   return {curve.stress_of(row), test().loads_by_strain() ? way : way / packing().width};
 }
 
-std::string LabTest::extent(double strain, int digits) const {
+std::string Procedure::extent(double strain, int digits) const {
   return fmt::format(fmt::runtime(test().extent), fmt::format("{:.{}f}", 100.0 * strain, digits));
 }
 
-bool LabTest::check_stop() {
+bool Procedure::check_stop() {
   const HistoryRow& row = result_.history.rows.back();
   const Reading now = reading(row);
   const char* const stress = test().stress;
@@ -223,7 +223,7 @@ bool LabTest::check_stop() {
 }
 
 /// The largest strain is reached: why there is no peak, and what to change.
-bool LabTest::end_without_peak(const Reading& now) {
+bool Procedure::end_without_peak(const Reading& now) {
   const char* const stress = test().stress;
   const double n_broken = result_.history.rows.back().n_cracks;
   const std::string at = extent(now.strain, 3);
@@ -233,58 +233,59 @@ bool LabTest::end_without_peak(const Reading& now) {
   if (now.stress < recipe_.test.stop_at * peak_.stress && n_broken < least_cracks)
     return end(
         Status::not_peaked,
-        fmt::format("the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the tools have "
-                    "lost the specimen, or it slips",
-                    stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken),
-        "take smaller grains, of which the tools hold more");
+        fmt::format(
+            "the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the specimen has "
+            "come out of a {}, or slips",
+            stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken, result_.kind->body),
+        fmt::format("take smaller grains, of which a {} meets more", result_.kind->body));
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
                          recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, at),
              "raise test.max_strain, or test.stop_at");
 }
 
-Snapshot LabTest::snapshot() const {
+Snapshot Procedure::snapshot() const {
   Snapshot shot = group_->snapshot(lane_);
   shot.axial_strain = row_.axial_strain, shot.axial_stress = row_.axial_stress;
   return shot;
 }
 
-Frame LabTest::frame() const {
+Frame Procedure::frame() const {
   Frame f{row_.step, row_.axial_strain, row_.axial_stress, {}};
   for (const GrainState& g : group_->grains(lane_))
     f.u.push_back({static_cast<float>(g.ux), static_cast<float>(g.uy)});
   return f;
 }
 
-void LabTest::keep_pictures() {
+void Procedure::keep_pictures() {
   const auto row = static_cast<std::int64_t>(result_.history.rows.size()) - 1;
   if (snapshots_.due(row)) snapshots_.keep(snapshot());
   if (frames_.due(row)) frames_.keep(frame());
 }
 
-void LabTest::interrupt() {
+void Procedure::interrupt() {
   if (phase_ != Phase::over)
     end(Status::interrupted, fmt::format("stopped by the user at {}", extent(reading(row_).strain, 4)),
         "run the same recipe again");
 }
 
-void LabTest::move_to(engine::LaneGroup& group, int lane) {
+void Procedure::move_to(engine::LaneGroup& group, int lane) {
   group_->move_lane(lane_, group, lane);
   group_ = &group;
   lane_ = lane;
 }
 
-LabTest::Reading LabTest::latest() const {
+Procedure::Reading Procedure::latest() const {
   return result_.history.rows.empty() ? Reading{} : reading(result_.history.rows.back());
 }
 
-double LabTest::progress() const {
+double Procedure::progress() const {
   return phase_ == Phase::load ? std::min(1.0, reading(row_).strain / max_strain()) : 0.0;
 }
 
-void LabTest::read_numbers() {
+void Procedure::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
-  result_.numbers = analysis::told(numbers({density, packing().height}));
+  result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
@@ -295,7 +296,7 @@ void LabTest::read_numbers() {
   outcome.advice = marks.front().limit->advice;
 }
 
-TestResult LabTest::take_result() {
+TestResult Procedure::take_result() {
   for (const engine::Breakage& broken : group_->cracks(lane_)) {
     result_.cracks.push_back(broken.crack);
     result_.cracks.back().strain = broken.travel / boundary_->axial.length - zero_axial_;

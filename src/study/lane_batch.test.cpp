@@ -1,4 +1,4 @@
-#include "study/crew.hpp"
+#include "study/lane_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "lab/test_bench.test.hpp"
+#include "lab/procedure_fixture.hpp"
 #include "study/experiment.hpp"
 #include "study/scheduler.hpp"
 
@@ -62,8 +62,8 @@ class Bench {
   std::mutex mutex_;
 };
 
-CrewOptions eight(bool fixed) {
-  CrewOptions o;
+LaneBatchOptions eight(bool fixed) {
+  LaneBatchOptions o;
   o.group.isa = engine::native_isa();
   o.group.lanes = 8;
   o.group.interval = static_cast<int>(quick().test.history_interval);
@@ -73,14 +73,14 @@ CrewOptions eight(bool fixed) {
 
 std::map<std::size_t, std::string> undisturbed() {
   Bench bench;
-  auto crew = std::make_unique<Crew>(bench.packing(), eight(true));
-  crew->fill(bench.hooks());
-  CrewExchange alone(1);
-  run_crew(std::move(crew), bench.hooks(), alone);
+  auto lane_batch = std::make_unique<LaneBatch>(bench.packing(), eight(true));
+  lane_batch->fill(bench.hooks());
+  LaneBatchExchange alone(1);
+  run_lane_batch(std::move(lane_batch), bench.hooks(), alone);
   return bench.found;
 }
 
-TEST(Crew, FittingLanesAreTheNextPowerOfTwo) {
+TEST(LaneBatch, FittingLanesAreTheNextPowerOfTwo) {
   EXPECT_EQ(fitting_lanes(1, Precision::double_precision, 8), 1);
   EXPECT_EQ(fitting_lanes(5, Precision::double_precision, 8), 8);
   EXPECT_EQ(fitting_lanes(50, Precision::double_precision, 8), 8);
@@ -88,42 +88,42 @@ TEST(Crew, FittingLanesAreTheNextPowerOfTwo) {
   EXPECT_EQ(fitting_lanes(9, Precision::single_precision, 16), 16);
 }
 
-TEST(Crew, PartsGoTheirOwnWayAndEndAsIfTogether) {
+TEST(LaneBatch, PartsGoTheirOwnWayAndEndAsIfTogether) {
   Bench bench;
-  Crew crew(bench.packing(), eight(false));
-  crew.fill(bench.hooks());
-  for (int i = 0; i < 10; ++i) crew.work(bench.no_more());
-  const std::size_t before = crew.n_tests();
+  LaneBatch lane_batch(bench.packing(), eight(false));
+  lane_batch.fill(bench.hooks());
+  for (int i = 0; i < 10; ++i) lane_batch.work(bench.no_more());
+  const std::size_t before = lane_batch.n_tests();
   ASSERT_GE(before, 3U);
-  auto other = crew.part(2);
+  auto other = lane_batch.part(2);
   EXPECT_EQ(other->n_tests(), 2U);
   EXPECT_FALSE(other->too_wide());
-  EXPECT_EQ(crew.n_tests(), before - 2);
-  EXPECT_TRUE(crew.too_wide());
-  while (crew.n_tests() > 0) crew.work(bench.no_more());
+  EXPECT_EQ(lane_batch.n_tests(), before - 2);
+  EXPECT_TRUE(lane_batch.too_wide());
+  while (lane_batch.n_tests() > 0) lane_batch.work(bench.no_more());
   while (other->n_tests() > 0) other->work(bench.no_more());
   EXPECT_EQ(bench.found.size(), 5U);
   EXPECT_EQ(bench.found, undisturbed());
 }
 
-TEST(Crew, AWorkerWhoHasRunDryIsGivenTests) {
+TEST(LaneBatch, AWorkerWhoHasRunDryIsGivenTests) {
   Bench bench;
-  CrewExchange exchange(2);
+  LaneBatchExchange exchange(2);
   std::atomic<int> taken{0};
   std::jthread helper([&] {
-    while (auto crew = exchange.wait()) {
+    while (auto lane_batch = exchange.wait()) {
       ++taken;
-      run_crew(std::move(crew), bench.no_more(), exchange);
+      run_lane_batch(std::move(lane_batch), bench.no_more(), exchange);
     }
     exchange.leave();
   });
-  auto crew = std::make_unique<Crew>(bench.packing(), eight(false));
-  crew->fill(bench.hooks());
+  auto lane_batch = std::make_unique<LaneBatch>(bench.packing(), eight(false));
+  lane_batch->fill(bench.hooks());
   LaneHooks hooks = bench.no_more();
-  hooks.block = [&](double, std::size_t) {  // he waits before the tests are over
+  hooks.block = [&](double, std::size_t) {  // it waits before the tests are over
     if (taken == 0) std::this_thread::sleep_for(milliseconds(1));
   };
-  run_crew(std::move(crew), hooks, exchange);
+  run_lane_batch(std::move(lane_batch), hooks, exchange);
   exchange.leave();
   helper.join();
   EXPECT_GE(taken.load(), 1);
@@ -134,18 +134,18 @@ TEST(FirstLots, LongTestsStandAlone) {
   const auto doubles = Precision::double_precision;
   // The seven angles and the intact rock, in thousands of cycles: the longest alone, the shortest together.
   const std::vector<double> paper = {123, 112, 73, 61, 57, 52, 45, 40};
-  const auto lots = first_lots(paper, 4, doubles, 8);
-  ASSERT_EQ(lots.size(), 4U);
-  EXPECT_EQ(lots[0], 1U);
-  EXPECT_EQ(lots[1], 1U);
-  EXPECT_EQ(lots[2] + lots[3], 6U);
-  EXPECT_EQ(first_lots(paper, 1, doubles, 8), std::vector<std::size_t>{8});
-  EXPECT_EQ(first_lots({5, 5, 5}, 4, doubles, 8), (std::vector<std::size_t>{1, 1, 1}));
-  EXPECT_EQ(first_lots(std::vector<double>(40, 1.0), 2, doubles, 8), (std::vector<std::size_t>{8, 8}));
+  const auto chunks = first_chunks(paper, 4, doubles, 8);
+  ASSERT_EQ(chunks.size(), 4U);
+  EXPECT_EQ(chunks[0], 1U);
+  EXPECT_EQ(chunks[1], 1U);
+  EXPECT_EQ(chunks[2] + chunks[3], 6U);
+  EXPECT_EQ(first_chunks(paper, 1, doubles, 8), std::vector<std::size_t>{8});
+  EXPECT_EQ(first_chunks({5, 5, 5}, 4, doubles, 8), (std::vector<std::size_t>{1, 1, 1}));
+  EXPECT_EQ(first_chunks(std::vector<double>(40, 1.0), 2, doubles, 8), (std::vector<std::size_t>{8, 8}));
 }
 
-TEST(CrewExchange, EndsWhenNobodyHasWork) {
-  CrewExchange exchange(3);
+TEST(LaneBatchExchange, EndsWhenNobodyHasWork) {
+  LaneBatchExchange exchange(3);
   const auto idle = [&] {
     EXPECT_EQ(exchange.wait(), nullptr);
     exchange.leave();
@@ -156,26 +156,26 @@ TEST(CrewExchange, EndsWhenNobodyHasWork) {
   exchange.leave();
 }
 
-TEST(CrewExchange, MakesNoCrewThatNobodyWaitsFor) {
-  CrewExchange exchange(1);
-  EXPECT_FALSE(exchange.share([]() -> std::unique_ptr<Crew> {
+TEST(LaneBatchExchange, MakesNoLaneBatchThatNobodyWaitsFor) {
+  LaneBatchExchange exchange(1);
+  EXPECT_FALSE(exchange.share([]() -> std::unique_ptr<LaneBatch> {
     ADD_FAILURE() << "nobody is there to take it";
     return nullptr;
   }));
 }
 
-// His patience ends while the crew is made; he takes it nevertheless, or its tests would be lost.
-TEST(CrewExchange, ACrewThatIsBeingMadeIsWaitedFor) {
-  CrewExchange exchange(2);
+// The time to wait ends while the lane batch is made; it is taken nevertheless, or its tests would be lost.
+TEST(LaneBatchExchange, ALaneBatchThatIsBeingMadeIsWaitedFor) {
+  LaneBatchExchange exchange(2);
   std::atomic<bool> begun{false};
-  std::unique_ptr<Crew> taken;
+  std::unique_ptr<LaneBatch> taken;
   std::jthread idle([&] {
     while (!begun) taken = exchange.wait_for(milliseconds(10));
   });
   const auto slowly = [&] {
     begun = true;
     std::this_thread::sleep_for(milliseconds(50));
-    return std::make_unique<Crew>(Bench().packing(), eight(false));
+    return std::make_unique<LaneBatch>(Bench().packing(), eight(false));
   };
   while (!exchange.share(slowly)) std::this_thread::yield();
   idle.join();

@@ -1,5 +1,5 @@
 // What a user is told to look at twice.
-#include "records/rock_remarks.hpp"
+#include "records/rock_warnings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,46 +26,47 @@ Rock with(const std::vector<RockReading>& readings) {
 }
 
 TEST(RockRemarks, AnUsualRockPassesWithoutAWord) {
-  EXPECT_THAT(
-      remarks_on(with({cell(Property::E, 0, 23e9), cell(Property::ucs, 0, 107e6), cell(Property::nu, 0, 0.1),
-                       cell(Property::E, 90, 59e9), cell(Property::ucs, 90, 134e6),
-                       cell(Property::brazilian, 90, 9e6), cell(Property::direct_tension, 0, 6e6)})),
-      IsEmpty());
+  EXPECT_THAT(warnings_about(
+                  with({cell(Property::E, 0, 23e9), cell(Property::ucs, 0, 107e6), cell(Property::nu, 0, 0.1),
+                        cell(Property::E, 90, 59e9), cell(Property::ucs, 90, 134e6),
+                        cell(Property::brazilian, 90, 9e6), cell(Property::direct_tension, 0, 6e6)})),
+              IsEmpty());
 }
 
 // E in MPa and UCS in kPa leave E/UCS as it was.
 TEST(RockRemarks, UnitsOffByAThousandAreDoubted) {
-  EXPECT_THAT(remarks_on(with({cell(Property::E, 0, 0.023e9), cell(Property::ucs, 0, 0.11e6)})),
+  EXPECT_THAT(warnings_about(with({cell(Property::E, 0, 0.023e9), cell(Property::ucs, 0, 0.11e6)})),
               ElementsAre(AllOf(HasSubstr("E(0) = 0.023 GPa"), HasSubstr("unit in the header")),
                           AllOf(HasSubstr("UCS(0) = 0.11 MPa"), HasSubstr("unit in the header"))));
-  EXPECT_THAT(remarks_on(with({cell(Property::E, 0, 23e9), cell(Property::ucs, 0, 0.5e6)})),
+  EXPECT_THAT(warnings_about(with({cell(Property::E, 0, 23e9), cell(Property::ucs, 0, 0.5e6)})),
               ElementsAre(AllOf(HasSubstr("E/UCS(0) = 4.6e+04"), HasSubstr("Deere & Miller 1966"))));
 }
 
 TEST(RockRemarks, ExchangedColumnsAreDoubted) {
-  EXPECT_THAT(remarks_on(with({cell(Property::E, 0, 110e9), cell(Property::ucs, 0, 23e6)})),
+  EXPECT_THAT(warnings_about(with({cell(Property::E, 0, 110e9), cell(Property::ucs, 0, 23e6)})),
               ElementsAre(HasSubstr("E/UCS(0) = 4783")));
   Rock plain = with({cell(Property::ucs, 0, 20e6), cell(Property::brazilian, 0, 11e6)});
   plain.bedded = false;
-  EXPECT_THAT(remarks_on(plain), ElementsAre(HasSubstr("BTS = 0.55 UCS")));
+  EXPECT_THAT(warnings_about(plain), ElementsAre(HasSubstr("BTS = 0.55 UCS")));
 }
 
 TEST(RockRemarks, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   Rock rock =
       with({cell(Property::E, 0, 23e9, 2), cell(Property::E, 0, 80e9, 4), cell(Property::E, 0, 23.2e9, 3)});
-  EXPECT_THAT(remarks_on(rock), ElementsAre(HasSubstr("E(0) of lines 2 and 4 differs by a factor 3.5")));
+  EXPECT_THAT(warnings_about(rock), ElementsAre(HasSubstr("E(0) of lines 2 and 4 differs by a factor 3.5")));
   for (RockReading& r : rock.readings) r.sd = 30e9;
-  EXPECT_THAT(remarks_on(rock), IsEmpty());
+  EXPECT_THAT(warnings_about(rock), IsEmpty());
 }
 
 TEST(RockRemarks, AConversionInPartIsTold) {
   Rock rock = with({cell(Property::E, 0, 20e9), cell(Property::nu, 30, 0.2), cell(Property::E, 60, 30e9),
                     cell(Property::nu, 60, 0.25)});
   rock.reading = ElasticReading::plane_strain;
-  EXPECT_THAT(remarks_on(rock), ElementsAre(AllOf(HasSubstr("E(60), nu(60)"), HasSubstr("along the bedding")),
-                                            AllOf(HasSubstr("nu(30)"), HasSubstr("not converted"))));
+  EXPECT_THAT(warnings_about(rock),
+              ElementsAre(AllOf(HasSubstr("E(60), nu(60)"), HasSubstr("along the bedding")),
+                          AllOf(HasSubstr("nu(30)"), HasSubstr("not converted"))));
   rock.reading = ElasticReading::plane_stress;
-  EXPECT_THAT(remarks_on(rock), IsEmpty());
+  EXPECT_THAT(warnings_about(rock), IsEmpty());
 }
 
 // 1/E_2D = 1/E - nu^2/E(90): a table of 195 GPa does not become one that hardly any rock has.
@@ -74,7 +75,7 @@ TEST(RockRemarks, WhatIsDoubtedIsTheTableAndNotItsConversion) {
                     cell(Property::nu, 90, 0.27)});
   rock.reading = ElasticReading::plane_strain;
   ASSERT_GT(targets_of(rock)[1].mean, 200e9);
-  EXPECT_THAT(remarks_on(rock), IsEmpty());
+  EXPECT_THAT(warnings_about(rock), IsEmpty());
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-// What a table can determine, foretold before anything runs.
-#include "calibrate/foresee.hpp"
+// What a table can determine, predicted before anything runs.
+#include "calibrate/identifiability.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "calibrate/reading.test.hpp"
+#include "calibrate/reading_fixture.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::calibrate {
@@ -24,40 +24,40 @@ Rock layered_rock() {
   return rock;
 }
 
-ParameterEstimate foreseen(const Rock& rock, const std::string& key) {
-  for (const ParameterEstimate& e : foresee(Evidence(rock)))
+ParameterEstimate expected(const Rock& rock, const std::string& key) {
+  for (const ParameterEstimate& e : identifiability(Evidence(rock)))
     if (e.key == key) return e;
-  ADD_FAILURE() << key << " is not foreseen";
+  ADD_FAILURE() << key << " is not in the list";
   return {};
 }
 
 TEST(Foresee, ModuliAtSevenAnglesDetermineTheElasticParameters) {
   for (const char* key : {"matrix.E_c", "bedding[0].k_n", "bedding[0].k_s"})
-    EXPECT_TRUE(foreseen(layered_rock(), key).determined) << key;
-  EXPECT_FALSE(foreseen(layered_rock(), "matrix.sigma_c").determined);
+    EXPECT_TRUE(expected(layered_rock(), key).determined) << key;
+  EXPECT_FALSE(expected(layered_rock(), "matrix.sigma_c").determined);
 }
 
 TEST(Foresee, ANoisierTableLeavesWiderIntervals) {
   Rock noisy = layered_rock();
   for (RockReading& r : noisy.readings) r.sd *= 4.0;
   const auto width = [](const ParameterEstimate& e) { return std::log(e.high / e.low); };
-  EXPECT_GT(width(foreseen(noisy, "bedding[0].k_n")),
-            2.0 * width(foreseen(layered_rock(), "bedding[0].k_n")));
+  EXPECT_GT(width(expected(noisy, "bedding[0].k_n")),
+            2.0 * width(expected(layered_rock(), "bedding[0].k_n")));
 }
 
 TEST(Foresee, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
   Rock rock = layered_rock();
   rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
-  EXPECT_THAT(foreseen(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
+  EXPECT_THAT(expected(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
   rock.readings.push_back(reading(Property::direct_tension, 0.0, 5e6));
-  EXPECT_TRUE(foreseen(rock, "sigma_n,sj/C_sj").determined);
+  EXPECT_TRUE(expected(rock, "sigma_n,sj/C_sj").determined);
 }
 
 TEST(Foresee, WithoutUcsNoStrengthIsDetermined) {
   Rock rock = layered_rock();
   for (const double theta : {0.0, 90.0})
     rock.readings.push_back(reading(Property::direct_tension, theta, 5e6));
-  for (const ParameterEstimate& e : foresee(Evidence(rock)))
+  for (const ParameterEstimate& e : identifiability(Evidence(rock)))
     if (!std::isfinite(e.low)) {
       EXPECT_FALSE(e.determined) << e.key;
       EXPECT_THAT(e.next_test, testing::HasSubstr("UCS")) << e.key;
@@ -71,7 +71,7 @@ TEST(Foresee, ParametersRestOnWhatTheTableHolds) {
   Rock rock = layered_rock();
   std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::nu; });
   for (const double theta : {0.0, 45.0, 90.0}) rock.readings.push_back(reading(Property::ucs, theta, 100e6));
-  for (const ParameterEstimate& e : foresee(Evidence(rock)))
+  for (const ParameterEstimate& e : identifiability(Evidence(rock)))
     EXPECT_THAT(e.rests_on, testing::AnyOf("E", testing::StartsWith("UCS near"),
                                            testing::StartsWith("UCS between"), "UCS"))
         << e.key;
@@ -86,20 +86,20 @@ TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
   Rock rock;
   rock.bedded = false;
   rock.readings.push_back(reading(Property::ucs, 0.0, 150e6));
-  EXPECT_EQ(foresee(Evidence(rock)).size(), 5U);
-  for (const ParameterEstimate& e : foresee(Evidence(rock)))
+  EXPECT_EQ(identifiability(Evidence(rock)).size(), 5U);
+  for (const ParameterEstimate& e : identifiability(Evidence(rock)))
     for (const std::string& text : {e.rests_on, e.next_test})
       EXPECT_THAT(text, testing::Not(testing::HasSubstr("degrees"))) << e.key;
-  EXPECT_TRUE(foreseen(rock, "matrix.sigma_c").determined);
-  EXPECT_FALSE(foreseen(rock, "tau_c/sigma_c").determined);
+  EXPECT_TRUE(expected(rock, "matrix.sigma_c").determined);
+  EXPECT_FALSE(expected(rock, "tau_c/sigma_c").determined);
   rock.readings.push_back(reading(Property::brazilian, 0.0, 20e6));
-  EXPECT_TRUE(foreseen(rock, "tau_c/sigma_c").determined);
+  EXPECT_TRUE(expected(rock, "tau_c/sigma_c").determined);
 }
 
 /// What each parameter of a table would need.
 std::vector<std::string> next_tests(const Rock& rock) {
   std::vector<std::string> all;
-  for (const ParameterEstimate& e : foresee(Evidence(rock))) all.push_back(e.next_test);
+  for (const ParameterEstimate& e : identifiability(Evidence(rock))) all.push_back(e.next_test);
   return all;
 }
 
@@ -107,11 +107,11 @@ std::vector<std::string> next_tests(const Rock& rock) {
 TEST(Foresee, NoTestIsAdvisedThatNoTableCanHold) {
   Rock rock = layered_rock();
   EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
-  EXPECT_EQ(foreseen(rock, "matrix.mu").next_test, "UCS");  // without any nothing is fitted
+  EXPECT_EQ(expected(rock, "matrix.mu").next_test, "UCS");  // without any nothing is fitted
   rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
-  EXPECT_EQ(foreseen(rock, "matrix.mu").next_test, "");
-  EXPECT_EQ(foreseen(rock, "bedding[0].mu").next_test, "");
-  EXPECT_THAT(foreseen(rock, "C_sj/tau_c").next_test, testing::HasSubstr("UCS at 45"));
+  EXPECT_EQ(expected(rock, "matrix.mu").next_test, "");
+  EXPECT_EQ(expected(rock, "bedding[0].mu").next_test, "");
+  EXPECT_THAT(expected(rock, "C_sj/tau_c").next_test, testing::HasSubstr("UCS at 45"));
   rock.bedded = false;
   EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
 }
@@ -122,10 +122,10 @@ TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
   const theory::JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
   for (const double theta : {0.0, 45.0, 90.0})
     rock.readings.push_back(reading(Property::E, theta, theory::goodman_E(stiff, theta)));
-  EXPECT_EQ(foreseen(rock, "bedding[0].k_n").next_test, "more specimens of E at 0 or 15 degrees");
-  EXPECT_EQ(foreseen(rock, "matrix.ks_over_kn").next_test, "Poisson's ratio, best at 0 and 90 degrees");
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next_test, "more specimens of E at 0 or 15 degrees");
+  EXPECT_EQ(expected(rock, "matrix.ks_over_kn").next_test, "Poisson's ratio, best at 0 and 90 degrees");
   std::erase_if(rock.readings, [](const RockReading& r) { return r.theta == 0.0; });
-  EXPECT_EQ(foreseen(rock, "bedding[0].k_n").next_test, "E at 0 or 15 degrees");
+  EXPECT_EQ(expected(rock, "bedding[0].k_n").next_test, "E at 0 or 15 degrees");
 }
 
 TEST(Foresee, OneTensorIsNoConflictAndFallingModuliAreNoError) {
@@ -163,12 +163,12 @@ TEST(Foresee, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
   Rock rock;
   rock.bedded = false;
   rock.readings = {reading(Property::E, 0.0, 40e9)};
-  EXPECT_TRUE(foreseen(rock, "matrix.E_c").determined);
-  EXPECT_FALSE(foreseen(rock, "matrix.ks_over_kn").determined);
+  EXPECT_TRUE(expected(rock, "matrix.E_c").determined);
+  EXPECT_FALSE(expected(rock, "matrix.ks_over_kn").determined);
   // no joint shares the scatter of E: 5 % of three specimens
-  EXPECT_NEAR(std::log(foreseen(rock, "matrix.E_c").high), 1.96 * 0.05 / std::sqrt(3.0), 1e-3);
+  EXPECT_NEAR(std::log(expected(rock, "matrix.E_c").high), 1.96 * 0.05 / std::sqrt(3.0), 1e-3);
   rock.readings.push_back(reading(Property::nu, 0.0, 0.25));
-  EXPECT_TRUE(foreseen(rock, "matrix.ks_over_kn").determined);
+  EXPECT_TRUE(expected(rock, "matrix.ks_over_kn").determined);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "genesis/floaters.hpp"
+#include "genesis/rattlers.hpp"
 
 #include <cmath>
 
@@ -40,9 +40,9 @@ Touch touch(const SettleBox& box, const Disc& d, const std::vector<Disc>& neighb
 }
 
 /// The disc grown into its cage, or unchanged.
-Disc grown(const SettleBox& box, const Disc& floater, const std::vector<Disc>& neighbours, double overlap) {
-  Disc d = floater;
-  while (d.r * growth_per_step <= growth_limit * floater.r) {
+Disc grown(const SettleBox& box, const Disc& rattler, const std::vector<Disc>& neighbours, double overlap) {
+  Disc d = rattler;
+  while (d.r * growth_per_step <= growth_limit * rattler.r) {
     d.r *= growth_per_step;
     Touch t = touch(box, d, neighbours);
     for (int k = 0; k < slides_per_step && t.n > 0; ++k) {
@@ -52,7 +52,7 @@ Disc grown(const SettleBox& box, const Disc& floater, const std::vector<Disc>& n
     }
     if (t.n >= 3 && t.overlap >= overlap * t.n) return d;
   }
-  return floater;
+  return rattler;
 }
 
 std::vector<std::vector<std::uint32_t>> neighbours_within(const std::vector<Disc>& discs, double reach) {
@@ -66,24 +66,24 @@ std::vector<std::vector<std::uint32_t>> neighbours_within(const std::vector<Disc
 
 }  // namespace
 
-std::vector<std::uint32_t> find_floaters(const SettleBox& box, const std::vector<Disc>& discs) {
+std::vector<std::uint32_t> find_rattlers(const SettleBox& box, const std::vector<Disc>& discs) {
   const auto near = neighbours_within(discs, 0.0);
-  std::vector<std::uint32_t> floaters;
+  std::vector<std::uint32_t> rattlers;
   for (std::uint32_t i = 0; i < discs.size(); ++i) {
     std::vector<Disc> around;
     for (const std::uint32_t j : near[i]) around.push_back(discs[j]);
-    if (touch(box, discs[i], around).n < 3) floaters.push_back(i);
+    if (touch(box, discs[i], around).n < 3) rattlers.push_back(i);
   }
-  return floaters;
+  return rattlers;
 }
 
-long grow_floaters(const SettleBox& box, std::vector<Disc>& discs, double overlap) {
+long grow_rattlers(const SettleBox& box, std::vector<Disc>& discs, double overlap) {
   double r_max = 0.0;
   for (const Disc& d : discs) r_max = d.r > r_max ? d.r : r_max;
   // A growing disc may also move, by no more than about a radius before three neighbours hold it.
   const auto near = neighbours_within(discs, growth_limit * r_max);
   long n = 0;
-  for (const std::uint32_t i : find_floaters(box, discs)) {
+  for (const std::uint32_t i : find_rattlers(box, discs)) {
     std::vector<Disc> around;
     for (const std::uint32_t j : near[i]) around.push_back(discs[j]);
     const Disc d = grown(box, discs[i], around, overlap);

@@ -1,60 +1,60 @@
-// Tools: in balance, and under the servo.
+// Bodies: in balance, and under the servo.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "contact/wall.hpp"
-#include "engine/small_groups.test.hpp"
+#include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
 namespace {
 
-// A tool in balance has no mass: a disc that it pushes with a constant force is accelerated by force / mass
-// from the first step on, and the tool stays force / stiffness ahead of it.
+// A body in balance has no mass: a disc that it pushes with a constant force is accelerated by force / mass
+// from the first step on, and the body stays force / stiffness ahead of it.
 TEST(Balance, PushesADiscLikeAConstantForce) {
   constexpr double R = 3e-4, force = 200.0;
   const MatrixRecipe m;
   const auto s = std::make_shared<const Specimen>(assembly({{R, R, R}}, m));
-  Rig rig;
-  rig.tools = {pusher(1, 1.0)};
+  Boundary boundary;
+  boundary.bodies = {pusher(1, 1.0)};
   for (const int interval : {1, 7}) {
     GroupOptions options;
     options.interval = interval;
     auto group = make_group(s->packing, options);
     LaneSetup setup;
     setup.damping = 0.0;
-    setup.rig = std::make_shared<const Rig>(rig);
+    setup.boundary = std::make_shared<const Boundary>(boundary);
     group->load(0, s, setup);
-    group->place_rig(0);
-    Drive drive;
-    drive.balance_x = {true, force};
-    group->drive(0, 0, drive);
+    group->place_boundary(0);
+    PrescribedMotion prescribed;
+    prescribed.balance_x = {true, force};
+    group->prescribe(0, 0, prescribed);
     const double k = contact::wall::normal_stiffness(m), mass = m.density * pi * R * R;
     for (int block = 1; block <= 50; ++block) {
       group->advance();
-      EXPECT_NEAR(group->tool(0, 0).force.x, force, 1e-4 * force);
-      EXPECT_NEAR(group->tool(0, 0).mean_force.x, force, 1e-4 * force) << "in every step";
+      EXPECT_NEAR(group->body(0, 0).force.x, force, 1e-4 * force);
+      EXPECT_NEAR(group->body(0, 0).mean_force.x, force, 1e-4 * force) << "in every step";
       const double n = block * interval, dt = group->time_step(0), u = group->grains(0)[0].ux;
       const double leap_frog =
           0.5 * force / mass * dt * dt * n * (n - 1.0);  // no force before the first step
       EXPECT_NEAR(u, leap_frog, 2e-4 * leap_frog + 1e-15);
-      EXPECT_NEAR(group->tool(0, 0).displacement.x - u, force / k, 2e-4 * force / k);
+      EXPECT_NEAR(group->body(0, 0).displacement.x - u, force / k, 2e-4 * force / k);
     }
     EXPECT_NEAR(group->row(0).energy_error, 0.0, 5e-4);
   }
 }
 
-// Grains at different distances: the tool meets the force with those that it reaches, after a jump that
+// Grains at different distances: the body meets the force with those that it reaches, after a jump that
 // touches none, one, or all of them.
 TEST(Balance, FindsTheGrainsThatCarryTheForce) {
   constexpr double R = 3e-4;
   const MatrixRecipe m;
   const auto s = std::make_shared<const Specimen>(
       assembly({{R, R, R}, {R, 4.0 * R, R}, {R, 7.0 * R, R}, {R, 10.0 * R, R}}, m));
-  Rig rig;
-  rig.tools = {pusher(4, 1.0)};
-  for (std::uint32_t i = 0; i < 4; ++i) rig.tools[0].touches[i].gap = 1e-7 * i;
+  Boundary boundary;
+  boundary.bodies = {pusher(4, 1.0)};
+  for (std::uint32_t i = 0; i < 4; ++i) boundary.bodies[0].touches[i].gap = 1e-7 * i;
   const double k = contact::wall::normal_stiffness(m);
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
     GroupOptions options;
@@ -64,27 +64,27 @@ TEST(Balance, FindsTheGrainsThatCarryTheForce) {
     auto group = make_group(s->packing, options);
     for (int lane = 0; lane < 3; ++lane) {
       LaneSetup setup;
-      setup.rig = std::make_shared<const Rig>(rig);
+      setup.boundary = std::make_shared<const Boundary>(boundary);
       group->load(lane, s, setup);
-      group->place_rig(lane);
+      group->place_boundary(lane);
     }
     const double some = 0.5e-7 * k, more = 6e-7 * k, most = 4e-5 * k;  // 0.5; 1 + 2 + 3 = 6; far beyond
     const double forces[3] = {some, more, most};
     for (int lane = 0; lane < 3; ++lane) {
-      Drive drive;
-      drive.balance_x = {true, forces[lane]};
-      group->drive(lane, 0, drive);
+      PrescribedMotion prescribed;
+      prescribed.balance_x = {true, forces[lane]};
+      group->prescribe(lane, 0, prescribed);
     }
     group->advance();
     for (int lane = 0; lane < 3; ++lane)
-      EXPECT_NEAR(group->tool(lane, 0).force.x, forces[lane], 1e-4 * forces[lane]);
-    EXPECT_NEAR(group->tool(0, 0).displacement.x, 0.5e-7, 1e-11);
-    EXPECT_NEAR(group->tool(1, 0).displacement.x, 3e-7, 1e-10);
-    EXPECT_NEAR(group->tool(2, 0).displacement.x, 1e-5 + 1.5e-7, 1e-9);
+      EXPECT_NEAR(group->body(lane, 0).force.x, forces[lane], 1e-4 * forces[lane]);
+    EXPECT_NEAR(group->body(0, 0).displacement.x, 0.5e-7, 1e-11);
+    EXPECT_NEAR(group->body(1, 0).displacement.x, 3e-7, 1e-10);
+    EXPECT_NEAR(group->body(2, 0).displacement.x, 1e-5 + 1.5e-7, 1e-9);
   }
 }
 
-/// A wall under the servo in block after block, from the rule as rig.hpp states it.
+/// A wall under the servo in block after block, from the rule as boundary.hpp states it.
 struct ServoByHand {
   double target, k, moved = 0.0, memory = 0.0, mean = 0.0;
   int interval;
@@ -110,24 +110,24 @@ struct WallOnADisc {
 
   WallOnADisc(double direction, int steps, Precision precision) : sign(direction), interval(steps) {
     const auto s = shared(assembly({{R, R, R}}, m));
-    Rig rig;
-    rig.tools = {pusher(1, direction), {}};
-    rig.tools[1].grips = {{0, true, true, true}};
+    Boundary boundary;
+    boundary.bodies = {pusher(1, direction), {}};
+    boundary.bodies[1].grips = {{0, true, true, true}};
     LaneSetup setup;
-    setup.rig = shared(rig);
+    setup.boundary = shared(boundary);
     group = small_group(*s, precision, interval);
     group->load(0, s, setup);
-    group->place_rig(0);
+    group->place_boundary(0);
     servo = {true, sign * force, k, 0.0, 1.0};
   }
   void start() {
-    Drive drive;
-    drive.servo_x = servo;
-    group->drive(0, 0, drive);
+    PrescribedMotion prescribed;
+    prescribed.servo_x = servo;
+    group->prescribe(0, 0, prescribed);
   }
   /// Towards the disc [m].
-  double moved() const { return sign * group->tool(0, 0).displacement.x; }
-  double pushes() const { return sign * group->tool(0, 0).force.x; }
+  double moved() const { return sign * group->body(0, 0).displacement.x; }
+  double pushes() const { return sign * group->body(0, 0).force.x; }
   double block() const { return group->time_step(0) * interval; }
 };
 
@@ -145,10 +145,10 @@ TEST(Servo, FollowsItsRuleOnALinearSpring) {
           by_hand.advance();
           EXPECT_NEAR(wall.moved(), by_hand.moved, tolerance * force / wall.k) << "after block " << block;
           EXPECT_NEAR(wall.pushes(), wall.k * by_hand.moved, tolerance * force) << "after block " << block;
-          EXPECT_NEAR(wall.sign * wall.group->tool(0, 0).mean_force.x, by_hand.mean, tolerance * force);
+          EXPECT_NEAR(wall.sign * wall.group->body(0, 0).mean_force.x, by_hand.mean, tolerance * force);
         }
         EXPECT_NEAR(wall.pushes(), force, 1e-5 * force) << "there is no force missing in the end";
-        EXPECT_NEAR(wall.group->tool(0, 1).force.x, -direction * force, 1e-5 * force) << "of the grip";
+        EXPECT_NEAR(wall.group->body(0, 1).force.x, -direction * force, 1e-5 * force) << "of the grip";
       }
 }
 
@@ -158,9 +158,9 @@ TEST(Servo, LosesNothingToASteadyDrift) {
   WallOnADisc wall(1.0, 20, Precision::double_precision);
   const double drift = 0.1 * wall.force / wall.k / wall.block();  // a tenth of the force in a block
   wall.start();
-  Drive away;
+  PrescribedMotion away;
   away.velocity = {drift, 0.0};
-  wall.group->drive(0, 1, away);
+  wall.group->prescribe(0, 1, away);
   for (int block = 0; block < 100; ++block) wall.group->advance();
   const double before = wall.moved();
   wall.group->advance();
@@ -204,24 +204,24 @@ TEST(Servo, BringsAColumnToItsForce) {
   MatrixRecipe m;
   Specimen s = assembly({{R, R, R}, {R, 3.0 * R, R}, {R, 5.0 * R, R}}, m);
   bond_touching(s);
-  Rig rig;
-  rig.tools.resize(2);
-  rig.tools[0].touches = {{0, {0.0, 1.0}, 0.0}}, rig.tools[1].touches = {{2, {0.0, -1.0}, 0.0}};
+  Boundary boundary;
+  boundary.bodies.resize(2);
+  boundary.bodies[0].touches = {{0, {0.0, 1.0}, 0.0}}, boundary.bodies[1].touches = {{2, {0.0, -1.0}, 0.0}};
   const double k = 1.0 / (2.0 / (2.0 * m.E_c) + 2.0 / (m.E_c + m.E_b));
   LaneSetup setup;
-  setup.rig = shared(rig);
+  setup.boundary = shared(boundary);
   for (const Precision precision : both_precisions) {
     const auto group = small_group(s, precision, 50);
     group->load(0, shared(s), setup);
-    group->place_rig(0);
-    Drive drive;
-    drive.servo_y = {true, -force, k, 0.0, 1.0};
-    group->drive(0, 1, drive);
+    group->place_boundary(0);
+    PrescribedMotion prescribed;
+    prescribed.servo_y = {true, -force, k, 0.0, 1.0};
+    group->prescribe(0, 1, prescribed);
     for (int block = 0; block < 200; ++block) group->advance();
     const double tolerance = precision == Precision::double_precision ? 1e-6 : 1e-4;
-    EXPECT_NEAR(group->tool(0, 1).force.y, -force, tolerance * force);
-    EXPECT_NEAR(group->tool(0, 0).force.y, force, tolerance * force);
-    EXPECT_NEAR(group->tool(0, 1).displacement.y, -force / k, tolerance * force / k);
+    EXPECT_NEAR(group->body(0, 1).force.y, -force, tolerance * force);
+    EXPECT_NEAR(group->body(0, 0).force.y, force, tolerance * force);
+    EXPECT_NEAR(group->body(0, 1).displacement.y, -force / k, tolerance * force / k);
     EXPECT_NEAR(group->row(0).energy_error, 0.0, 1e-3);
   }
 }

@@ -1,0 +1,155 @@
+#include "study/lane_batch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/clock.hpp"
+#include "lab/tests.hpp"
+
+namespace phy::study {
+
+int fitting_lanes(std::size_t n, Precision precision, int widest) {
+  int lanes = precision == Precision::single_precision ? 4 : 1;
+  while (static_cast<std::size_t>(lanes) < n && lanes < widest) lanes *= 2;
+  return lanes;
+}
+
+LaneBatch::LaneBatch(std::shared_ptr<const Packing> packing, const LaneBatchOptions& options)
+    : packing_(std::move(packing)),
+      options_(options),
+      group_(engine::make_group(packing_, options.group)),
+      slots_(static_cast<std::size_t>(options.group.lanes)) {}
+
+void LaneBatch::fill(const LaneHooks& hooks) {
+  for (std::size_t lane = 0; lane < slots_.size(); ++lane) {
+    LaneSlot& slot = slots_[lane];
+    if (slot.test) continue;
+    std::optional<Job> job = hooks.next();
+    if (!job) return;
+    slot.job = std::move(*job);
+    slot.seconds = 0.0;
+    slot.test = lab::make_test(slot.job.specimen, *slot.job.recipe, *group_, static_cast<int>(lane));
+  }
+}
+
+void LaneBatch::hand_over(const LaneHooks& hooks, LaneSlot& slot) {
+  TestResult result = slot.test->take_result();
+  result.seconds = slot.seconds;
+  hooks.done(slot.job.index, std::move(result));
+  slot.test.reset();
+}
+
+void LaneBatch::work(const LaneHooks& hooks) {
+  const auto n = static_cast<double>(n_tests());
+  const double before = thread_seconds();
+  group_->advance();
+  const double seconds = thread_seconds() - before;
+  hooks.block(n * options_.group.interval, packing_->discs.size());
+  for (std::size_t lane = 0; lane < slots_.size(); ++lane) {
+    LaneSlot& slot = slots_[lane];
+    if (!slot.test) continue;
+    slot.seconds += seconds / n;
+    bool over = slot.test->after_block();
+    if (const lab::Procedure::Reading r = slot.test->latest(); hooks.reading)
+      hooks.reading(slot.job.index, r.strain, r.stress);
+    if (!over && hooks.stopped()) slot.test->interrupt(), over = true;
+    if (!over) continue;
+    hand_over(hooks, slot);
+    group_->clear(static_cast<int>(lane));
+  }
+  fill(hooks);
+}
+
+std::size_t LaneBatch::n_tests() const {
+  return static_cast<std::size_t>(
+      std::count_if(slots_.begin(), slots_.end(), [](const LaneSlot& s) { return s.test != nullptr; }));
+}
+
+bool LaneBatch::too_wide() const {
+  return fitting_lanes(n_tests(), options_.group.precision, options_.group.lanes) < options_.group.lanes;
+}
+
+std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
+  std::vector<std::size_t> busy;
+  for (std::size_t lane = 0; lane < slots_.size(); ++lane)
+    if (slots_[lane].test) busy.push_back(lane);
+  PHY_CHECK(n <= busy.size(), "a lane batch gives tests that it has");
+  const auto theta = [this](std::size_t lane) {
+    const Specimen& s = *slots_[lane].job.specimen;
+    return s.bedding.empty() ? -1.0 : s.bedding.front().theta;
+  };
+  std::stable_sort(busy.begin(), busy.end(),
+                   [&](std::size_t a, std::size_t b) { return theta(a) < theta(b); });
+  LaneBatchOptions options = options_;
+  options.group.lanes = fitting_lanes(n, options.group.precision, options.group.lanes);
+  auto other = std::make_unique<LaneBatch>(packing_, options);
+  for (std::size_t lane = 0; lane < n; ++lane) {
+    LaneSlot& slot = slots_[busy[lane]];
+    slot.test->move_to(*other->group_, static_cast<int>(lane));
+    other->slots_[lane] = std::exchange(slot, LaneSlot{});
+  }
+  return other;
+}
+
+std::unique_ptr<LaneBatch> LaneBatchExchange::take_offered() {
+  if (offered_.empty()) return nullptr;
+  std::unique_ptr<LaneBatch> lane_batch = std::move(offered_.back());
+  offered_.pop_back();
+  return lane_batch;
+}
+
+std::unique_ptr<LaneBatch> LaneBatchExchange::wait() {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  ++n_waiting_;
+  if (--n_working_ == 0) change_.notify_all();
+  change_.wait(lock, [this] { return !offered_.empty() || n_working_ == 0; });
+  --n_waiting_, ++n_working_;
+  waited_ += seconds_since(start);
+  return take_offered();
+}
+
+std::unique_ptr<LaneBatch> LaneBatchExchange::wait_for(std::chrono::milliseconds patience) {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  ++n_waiting_;
+  change_.wait_for(lock, patience, [this] { return !offered_.empty(); });
+  --n_waiting_;
+  waited_ += seconds_since(start);
+  return take_offered();
+}
+
+// Made under the lock, or the worker that waits might have gone meanwhile. That takes less than a block of
+// cycles, and the others look in once per block.
+bool LaneBatchExchange::share(const std::function<std::unique_ptr<LaneBatch>()>& make) {
+  const std::lock_guard lock(mutex_);
+  if (n_waiting_ == offered_.size()) return false;
+  offered_.push_back(make());
+  change_.notify_one();
+  return true;
+}
+
+void LaneBatchExchange::leave() {
+  const std::lock_guard lock(mutex_);
+  if (--n_working_ == 0) change_.notify_all();
+}
+
+double LaneBatchExchange::waited() {
+  const std::lock_guard lock(mutex_);
+  return waited_;
+}
+
+void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hooks,
+                    LaneBatchExchange& exchange) {
+  while (lane_batch->n_tests() > 0) {
+    lane_batch->work(hooks);
+    if (lane_batch->fixed()) continue;
+    if (lane_batch->n_tests() > 1)
+      exchange.share([&] { return lane_batch->part(lane_batch->n_tests() / 2); });
+    if (lane_batch->n_tests() > 0 && lane_batch->too_wide())
+      lane_batch = lane_batch->part(lane_batch->n_tests());
+  }
+}
+
+}  // namespace phy::study

@@ -1,0 +1,110 @@
+// A lane batch: tests side by side in the lanes of one group. And the exchange where workers share lane
+// batches.
+//
+// Near the end of a run there are fewer tests than lanes. A lane batch whose lanes stand empty becomes
+// narrower, since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
+// scheduler.cpp); a worker that has run dry gets half of the tests of a lane batch that still has several.
+// Tests move between blocks, in the middle of their course; no bit of their results changes
+// (LaneGroup::move_lane). Lane batches with a fixed number of lanes stay as they are.
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "engine/lane_group.hpp"
+#include "lab/procedure.hpp"
+#include "records/recipe.hpp"
+#include "records/result.hpp"
+#include "records/specimen.hpp"
+
+namespace phy::study {
+
+/// One test for a lane.
+struct Job {
+  std::shared_ptr<const Specimen> specimen;
+  std::shared_ptr<const Recipe> recipe;  ///< of the precision and block length of the group
+  std::size_t index = 0;                 ///< given back with the result
+};
+
+/// Where a lane batch gets its work and leaves its results. Called from the thread that runs the lane batch.
+struct LaneHooks {
+  std::function<std::optional<Job>()> next;  ///< nothing: no more work of this packing
+  std::function<void(std::size_t index, TestResult)> done;
+  std::function<void(double steps, std::size_t n_grains)> block;  ///< steps: cycles times specimens
+  std::function<bool()> stopped;
+  std::function<void(std::size_t index, double strain, double stress)> reading = nullptr;
+};
+
+/// Numerics of a lane batch's group.
+struct LaneBatchOptions {
+  engine::GroupOptions group;
+  bool fixed = false;  ///< the number of lanes stays, and no test is given away
+};
+
+/// Lanes of the narrowest group that holds `n` tests, `widest` at most.
+int fitting_lanes(std::size_t n, Precision precision, int widest);
+
+class LaneBatch {
+ public:
+  LaneBatch(std::shared_ptr<const Packing> packing, const LaneBatchOptions& options);
+  /// A test for every empty lane, while there are any.
+  void fill(const LaneHooks& hooks);
+  /// One block; finished tests are handed over and their lanes filled. Stopped ones are interrupted.
+  void work(const LaneHooks& hooks);
+  std::size_t n_tests() const;
+  bool too_wide() const;
+  /// Moves `n` tests, neighbours in bedding angle, into a lane batch of their own.
+  std::unique_ptr<LaneBatch> part(std::size_t n);
+  bool fixed() const { return options_.fixed; }
+
+ private:
+  /// A test in a lane.
+  struct LaneSlot {
+    Job job;
+    std::unique_ptr<lab::Procedure> test;  // refers to the job's recipe; null: empty
+    double seconds = 0.0;
+  };
+  void hand_over(const LaneHooks& hooks, LaneSlot& slot);
+
+  std::shared_ptr<const Packing> packing_;
+  LaneBatchOptions options_;
+  std::unique_ptr<engine::LaneGroup> group_;
+  std::vector<LaneSlot> slots_;
+};
+
+/// Between the workers of one run. A worker comes with the constructor and goes with leave(). A lane batch
+/// is made for a worker that waits, who takes it even if its time to wait is over by then: nothing else would
+/// run these tests.
+class LaneBatchExchange {
+ public:
+  explicit LaneBatchExchange(int n_workers) : n_working_(n_workers) {}
+  /// A worker without work waits for a lane batch. Nothing: nobody has work any more.
+  std::unique_ptr<LaneBatch> wait();
+  /// The same for a worker that may find work elsewhere. Nothing: none came in time.
+  std::unique_ptr<LaneBatch> wait_for(std::chrono::milliseconds patience);
+  void leave();
+  /// Makes a lane batch if more workers wait than batches are on their way. False: nothing was made.
+  bool share(const std::function<std::unique_ptr<LaneBatch>()>& make);
+  /// Time that workers have spent waiting [s].
+  double waited();
+
+ private:
+  std::unique_ptr<LaneBatch> take_offered();
+
+  std::mutex mutex_;
+  std::condition_variable change_;
+  std::vector<std::unique_ptr<LaneBatch>> offered_;  // never more than there are who wait
+  int n_working_;
+  std::size_t n_waiting_ = 0;
+  double waited_ = 0.0;
+};
+
+/// Works until no test of the lane batch is left; shares with those who wait at the exchange.
+void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hooks,
+                    LaneBatchExchange& exchange);
+
+}  // namespace phy::study
