@@ -47,7 +47,7 @@ void read_packing(const Json& j, SpecimenRecord& record) {
   r.coordination = number(p.at("coordination"));
   r.fabric = number(p.at("fabric"));
   r.stress_left = number(p.at("stress_left [Pa]"));
-  r.n_rattlers = p.at("n_floaters");
+  r.n_rattlers = p.at(p.contains("n_rattlers") ? "n_rattlers" : "n_floaters");  // the latter in older folders
   r.mean_overlap = number(p.at("mean_overlap"));
   r.unbalanced = number(p.at("unbalanced"));
   for (const Json& b : j.at("bedding"))

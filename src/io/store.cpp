@@ -76,7 +76,7 @@ Json packing_json(const SpecimenRecord& record) {
   return {{"hash", record.packing_hash}, {"n_grains", record.n_grains},
           {"porosity", r.porosity},      {"coordination", r.coordination},
           {"fabric", r.fabric},          {"stress_left [Pa]", r.stress_left},
-          {"n_floaters", r.n_rattlers},  {"mean_overlap", r.mean_overlap},
+          {"n_rattlers", r.n_rattlers},  {"mean_overlap", r.mean_overlap},
           {"unbalanced", r.unbalanced},  {"stress_free", record.stress_free}};
 }
 

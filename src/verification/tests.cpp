@@ -158,7 +158,7 @@ Intensity notched_half_disc(const Packing& packing, double radius, double notch_
       genesis::cut_half_disc(packing, {2.0 * radius, true, a, 0.0}, s.matrix.bond_gap));
   bond_touching(s);
   const lab::BendSpecimen bend = lab::as_sawn(*s.packing, {radius, a, 2.0 * span_ratio * radius});
-  const lab::DirectIntensity K = lab::direct_intensity(s, bend, lab::bend_rollers(*s.packing, bend).rig);
+  const lab::DirectIntensity K = lab::direct_intensity(s, bend, lab::bend_rollers(*s.packing, bend).boundary);
   return {K.K_I / lab::isotropic_K_I(bend, 1.0), K.K_II / K.K_I};
 }
 

@@ -90,8 +90,8 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
   }
 }
 
-// Without a fixed number of lanes a crew grows narrower as its tests end, and those who have run dry are
-// given tests in the middle of their course.
+// Without a fixed number of lanes a lane batch grows narrower as its tests end, and those who have run dry
+// are given tests in the middle of their course.
 TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);

@@ -53,7 +53,9 @@ TEST_F(Unstable, ATestThatBlowsUpRuinsNothing) {
   EXPECT_EQ(run("show " + out()), 1);
   EXPECT_THAT(output, Not(HasSubstr("missing")));
   EXPECT_EQ(run("report " + out()), 0) << output;
-  if (has("gnuplot")) EXPECT_EQ(run("figure " + out() + " --kind cracks --out " + at("c.svg")), 0) << output;
+  if (has("gnuplot")) {
+    EXPECT_EQ(run("figure " + out() + " --kind cracks --out " + at("c.svg")), 0) << output;
+  }
   EXPECT_EQ(run("film " + out() + " --out " + at("f.gif")), 2);
   EXPECT_THAT(output, HasSubstr("a test that came to be loaded"));
 }
