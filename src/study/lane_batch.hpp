@@ -3,7 +3,7 @@
 //
 // Near the end of a run there are fewer tests than lanes. A lane batch whose lanes stand empty becomes
 // narrower, since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
-// scheduler.cpp); a worker that has run dry gets half of the tests of a lane batch that still has several.
+// scheduler.cpp); a worker without work gets half of the tests of a lane batch that still has several.
 // Tests move between blocks, in the middle of their course; no bit of their results changes
 // (LaneGroup::move_lane). Lane batches with a fixed number of lanes stay as they are.
 #pragma once
@@ -82,7 +82,7 @@ class LaneBatch {
 class LaneBatchExchange {
  public:
   explicit LaneBatchExchange(int n_workers) : n_working_(n_workers) {}
-  /// A worker without work waits for a lane batch. Nothing: nobody has work any more.
+  /// A worker without work waits for a lane batch. Nothing: no worker has work any more.
   std::unique_ptr<LaneBatch> wait();
   /// The same for a worker that may find work elsewhere. Nothing: none came in time.
   std::unique_ptr<LaneBatch> wait_for(std::chrono::milliseconds patience);
