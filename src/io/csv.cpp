@@ -207,12 +207,12 @@ template <class T>
 bool take_number(std::string_view& text, T& value) {
   const std::string_view word = take_word(text);
   const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
+  // The whole word must be the number.
   return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
 std::string history_header(TestKind kind) {
   std::string text;
-  // The whole word must be the number.
   for (const HistoryColumn& c : kind->columns) text += (text.empty() ? "" : ",") + heading(c);
   return text;
 }

@@ -141,11 +141,11 @@ void Document::check_tables() {
   for (const std::string& name : names) {
     const TomlValue* node = root_.find(name);
     if (node == nullptr) continue;
+    // A list of tables with anything else in it, or too long a list, is reported and then not read at all:
+    // tables() returns nothing.
     const auto list = schema_.lists.find(name);
     if (list == schema_.lists.end() && node->kind != Kind::table)
       report_problem(*node, name, "a table", "write [" + name + "] on a line of its own");
-    // A list of tables with anything else in it, or too long a list, is reported and then not read at all:
-    // tables() returns nothing.
     else if (list != schema_.lists.end() &&
              (node->kind != Kind::list || node->items.size() > list->second ||
               std::any_of(node->items.begin(), node->items.end(),

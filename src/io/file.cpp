@@ -173,8 +173,8 @@ bool is_stream(const std::string& path) {
 
 void write_file(const std::string& path, const std::string& content) {
   if (is_stream(path)) return write_stream(path, content);
-  // Beside its place: only within one file system is a rename atomic.
   make_folder(parent_of(path));
+  // Beside its place: only within one file system is a rename atomic.
   const std::string part = beside(path, "part");
   write_synced(part, path, content);
   if (std::rename(part.c_str(), path.c_str()) != 0) {

@@ -128,9 +128,9 @@ std::string verb_for(const fs::path& folder) {
 /// What is read from a result.json; whatever is wrong with it becomes an InputError that names the file.
 template <class Parse>
 auto parsed(const std::string& file, const Parse& parse) {
+  // Missing keys and wrong types come as exceptions of the JSON library.
   try {
     return parse(read_file(file));
-    // Missing keys and wrong types come as exceptions of the JSON library.
   } catch (const nlohmann::json::exception& e) {
     throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
   } catch (const std::out_of_range& e) {
@@ -194,9 +194,9 @@ RunRecord read_run(const std::string& path) {
     throw InputError(
         Problem{path, "", "", "a folder with result.json, or a folder of such folders", verb_for(path)});
   for (const std::string& folder : folders) {
+    // One unreadable specimen does not hide the others.
     try {
       run.tests.push_back(read_result(folder));
-      // One unreadable specimen does not hide the others.
     } catch (const InputError& e) {
       run.missing.push_back({folder, last = e.what()});
     } catch (const IoError& e) {

@@ -55,7 +55,7 @@ std::optional<Problem> problem_with(const std::string& file, const std::string& 
 void add_to_list(const std::string& file, std::string_view content) {
   const std::string list = (fs::path(folder_of(file)) / written_list).string(),
                     line = list_line(fs::path(file).filename().string(), content);
-  // With line breaks around: a name may be the end of another one.
+  // With the line breaks around it, so that no part of a longer line matches.
   if (const auto known = content_of(list); known && ("\n" + *known).find("\n" + line) != known->npos) return;
   // Appended in one write, so that several processes can share a list. A link is not followed: the list could
   // be made to point elsewhere.

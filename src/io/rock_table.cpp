@@ -51,8 +51,8 @@ Head head_of(const std::string& cell) {
   h.name = cell.substr(0, open);
   if (open != cell.npos) {
     h.unit = cell.substr(open + 1, cell.find_first_of("])", open) - open - 1);
-    // "E_GPa": the tail counts as a unit only if it is one; "E_sd" is a name.
   } else if (const std::size_t bar = cell.rfind('_'); bar != cell.npos) {
+    // "E_GPa": the tail counts as a unit only if it is one; "E_sd" is a name.
     const std::string tail = cell.substr(bar + 1);
     for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
       if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);

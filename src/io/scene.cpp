@@ -80,7 +80,6 @@ void add_discs(Writer& w, const Scene& scene, double quantum) {
 }
 
 /// Of a test that has blown up displacements may be no numbers, or too large to leave room for the others.
-/// Written so that NaN is not shown.
 bool is_shown(const Scene& scene, float u) {
   return std::abs(static_cast<double>(u)) <= farthest * std::max(scene.width, scene.height);  // not so NaN
 }

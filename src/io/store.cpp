@@ -20,8 +20,9 @@ using Json = nlohmann::ordered_json;
 /// A value that is NaN is written as null.
 Json number_json(const Number& n) {
   Json j = {{"value", n.value}, {"unit", n.unit}, {"definition", n.definition}};
-  if (!n.note.empty()) j["note"] = n.note;
   // null alone would leave the reader in doubt whether something is missing.
+  if (!n.note.empty())
+    j["note"] = n.note;
   else if (!std::isfinite(n.value))
     j["note"] = "could not be determined";
   return j;

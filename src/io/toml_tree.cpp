@@ -197,7 +197,7 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
     const std::size_t line = result.error().source().begin.line;
     const std::size_t begin = begin_of_line(text, line), end = std::min(text.find('\n', begin), text.size());
     const std::string_view content = std::string_view(text).substr(begin, end - begin);
-    // An open list is found only at its end: the message points to where it began.
+    // A list that is not closed is noticed lines later: the cause is above the line of the error.
     const bool in_list = description.find("array") != std::string::npos;
     const bool left_out = can_be_left_out(content, description);
     problems.push_back({at_line(where, line), "", "", "TOML (" + description + ")",

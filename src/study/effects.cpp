@@ -163,7 +163,7 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading
     const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {reading.loss, reading.reference, r.intact});
     fits.fits[place.first][place.second] = fit;
     if (!fit.ok()) continue;
-    // Theory gives K times the mean spacing delta of the joints, a stiffness per area times length [Pa].
+    // Theory gives K times the spacing of the planes, [Pa/m] times [m].
     fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
     fits.K_s.values[place.first][place.second] = fit.rock.K_s_delta / r.spacing;
     fits.R2.values[place.first][place.second] = fit.R2;
@@ -231,7 +231,7 @@ std::vector<Effect> beside_regressions(const Plan& plan, const Response& respons
     for (const Effect& e : effects) {
       Summary s = e.value;
       if (e.name == "slope") {
-        // Relative to the published slope; sd and interval are positive lengths.
+        // Relative to the published slope; sd and interval stay positive.
         s.mean /= line.slope, s.sd /= std::fabs(line.slope), s.half_width /= std::fabs(line.slope);
         beside.push_back({"slope over that of " + line.source, "1", s});
       } else if (e.name == "intercept") {
@@ -312,7 +312,7 @@ std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<dou
       blocks.push_back(b);
   std::vector<double> outer;  // A and B: independent points
   for (const std::size_t b : blocks) outer.push_back(y[b]), outer.push_back(y[b + k + 1]);
-  // Subtracting the mean makes the product estimator less noisy: B and the difference are then centred.
+  // Subtracting the mean lowers the noise of the products below; differences are not affected.
   const Summary s = summarise(outer);
   std::vector<VarianceIndex> all(k, {nan, nan, blocks.size()});
   if (blocks.size() < 2 || !(s.sd > 0.0)) return all;

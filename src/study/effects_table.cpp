@@ -37,8 +37,8 @@ std::vector<NamedReading> all_readings(Solver solver) {
             {{"E_tangent", R::measured_90}, "reference E(90)", ""},
             {{"E_tangent", R::free}, "reference free", ""},
             {{"E_small", R::given}, "reference intact (E_small)", ""}};
-  // Directly, readings are cheap: all combinations go to the CSV. Printed are the first six: the gauge, with
-  // contacts that only push or also pull.
+  // Direct solution: all combinations of modulus, reference and loss go to the CSV. Printed are the first
+  // six: the gauge, with contacts that only push or also pull.
   std::vector<NamedReading> all;
   for (const theory::Eq1Loss loss : {theory::Eq1Loss::compliance, theory::Eq1Loss::modulus})
     for (const char* modulus : {"E_gauge", "E_gauge_pulling", "E_platen", "E_platen_pulling"})

@@ -19,8 +19,8 @@ namespace {
 /// What all specimens of a recipe have in common.
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
-  // Angles of the bedding differ from specimen to specimen; what is compared is the rest.
   r.test.intact = false;
+  // Angles of the bedding differ from specimen to specimen; what is compared is the rest.
   if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
 }
@@ -31,8 +31,8 @@ std::vector<Recipe> single_recipes(const Recipe& recipe) {
   std::vector<Recipe> singles;
   Recipe one = recipe;
   one.test.angles.clear();
-  // test.angles turns all sets together (genesis::turned). Without it the bedding is one specimen as given.
   one.test.intact = false;
+  // test.angles turns all sets together (genesis::turned). Without it the bedding is one specimen as given.
   for (const double theta : recipe.test.angles) {
     one.bedding = genesis::turned(recipe.bedding, theta);
     singles.push_back(one);

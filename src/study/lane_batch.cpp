@@ -123,7 +123,7 @@ std::unique_ptr<LaneBatch> LaneBatchExchange::wait() {
 std::unique_ptr<LaneBatch> LaneBatchExchange::wait_for(std::chrono::milliseconds patience) {
   const auto start = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
-  // Does not count as idle for the others: this worker may yet find tests of another packing or process.
+  // Still counted as working: this worker may yet find tests of another packing or process.
   ++n_waiting_;
   change_.wait_for(lock, patience, [this] { return !offered_.empty(); });
   --n_waiting_;
@@ -135,7 +135,7 @@ std::unique_ptr<LaneBatch> LaneBatchExchange::wait_for(std::chrono::milliseconds
 // cycles, and the others look in once per block.
 bool LaneBatchExchange::share(const std::function<std::unique_ptr<LaneBatch>()>& make) {
   const std::lock_guard lock(mutex_);
-  // Every batch on offer has a worker waiting for it; one more would have nobody to run it.
+  // Every batch on offer has a worker waiting for it; one more would be run by none.
   if (n_waiting_ == offered_.size()) return false;
   offered_.push_back(make());
   change_.notify_one();
@@ -156,7 +156,7 @@ void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hook
                     LaneBatchExchange& exchange) {
   while (lane_batch->n_tests() > 0) {
     lane_batch->work(hooks);
-    // A fixed number of lanes is a promise to the user (or a measurement): nothing is narrowed or shared.
+    // The number of lanes was fixed by the user (MachineOptions::lanes): nothing is narrowed or shared.
     if (lane_batch->fixed()) continue;
     if (lane_batch->n_tests() > 1)
       // Half of the tests: this worker and the one that waits then take about as long.

@@ -76,9 +76,9 @@ class LaneBatch {
   std::vector<LaneSlot> slots_;
 };
 
-/// Between the workers of one run. A worker comes with the constructor and goes with leave(). A lane batch
-/// is made for a worker that waits, who takes it even if its time to wait is over by then: nothing else would
-/// run these tests.
+/// Between the workers of one run, all counted as working from the constructor until leave(). A lane batch is
+/// made for a worker that waits. It takes the batch even if its waiting time is over by then: no other worker
+/// would run these tests.
 class LaneBatchExchange {
  public:
   explicit LaneBatchExchange(int n_workers) : n_working_(n_workers) {}
@@ -97,7 +97,7 @@ class LaneBatchExchange {
 
   std::mutex mutex_;
   std::condition_variable change_;
-  std::vector<std::unique_ptr<LaneBatch>> offered_;  // never more than there are who wait
+  std::vector<std::unique_ptr<LaneBatch>> offered_;  // never more than workers that wait
   int n_working_;
   std::size_t n_waiting_ = 0;
   double waited_ = 0.0;

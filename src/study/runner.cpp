@@ -166,7 +166,7 @@ StoreQueue::StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, 
 
 StoreQueue::~StoreQueue() { keeper_.request_stop(); }
 
-/// Renews the claims while their tests run: one takes longer than a lease.
+/// Renews the claims while their tests run: a test may take longer than a lease.
 void StoreQueue::keep_claims(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, stop, renewal, [] { return false; }) && !stop.stop_requested()) {

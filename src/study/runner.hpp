@@ -24,7 +24,7 @@ namespace phy::study {
 
 /// Where a study stands.
 struct StudyProgress {
-  std::size_t n_done = 0;    ///< finished, by whomever
+  std::size_t n_done = 0;    ///< finished, by any process
   std::size_t n_failed = 0;  ///< of these: without an answer
   std::size_t n_new = 0;     ///< of these: finished by this run
   std::size_t n_guest = 0;   ///< of these: on other ranks

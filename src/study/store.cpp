@@ -218,7 +218,7 @@ void Store::rekey() {
           .bind(now)
           .bind(before)
           .run();
-  // Claims refer to old keys. Their tests are simply run.
+  // Claims refer to old keys; their tests are claimed anew under the new ones.
   database_.execute("DELETE FROM claim; PRAGMA user_version = " + std::to_string(store_format));
 }
 
@@ -235,7 +235,8 @@ void Store::make_tables(Sharing sharing) {
     foreign.step();
     const bool empty = foreign.integer(0) == 0;
     if (!empty && found == 1) return rekey();
-    // An empty file is a new store; a database with tables but without our version is somebody's data.
+    // An empty file is a new store; a database with tables but without our version belongs to another
+    // program.
     if (!empty && found != store_format)
       throw IoError(database_.path() + ": " +
                     (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
