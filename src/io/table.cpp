@@ -110,8 +110,7 @@ class Reader {
     if (!is_text(std::string(line))) {
       table_.problems.push_back({at(number), "", "", "text in UTF-8 without control characters",
                                  "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
-      if (table_.header_line == 0)
-        text_ = {};  // ends the reading: rows would be compared with a wrong header
+      if (table_.header_line == 0) text_ = {};  // rows would be compared with a wrong header
       return;
     }
     if (table_.header_line == 0) {
