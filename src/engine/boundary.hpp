@@ -52,8 +52,8 @@ struct BoundaryBody {
   bool rough = false;  ///< has the lane's body friction, else none
 };
 
-/// Two opposite bodies. Positive: they approach, they push. What strain and stress their travel [m] and force
-/// [N/m] are is the test's affair.
+/// Two opposite bodies. Positive: they approach, they push. Strain and stress are defined by the test, from
+/// their travel [m] and force [N/m].
 struct LoadAxis {
   int lo = -1, hi = -1;  ///< bodies; -1: no such axis
   Vec2 direction;        ///< unit vector from lo to hi

@@ -7,6 +7,8 @@
 namespace phy::engine::group {
 namespace {
 
+// Gains of the servo (boundary.hpp): shares of the missing displacement, once as a direct correction and once
+// added to the remembered displacement per block.
 constexpr double servo_proportional = 0.6;
 constexpr double servo_integral = 0.2;
 constexpr double far_away = 1.0;  // m: gap of a body that is not there
@@ -29,6 +31,8 @@ double fastest_body(const PrescribedMotion& d, double fastest_grain) {
 
 }  // namespace
 
+/// Row tables exist from the start, all zero: a group without boundary runs through the same loop and finds
+/// empty ranges.
 template <class T>
 BoundaryMemory<T>::BoundaryMemory(const GrainMemory<T>& grains, int interval)
     : grains_(&grains),
@@ -39,6 +43,7 @@ BoundaryMemory<T>::BoundaryMemory(const GrainMemory<T>& grains, int interval)
       row_grip_(row_touch_),
       row_load_(row_touch_) {}
 
+/// A gap that no motion closes stands for "no contact": the loop needs no branch for lanes without a body.
 template <class T>
 void BoundaryMemory<T>::clear(std::size_t l) {
   lanes_[l] = {};
@@ -60,6 +65,8 @@ void BoundaryMemory<T>::copy(std::size_t l, BoundaryMemory<T>& to, std::size_t k
 /// Lanes of a group share the geometry of their boundary: it follows from the packing and the kind of test.
 template <class T>
 void BoundaryMemory<T>::adopt(const Boundary& boundary) {
+  // The group's first specimen decides the geometry and the size of all buffers; later ones have to match it,
+  // since one list of touches serves all lanes.
   if (boundary.bodies.empty() && !boundary.jacket) return;
   if (n_tools_ > 0 || jacket_) {
     PHY_CHECK(boundary.bodies.size() == n_tools_ && boundary.jacket == jacket_, "lanes share one boundary");
@@ -68,6 +75,8 @@ void BoundaryMemory<T>::adopt(const Boundary& boundary) {
   jacket_ = boundary.jacket;
   n_tools_ = boundary.bodies.size();
   const std::size_t per_step = n_steps_ * n_tools_ * 2 * W_, n = grains_->size();
+  // Motion and force of every step of a block are kept, not sums: the work is a sum over steps, and a crack
+  // is given the travel of its own step.
   body_u_.assign(per_step), body_v_.assign(per_step), body_force_.assign(per_step), body_du_.assign(per_step);
   balance_on_.assign(n_tools_ * 2 * W_), balance_force_.assign(n_tools_ * 2 * W_);
   touch_gap_.assign(n_tools_ * n * W_);
@@ -86,6 +95,8 @@ void BoundaryMemory<T>::list_grips(const Boundary& boundary) {
     for (const Grip& p : boundary.bodies[t].grips)
       grip_.push_back({static_cast<std::int32_t>(grains_->sorted_id(p.grain)), static_cast<std::int32_t>(t),
                        p.x, p.y, p.rotation});
+  // Sorted by grain, so that the grips of a row are one range. Stable: where bodies share a grain, the order
+  // of the bodies stays, and with it the order of the sums.
   std::stable_sort(grip_.begin(), grip_.end(),
                    [](const GripPoint& p, const GripPoint& q) { return p.grain < q.grain; });
   for (std::size_t row = 0; row < row_grip_.size(); ++row)
@@ -95,6 +106,7 @@ void BoundaryMemory<T>::list_grips(const Boundary& boundary) {
         grip_.begin());
 }
 
+/// The ramp of a velocity starts again with every new prescription.
 template <class T>
 void BoundaryMemory<T>::prescribe(std::size_t l, std::size_t body, const PrescribedMotion& prescribed) {
   BodyMotion& motion = lanes_[l].bodies[body];
@@ -108,11 +120,16 @@ void BoundaryMemory<T>::place_body(std::size_t body, std::size_t l) {
   std::vector<double> gap(n, far_away);
   for (const Touch& p : lanes_[l].boundary->bodies[body].touches) gap[grains_->sorted_id(p.grain)] = p.gap;
   const Vec2* normal = touch_normal_.data() + body * n;
+  // Mean displacement along the normal of the grains that touch from the start: by so much the surface has
+  // moved towards the body since the packing was made.
   double sum = 0.0, count = 0.0;
   for (std::size_t g = 0; g < n; ++g)
     if (gap[g] <= 0.0) sum += dot(normal[g], grains_->displacement(g, l)), count += 1.0;
   const double mean = count > 0.0 ? sum / count : 0.0;
   for (std::size_t g = 0; g < n; ++g) {
+    // closure = n.(U - u) - gap with U = 0 now (body_loop.hpp). -u makes it exactly zero where a grain
+    // touches from the start. The others keep their gap from the surface as it has moved, but never less than
+    // -u: nothing may be pressed before anything has been driven.
     const double u = dot(normal[g], grains_->displacement(g, l));
     const std::size_t place = (body * n + g) * W_ + l;
     touch_gap_[place] = T(gap[g] <= 0.0 ? -u : std::max(gap[g] - mean, -u));
@@ -134,6 +151,8 @@ void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
   LaneBoundary& lane = lanes_[l];
   for (BodyMotion& t : lane.bodies) t.state.mean_force = {};
   for (std::size_t s = 0; s < n_steps_; ++s) {
+    // Trapezoidal rule: mean of the forces before and after a step times the displacement in it. The force
+    // before the first step is that of the last block's end.
     for (std::size_t t = 0; t < lane.bodies.size(); ++t) {
       BodyState& state = lane.bodies[t].state;
       const Vec2 force = body_vector(body_force_, s, t, l);
@@ -143,16 +162,21 @@ void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
       state.mean_force = state.mean_force + (1.0 / static_cast<double>(n_steps_)) * force;
     }
   }
+  // Heights and pressure do not change within a block, so this part of the work is exact (jacket.hpp).
   if (!jacket_ || !lane.placed) return;
   const double swept = area_swept(l) - lane.swept_from;
   work += lane.pressure * swept;
   lane.swept += swept;
 }
 
+/// A point is listed for all lanes if any lane may need it; in the others its gap stays open and it adds
+/// zero.
 template <class T>
 bool BoundaryMemory<T>::near(std::size_t body, std::size_t g, const NeighbourList<T>& list) const {
   const Vec2 n = touch_normal_[body * grains_->size() + g];
   if (n.x == 0.0 && n.y == 0.0) return false;
+  // usual_range() is the part that the body may come nearer, range() what the grain may:
+  // NeighbourList::outlived() renews the list before the two together are used up.
   for (std::size_t l = 0; l < W_; ++l) {
     if (!acts(l)) continue;
     const double gap = static_cast<double>(touch_gap_[(body * grains_->size() + g) * W_ + l]);
@@ -169,11 +193,13 @@ void BoundaryMemory<T>::list_touches(const NeighbourList<T>& list) {
   const Boundary* boundary = nullptr;
   for (std::size_t l = W_; l-- > 0;) {
     for (BodyMotion& t : lanes_[l].bodies) t.listed_at = t.state.displacement;
+    // Counting down, so that the lowest lane's boundary is kept; all lanes have the same one.
     if (acts(l)) boundary = lanes_[l].boundary.get();
   }
   const std::vector<std::int32_t>& row_grain = grains_->layout().row_grain;
   for (std::size_t row = 0; row + 1 < row_touch_.size(); ++row) {
     row_touch_[row] = static_cast<std::int32_t>(touch_.size());
+    // Row by row, then body by body: the loop keeps a body's sums over a row in registers and adds them once.
     if (boundary == nullptr) continue;
     for (std::size_t body = 0; body < n_tools_; ++body)
       for (auto g = static_cast<std::size_t>(row_grain[row]);
@@ -210,6 +236,7 @@ void BoundaryMemory<T>::plan_balance() {
       bool any = false;
       for (std::size_t l = 0; l < W_; ++l) {
         const std::size_t i = body_at(0, t, l) + c * W_;
+        // A lane without a boundary has no bodies; it is not in balance.
         const PrescribedMotion d =
             t < lanes_[l].bodies.size() ? lanes_[l].bodies[t].prescribed : PrescribedMotion{};
         const Balance& b = c == 0 ? d.balance_x : d.balance_y;
@@ -219,6 +246,7 @@ void BoundaryMemory<T>::plan_balance() {
       if (!any) continue;
       const auto first = static_cast<std::int32_t>(balanced_touch_.size());
       for (std::size_t i = 0; i < touch_.size(); ++i)
+        // Touches without a component along this axis change neither its force nor its stiffness.
         if (touch_[i].body == static_cast<std::int32_t>(t) && (c == 0 ? touch_[i].nx : touch_[i].ny) != T(0))
           balanced_touch_.push_back(static_cast<std::int32_t>(i));
       balanced_.push_back({static_cast<std::int32_t>(t), static_cast<std::int32_t>(c), first,
@@ -226,6 +254,8 @@ void BoundaryMemory<T>::plan_balance() {
     }
 }
 
+/// plan_lane() has left these components at rest, so the state still holds the displacement at the start of
+/// the block. Steps are differences of what the loop stored: the work then fits the motion that it used.
 template <class T>
 void BoundaryMemory<T>::read_balance() {
   for (const BalancePoint& p : balanced_) {
@@ -252,6 +282,8 @@ void BoundaryMemory<T>::plan_lane(std::size_t l) {
     const PrescribedMotion& d = body.prescribed;
     const Vec2 full = block_velocity(lane, body);
     for (std::size_t s = 0; s < n_steps_; ++s) {
+      // Velocities belong to half steps (leap-frog), so the ramp is read half a step on. A servo has no ramp:
+      // its speed answers to a force.
       const double fraction = d.ramp > 0.0 ? std::min(1.0, (body.motion_time + 0.5 * lane.dt) / d.ramp) : 1.0;
       const Vec2 v{d.servo_x.on ? full.x : full.x * fraction, d.servo_y.on ? full.y : full.y * fraction};
       const Vec2 du = lane.dt * v;
@@ -268,6 +300,7 @@ void BoundaryMemory<T>::plan_lane(std::size_t l) {
 template <class T>
 void BoundaryMemory<T>::plan() {
   plan_balance();
+  // The loop adds to these sums.
   std::fill_n(body_force_.get(), n_steps_ * n_tools_ * 2 * W_, T(0));
   for (std::size_t l = 0; l < W_; ++l) plan_lane(l);
 }

@@ -12,6 +12,8 @@ constexpr double ray_spacing = 0.25;  // of the smallest radius: no grain of the
 
 }  // namespace
 
+/// Way in a block from rest under the pressure alone, F t^2/(2 m). Local damping takes a share of the force
+/// that drives a grain, which leaves (1 - alpha) F.
 template <class T>
 double BoundaryMemory<T>::pushed_way(std::size_t g, std::size_t l) const {
   const LaneBoundary& lane = lanes_[l];
@@ -40,9 +42,11 @@ double BoundaryMemory<T>::area_swept(std::size_t l) const {
 template <class T>
 bool BoundaryMemory<T>::fit_jacket(std::size_t l, NeighbourList<T>& list) {
   std::vector<Vec2> x(grains_->size());
+  // The surface is looked for where the grains are now; their order in memory is that of the start.
   for (std::size_t g = 0; g < x.size(); ++g) x[g] = grains_->place(g, l);
   lanes_[l].pressed = jacket_heights(x, grains_->radii(), grains_->packing().height,
                                      ray_spacing * grains_->smallest_radius());
+  // Written as "not within" so that a NaN also asks for a new list.
   for (std::size_t g = 0; g < x.size() && list.searched(l); ++g)
     if (!(pushed_way(g, l) <= list.push(l, g))) list.forget(l);
   return !list.searched(l);
@@ -55,6 +59,7 @@ bool BoundaryMemory<T>::fit_jackets(NeighbourList<T>& list) {
   for (std::size_t l = 0; l < W_; ++l)
     if (acts(l)) forgotten = fit_jacket(l, list) || forgotten;
   list_loads();
+  // After the loads are known: the work of the block is p times the change of this sum.
   for (std::size_t l = 0; l < W_; ++l)
     if (!lanes_[l].pressed.empty()) lanes_[l].swept_from = area_swept(l);
   return forgotten;
@@ -66,6 +71,8 @@ void BoundaryMemory<T>::list_loads() {
   const auto force = [&](std::size_t g, std::size_t l) {
     return lanes_[l].pressed.empty() ? 0.0 : lanes_[l].pressure * lanes_[l].pressed[g];
   };
+  // All lanes share the list of pressed grains; lanes that do not press one of them hold a zero force there.
+  // Grains that no lane presses are left out.
   load_.clear();
   std::vector<T> forces;
   for (std::size_t g = 0; g < grains_->size(); ++g) {
@@ -79,6 +86,7 @@ void BoundaryMemory<T>::list_loads() {
   }
   load_force_.assign(forces.size());
   std::copy(forces.begin(), forces.end(), load_force_.get());
+  // Loads are sorted by grain, so those of a row are one range.
   for (std::size_t row = 0; row < row_load_.size(); ++row)
     row_load_[row] = static_cast<std::int32_t>(
         std::lower_bound(load_.begin(), load_.end(), grains_->layout().row_grain[row]) - load_.begin());

@@ -10,6 +10,7 @@ namespace phy::engine::group {
 template <class T>
 ContactMemory<T>::ContactMemory(const GrainMemory<T>& grains, const contact::Models& models)
     : grains_(&grains), models_(models), W_(grains.lanes()), width_(c_fields + models.n_fields()) {
+  // `with` and `fields` pass a contact in arrays of fixed size on the stack.
   for (const contact::ContactModel* m : {models.matrix, models.interface})
     PHY_CHECK(m->size().fields <= most_numbers && m->size().parameters <= most_numbers &&
                   m->size().geometry <= most_numbers,
@@ -37,6 +38,8 @@ void ContactMemory<T>::set_fields(std::size_t c, std::size_t l, const double* va
   for (std::size_t f = c_fields; f < width_; ++f) at(c, f, l) = T(values[f - c_fields]);
 }
 
+/// Bonds and interfaces always stay in the list: they pull, or hold a plane, at any distance. Others stay as
+/// long as a field, such as a shear force, is not zero.
 template <class T>
 bool ContactMemory<T>::remembers(std::size_t c, std::size_t l) const {
   if (original(c, l)) return true;
@@ -53,6 +56,7 @@ bool ContactMemory<T>::unbroken(std::size_t c, std::size_t l) const {
 template <class T>
 double ContactMemory<T>::overlap(std::size_t c, std::size_t l) const {
   const std::size_t a = grain_a(c), b = grain_b(c);
+  // Same quantity as the loop's, here from lengths: in double the cancellation does no harm.
   const Vec2 d0 = grains_->start(b) - grains_->start(a);
   const Vec2 d = d0 + grains_->displacement(b, l) - grains_->displacement(a, l);
   return norm(d0) - norm(d) - static_cast<double>(const_[c].gap);
@@ -61,6 +65,8 @@ double ContactMemory<T>::overlap(std::size_t c, std::size_t l) const {
 template <class T>
 ContactState ContactMemory<T>::state(std::size_t c, std::size_t l, const Specimen& specimen) const {
   ContactState s;
+  // Grains in memory are sorted; outside the engine they have the numbers of the packing, the lower one
+  // first.
   s.a = grains_->packing_id(key_a(pairs_[c])), s.b = grains_->packing_id(key_b(pairs_[c]));
   with(c, l, specimen,
        [&](const contact::ContactModel& model, const contact::Standing& now) { model.describe(now, s); });
@@ -79,6 +85,8 @@ void ContactMemory<T>::clear(std::size_t l) {
 
 template <class T>
 void ContactMemory<T>::carry(std::vector<PairKey> pairs) {
+  // Both lists are sorted, so one pass carries all states over. Pairs without a state start at zero, the
+  // state of a pair that has not touched.
   Buffer<T> state;
   state.assign(pairs.size() * width_ * W_);
   std::vector<std::uint8_t> set(pairs.size() * W_, no_set), original(pairs.size() * W_, 0);
@@ -98,12 +106,14 @@ void ContactMemory<T>::carry(std::vector<PairKey> pairs) {
 
 template <class T>
 void ContactMemory<T>::install(std::size_t l, const Specimen& specimen) {
+  // Mere touching needs no state; its place may even be missing.
   for (const Contact& k : specimen.contacts) {
     if (k.kind == ContactKind::touching) continue;
     const std::size_t c = find(grains_->key(k.a, k.b));
     PHY_CHECK(c < size(), "a bonded pair is in the list");
     original_[c * W_ + l] = 1;
     if (k.kind == ContactKind::joint) {
+      // `side` of a specimen belongs to the order of packing numbers, here to that of sorted numbers.
       const bool same_order = grains_->sorted_id(k.a) < grains_->sorted_id(k.b);
       at(c, c_side, l) = T(same_order ? k.side : -k.side);
       set_[c * W_ + l] = k.set;
@@ -114,6 +124,8 @@ void ContactMemory<T>::install(std::size_t l, const Specimen& specimen) {
   }
 }
 
+/// The shear force is taken over, so that it does not jump where a contact changes its model
+/// (docs/decisions/0009).
 template <class T>
 void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, const Specimen& specimen,
                                       std::uint8_t set, int side, double gap) {
@@ -127,6 +139,7 @@ void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, const Specim
 
 template <class T>
 void ContactMemory<T>::copy(std::size_t l, ContactMemory<T>& to, std::size_t k) const {
+  // The target first gets places for all our pairs. Both lists are then sorted and ours is part of theirs.
   std::vector<PairKey> all;
   std::set_union(pairs_.begin(), pairs_.end(), to.pairs_.begin(), to.pairs_.end(), std::back_inserter(all));
   to.carry(std::move(all));
@@ -152,12 +165,16 @@ void ContactMemory<T>::make_constants(const MatrixRecipe& matrix) {
     const double r1 = grains_->radius(a), r2 = grains_->radius(b);
     const Vec2 d = grains_->start(b) - grains_->start(a);
     const double d0 = norm(d), gap0 = d0 - r1 - r2;
+    // In a stress-free packing discs may overlap without force: pressing begins at the distance that they
+    // start with. Otherwise an initial overlap is a force.
     const double gap = gap0 > 0.0 || !grains_->packing().stress_free ? gap0 : 0.0;
     const_.push_back(
         {key_a(key), key_b(key), -1, T(d.x), T(d.y), T(d0), T(gap), T(r1 + 0.5 * gap0), T(r2 + 0.5 * gap0)});
     models_.matrix->geometry(matrix, r1, r2, numbers.data());
     models_.interface->geometry(matrix, r1, r2, numbers.data() + models_.matrix->size().geometry);
     for (std::size_t i = 0; i < models_.n_geometry(); ++i) geometry_.push_back(T(numbers[i]));
+    // Pairs are sorted by their upper grain, so contacts of a row are one range. Rows without contacts get an
+    // empty range. A contact over more than one row forbids time skewing (force_loop.hpp).
     const std::int32_t row = layout.row_of[b];
     while (static_cast<std::int32_t>(row_contact_.size()) <= row)
       row_contact_.push_back(static_cast<std::int32_t>(const_.size()) - 1);
@@ -175,6 +192,7 @@ void ContactMemory<T>::fill_matrix_parameters(const LaneSpecimens& specimens) {
     if (specimens[l] != nullptr)
       models_.matrix->parameters(*specimens[l], no_set, values.data());
     else
+      // An empty lane still computes: idle parameters keep it at zero and free of NaN.
       models_.matrix->idle_parameters(values.data());
     for (std::size_t i = 0; i < n; ++i) matrix_table_[i * W_ + l] = T(values[i]);
   }
@@ -198,6 +216,8 @@ void ContactMemory<T>::fill_interface_row(std::size_t row, const std::string& se
 template <class T>
 void ContactMemory<T>::assign_interfaces(const LaneSpecimens& specimens) {
   std::map<std::string, std::int32_t> rows;
+  // Which bedding set every lane has here, as one string: contacts with equal strings share a row of
+  // parameters.
   for (std::size_t c = 0; c < size(); ++c) {
     const std::string sets(reinterpret_cast<const char*>(set_.data()) + c * W_, W_);
     const bool some =
@@ -205,6 +225,7 @@ void ContactMemory<T>::assign_interfaces(const LaneSpecimens& specimens) {
     const_[c].joint =
         some ? rows.try_emplace(sets, static_cast<std::int32_t>(rows.size())).first->second : -1;
   }
+  // Never empty: the loop's pointer stays valid also without interfaces.
   interface_table_.assign(std::max<std::size_t>(1, rows.size()) * models_.interface->size().parameters * W_);
   for (const auto& [sets, row] : rows) fill_interface_row(static_cast<std::size_t>(row), sets, specimens);
 }

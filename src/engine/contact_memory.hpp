@@ -1,6 +1,6 @@
 // The contacts of a group: one place per near pair of any lane, sorted by pair, with the state of its contact
-// model in every lane. A place whose pair concerns other lanes only holds zeros. Which model a contact has,
-// and what its fields mean, is the model's affair (contact/model.hpp).
+// model in every lane. A place whose pair concerns other lanes only holds zeros. What the fields of a state
+// mean is defined by the contact model (contact/model.hpp).
 #pragma once
 #include <algorithm>
 #include <array>

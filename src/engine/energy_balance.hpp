@@ -21,7 +21,8 @@ class EnergyBalance {
 
   /// From zero, with what the specimen holds in `row`.
   void begin(const HistoryRow& row);
-  /// The work is set to what the next row holds and has spent: where its state came from does not count.
+  /// The next row sets the work equal to stored plus dissipated energy: its state was prescribed
+  /// (pre-strain), not loaded by the boundary, and must not appear as an energy error.
   void settle() { settle_ = true; }
   /// Completes a row that has its kinetic and strain energies.
   void write(HistoryRow& row);

@@ -20,6 +20,8 @@ GrainMemory<T>::GrainMemory(std::shared_ptr<const Packing> packing, std::size_t 
   skin_ = skin_factor * r_min_;
   layout_ = make_layout(*packing_, skin_);
   const GaugeWeights gauge = gauge_weights(*packing_);
+  // Fields in the sorted order of the loop. Constants are per area and per r^4: density, which may differ by
+  // lane, comes in by l_accel; inertia of a disc is m r^2/2 = density pi r^4/2.
   for (const std::int32_t sorted : layout_.order) {
     const auto i = static_cast<std::size_t>(sorted);
     const Disc& d = packing_->discs[i];
@@ -51,6 +53,7 @@ template <class T>
 std::vector<GrainState> GrainMemory<T>::states(std::size_t lane) const {
   std::vector<GrainState> all(size());
   for (std::size_t g = 0; g < size(); ++g)
+    // Back to the packing's numbers: only the engine knows the sorted ones.
     all[static_cast<std::size_t>(layout_.order[g])] = {get(g, g_ux, lane), get(g, g_uy, lane),
                                                        rotation(g, lane)};
   return all;

@@ -27,6 +27,7 @@ Group<T>::Group(std::shared_ptr<const Packing> packing, const GroupOptions& opti
       list_(grains_),
       contacts_(grains_, options.contacts->models),
       boundary_(grains_, options.interval) {
+  // Buffers of steps are allocated once; nothing is allocated while the loop runs.
   PHY_CHECK(kernel_ != nullptr, "no kernel is built for this number of lanes");
   lane_table_.assign(n_lane_fields * W_);
   sample_.assign(n_sample_fields * W_);
@@ -44,6 +45,7 @@ LaneSpecimens Group<T>::specimens() const {
 template <class T>
 void Group<T>::clear(int lane) {
   const std::size_t l = index(lane);
+  // Zeros everywhere: an empty lane takes part in all operations and adds nothing.
   lanes_[l] = Lane{};
   grains_.clear(l);
   list_.clear(l);
@@ -55,6 +57,8 @@ void Group<T>::clear(int lane) {
 /// Constants of a contact are those of all lanes.
 template <class T>
 void Group<T>::check_neighbour(const Specimen& specimen) const {
+  // Same packing: the lanes share initial branch vectors and rows. Same contact geometry: it is stored once
+  // per contact, not per lane.
   PHY_CHECK(specimen.packing->hash == grains_.packing().hash, "lanes of a group share one packing");
   for (const contact::ContactModel* model : {contacts_.models().matrix, contacts_.models().interface})
     for (const Lane& l : lanes_)
@@ -69,6 +73,7 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   const std::size_t l = index(lane);
   Lane& info = lanes_[l];
   info.setup = setup;
+  // Contacts are installed with the next list: only then all pairs have places.
   info.fresh = true;
   info.hold = specimen->matrix.unbreakable;
   if (!info.setup.boundary) info.setup.boundary = std::make_shared<const Boundary>();
@@ -77,6 +82,7 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   edge.boundary = info.setup.boundary;
   edge.bodies.resize(info.boundary().bodies.size());
   edge.damping = setup.damping, edge.density = specimen->matrix.density;
+  // The bound comes first, it gives the time step.
   info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary());
   for (const Contact& c : specimen->contacts) {
     const Disc& a = grains_.packing().discs[c.a];
@@ -99,11 +105,13 @@ void Group<T>::move_lane(int lane, LaneGroup& target, int to_lane) {
   PHY_CHECK(at(lane).specimen && !to->at(to_lane).specimen, "a specimen moves into an empty lane");
   to->check_neighbour(*at(lane).specimen);
   const std::size_t from = index(lane), into = index(to_lane);
+  // The target may never have had a boundary: adopt() makes its buffers before the lane is copied into them.
   to->boundary_.adopt(at(lane).boundary());
   to->at(to_lane) = at(lane);
   contacts_.copy(from, to->contacts_, into);
   grains_.copy(from, to->grains_, into);
   boundary_.copy(from, to->boundary_, into);
+  // The target's list knows nothing of this lane: forget() forces a search at its next block.
   to->list_.forget(into);
   to->dirty_ = true;
   clear(lane);
@@ -135,6 +143,8 @@ void Group<T>::start_moving(int lane, const std::function<Vec2(Vec2)>& velocity)
 
 template <class T>
 void Group<T>::pre_strain(int lane, double axial_strain) {
+  // Contacts have to exist before their affine start is set. Compression is positive: the specimen becomes
+  // shorter along y and wider along x, about its centre.
   if (dirty_) rebuild();
   const std::size_t l = index(lane);
   Lane& info = lanes_[l];
@@ -149,11 +159,14 @@ void Group<T>::pre_strain(int lane, double axial_strain) {
     grains_.set(g, g_ux, l, u.x);
     grains_.set(g, g_uy, l, u.y);
   }
+  // Bodies go along with the ends of the specimen, so that the jump opens or closes no gap there.
   const LoadAxis& axis = info.boundary().axial;
   const Vec2 closing = 0.5 * axial_strain * packing.height * axis.direction;
   std::vector<BodyMotion>& bodies = boundary_.lane(l).bodies;
   bodies[static_cast<std::size_t>(axis.lo)].state.displacement = closing;
   bodies[static_cast<std::size_t>(axis.hi)].state.displacement = -1.0 * closing;
+  // What a contact remembers, such as a shear force, is summed from increments: displacing the grains alone
+  // would leave it unchanged.
   contacts_.affine_start(l, *info.specimen, field);
   info.energy.settle();
   dirty_ = true;
@@ -173,6 +186,7 @@ bool Group<T>::at_strength(int lane) const {
 template <class T>
 void Group<T>::place_boundary(int lane) {
   const std::size_t l = index(lane);
+  // The test begins here: time, gauge strains, energies and cracks of the settling before it do not count.
   Lane& info = lanes_[l];
   boundary_.place(l);
   info.energy.begin(info.row);
@@ -193,13 +207,16 @@ void Group<T>::fill_lane_table() {
       lane_table_[static_cast<std::size_t>(field) * W_ + l] = T(value);
     };
     for (int f = 0; f < n_lane_fields; ++f) put(f, 0.0);
+    // Defaults for an empty lane: with dt and dt/density zero nothing in it moves.
     const Lane& lane = lanes_[l];
     const MatrixRecipe m = lane.specimen ? lane.specimen->matrix : MatrixRecipe{};
     double wall[contact::wall::n_parameters];
     contact::wall::parameters(m, lane.setup.body_friction, wall);
     for (int i = 0; i < contact::wall::n_parameters; ++i) put(l_wall + i, wall[i]);
+    // Breakage is switched off by strengths out of reach, not by a branch.
     put(l_hold, lane.hold ? contact::unlimited : 0.0);
     if (!lane.specimen) continue;
+    // Grips hold from the moment when the boundary is placed; before, grains are free to settle.
     put(l_grips, boundary_.lane(l).placed ? 1.0 : 0.0);
     put(l_dt, lane.dt), put(l_accel, lane.dt / m.density), put(l_damping, lane.setup.damping);
   }
@@ -217,6 +234,8 @@ GroupView<T> Group<T>::view() {
   boundary_.enter(v);
   v.lane = lane_table_.get();
   v.slip = slip_.get(), v.damping = damping_.get(), v.sample = sample_.get();
+  // Room for the most cracks that a block can give: the loop only writes. If contacts join distant rows,
+  // cycles cannot overlap (force_loop.hpp).
   raw_cracks_.resize(contacts_.size() * W_ * contacts_.models().n_cracks());
   v.cracks = raw_cracks_.data(), v.max_cracks = raw_cracks_.size();
   v.skew = contacts_.far_rows() ? 1 : options_.skew;
@@ -225,6 +244,9 @@ GroupView<T> Group<T>::view() {
 
 template <class T>
 void Group<T>::advance() {
+  // The order matters. The jacket may demand a new list; a new list may create contacts, which change the
+  // time step that the lane table and the motion of bodies are made with; bodies in balance refer to the
+  // points that the list has found.
   dirty_ = boundary_.fit_jackets(list_) || dirty_;
   if (dirty_) rebuild();
   fill_lane_table();
@@ -234,8 +256,11 @@ void Group<T>::advance() {
   std::fill_n(damping_.get(), n_steps() * W_, T(0));
   GroupView<T> v = view();
   kernel_(v, options_.interval);
+  // Displacements of bodies in balance are needed for the work, and cracks in their fixed order for the sum
+  // of released energy.
   boundary_.read_balance();
   sort_cracks(v);
+  // Judged before anything is created or renewed: the watchdog asks what the list of this block has missed.
   const auto most = list_.farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
@@ -244,6 +269,7 @@ void Group<T>::advance() {
     write_row(l);
     watch(l, before, most.moved[l]);
   }
+  // Created contacts may shorten the time step; whether the list lasts is asked for the next block's length.
   create_contacts();
   for (std::size_t l = 0; l < W_ && !dirty_; ++l)
     if (lanes_[l].specimen)
@@ -258,6 +284,7 @@ Snapshot Group<T>::snapshot(int lane) const {
   shot.grains = grains(lane);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const ContactState s = contacts_.state(c, l, *lanes_[l].specimen);
+    // Listed pairs that do not touch are no contacts to anyone outside.
     if (s.kind != ContactKind::touching || s.F_n != 0.0) shot.contacts.push_back(s);
   }
   return shot;

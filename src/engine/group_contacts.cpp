@@ -12,13 +12,17 @@ std::vector<PairKey> Group<T>::collect_pairs() {
   const auto most = list_.farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
+    // A renewal makes the tables of all lanes anew, so lanes whose own list would end soon are searched along
+    // with it.
     if (list_.worn(l, most, block(l))) {
       list_.search(l, block(l), boundary_.push(l));
+      // Bonds of the specimen may span any gap; install() relies on their places.
       if (lanes_[l].fresh)
         for (const Contact& c : lanes_[l].specimen->contacts) list_.add(l, grains_.key(c.a, c.b));
     }
     for (const PairKey key : list_.near(l)) all.add(key);
   }
+  // One lane that needs a pair keeps it for all.
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     for (std::size_t l = 0; l < W_; ++l)
       if (contacts_.remembers(c, l)) {
@@ -31,6 +35,7 @@ std::vector<PairKey> Group<T>::collect_pairs() {
 template <class T>
 void Group<T>::rebuild() {
   contacts_.carry(collect_pairs());
+  // The lowest occupied lane speaks for all: check_neighbour() has made sure that geometry is the same.
   MatrixRecipe matrix;
   for (std::size_t l = W_; l-- > 0;)
     if (lanes_[l].specimen) matrix = lanes_[l].specimen->matrix;
@@ -39,6 +44,8 @@ void Group<T>::rebuild() {
     if (lanes_[l].fresh) contacts_.install(l, *lanes_[l].specimen);
     lanes_[l].fresh = false;
   }
+  // A new list may hold pairs that are already near; they are created at once, before interfaces get their
+  // parameters.
   list_open();
   create_contacts();
   contacts_.assign_interfaces(specimens());
@@ -65,6 +72,8 @@ template <class T>
 bool Group<T>::create_interface(std::size_t c, std::size_t l, double gap) {
   const Specimen& s = *lanes_[l].specimen;
   const std::size_t n = grains_.size();
+  // The label of a grain says between which planes of a set it lies; labels rise across the planes, so their
+  // order is the side. The first set that separates the grains decides.
   for (std::size_t set = 0; set < s.bedding.size(); ++set) {
     const std::int32_t a = s.plane_label[set * n + grains_.packing_id(key_a(contacts_.pairs()[c]))];
     const std::int32_t b = s.plane_label[set * n + grains_.packing_id(key_b(contacts_.pairs()[c]))];
@@ -95,9 +104,12 @@ void Group<T>::create_contacts() {
   for (const std::size_t c : open_) {
     const std::size_t a = contacts_.grain_a(c), b = contacts_.grain_b(c);
     for (std::size_t l = 0; l < W_; ++l) {
+      // In the list since the start, not yet installed, or created before.
       if (contacts_.original(c, l) || !running(l) || contacts_.interface(c, l)) continue;
       const Vec2 d =
           grains_.start(b) - grains_.start(a) + grains_.displacement(b, l) - grains_.displacement(a, l);
+      // Somewhat before the surfaces meet: a pair must be counted in the time step, and know its model,
+      // before it carries force.
       const double gap = norm(d) - grains_.radius(a) - grains_.radius(b);
       if (gap >= meeting_gap * grains_.smallest_radius()) continue;
       Lane& lane = lanes_[l];
@@ -106,14 +118,17 @@ void Group<T>::create_contacts() {
       const ContactStiffness k =
           stiffness_of(contacts_.models(), *lane.specimen, created(c, l), (1.0 / norm(d)) * d);
       lane.created.emplace(contacts_.pairs()[c], k);
+      // The bound only grows here; renew_step() makes it anew when it has become too loose.
       lane.bound->add(k);
     }
   }
+  // Their parameter rows depend on the sets of all lanes.
   if (interfaces) contacts_.assign_interfaces(specimens());
   for (std::size_t l = 0; l < W_; ++l)
     if (running(l)) renew_step(l);
 }
 
+/// dt = safety 2/(omega_max sqrt(1 + alpha)), see stable_step.hpp; bodies and jacket use the same step.
 template <class T>
 void Group<T>::set_step(std::size_t l) {
   Lane& lane = lanes_[l];

@@ -11,6 +11,7 @@ namespace {
 /// The kernel of one line of the list of combinations.
 template <class R>
 AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
+  // Index at run time to type at compile time: one comparison per combination.
   AdvanceBlock<ScalarOf<R>> found = nullptr;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     ((i == combination ? void(found = advance_block<R, std::tuple_element_t<i, contact::Combinations>>)
@@ -27,6 +28,7 @@ AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
 #define PHY_JOIN(a, b) PHY_JOIN2(a, b)
 
 AdvanceBlock<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
+  // One lane is built once, without AVX: kernels.cpp takes it for every instruction set.
   switch (lanes) {
 #if !defined(__AVX__)
     case 1: return run<double>(combination);

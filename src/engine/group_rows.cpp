@@ -1,4 +1,4 @@
-// What a block leaves behind: energies, cracks, the row of the history, and the watchdog's word on it.
+// What a block leaves behind: energies, cracks, the row of the history, and the check of it by the watchdog.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +17,7 @@ bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
 /// Of all that a lane reports.
 bool all_numbers(const HistoryRow& row, const LaneBoundary& edge) {
+  // Named columns instead of a list of members: a column that is added later is checked too.
   for (const HistoryColumns* columns : {&gauge_columns(), &balance_columns()})
     for (const HistoryColumn& c : *columns)
       if (!std::isfinite(row.*c.value)) return false;
@@ -42,6 +43,7 @@ void Group<T>::zero_strains(int lane) {
   Lane& info = at(lane);
   HistoryRow& r = info.row;
   info.zero_travel = travel(index(lane));
+  // The bases are added to: the row is already relative to the earlier ones.
   info.base_axial += r.axial_strain_gauge, info.base_lateral += r.lateral_strain_gauge;
   r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
 }
@@ -50,6 +52,7 @@ void Group<T>::zero_strains(int lane) {
 template <class T>
 void Group<T>::sort_cracks(const GroupView<T>& view) {
   PHY_CHECK(view.n_cracks <= view.max_cracks, "a contact gives no more cracks than its model says");
+  // The raw list has room for the most cracks possible; from here on it holds those that occurred.
   raw_cracks_.resize(view.n_cracks);
   std::sort(raw_cracks_.begin(), raw_cracks_.end(), [](const RawCrack& p, const RawCrack& q) {
     return p.step != q.step         ? p.step < q.step
@@ -67,6 +70,7 @@ void Group<T>::keep_energy(std::size_t l) {
     lane.energy.slip += static_cast<double>(slip_[s * W_ + l]);
     damping += static_cast<double>(damping_[s * W_ + l]);
   }
+  // The loop sums force times velocities, which is 2/dt times the work (force_loop.hpp).
   lane.energy.damping += 0.5 * lane.dt * damping;
   for (const RawCrack& raw : raw_cracks_) {
     if (static_cast<std::size_t>(raw.lane) != l) continue;
@@ -82,11 +86,13 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   const Lane& lane = lanes_[l];
   const auto c = static_cast<std::size_t>(raw.contact), step = static_cast<std::size_t>(raw.step);
   const std::size_t a = contacts_.grain_a(c), b = contacts_.grain_b(c);
+  // Grains as they are at the end of the block, at most one block after the break; time and travel are exact.
   const Vec2 xa = grains_.place(a, l), xb = grains_.place(b, l);
   const std::uint32_t pa = grains_.packing_id(static_cast<std::int32_t>(a)),
                       pb = grains_.packing_id(static_cast<std::int32_t>(b));
   Breakage broken;
   CrackEvent& e = broken.crack;
+  // Steps are counted from 1; the lane's counters still stand at the start of the block.
   e.step = lane.step + raw.step + 1;
   e.time = lane.time + (raw.step + 1) * lane.dt;
   if (const LoadAxis& axis = lane.boundary().axial; axis.present() && boundary_.lane(l).placed)
@@ -96,6 +102,7 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   e.b = std::max(pa, pb);
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
   e.normal = (1.0 / norm(xb - xa)) * (xb - xa);
+  // On the surface of grain a; a model that knows better (an interface has a plane) overwrites it.
   e.position = xa + grains_.radius(a) * e.normal;
   contacts_.with(c, l, *lane.specimen, [&](const contact::ContactModel& model, const contact::Standing& now) {
     model.crack(now, e);
@@ -120,6 +127,7 @@ void Group<T>::write_row(std::size_t l) {
   r.strain_wall = sample(s_strain_wall, l);
   lane.energy.write(r);
   const double contacts = sample(s_contacts, l), force = sample(s_contact_force, l);
+  // Mean resultant force of a grain over mean contact force: 0 in equilibrium, without unit.
   r.unbalanced =
       force > 0.0 ? sample(s_unbalanced, l) / static_cast<double>(grains_.size()) / (force / contacts) : 0.0;
 }
@@ -147,7 +155,9 @@ std::string Group<T>::deepest_overlap(std::size_t l) const {
 /// Two grains that overlap unseen; looked for only where a grain has gone beyond what any list allows for.
 template <class T>
 std::optional<PairKey> Group<T>::missed_pair(std::size_t l, double farthest_way) const {
+  // Cheap filter: within usual_range() no pair can have passed beyond the list.
   if (!(farthest_way > list_.usual_range())) return std::nullopt;
+  // Bonded pairs may overlap or lie apart without being in a lane's search: they are in the list for good.
   return list_.missed(l, [&](PairKey key) {
     const std::size_t c = contacts_.find(key);
     return c < contacts_.size() && contacts_.original(c, l);
@@ -160,6 +170,7 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
   HistoryRow& r = lane.row;
   const double overlap = sample(s_overlap, l);
   const bool numbers = all_numbers(r, boundary_.lane(l)) && std::isfinite(overlap);
+  // NaN first: comparisons with it are false and would let everything pass.
   const std::optional<PairKey> missed = numbers ? missed_pair(l, farthest_way) : std::nullopt;
   std::string& reason = lane.health.reason;
   if (!numbers)
@@ -171,6 +182,7 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
         grains_.packing_id(key_a(*missed)), grains_.packing_id(key_b(*missed)));
   else if (overlap >= worst_overlap)
     reason = deepest_overlap(l);
+  // Before the bodies have travelled `loaded`, the work is too small for a relative error to mean anything.
   else if (std::fabs(travel(l) - lane.zero_travel) > lane.boundary().axial.loaded &&
            std::fabs(r.energy_error) > worst_energy)
     reason = fmt::format("the energy balance is off by {:.2g} of the work", r.energy_error);
@@ -179,6 +191,8 @@ void Group<T>::watch(std::size_t l, const HistoryRow& before, double farthest_wa
   lane.health.outran = missed.has_value();
   lane.health.ok = false;
   lane.health.reason = fmt::format("at step {} {}", lane.step, lane.health.reason);
+  // The rejected row must not enter a history or a result: the last good one stays, with the time of the
+  // failure.
   const double step = r.step, time = r.time;
   r = before;
   r.step = step, r.time = time;

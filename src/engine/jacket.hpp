@@ -2,8 +2,9 @@
 //
 // The surface is what horizontal rays from outside meet first, where the grains are now; every ray stands for
 // its piece of height h, so a grain carries p h per ray. A grain that is pushed in between others is shadowed
-// by them and let go; what it has laid bare is pressed instead. Rays that pass the specimen, where the
-// platens have come in, press on nothing. Like a liquid behind thin rubber the jacket carries no load itself.
+// by them and no longer pressed; the grains behind it that are now exposed are pressed instead. Rays that
+// pass the specimen, where the platens have come in, press on nothing. Like a liquid behind thin rubber the
+// jacket carries no load itself.
 //
 // It is looked for once per block of cycles; in between every grain keeps its force. So the work of a block
 // is exactly p times the area that the jacket sweeps, sum_i h_i du_i, and the lateral strain is the sum of

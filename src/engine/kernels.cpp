@@ -7,6 +7,7 @@
 
 namespace phy::engine {
 
+// Defined in group_isa.cpp, which is compiled once for each instruction set.
 AdvanceBlock<double> double_kernel_sse2(std::size_t combination, int lanes);
 AdvanceBlock<float> float_kernel_sse2(std::size_t combination, int lanes);
 AdvanceBlock<double> double_kernel_avx2(std::size_t combination, int lanes);
@@ -26,10 +27,13 @@ const char* to_string(Isa isa) {
 Isa native_isa() {
   Isa best = Isa::sse2;
   if (__builtin_cpu_supports("avx2")) best = Isa::avx2;
+  // All parts of AVX-512 that the compiler may use with the flags of that build.
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
     best = Isa::avx512;
   const char* wish = std::getenv("PHYLLITE_ISA");
+  // The environment can lower the set (to compare them) but not raise it: the processor would stop at an
+  // unknown instruction.
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
     if (wish != nullptr && std::strcmp(wish, to_string(isa)) == 0 && isa < best) best = isa;
   return best;

@@ -46,7 +46,7 @@ struct LaneHealth {
 
 /// A bond or joint that has broken, and where the bodies were then.
 struct Breakage {
-  CrackEvent crack;     ///< without its strain, which is the test's affair
+  CrackEvent crack;     ///< without its strain, which the test defines
   double travel = 0.0;  ///< of the axial bodies since the boundary was placed [m]
 };
 
@@ -65,7 +65,7 @@ class LaneGroup {
   virtual void move_lane(int lane, LaneGroup& to, int to_lane) = 0;
   /// Sets the boundary against the specimen as it lies now, at rest, and starts the balance at zero.
   virtual void place_boundary(int lane) = 0;
-  /// The strains of the gauges, and the travel that the watchdog goes by, count from now.
+  /// The strains of the gauges, and the travel that the watchdog's energy check depends on, count from now.
   virtual void zero_strains(int lane) = 0;
   /// Stops or allows breakage (relaxation, affine pre-strain, elastic runs).
   virtual void hold_bonds(int lane, bool hold) = 0;

@@ -8,6 +8,8 @@ namespace phy::engine {
 Layout make_layout(const Packing& packing, double skin) {
   double r_max = 0.0;
   for (const Disc& d : packing.discs) r_max = std::max(r_max, d.r);
+  // Centres of two grains within the skin lie at most 2 r_max + skin apart, so the pair joins a row with
+  // itself or the next; 5 % are margin.
   const double height = 2.0 * r_max * 1.05 + skin;
   const auto n = static_cast<std::int32_t>(packing.discs.size());
   const auto row = [&](std::int32_t i) {
@@ -16,6 +18,7 @@ Layout make_layout(const Packing& packing, double skin) {
   Layout layout;
   layout.order.resize(packing.discs.size());
   std::iota(layout.order.begin(), layout.order.end(), 0);
+  // Ties by number: the order decides the order of sums, and so every bit.
   std::sort(layout.order.begin(), layout.order.end(), [&](std::int32_t a, std::int32_t b) {
     if (row(a) != row(b)) return row(a) < row(b);
     const double xa = packing.discs[static_cast<std::size_t>(a)].x,
@@ -28,6 +31,7 @@ Layout make_layout(const Packing& packing, double skin) {
     const std::int32_t i = layout.order[static_cast<std::size_t>(s)];
     layout.rank[static_cast<std::size_t>(i)] = s;
     layout.row_of[static_cast<std::size_t>(s)] = row(i);
+    // An empty row starts where the next one does.
     while (layout.row_grain.size() <= static_cast<std::size_t>(row(i))) layout.row_grain.push_back(s);
   }
   layout.row_grain.push_back(n);
@@ -41,14 +45,17 @@ GaugeWeights gauge_weights(const Packing& packing) {
   Vec2 mean;
   for (std::size_t i = 0; i < n; ++i) {
     const Disc& d = packing.discs[i];
+    // Without the ends, whose strain the friction of the platens disturbs.
     inside[i] = d.y > 0.2 * packing.height && d.y < 0.8 * packing.height;
     if (!inside[i]) continue;
     count += 1.0;
     mean = {mean.x + d.x, mean.y + d.y};
   }
   GaugeWeights w{std::vector<double>(n), std::vector<double>(n)};
+  // Three unknowns: fewer grains, or grains on a line, have no gradient and the gauge reads zero.
   if (count < 3.0) return w;
   mean = (1.0 / count) * mean;
+  // Normal equations about the centroid, which makes the constant drop out.
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     if (!inside[i]) continue;

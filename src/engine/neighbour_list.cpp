@@ -28,6 +28,7 @@ typename NeighbourList<T>::Farthest NeighbourList<T>::farthest() const {
       const Vec2 d{static_cast<double>(of[g_ux * W + l]) - from[l].x,
                    static_cast<double>(of[g_uy * W + l]) - from[l].y};
       const Vec2 v{static_cast<double>(of[g_vx * W + l]), static_cast<double>(of[g_vy * W + l])};
+      // Squares; the roots are taken once per lane.
       moved[l] = std::max(moved[l], dot(d, d));
       speed[l] = std::max(speed[l], dot(v, v));
     }
@@ -36,6 +37,7 @@ typename NeighbourList<T>::Farthest NeighbourList<T>::farthest() const {
   return most;
 }
 
+/// Half of the way that ends a list (outlived): such a list would soon force the next renewal.
 template <class T>
 bool NeighbourList<T>::worn(std::size_t lane, const Farthest& most, double block) const {
   return !searched(lane) || 4.0 * (most.moved[lane] + most.speed[lane] * block) >= grains_->skin();
@@ -43,6 +45,8 @@ bool NeighbourList<T>::worn(std::size_t lane, const Farthest& most, double block
 
 template <class T>
 bool NeighbourList<T>::outlived(std::size_t lane, const Farthest& most, double block, double bodies) const {
+  // Two grains may approach each other, so twice the largest way; less the distance at which pairs are
+  // created. A body is listed by the sum of both ways.
   const double grains = most.moved[lane] + most.speed[lane] * block, skin = grains_->skin();
   return 2.0 * grains > skin - meeting_gap * grains_->smallest_radius() || grains + bodies > skin;
 }
@@ -59,9 +63,13 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double> p
   for (std::size_t g = 0; g < of.size(); ++g) {
     searched_at_[g * of.lanes() + l] = of.displacement(g, l);
     x[g] = of.place(g, l);
+    // A grain that is too fast for half the skin is given the excess, twice over because it may speed up.
     const double flight = block * norm(of.velocity(g, l));
     double more = std::max(0.0, flight_margin * flight - usual_range());
+    // The allowance is written back into `push`: fit_jackets() compares the next push with it.
     if (!lane.push.empty() && lane.push[g] > 0.0) more += lane.push[g] += usual_range();
+    // The cells of the search are as large as the largest reach: a single runaway grain must not make them
+    // huge.
     more = std::min(more, farthest_reach * of.smallest_radius());
     reach[g] += more, lane.range[g] += more;
   }
@@ -70,6 +78,7 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double> p
 }
 
 void PairUnion::add(PairKey key) {
+  // By the upper grain, so that joining the lists in order of grains gives the pairs sorted.
   std::vector<PairKey>& known = of_[static_cast<std::size_t>(key_b(key))];
   if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
 }

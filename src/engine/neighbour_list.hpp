@@ -32,7 +32,7 @@ class NeighbourList {
   void forget(std::size_t lane) { lanes_[lane].searched = false; }
   void clear(std::size_t lane) { lanes_[lane] = {}; }
   bool searched(std::size_t lane) const { return lanes_[lane].searched; }
-  /// The lane's list would hardly outlast the next block, of `block` seconds: worth renewing with the others.
+  /// The lane's list may end soon (blocks of `block` seconds): worth renewing together with the others.
   bool worn(std::size_t lane, const Farthest& most, double block) const;
   /// Grains may meet outside the list in the next block, or a body, moving by `bodies` [m], meet one.
   bool outlived(std::size_t lane, const Farthest& most, double block, double bodies) const;

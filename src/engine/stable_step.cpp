@@ -15,6 +15,8 @@ using Sym3 = std::array<double, 6>;  // xx yy zz xy xz yz
 /// Largest eigenvalue of a positive semi-definite matrix, from above: Newton's method on the characteristic
 /// polynomial started at the trace falls monotonically to the largest root.
 double largest_eigenvalue(const Sym3& m) {
+  // Coefficients of lambda^3 - c2 lambda^2 + c1 lambda - c0. The trace is not below the largest eigenvalue,
+  // and beyond the largest root the cubic is convex and rising: Newton's method cannot step past it.
   const double c2 = m[0] + m[1] + m[2];
   const double c1 = m[0] * m[1] + m[0] * m[2] + m[1] * m[2] - m[3] * m[3] - m[4] * m[4] - m[5] * m[5];
   const double c0 = m[0] * (m[1] * m[2] - m[5] * m[5]) - m[3] * (m[3] * m[2] - m[5] * m[4]) +
@@ -28,6 +30,7 @@ double largest_eigenvalue(const Sym3& m) {
     if (!(next < root)) break;
     root = next;
   }
+  // Rounding may leave the iterate slightly below the root; the result has to be an upper bound.
   return root * (1.0 + 1e-9);
 }
 
@@ -36,6 +39,8 @@ using Gradient = std::array<std::array<double, 3>, 3>;
 
 Gradient gradient(double sign, double lever, Vec2 branch_t, const ContactStiffness& k, double inv_m,
                   double inv_i) {
+  // Row 0 is opening, row 1 slide at the contact point, row 2 relative rotation; the lever turns spin into
+  // motion across the branch.
   const Vec2 t = tangent(k.normal);
   return {{{sign * k.normal.x * inv_m, sign * k.normal.y * inv_m, -lever * dot(k.normal, branch_t) * inv_i},
            {sign * t.x * inv_m, sign * t.y * inv_m, -lever * dot(t, branch_t) * inv_i},
@@ -47,10 +52,12 @@ std::array<std::array<double, 3>, 3> product(const Gradient& a, const Gradient& 
   const laws::Tangent<double>& k = of.k;
   const std::array<double, 3> d = {k.k_n, k.k_s, k.k_m};
   std::array<std::array<double, 3>, 3> m{};
+  // a^T K b, the stiffness between two grains (or of one grain with itself).
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t q = 0; q < 3; ++q) m[i][j] += a[q][i] * d[q] * b[q][j];
   if (!k.coupled()) return m;
+  // Row 0 measures opening, the tangent closure: couplings with it change their sign.
   const auto couple = [&](std::size_t p, std::size_t q, double c) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) m[i][j] += c * (a[p][i] * b[q][j] + a[q][i] * b[p][j]);
@@ -68,6 +75,8 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 
 /// A body's contact, on the diagonal block of its grain.
 void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
+  // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain. Normal
+  // k_n n n^T, shear k_s t t^T; rotation k_s r^2/I = 2 k_s/m. The coupling of slide and rotation is left out.
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
@@ -114,6 +123,8 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
   std::vector<Sym3> diagonal(n, Sym3{});
   std::vector<Entry> entries;
   entries.reserve(contacts.size());
+  // Diagonal blocks add up over the contacts of a grain; off-diagonal blocks belong to one contact each, and
+  // only their norm is needed.
   for (const ContactStiffness& c : contacts) {
     std::array<double, 12> d{};
     const double norm_ab = block_norm(c, d.data(), d.data() + 6);
@@ -123,6 +134,7 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
   std::vector<double> own(n), next(n);
   for (const BoundaryBody& body : boundary.bodies)
     for (const Touch& t : body.touches)
+      // Also grains that will touch soon: the bound does not grow when a body reaches them.
       if (t.gap < packing_->discs[t.grain].r) add_wall(specimen, t, diagonal[t.grain]);
   for (std::size_t i = 0; i < n; ++i) {
     own[i] = largest_eigenvalue(diagonal[i]);
@@ -130,6 +142,7 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
   x_.assign(n, 1.0);
   row_.assign(n, 0.0);
   bound_ = 0.0;
+  // Collatz-Wielandt: max_i (N x)_i/x_i bounds rho(N) for every x > 0, and x <- N x brings it down.
   for (int iteration = 0; iteration < 100; ++iteration) {
     for (std::size_t i = 0; i < n; ++i) next[i] = own[i] * x_[i];
     for (const Entry& e : entries) next[e.a] += e.norm * x_[e.b], next[e.b] += e.norm * x_[e.a];
@@ -139,6 +152,7 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
       top = std::max(top, row_[i]);
       largest = std::max(largest, next[i]);
     }
+    // Every tenth iteration: done if the last one has lowered the bound by less than 0.1 %.
     if (iteration > 0 && top > 0.999 * bound_ && iteration % 10 == 0) {
       bound_ = top;
       break;
@@ -157,6 +171,7 @@ double FrequencyBound::block_norm(const ContactStiffness& k, double* diag_a, dou
   const Vec2 t = tangent(k.branch);
   const double inv_ma = 1.0 / std::sqrt(density_ * pi * da.r * da.r);
   const double inv_mb = 1.0 / std::sqrt(density_ * pi * db.r * db.r);
+  // Disc: I = m r^2/2, so 1/sqrt(I) = sqrt(2)/(r sqrt(m)).
   const double root2 = std::sqrt(2.0);
   const Gradient ga = gradient(-1.0, da.r + 0.5 * k.gap, t, k, inv_ma, inv_ma * root2 / da.r);
   const Gradient gb = gradient(1.0, db.r + 0.5 * k.gap, t, k, inv_mb, inv_mb * root2 / db.r);
@@ -166,6 +181,7 @@ double FrequencyBound::block_norm(const ContactStiffness& k, double* diag_a, dou
   };
   put(product(ga, ga, k), diag_a);
   put(product(gb, gb, k), diag_b);
+  // Spectral norm of the off-diagonal block: square root of the largest eigenvalue of B^T B.
   return std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))));
 }
 
@@ -175,6 +191,7 @@ void FrequencyBound::add(const ContactStiffness& k) {
   std::array<double, 12> d{};
   const double norm_ab = block_norm(k, d.data(), d.data() + 6);
   const std::uint32_t a = k.a, b = k.b;
+  // The trace of what is added to a diagonal block is not less than the growth of its largest eigenvalue.
   const auto trace = [&](std::size_t at) { return d[at] + d[at + 1] + d[at + 2]; };
   row_[a] += trace(0) + norm_ab * x_[b] / x_[a];
   row_[b] += trace(6) + norm_ab * x_[a] / x_[b];

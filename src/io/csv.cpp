@@ -21,8 +21,10 @@ constexpr const char* disc_header = "x [m],y [m],r [m]";
 
 /// One number at the front of `text`, which is moved past it and one `separator`; false if there is none.
 bool take(std::string_view& text, char separator, double& value) {
+  // Blanks around numbers are allowed, as spreadsheets write them; anything else is not.
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   const auto [next, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  // from_chars does not depend on the locale, and also reads "nan" and "inf", which are no coordinates.
   if (error != std::errc() || !std::isfinite(value)) return false;
   text.remove_prefix(static_cast<std::size_t>(next - text.data()));
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -55,6 +57,7 @@ const char* word(ContactKind kind) {
 }  // namespace
 
 std::string discs_csv(const Packing& packing) {
+  // The box is a comment: a table of discs from elsewhere may lack it.
   std::string text = "# width [m] = " + print_number(packing.width) +
                      ", height [m] = " + print_number(packing.height) + "\n" + disc_header + "\n";
   for (const Disc& d : packing.discs)
@@ -82,6 +85,8 @@ void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& lin
   constexpr double close = 1e-3;
   double r_max = 0.0;
   for (const Disc& d : discs) r_max = std::max(r_max, d.r);
+  // Coincident discs are less than a cell apart, so they lie in the same cell or in one next to it: O(n log
+  // n) in place of all pairs.
   const double cell = close * r_max;
   std::map<std::pair<double, double>, std::vector<std::size_t>> cells;  // of discs with a place of their own
   const auto earlier = [&](std::size_t i) -> std::optional<std::size_t> {
@@ -95,6 +100,7 @@ void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& lin
               close * std::min(discs[i].r, discs[k].r))
             return k;
       }
+    // Only discs that coincide with no other are kept, so that a pile is reported against its first disc.
     cells[{cx, cy}].push_back(i);
     return {};
   };
@@ -114,14 +120,17 @@ DiscFile parse_discs(std::string_view text, const std::string& where) {
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
+    // By hand and not by getline: the last line may lack its end, and line ends of Windows are taken off.
     text.remove_prefix(std::min(end + 1, text.size()));
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    // The box is looked for above the header only.
     if (line.starts_with('#') && !header) {
       if (const double w = box_side(line, "width"); w > 0.0) file.width = w;
       if (const double h = box_side(line, "height"); h > 0.0) file.height = h;
     }
     if (line.empty() || line.front() == '#') continue;
     const std::string at = where + ":" + std::to_string(number);
+    // The header is required word by word: units and order of columns are never guessed.
     if (!header && line != disc_header)
       throw InputError(Problem{at, "header", std::string(line.substr(0, 80)), disc_header,
                                "name the columns so, in this order"});
@@ -133,6 +142,7 @@ DiscFile parse_discs(std::string_view text, const std::string& where) {
     else
       bad.add({at, "disc", std::string(line.substr(0, 80)), "three numbers x,y,r with r > 0", ""});
   }
+  // After the discs are complete; the line numbers go along for the messages.
   find_coincident(file.discs, lines, where, bad);
   if (bad.n > max_reported)
     bad.problems.push_back({where, "", "", "", std::to_string(bad.n - max_reported) + " more bad lines"});
@@ -152,9 +162,11 @@ std::string contacts_csv(const Specimen& s) {
     const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
     const Vec2 d{b.x - a.x, b.y - a.y};
     const double gap = norm(d) - a.r - b.r;
+    // Middle of the gap or overlap, on the line between the centres.
     const Vec2 branch = (1.0 / norm(d)) * d, point = Vec2{a.x, a.y} + (a.r + 0.5 * gap) * branch;
     const contact::ContactModel& model = contact::standard_models().of(c.kind);
     const Vec2 normal = model.normal(s, c, branch);
+    // Stiffness of the intact contact, the one that a test begins with.
     const laws::Tangent<double> k = model.stiffness(s, c, true);
     text +=
         std::to_string(c.a) + "," + std::to_string(c.b) + "," + word(c.kind) + "," + std::to_string(c.set);
@@ -175,6 +187,7 @@ void each_line(std::string_view text, const std::string& where, std::string_view
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
+    // The header must match exactly; later a damaged or truncated line is an error, not a shorter history.
     if (number == 1 ? line == header : read(line)) continue;
     throw IoError(where + ":" + std::to_string(number) + ": is no line of this table; expected the columns " +
                   std::string(header));
@@ -194,6 +207,7 @@ template <class T>
 bool take_number(std::string_view& text, T& value) {
   const std::string_view word = take_word(text);
   const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
+  // The whole word must be the number.
   return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
@@ -254,7 +268,7 @@ History parse_history(std::string_view text, const std::string& where) {
 
 std::vector<CrackEvent> parse_cracks(std::string_view text, const std::string& where) {
   std::vector<CrackEvent> cracks;
-  std::string header = crack_header(TestKind());  // folders of before have this head too, whatever the test
+  std::string header = crack_header(TestKind());  // older folders: the same for every test
   for (const TestDescription* test : laboratory_tests())
     if (text.substr(0, text.find('\n')) == crack_header(*test)) header = crack_header(*test);
   each_line(text, where, header, [&](std::string_view line) {

@@ -9,6 +9,7 @@
 namespace phy::io {
 
 std::string deflated(std::string_view bytes) {
+  // compressBound is the most that the result can take, so one call is enough.
   uLongf size = compressBound(bytes.size());
   std::string out(size, '\0');
   const int code =
@@ -24,6 +25,7 @@ std::optional<std::string> inflated(std::string_view bytes, std::size_t most) {
   inflateInit(&z);
   z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   z.avail_in = static_cast<uInt>(bytes.size());
+  // Block by block, so that a damaged or malicious stream cannot ask for more memory than `most` and a block.
   std::string out, block(std::size_t{1} << 16U, '\0');
   int code = Z_OK;
   while (code == Z_OK && out.size() <= most) {
@@ -33,6 +35,7 @@ std::optional<std::string> inflated(std::string_view bytes, std::size_t most) {
     out.append(block, 0, block.size() - z.avail_out);
   }
   inflateEnd(&z);
+  // Anything but a complete stream is an error: a truncated one must not pass as a short text.
   if (code != Z_STREAM_END || out.size() > most) return std::nullopt;
   return out;
 }

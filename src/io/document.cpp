@@ -13,7 +13,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-/// Any key may stand in the table.
+/// True for a table whose keys are data ([set] of a study): its list entry has a quoted key.
 bool is_open(const Schema& schema, const std::string& table) {
   return std::any_of(schema.fields.begin(), schema.fields.end(),
                      [&](const Field& f) { return f.table == table && f.key.starts_with('"'); });
@@ -38,12 +38,14 @@ std::string list_remedy(const Field& f) {
                                         : "write a list, for example [\"0 deg\", \"30 deg\"]";
 }
 
+/// "test.kind", "bedding[1].k_n", "name": how messages and callers name a value.
 std::string path_in(const std::string& table, std::size_t i, bool is_one_of_many, const std::string& key) {
   if (table.empty()) return key;
   return table + (is_one_of_many ? "[" + std::to_string(i) + "]." : ".") + key;
 }
 
 bool take_choice(const Field& f, const TomlValue& v, double& number, std::string& remedy) {
+  // A value that is not text fails too: no choice is empty.
   const std::string word = v.kind == Kind::text ? v.text : "";
   const auto it = std::find(f.choices.begin(), f.choices.end(), word);
   number = static_cast<double>(it - f.choices.begin());
@@ -60,11 +62,14 @@ std::string Schema::in_brackets(const std::string& table) const {
   return lists.contains(table) ? "[[" + table + "]]" : "[" + table + "]";
 }
 
+/// The order decides which hint is given where several fit: a recipe key at the top level, a known key of
+/// another table, a name of PFC, and last a similar spelling.
 std::string unknown_key_hint(const Schema& schema, const std::string& word, const std::string& table) {
   if (!schema.of_recipe.empty() && table.empty() && is_of_recipe(word)) return schema.of_recipe;
   std::vector<std::string> known;
   for (const Field& f : schema.fields) {
     if (f.table == table) known.push_back(f.key);
+    // At the top level the names of tables are what could have been meant.
     if (table.empty() && !f.table.empty()) known.push_back(f.table);
   }
   for (const Field& f : schema.fields)
@@ -80,21 +85,26 @@ std::string unknown_key_hint(const Schema& schema, const std::string& word, cons
 bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy) {
   const bool text = value.kind == Kind::text, whole = value.kind == Kind::integer;
   const bool numeric = whole || value.kind == Kind::number;
+  // A value of the wrong kind is reported by the caller, with the range; the remedy stays empty.
   if (field.kind == FieldKind::boolean) return number = value.number, value.kind == Kind::boolean;
   if (field.kind == FieldKind::choice) return take_choice(field, value, number, remedy);
   const bool wants_whole = field.kind == FieldKind::integer || field.kind == FieldKind::integers;
   if (field.dimension != Dimension::none) {
+    // A bare number goes through the same parser: its message says which unit is missing.
     const Quantity q = text || numeric ? parse_quantity(text ? value.text : as_written(value),
                                                         field.dimension, usual_of(field))
                                        : Quantity{false, 0.0, "is no quantity"};
     if (!q.ok) return remedy = q.problem, false;
     number = q.value;
   } else if (whole || (numeric && !wants_whole)) {
+    // Dimensionless: TOML's own numbers; text such as "0.5" is refused. A whole number may stand for a real
+    // one.
     number = value.number;
   } else {
     remedy = wants_whole ? "write a whole number" : "write a bare number";
     return false;
   }
+  // Out of range: the caller prints the range, which says all.
   return within_range(field, number);
 }
 
@@ -124,12 +134,15 @@ void Document::check() const {
 
 void Document::check_tables() {
   check_keys(root_, "", "");
+  // Each table of the schema once: several fields share one.
   std::set<std::string> names;
   for (const Field& f : schema_.fields)
     if (!f.table.empty()) names.insert(f.table);
   for (const std::string& name : names) {
     const TomlValue* node = root_.find(name);
     if (node == nullptr) continue;
+    // A list of tables with anything else in it, or too long a list, is reported and then not read at all:
+    // tables() returns nothing.
     const auto list = schema_.lists.find(name);
     if (list == schema_.lists.end() && node->kind != Kind::table)
       report_problem(*node, name, "a table", "write [" + name + "] on a line of its own");
@@ -140,10 +153,12 @@ void Document::check_tables() {
       report_problem(*node, name, "up to " + std::to_string(list->second) + " tables",
                      "write [[" + name + "]] above the keys of each");
     const std::vector<const TomlValue*> all = tables(name);
+    // Keys of open tables are data: they are checked where they are read.
     for (std::size_t i = 0; i < all.size(); ++i)
       if (!is_open(schema_, name))
         check_keys(*all[i], name, path_in(name, i, schema_.lists.contains(name), ""));
   }
+  // An unknown line may be a misspelt key: from here on no key that is missing counts as left out on purpose.
   all_lines_known_ = problems.empty();
   read_values();
 }
@@ -152,12 +167,15 @@ void Document::check_keys(const TomlValue& table, const std::string& name, const
   for (std::size_t i = 0; i < table.keys.size(); ++i) {
     const std::string& word = table.keys[i].name;
     const bool known = std::any_of(schema_.fields.begin(), schema_.fields.end(), [&](const Field& f) {
+      // At the top level a word is either a table or a key without table.
       return name.empty() && !f.table.empty() ? f.table == word : f.table == name && f.key == word;
     });
     if (known) continue;
     const TomlValue& v = table.items[i];
+    // What looks like a table is called one in the message.
     const bool table_like = v.kind == Kind::table ||
                             (v.kind == Kind::list && !v.items.empty() && v.items.front().kind == Kind::table);
+    // The line of the key, not of its value: a list may end far below.
     problems.push_back({at_line(where_, table.keys[i].line), prefix + word, "",
                         table_like ? "a known table" : "a known key", unknown_key_hint(schema_, word, name)});
   }
@@ -165,6 +183,7 @@ void Document::check_keys(const TomlValue& table, const std::string& name, const
 
 void Document::read_values() {
   for (const Field& f : schema_.fields) {
+    // Quoted: a placeholder for any key, described but not read here.
     if (f.key.starts_with('"')) continue;
     const std::vector<const TomlValue*> all = tables(f.table);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -174,6 +193,7 @@ void Document::read_values() {
 }
 
 void Document::read(const Field& f, const TomlValue& v, const std::string& path) {
+  // Noted even if it is wrong: is_known() tells a bad value from none.
   Value& value = values_[path];
   value.written = &v;
   std::string remedy;
@@ -193,14 +213,17 @@ void Document::read(const Field& f, const TomlValue& v, const std::string& path)
 }
 
 bool Document::take_list(const Field& f, const TomlValue& list, const std::string& path, Value& into) {
+  // An empty list is allowed for quantities only (no angles); seeds and levels need one.
   const bool wrong = list.kind != Kind::list || (list.items.empty() && f.kind != FieldKind::quantities);
   if (wrong) return report_problem(list, path, range_text(f), list_remedy(f)), false;
+  // Values take the unit of the key that they are for, which is read later.
   if (f.kind == FieldKind::values) return true;
   bool all = true;
   for (const TomlValue& item : list.items) {
     double number = 0.0;
     std::string remedy;
     const bool good = take_value(f, item, number, remedy);
+    // Seeds twice would be the same specimen twice, counted as two.
     const bool twice = good && f.kind == FieldKind::integers &&
                        std::find(into.list.begin(), into.list.end(), number) != into.list.end();
     if (!good || twice)
@@ -246,6 +269,7 @@ std::string Document::place(const std::string& path) const {
 
 bool Document::is_known(const std::string& path) const {
   const Value* v = value_at(path);
+  // Not given means default; but with misread lines in the file nothing may be concluded from that.
   return v != nullptr ? v->read : all_lines_known_;
 }
 
@@ -266,6 +290,7 @@ std::vector<double> Document::list(const std::string& path) const {
 
 std::string Document::name() {
   const std::string name = text("name", std::filesystem::path(where_).stem().string());
+  // A name becomes part of files and pages. A written one has been checked with the text of the file.
   if (find("name") == nullptr && !is_plain(name))
     problems.push_back({where_, "name", name, "a name in UTF-8 without control characters",
                         "the file has none: write name = \"...\""});

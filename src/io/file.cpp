@@ -19,6 +19,7 @@
 namespace phy::io {
 
 int write_all(int fd, const std::string& text) {
+  // A write may be partial, or interrupted by a signal: both go on where they stopped.
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t n = ::write(fd, text.data() + done, text.size() - done);
     if (n < 0 && errno != EINTR) return errno;
@@ -35,6 +36,7 @@ constexpr std::size_t max_bytes = 256U << 20U;
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   const bool reading = doing == "be read";
   std::string remedy;
+  // What to do depends on why it failed; the text of the system says the rest.
   if (error == ENOENT) remedy = "; check the name";
   if (error == EISDIR) remedy = "; name a file, not a folder";
   if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
@@ -50,7 +52,10 @@ constexpr std::size_t max_bytes = 256U << 20U;
 /// Writes, syncs and closes; the errno of what failed, or 0.
 int write_and_close(int fd, const std::string& content) {
   int error = write_all(fd, content);
+  // Synced before it is renamed: else a power cut could leave the new name with no content. EINVAL: the file
+  // system has no sync.
   if (error == 0 && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+  // Some network file systems report a full disk only on closing.
   if (::close(fd) != 0 && error == 0) error = errno;
   return error;
 }
@@ -61,6 +66,7 @@ void write_synced(const std::string& real, const std::string& path, const std::s
   if (fd < 0) fail(path, "be written", errno);
   const int error = write_and_close(fd, content);
   if (error == 0) return;
+  // No half file stays, not even under its temporary name.
   ::unlink(real.c_str());
   fail(path, "be written", error);
 }
@@ -71,7 +77,7 @@ void write_stream(const std::string& path, const std::string& content) {
   if (error != 0) fail(path, "be written", error);
 }
 
-/// Makes names in a folder durable. A file system that cannot sync folders loses nothing that it promised.
+/// Makes names in a folder durable. File systems that cannot sync folders are left to their own guarantees.
 void sync_folder(const std::string& path) {
   const int fd = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (fd < 0) return;
@@ -86,8 +92,8 @@ std::string beside(const std::string& path, const char* what) {
   return path + "." + what + "-" + std::to_string(::gettid());
 }
 
-/// Files that have been read, by device, number and time: a file that is gone leaves its number to another
-/// one.
+/// Files that have been read, by device, inode and time. The time, because the inode number of a deleted file
+/// is used again.
 class FilesRead {
  public:
   void add(const struct stat& s) {
@@ -112,6 +118,7 @@ std::string read_file(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) fail(path, "be read", errno);
   struct stat about {};
+  // Noted by identity and not by name: outputs must not replace an input through a link (io/output.hpp).
   if (::fstat(fd, &about) == 0 && S_ISREG(about.st_mode)) files_read.add(about);
   std::string content;
   char block[1U << 16U];
@@ -123,6 +130,7 @@ std::string read_file(const std::string& path) {
       content.append(block, static_cast<std::size_t>(n));
     else if (errno != EINTR)
       error = errno;
+    // Refused while reading: the size of a pipe is not known before.
     if (content.size() > max_bytes) error = EFBIG;
     if (error != 0) break;
   }
@@ -142,6 +150,7 @@ std::vector<std::string> list_folder(const std::string& path) {
   for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
     entries.push_back(entry->path().string());
   if (error) fail(path, "be read", error.value());
+  // The order of a directory is arbitrary; results must not depend on it.
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -151,11 +160,13 @@ void make_folder(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) fail(path, "be created", error.value());
+  // The name may be taken by a file: create_directories does not complain about that.
   if (!fs::is_directory(path, error)) fail(path, "be used as a folder", ENOTDIR);
 }
 
 bool is_stream(const std::string& path) {
   struct stat s {};
+  // Everything that exists and is neither file nor folder: devices, pipes, sockets.
   return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
          (::stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode));
 }
@@ -163,6 +174,7 @@ bool is_stream(const std::string& path) {
 void write_file(const std::string& path, const std::string& content) {
   if (is_stream(path)) return write_stream(path, content);
   make_folder(parent_of(path));
+  // Beside its place: only within one file system is a rename atomic.
   const std::string part = beside(path, "part");
   write_synced(part, path, content);
   if (std::rename(part.c_str(), path.c_str()) != 0) {
@@ -175,6 +187,7 @@ void write_file(const std::string& path, const std::string& content) {
 
 void check_writable(const std::string& folder) {
   make_folder(folder);
+  // Tried out, as permissions do not show quotas, full disks or read-only mounts.
   const std::string probe = (fs::path(folder) / (".write-test-" + std::to_string(::getpid()))).string();
   write_synced(probe, folder, "phyllite\n");
   ::unlink(probe.c_str());
@@ -182,6 +195,7 @@ void check_writable(const std::string& folder) {
 
 void check_place(const std::string& folder, const std::string& mark, const std::string& kind) {
   std::error_code none;
+  // Symbolic links are not followed: a dangling one also occupies the name.
   if (!fs::exists(fs::symlink_status(folder, none))) return;
   if (!fs::is_directory(folder, none)) fail(folder, "be replaced", ENOTDIR);
   if (fs::is_empty(folder, none)) return;
@@ -189,6 +203,7 @@ void check_place(const std::string& folder, const std::string& mark, const std::
     throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
                   "); move it, or use another --out");
   if (!fs::exists(fs::path(folder) / written_list, none)) return;  // made before there were lists
+  // Every file in it has to be ours and unchanged: the folder is replaced as a whole.
   for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
     const std::string name = entry->path().lexically_relative(folder).string();
     if (name != written_list && (entry->is_symlink(none) || !entry->is_directory(none)) &&
@@ -200,6 +215,7 @@ void check_place(const std::string& folder, const std::string& mark, const std::
 }
 
 void remove_folder(const std::string& path) {
+  // Renamed first: readers see the whole folder or none, though deleting takes time.
   const std::string old = beside(path, "old");
   std::error_code error;
   fs::rename(path, old, error);
@@ -213,6 +229,7 @@ NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
     folder_.pop_back();  // the part lies beside x/, not in it
   part_ = beside(folder_, "part");
   check_place(folder_, mark_, kind_);
+  // Left behind by a process of the same number that was killed.
   std::error_code ignored;
   fs::remove_all(part_, ignored);
   make_folder(parent_of(folder_));
@@ -227,6 +244,7 @@ NewFolder::~NewFolder() {
 void NewFolder::add(const std::string& name, const std::string& content) {
   const std::string real = (fs::path(part_) / name).string();
   make_folder(parent_of(real));
+  // Errors name the final place, which the user knows.
   write_synced(real, (fs::path(folder_) / name).string(), content);
   folders_.insert(parent_of(real));
   list_ += list_line(name, content);
@@ -235,6 +253,7 @@ void NewFolder::add(const std::string& name, const std::string& content) {
 void NewFolder::publish() {
   write_synced((fs::path(part_) / written_list).string(), (fs::path(folder_) / written_list).string(), list_);
   for (const std::string& name : folders_) sync_folder(name);
+  // Again: something may have been put there while the files were made.
   check_place(folder_, mark_, kind_);
   // An exchange leaves no moment without a result; the older one then has the temporary name and is removed.
   if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, folder_.c_str(), RENAME_EXCHANGE) != 0) {
@@ -245,6 +264,7 @@ void NewFolder::publish() {
     if (!error) fs::rename(part_, folder_, error);
     if (error) {
       std::error_code ignored;
+      // The older result goes back where the new one cannot take its place.
       if (older && !fs::exists(folder_, ignored)) fs::rename(old, folder_, ignored);
       fail(folder_, "be replaced", error.value());
     }

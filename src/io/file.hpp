@@ -37,7 +37,7 @@ void check_writable(const std::string& folder);
 /// `kind` its name in messages ("result").
 void check_place(const std::string& folder, const std::string& mark, const std::string& kind);
 
-/// Removes a folder, in one step for whoever looks.
+/// Removes a folder, in one step as seen by other processes.
 void remove_folder(const std::string& path);
 
 /// A folder in the making. Files go into a temporary folder beside the place; `publish` syncs it and puts it

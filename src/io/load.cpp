@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// JSON has no NaN: it was written as null.
 double number(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
 
 Outcome read_outcome(const Json& j, const std::string& where) {
@@ -58,6 +59,7 @@ void read_packing(const Json& j, SpecimenRecord& record) {
 
 Json parse_format(const std::string& text) {
   Json j = Json::parse(text);
+  // A result of another format may have the same keys with another meaning.
   if (j.at("format") != result_format) throw std::out_of_range("another version of the format");
   return j;
 }
@@ -70,6 +72,7 @@ Recipe recipe_in(const Json& j, const std::string& where) {
 /// would obey them. The recipe, a text of many lines, is looked at where it is read.
 void refuse_control_characters(const Json& j, const std::string& where) {
   std::vector<Problem> problems;
+  // Flattened: every text of any depth with its path, names of keys included.
   const Json flat = j.flatten();
   for (const auto& [path, value] : flat.items()) {
     const std::string text = value.is_string() ? value.get<std::string>() : "";
@@ -89,6 +92,7 @@ SpecimenRecord parse_result(const std::string& text, const std::string& where) {
   TestResult& r = record.result;
   r.name = j.at("specimen");
   r.kind = record.recipe.test.kind;
+  // Intact rock has no angle in the file.
   r.intact = !j.contains("theta [deg]");
   if (!r.intact) r.theta = number(j.at("theta [deg]"));
   r.outcome = read_outcome(j.at("outcome"), where);
@@ -103,6 +107,7 @@ SpecimenRecord parse_result(const std::string& text, const std::string& where) {
   return record;
 }
 
+/// Without throwing: a folder that cannot be entered holds no result.
 bool is_result(const fs::path& folder) {
   std::error_code none;
   return fs::exists(folder / "result.json", none);
@@ -123,6 +128,7 @@ std::string verb_for(const fs::path& folder) {
 /// What is read from a result.json; whatever is wrong with it becomes an InputError that names the file.
 template <class Parse>
 auto parsed(const std::string& file, const Parse& parse) {
+  // Missing keys and wrong types come as exceptions of the JSON library.
   try {
     return parse(read_file(file));
   } catch (const nlohmann::json::exception& e) {
@@ -136,6 +142,8 @@ std::string json_of(const std::string& folder) { return (fs::path(folder) / "res
 
 /// Specimens that the recipe of the run names and that have no folder among the results.
 void report_missing(RunRecord& run, const std::string& path) {
+  // Given the folder of a single specimen, the others are not expected. A folder that is there but cannot be
+  // read has been listed by its path already.
   if (run.tests.empty() || is_result(path)) return;
   for (const std::string& name : specimen_names(run.tests.front().recipe)) {
     const bool found = std::any_of(run.tests.begin(), run.tests.end(),
@@ -150,6 +158,7 @@ void report_missing(RunRecord& run, const std::string& path) {
 }  // namespace
 
 std::vector<std::string> result_folders(const std::string& path) {
+  // One specimen, or a run: a folder of specimens.
   if (is_result(path)) return {path};
   std::vector<std::string> folders;
   for (const std::string& entry : list_folder(path))
@@ -168,8 +177,10 @@ SpecimenRecord read_result(const std::string& folder) {
   const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   History& history = record.result.history;
   history = parse_history(read_file(path("history.csv")), path("history.csv"));
+  // The columns of a history do not hold the size of the specimen.
   history.width = record.recipe.specimen.width, history.height = record.recipe.specimen.height;
   record.result.cracks = parse_cracks(read_file(path("cracks.csv")), path("cracks.csv"));
+  // Runs of older versions have no scene.
   if (fs::exists(path("scene.bin")))
     record.scene = unpack_scene(read_file(path("scene.bin")), path("scene.bin"));
   return record;
@@ -183,6 +194,7 @@ RunRecord read_run(const std::string& path) {
     throw InputError(
         Problem{path, "", "", "a folder with result.json, or a folder of such folders", verb_for(path)});
   for (const std::string& folder : folders) {
+    // One unreadable specimen does not hide the others.
     try {
       run.tests.push_back(read_result(folder));
     } catch (const InputError& e) {
@@ -192,6 +204,7 @@ RunRecord read_run(const std::string& path) {
     }
   }
   if (run.tests.empty()) throw InputError(Problem{path, "", "", "a result that can be read", last});
+  // In the order of angles, intact rock last, whatever the names of folders.
   std::stable_sort(run.tests.begin(), run.tests.end(), [](const SpecimenRecord& a, const SpecimenRecord& b) {
     return a.result.intact != b.result.intact ? b.result.intact : a.result.theta < b.result.theta;
   });

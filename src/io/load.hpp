@@ -17,7 +17,7 @@ std::vector<std::string> result_folders(const std::string& path);
 Recipe read_result_recipe(const std::string& folder);
 
 /// All results of a run: of `path` itself, or of the folders in it, angles ascending and intact rock last.
-/// Specimens that the recipe names and that are not there, and folders that cannot be read, are told in
+/// Specimens that the recipe names and that are not there, and folders that cannot be read, are listed in
 /// `missing`. Throws InputError when there is no result at all.
 RunRecord read_run(const std::string& path);
 

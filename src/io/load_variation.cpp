@@ -69,12 +69,14 @@ class Named {
 
 /// What a study knows of E: the tangent of a test, or the direct solution read by the gauge.
 std::optional<std::size_t> modulus_column(const Named& table) {
+  // A tangent where there is one: a column of this name comes only from tests in time.
   const std::optional<std::size_t> tangent = table.maybe("E_tangent [Pa]");
   return tangent ? tangent : table.maybe("E_gauge [Pa]");
 }
 
 /// A column over the inclination: mean and interval of all rows of one angle.
 std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::optional<std::size_t> value) {
+  // Replicates of one angle fall into one sample.
   std::map<double, std::vector<double>> found;
   for (const TableRow* row : rows)
     if (const double angle = number_of(row->cells[theta]), v = value ? number_of(row->cells[*value]) : nan;
@@ -88,6 +90,7 @@ std::vector<AngleValue> over_angles(const Rows& rows, std::size_t theta, std::op
 /// The same for every packing and bond seed by itself.
 std::vector<std::vector<AngleValue>> each_over_angles(const Named& table, const Rows& rows) {
   std::map<std::pair<std::string, std::string>, Rows> replicates;
+  // Replicates are told apart by the two seeds, compared as text.
   for (const TableRow* row : rows)
     replicates[{table.at(*row, "packing"), table.at(*row, "bond_seed")}].push_back(row);
   std::vector<std::vector<AngleValue>> out;
@@ -106,6 +109,7 @@ double mean_of(const Rows& rows, std::optional<std::size_t> value) {
 /// A value as the recipe would print it: "840 GPa/m". `column`: "bedding.k_n [Pa/m]".
 std::string value_text(const std::string& column, const std::string& cell) {
   std::string path = column.substr(0, column.find(' '));
+  // "bedding[1].k_n" is described by the list entry "bedding.k_n".
   if (const auto bracket = path.find('['); bracket != path.npos)
     path.erase(bracket, path.find(']') - bracket + 1);
   const double value = number_of(cell);
@@ -118,6 +122,7 @@ std::string value_text(const std::string& column, const std::string& cell) {
 /// Different cells of a column, ascending by their numbers.
 std::vector<std::string> levels_in(const Rows& rows, std::size_t column) {
   std::vector<std::string> levels;
+  // Compared as text: equal settings are printed equally.
   for (const TableRow* row : rows)
     if (std::find(levels.begin(), levels.end(), row->cells[column]) == levels.end())
       levels.push_back(row->cells[column]);
@@ -128,6 +133,7 @@ std::vector<std::string> levels_in(const Rows& rows, std::size_t column) {
 
 /// The varied keys are the columns after `intact` whose names have a full stop.
 std::vector<std::size_t> varied_columns(const Named& table) {
+  // A key has its table in front ("bedding.k_n"), a number has none ("ucs").
   std::vector<std::size_t> columns;
   for (std::size_t i = table.column("intact") + 1; i < table.table().header.size(); ++i)
     if (table.table().header[i].substr(0, table.table().header[i].find(' ')).find('.') != std::string::npos)
@@ -135,7 +141,7 @@ std::vector<std::size_t> varied_columns(const Named& table) {
   return columns;
 }
 
-/// What a test that did not peak carried most is no strength.
+/// The largest stress of a test without a peak is not a strength: such tests are left out.
 bool has_answer(const Named& table, const TableRow& row) {
   const std::optional<Status> status = status_of(table.at(row, "status"));
   return status && phy::has_answer(*status);
@@ -146,6 +152,7 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
                          const TableRow& base) {
   const std::string& head = table.table().header[column];
   VariedParameter parameter{head.substr(0, head.find(' ')), {}};
+  // Bedded specimens whose other varied keys are as in the base.
   const Rows alike = table.rows([&](const TableRow& row) {
     return table.at(row, "intact") == "0" && std::all_of(columns.begin(), columns.end(), [&](std::size_t c) {
              return c == column || row.cells[c] == base.cells[c];
@@ -156,6 +163,7 @@ VariedParameter vary_one(const Named& table, const std::vector<std::size_t>& col
     Rows rows;
     std::copy_if(alike.begin(), alike.end(), std::back_inserter(rows),
                  [&](const TableRow* row) { return row->cells[column] == level && has_answer(table, *row); });
+    // As a multiple of the base value; without meaning where that is 0.
     const double base_value = number_of(base.cells[column]);
     parameter.settings.push_back(
         {value_text(head, level), number_of(level), base_value != 0.0 ? number_of(level) / base_value : nan,
@@ -189,7 +197,9 @@ Variation read_variation(const std::string& folder) {
       [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_answer(table, row); });
   v.E_intact = mean_of(intact, modulus_column(table));
   const std::vector<std::size_t> columns = varied_columns(table);
+  // The first row belongs to the first point, which is the base in a one_at_a_time study.
   for (const std::size_t c : columns)
+    // A key with a single level was not varied alone.
     if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)
       v.parameters.push_back(std::move(p));
   if (const std::string found = (fs::path(folder) / regressions_file).string(); fs::exists(found))

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing for what is no file or cannot be read. No input of the program: read_file() would note it as one.
+/// The content of a regular file, or nothing. Not by read_file(), which would note it as an input of the
+/// program.
 std::optional<std::string> content_of(const fs::path& file) {
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return std::nullopt;
@@ -39,11 +40,13 @@ bool is_free(const std::string& file) {
 
 std::optional<Problem> problem_with(const std::string& file, const std::string& option) {
   if (is_free(file)) return std::nullopt;
+  // Without an option the name itself is the place of the problem.
   const auto problem = [&](const char* expected) {
     const std::string other = option.empty() ? "" : ", or use another " + option;
     return Problem{option.empty() ? "" : "command line", option.empty() ? file : option,
                    option.empty() ? "" : file, expected, "move it away" + other};
   };
+  // An input is never overwritten, even if this program wrote it.
   if (was_read(file)) return problem("another file than those that are read");
   if (is_as_written(folder_of(file), fs::path(file).filename().string())) return std::nullopt;
   return problem("a name that is free, or a file as this program left it");
@@ -52,7 +55,10 @@ std::optional<Problem> problem_with(const std::string& file, const std::string& 
 void add_to_list(const std::string& file, std::string_view content) {
   const std::string list = (fs::path(folder_of(file)) / written_list).string(),
                     line = list_line(fs::path(file).filename().string(), content);
+  // With the line breaks around it, so that no part of a longer line matches.
   if (const auto known = content_of(list); known && ("\n" + *known).find("\n" + line) != known->npos) return;
+  // Appended in one write, so that several processes can share a list. A link is not followed: the list could
+  // be made to point elsewhere.
   const int fd = ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
   if (fd < 0) return;
   write_all(fd, line);
@@ -70,6 +76,7 @@ std::string list_line(const std::string& name, std::string_view content) {
 bool is_as_written(const std::string& folder, const std::string& name) {
   const auto list = content_of(fs::path(folder) / written_list),
              content = content_of(fs::path(folder) / name);
+  // The fingerprint is part of the line: a file changed by hand is not found.
   return list && content && ("\n" + *list).find("\n" + list_line(name, *content)) != list->npos;
 }
 
@@ -88,10 +95,12 @@ void check_outputs(const std::vector<std::string>& files, const std::string& opt
 
 void write_output(const std::string& file, const std::string& content) {
   if (is_stream(file)) return write_file(file, content);
+  // Left alone, with its time: make and the like see no change.
   if (holds(file, content)) return;
   if (!is_free(file) && !is_as_written(folder_of(file), fs::path(file).filename().string()))
     throw IoError(file + ": is not as this program left it, and was not replaced; move it away");
   make_folder(folder_of(file));
+  // First the list: killed in between, the file is at worst listed and missing, never present and foreign.
   add_to_list(file, content);
   write_file(file, content);
 }

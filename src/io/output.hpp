@@ -1,6 +1,6 @@
 // What the program leaves for its user, and what it leaves alone. Beside its files it keeps a list of them,
 // each with the fingerprint of its content. It replaces a file only where that still stands as it was
-// written: what somebody else wrote or has changed by hand stays, and so does everything that the program has
+// written: files of others, or changed by hand, stay, and so does everything that the program has
 // read.
 #pragma once
 #include <string>

@@ -29,7 +29,7 @@ struct NoPipeSignal {
   void (*before)(int);
 };
 
-/// A file that goes when this goes, whatever happens between.
+/// Removes a file when it goes out of scope, also after an exception.
 struct Passing {
   std::string path;
   ~Passing() { ::unlink(path.c_str()); }
@@ -44,6 +44,7 @@ struct Child {
 Child start(const std::string& program, const std::vector<std::string>& arguments, const std::string& package,
             const std::string& said) {
   int ends[2];
+  // Closed on exec: the child must not hold the writing end, or it would never see the end of its input.
   if (::pipe2(ends, O_CLOEXEC) != 0) throw IoError(program + ": cannot be started: " + std::strerror(errno));
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -57,6 +58,7 @@ Child start(const std::string& program, const std::vector<std::string>& argument
   child.input = ends[1];
   const int error = ::posix_spawnp(&child.pid, program.c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
+  // Our copy of the reading end: with it open a child that has ended would not break the pipe.
   ::close(ends[0]);
   if (error == 0) return child;
   ::close(ends[1]);
@@ -67,6 +69,7 @@ Child start(const std::string& program, const std::vector<std::string>& argument
 std::string message_in(const std::string& file) {
   std::string text = read_file(file);
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+  // The end of a long text: the error comes last.
   return text.size() > 600 ? "..." + text.substr(text.size() - 600) : text;
 }
 
@@ -81,12 +84,14 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
   const Child child = start(program, arguments, package, said.path);
   bool ok = true;
   try {
+    // After a failed write the rest is not sent; the exit status tells why.
     feed([&](const std::string& text) { ok = ok && write_all(child.input, text) == 0; });
   } catch (...) {
     ::close(child.input);
     ::waitpid(child.pid, nullptr, 0);
     throw;
   }
+  // The end of input lets the program finish.
   ::close(child.input);
   int status = 0;
   while (::waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
@@ -100,13 +105,16 @@ void make_file(const std::string& path, const std::function<void(const std::stri
   const fs::path place(path);
   if (is_stream(path)) throw IoError(path + ": is no place for a picture; name a file with --out");
   check_outputs({path});
+  // Before minutes of drawing.
   check_writable(place.has_parent_path() ? place.parent_path().string() : ".");
+  // The ending stays last, as programs choose the format by it.
   const std::string part = (place.parent_path() / ("." + place.stem().string() + ".part-" +
                                                    std::to_string(::getpid()) + place.extension().string()))
                                .string();
   std::error_code ignored;
   try {
     make(part);
+    // Listed before it appears (io/output.hpp).
     list_written(path, part);
   } catch (...) {
     fs::remove(part, ignored);

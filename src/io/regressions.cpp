@@ -20,6 +20,7 @@ constexpr Dimension dimensions[] = {Dimension::none,      Dimension::length, Dim
 Field entry(FieldKind kind, const char* key, const char* meaning) {
   Field f;
   f.kind = kind, f.table = "line", f.key = key, f.meaning = meaning;
+  // Published lines may have any sign and size.
   f.min = -unbounded, f.max = unbounded;
   return f;
 }
@@ -37,6 +38,7 @@ Fields regression_fields() {
 
 /// A number with any unit.
 std::optional<double> take_any_unit(const TomlValue& v, std::string& unit) {
+  // The unit of a result is not known here, so the first dimension that accepts the text decides.
   for (const Dimension d : dimensions) {
     const Quantity q = parse_quantity(v.kind == TomlValue::Kind::text ? v.text : as_written(v), d);
     if (q.ok) return unit = inner_unit(d), q.value;
@@ -46,6 +48,7 @@ std::optional<double> take_any_unit(const TomlValue& v, std::string& unit) {
 
 Regression read_line(Document& file, const TomlValue& table, const std::string& path) {
   Regression line;
+  // Every key is needed: a line without its source or unit cannot be compared.
   for (const char* key : {"source", "number", "key", "slope", "intercept"})
     if (table.find(key) == nullptr)
       file.report_problem(table, path + key, "a line with source, number, key, slope and intercept", "");
@@ -96,6 +99,7 @@ std::string write_regressions(const std::vector<Regression>& regressions) {
     const std::string intercept = print_number(r.intercept);
     text += "[[line]]\nsource = " + toml_string(r.source) + "\nnumber = " + toml_string(r.number) +
             "\nkey = " + toml_string(r.key) + "\nslope = " + print_number(r.slope) +
+            // A pure number stays bare: quotes are for quantities with a unit.
             "\nintercept = " + (r.unit == "1" ? intercept : toml_string(intercept + " " + r.unit)) + "\n";
     if (std::isfinite(r.R2)) text += "R2 = " + print_number(r.R2) + "\n";
   }

@@ -18,6 +18,7 @@
 namespace phy::io {
 namespace {
 
+// Fewer angles cannot show a minimum between 0 and 90 degrees.
 constexpr std::size_t least_angles = 3;
 
 Field text_field(const char* key, const char* meaning) {
@@ -69,13 +70,16 @@ class RockReader {
       : path_(path), file_(read_file(path), path, rock_schema()), rock_(rock), problems_(file_.problems) {}
 
   void read() {
+    // One set of bedding to magnify and complete; a rock without bedding has it removed with its table.
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
     const bool has_model = read_recipe_file() && read_size();
     read_disc();
     if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
     read_table();
+    // After everything is read: the checks compare model, size, discs and table.
     if (has_model) check_model(), check_discs();
+    // Warnings are about data that can be used. With problems left they would be noise.
     if (problems_.empty())
       for (std::string& warning : warnings_about(rock_)) rock_.notes.push_back(std::move(warning));
     file_.check();
@@ -105,6 +109,7 @@ class RockReader {
       file_.report_problem(*file_.find("recipe"), "recipe", expected, remedy);
       return false;
     };
+    // Both problems are reported, not only the first.
     bool good = true;
     if (recipe->bedding.size() > 1)
       good = refuse("at most one set of bedding", "the tables of a rock know one direction of planes");
@@ -112,6 +117,7 @@ class RockReader {
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");
     has_bedding_ = !recipe->bedding.empty();
+    // Planes are where the paper has them, unless the recipe says it; read_table() notes that.
     rock_.model.bedding.resize(1);
     return good;
   }
@@ -121,12 +127,15 @@ class RockReader {
     SpecimenSize& size = rock_.model.specimen;
     const double width = file_.number("specimen.width", size.width);
     const double height = file_.number("specimen.height", size.height);
+    // Nothing to magnify.
     if (width == size.width && height == size.height) return true;
     if (is_given("recipe")) {
       problems_.push_back(
           {path_, "specimen", "", "the size of the recipe", "leave [specimen] out: the recipe says it"});
       return false;
     }
+    // Lengths of grains and bedding scale with the width. Number of grains: area over grain area, n W H/r^2,
+    // in which the width cancels against one factor of scale.
     const double scale = width / size.width;
     PackingRecipe& p = rock_.model.packing;
     p.radius_min *= scale, p.radius_max *= scale;
@@ -147,7 +156,8 @@ class RockReader {
     test.loading_angle = file_.number("brazilian.loading_angle", test.loading_angle);
   }
 
-  /// The key of the rock file behind a key of the recipe; "": nobody gave it.
+  /// The key of the rock file that a key of the recipe comes from; "" if none was given. It gives the line
+  /// for messages.
   std::string said_here(const std::string& path) const {
     if (path == "test.disc_diameter") return "brazilian.diameter";
     if (path == "test.loading_angle") return "brazilian.loading_angle";
@@ -161,6 +171,7 @@ class RockReader {
   /// Numbers of the model outside the ranges of a recipe.
   std::vector<Problem> out_of_range(const Where& where) const {
     std::vector<Problem> found;
+    // The model was computed (magnified), so its numbers have not passed a reader's range checks.
     for (const Field& f : recipe_fields()) {
       if (f.kind != FieldKind::quantity && f.kind != FieldKind::number && f.kind != FieldKind::integer)
         continue;
@@ -175,6 +186,7 @@ class RockReader {
   void check_model() {
     const Where where = [&](const std::string& path) { return file_.place(said_here(path)); };
     std::vector<Problem> found = out_of_range(where);
+    // Keys that are out of range take no part in the cross checks: their messages would be consequences.
     std::set<std::string> odd;
     for (const Problem& p : found) odd.insert(p.key);
     for (Problem& p :
@@ -182,6 +194,7 @@ class RockReader {
       found.push_back(std::move(p));
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
+      // The user wrote the key of the rock file: it is named in place of the recipe's.
       if (key.starts_with("brazilian.") && is_given(key)) p.key = key;
       if (key.starts_with("specimen."))
         p.remedy =
@@ -192,11 +205,13 @@ class RockReader {
   }
   /// The same for every disc of the table.
   void check_discs() {
+    // Without a diameter of its own the disc is the model's, which has been checked.
     for (const RockReading& r : rock_.readings) {
       if (r.property != Property::brazilian || r.diameter == 0.0) continue;
       Recipe disc = rock_.model;
       disc.test.disc_diameter = r.diameter;
       std::string where = table_ + ":" + std::to_string(r.line);
+      // Everything but the diameter is the model again.
       for (Problem& p : cross_checks(disc, [&](const std::string&) { return where; }))
         if (p.key == "test.disc_diameter") p.key = "diameter", problems_.push_back(std::move(p));
     }
@@ -217,11 +232,13 @@ class RockReader {
     } catch (const IoError& error) {
       return file_.tell_unreadable("data", error);
     }
+    // A column of angles means bedding, unless the file says otherwise.
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
     if (rock_.bedded && !has_angles)
       problems_.push_back(
           {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     if (!rock_.bedded) {
+      // Angles of a rock without bedding have no meaning: all rows become replicates.
       rock_.model.bedding.clear(), rock_.model.test.angles.clear();
       for (RockReading& r : rock_.readings) r.theta = 0.0;
       rock_.notes.emplace_back("a rock without bedding");
@@ -230,6 +247,7 @@ class RockReader {
           fmt::format("the recipe has no [[bedding]]: planes are the paper's, every {:g} mm",
                       rock_.model.bedding[0].spacing * 1e3));
     }
+    // Statements about the whole table need all of it.
     if (problems_.size() == n_before) check_content(where);
   }
   void check_content(const std::string& where) {
@@ -249,6 +267,8 @@ class RockReader {
                            "test 0, 45 and 90 degrees; or write bedded = false"});
     bool elastic = false, strength = false;  // under confining pressure
     for (const RockReading& r : rock_.readings)
+      // Under confining pressure strengths are kept without being fitted; elastic data count, at one
+      // pressure.
       if (r.confining > 0.0) (is_strength(r.property) ? strength : elastic) = true;
     if (strength) rock_.notes.emplace_back("strengths under confining pressure are kept, not fitted");
     if (pressures.size() > 1 && elastic)
@@ -257,6 +277,7 @@ class RockReader {
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});
+    // Converting plane strain readings uses nu, and too large a nu leaves no positive E.
     for (const Target& t : of_property(targets_of(rock_), Property::E))
       if (!(t.mean > 0.0))
         problems_.push_back({where, "nu", "", fmt::format("a nu that leaves E({:g}) positive", t.theta),

@@ -52,11 +52,13 @@ Head head_of(const std::string& cell) {
   if (open != cell.npos) {
     h.unit = cell.substr(open + 1, cell.find_first_of("])", open) - open - 1);
   } else if (const std::size_t bar = cell.rfind('_'); bar != cell.npos) {
+    // "E_GPa": the tail counts as a unit only if it is one; "E_sd" is a name.
     const std::string tail = cell.substr(bar + 1);
     for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
       if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);
   }
   h.title = h.name.substr(0, h.name.find_last_not_of(' ') + 1);
+  // Compared in lower case, blanks as underscores.
   std::string word;
   for (const char c : h.name)
     word += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -74,7 +76,8 @@ Head head_of(const std::string& cell) {
   return h;
 }
 
-/// What can be computed with at all; what is only doubtful, records/rock_warnings.hpp tells.
+/// What can be computed with at all. Values that are merely doubtful are a matter of
+/// records/rock_warnings.hpp.
 struct Range {
   double low, high;
   const char* text;
@@ -92,6 +95,7 @@ Range range_of(const Head& h) {
     default: break;
   }
   if (h.property == Property::E) return {1e6, 1e12, "1 MPa <= E <= 1000 GPa"};
+  // Apparent nu of anisotropic rock may be negative or above 0.5.
   if (h.property == Property::nu) return {-0.5, 1.5, "-0.5 <= apparent nu <= 1.5"};
   return {1e3, 5e9, "1 kPa <= strength <= 5 GPa"};
 }
@@ -121,6 +125,7 @@ class ReadingReader {
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
+    // Kinds other than values and scatter occur once, whatever their property.
     for (std::size_t i = 0; i < heads_.size(); ++i)
       if (heads_[i].kind == kind &&
           (heads_[i].property == p || (kind != Column::value && kind != Column::scatter)))
@@ -140,6 +145,8 @@ class ReadingReader {
       heads_.push_back(h);
       const Dimension d = dimension_of(h);
       if (h.kind == Column::other) {
+        // A unit shows that numbers were meant: a column that is not understood must not be dropped in
+        // silence.
         if (!h.unit.empty())
           report_problem(
               cell, "",
@@ -152,6 +159,7 @@ class ReadingReader {
       if (const auto [it, fresh] = seen.emplace(h.name, h.unit); !fresh)
         report_problem(cell, "", "one column of this name",
                        it->second != h.unit ? "its units are mixed: " + it->second + " and " + h.unit : "");
+      // Counts and nu have no unit.
       if (d == Dimension::none) continue;
       if (!parse_quantity("1 " + h.unit, d).ok)
         report_problem(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
@@ -165,13 +173,14 @@ class ReadingReader {
     bool any = false;
     for (const Head& h : heads_) any = any || h.kind == Column::value;
     if (!any) report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS", "");
+    // Both conventions are in use, so the conversion is mentioned.
     if (find(Column::beta))
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
     if (!ignored.empty())
       notes_.push_back("columns passed over: " + fmt::format("{}", fmt::join(ignored, ", ")));
   }
 
-  /// One cell in SI; NaN if it is empty. False: told.
+  /// One cell in SI units; NaN if it is empty. False: a problem has been reported.
   bool number(const TableRow& row, std::size_t column, double& value) {
     const Head& h = heads_[column];
     const std::string& cell = row.cells[column];
@@ -180,6 +189,7 @@ class ReadingReader {
     const Range range = range_of(h);
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+      // "45 GPa": a unit in a cell, while the header gives it for all.
       const bool unit = error == std::errc() && std::isalpha(static_cast<unsigned char>(cell.back())) != 0;
       problems_.push_back({at(row.line), h.title, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
                            unit ? "units stand in the header only: mixed units are not read"
@@ -188,7 +198,7 @@ class ReadingReader {
     }
     if (const Dimension d = dimension_of(h); d != Dimension::none) {
       const Quantity q = parse_quantity(cell + " " + h.unit, d);
-      if (!q.ok) return false;  // the header was told
+      if (!q.ok) return false;  // the unit of the header has been reported
       value = q.value;
     }
     const bool whole = h.kind != Column::n || value == std::floor(value);
@@ -215,8 +225,10 @@ class ReadingReader {
             good = false;
       r.theta = theta ? angle : 90.0 - angle;
     }
+    // After all cells are read, so that every bad cell of the row is reported.
     if (!good) return;
     if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
+    // Rows under another confining pressure than the one asked for are left out; NaN asks for none.
     if (std::isfinite(confining) && std::fabs(r.confining - confining) > 1e-6 * std::max(1.0, confining))
       return;
     if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
@@ -225,6 +237,7 @@ class ReadingReader {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
       r.property = heads_[i].property, r.value = v[i];
       const auto sd = find(Column::scatter, r.property);
+      // A scatter of zero is no measurement of scatter.
       r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
       readings_.push_back(r);
     }
@@ -232,6 +245,7 @@ class ReadingReader {
 
   /// Two rows of one cell that cannot be the same rock.
   void check_repeats() {
+    // Each line once, though it may disagree with several others.
     std::set<int> told;
     for (std::size_t i = 0; i < readings_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
@@ -239,6 +253,8 @@ class ReadingReader {
         if (a.property != b.property || a.theta != b.theta || a.confining != b.confining ||
             a.diameter != b.diameter)
           continue;
+        // With one of the two unknown the other decides; with both unknown nothing is reported (comparison
+        // with NaN).
         const double sd = std::fmax(a.sd, b.sd);  // passes over a NaN
         if (!(std::fabs(a.value - b.value) > most_apart * sd) || !told.insert(b.line).second) continue;
         problems_.push_back({at(b.line), to_string(b.property), fmt::format("{:g}", b.value),

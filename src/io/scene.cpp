@@ -21,6 +21,7 @@ constexpr double size_steps = 65000;
 constexpr double force_steps = 127;
 constexpr double farthest = 10.0;  // displacement over the larger side: beyond it a test has blown up
 
+/// Maps small numbers of either sign to small unsigned ones, so that the upper bytes are zero.
 std::uint32_t zigzag(std::int32_t v) {
   return (static_cast<std::uint32_t>(v) << 1U) ^ static_cast<std::uint32_t>(v >> 31);
 }
@@ -32,6 +33,7 @@ struct Writer {
   std::int64_t n_lost = 0;  // displacements and forces that no picture can show
   Json sections = Json::array();
   void add(const Numbers& numbers) {
+    // As many byte planes as the largest number needs.
     std::uint32_t all = 0;
     for (const std::int32_t v : numbers) all |= zigzag(v);
     const int planes = all < 1U << 8U ? 1 : all < 1U << 16U ? 2 : all < 1U << 24U ? 3 : 4;
@@ -50,6 +52,7 @@ struct Reader {
     const auto size = sections.at(section).at(0).get<std::size_t>();
     const auto planes = sections.at(section).at(1).get<std::size_t>();
     ++section;
+    // Checked before anything is read: the file may be damaged.
     if (size != count || planes < 1 || planes > 4 || at + size * planes > bytes.size())
       throw std::out_of_range("sections do not fit");
     Numbers numbers(count);
@@ -91,8 +94,11 @@ void add_frames(Writer& w, const Scene& scene, double quantum) {
     for (std::size_t i = 0; i < 2 * n; ++i) {
       const float u = frame.u[i % n][i / n];
       const bool shown = is_shown(scene, u);
+      // Lost values repeat the frame before, with a change of zero.
       w.n_lost += shown ? 0 : 1;
       const std::int32_t now = shown ? steps(static_cast<double>(u), quantum) : before[i];
+      // Second difference: what remains after assuming that the grain goes on as between the two frames
+      // before.
       second[i] = now - before[i] - change[i];
       change[i] = now - before[i];
       before[i] = now;
@@ -105,6 +111,7 @@ void add_links(Writer& w, const std::vector<SceneLink>& links) {
   Numbers a, b, kind;
   std::uint32_t last = 0;
   for (const SceneLink& l : links) {
+    // Differences in place of grain numbers: small where links are sorted, so most byte planes are zero.
     a.push_back(static_cast<std::int32_t>(l.a - last));
     b.push_back(static_cast<std::int32_t>(l.b - l.a));
     kind.push_back(static_cast<std::int32_t>(l.kind));
@@ -126,6 +133,8 @@ void add_forces(Writer& w, const ForceField& field) {
   for (const float f : field.F_n) {
     const bool shown = std::isfinite(f);
     w.n_lost += shown ? 0 : 1;
+    // The square root gives small forces more of the 127 steps: chains are seen as well as the largest
+    // forces.
     const double part = shown && largest > 0.0 ? std::sqrt(std::abs(static_cast<double>(f)) / largest) : 0.0;
     numbers.push_back(static_cast<std::int32_t>(std::lround(std::copysign(force_steps * part, f))));
   }
@@ -138,6 +147,7 @@ double displacement_quantum(const Scene& scene) {
     for (const auto& u : frame.u)
       for (const float part : u)
         if (is_shown(scene, part)) largest = std::max(largest, std::abs(static_cast<double>(part)));
+  // Quarter micrometres, or coarser where the largest displacement would not fit into 16 bits.
   return std::max(finest, largest / largest_steps);
 }
 
@@ -160,6 +170,7 @@ void read_moment(const Json& j, Moment& m) {
   j.at("step").get_to(m.step);
   TestKind kind;  // a strain in every scene of before
   for (const TestDescription* test : laboratory_tests())
+    // The key names the test; scenes of older versions have a strain.
     if (j.contains(loading_key(*test))) kind = *test;
   j.at(loading_key(kind)).get_to(m.axial_strain);
   j.at(stress_key(kind)).get_to(m.axial_stress);
@@ -185,6 +196,7 @@ void read_links(Reader& r, std::vector<SceneLink>& links, std::size_t n_discs) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     last += static_cast<std::uint32_t>(a[i]);
     links[i] = {last, last + static_cast<std::uint32_t>(b[i]), static_cast<ContactKind>(kind[i])};
+    // A number outside would be used as an index by the page.
     if (links[i].b >= n_discs) throw std::out_of_range("a link to a disc that is not there");
   }
 }
@@ -195,6 +207,7 @@ Scene read_scene(std::string_view bytes) {
   const Json head = Json::parse(bytes.substr(0, end));
   if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
   const auto size = head.at("size").get<std::size_t>();
+  // The size in the header bounds what is unpacked: a few bytes can unpack to gigabytes.
   const std::optional<std::string> plain = inflated(bytes.substr(end + 1), size);
   if (!plain || plain->size() != size) throw std::out_of_range("the compressed part is damaged");
   Reader r{*plain, head.at("sections")};
@@ -217,6 +230,7 @@ Scene read_scene(std::string_view bytes) {
     read_moment(j, field);
     const double largest = j.at("F_max [N/m]").get<double>();
     for (const std::int32_t v : r.next(scene.links.size()))
+      // Inverse of the square root, with its sign.
       field.F_n.push_back(static_cast<float>(v * std::abs(v) * largest / (force_steps * force_steps)));
     scene.forces.push_back(std::move(field));
   }
@@ -250,6 +264,7 @@ std::string pack_scene(const Scene& scene, TestKind kind) {
                {"forces", forces},
                {"sections", w.sections},
                {"size", w.bytes.size()}};
+  // Only where something is missing, so that other scenes keep their bytes.
   if (w.n_lost > 0) head["lost"] = w.n_lost;
   return head.dump() + "\n" + deflated(w.bytes);
 }
@@ -258,6 +273,7 @@ Scene unpack_scene(std::string_view bytes, const std::string& where) {
   try {
     return read_scene(bytes);
   } catch (const std::exception& e) {
+    // Any failure while reading means that this is not a scene of ours.
     throw InputError(Problem{where, "", "", "a scene that this program wrote", std::string(e.what())});
   }
 }

@@ -13,6 +13,7 @@ namespace phy::io {
 namespace {
 
 std::string remedy_for(int code) {
+  // The lower byte is the primary code; the rest are refinements of it.
   switch (code & 0xff) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT: return "; this is no store or a damaged one: move it away and start again";
@@ -29,8 +30,10 @@ std::string remedy_for(int code) {
 
 Database::Database(const std::string& path, int patience_ms) : path_(path) {
   make_folder(std::filesystem::path(path).parent_path().string());
+  // No mutex inside SQLite: the owner of the connection locks.
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
   if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    // Even a failed open returns a handle, which holds the message and must be closed.
     const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : "not enough memory";
     const std::string remedy = remedy_for(handle_ != nullptr ? sqlite3_errcode(handle_) : SQLITE_NOMEM);
     sqlite3_close(handle_);
@@ -51,11 +54,13 @@ void Database::execute(const std::string& sql) {
 }
 
 void Database::transaction(const std::function<void()>& body) {
+  // IMMEDIATE takes the write lock at the start: a later upgrade from reading could fail halfway with "busy".
   execute("BEGIN IMMEDIATE");
   try {
     body();
     execute("COMMIT");
   } catch (...) {
+    // SQLite has rolled back by itself after some errors (a full disk).
     if (sqlite3_get_autocommit(handle_) == 0) sqlite3_exec(handle_, "ROLLBACK", nullptr, nullptr, nullptr);
     throw;
   }
@@ -72,6 +77,7 @@ Statement::Statement(Database& database, std::string_view sql) : database_(datab
 Statement::~Statement() { sqlite3_finalize(handle_); }
 
 Statement& Statement::bind(std::string_view text) {
+  // TRANSIENT: SQLite copies the text, which may be a temporary.
   if (sqlite3_bind_text64(handle_, ++n_bound_, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8) !=
       SQLITE_OK)
     database_.fail("be written");
@@ -109,6 +115,7 @@ void Statement::run() {
 }
 
 std::string Statement::text(int column) const {
+  // The text first: asking for its length converts the value.
   const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
   return bytes == nullptr
              ? std::string()
@@ -123,6 +130,7 @@ std::string Statement::blob(int column) const {
 }
 
 double Statement::number(int column) const {
+  // NaN was bound as NULL: SQLite has no NaN.
   return sqlite3_column_type(handle_, column) == SQLITE_NULL ? nan : sqlite3_column_double(handle_, column);
 }
 

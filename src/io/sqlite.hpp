@@ -1,4 +1,4 @@
-// A thin coat over SQLite: connections and statements that close themselves, and failures told as IoError
+// A thin wrapper of SQLite: connections and statements that close themselves, failures thrown as IoError
 // with the name of the file. Not shared between threads; the owner locks.
 #pragma once
 #include <cstdint>

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 /// A value that is NaN is written as null.
 Json number_json(const Number& n) {
   Json j = {{"value", n.value}, {"unit", n.unit}, {"definition", n.definition}};
+  // null alone would leave the reader in doubt whether something is missing.
   if (!n.note.empty())
     j["note"] = n.note;
   else if (!std::isfinite(n.value))
@@ -35,6 +36,7 @@ Json field_json(const Field& f, const Recipe& recipe, std::size_t index) {
     case FieldKind::choice: return f.choices[static_cast<std::size_t>(f.get(recipe, index))];
     case FieldKind::integer: return static_cast<std::int64_t>(f.get(recipe, index));
     case FieldKind::quantities: {
+      // f.list returns a reference to change; the recipe is constant.
       Recipe copy = recipe;
       return f.list(copy);
     }
@@ -44,6 +46,7 @@ Json field_json(const Field& f, const Recipe& recipe, std::size_t index) {
 
 Json recipe_json(const Recipe& recipe) {
   Json j;
+  // Made first, so that the list exists also without bedding.
   j["bedding"] = Json::array();
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i) j["bedding"].push_back(Json::object());
   for (const Field& f : recipe_fields()) {
@@ -57,7 +60,8 @@ Json recipe_json(const Recipe& recipe) {
   return j;
 }
 
-/// What a reader without our limits needs to know: how good, and what is not.
+/// The grade and every measure beyond its limit, with value, limit and advice: readers in other programs do
+/// not have the list of limits.
 Json quality_json(const TestResult& result) {
   const std::vector<QualityMark> marks = quality_marks(result.numbers);
   Json j = {{"grade", to_string(grade_of(result.numbers))}, {"marks", Json::array()}};
@@ -108,6 +112,7 @@ void add_snapshots(NewFolder& folder, const Packing& packing, const TestResult& 
 }  // namespace
 
 std::string folder_name(const std::string& name) {
+  // Blanks and other characters that need quoting in a shell become one underscore.
   std::string folder;
   for (const char c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.')
@@ -139,8 +144,11 @@ std::string result_json(const SpecimenRecord& record) {
               {"cpu_seconds", result.seconds},
               {"platen_speed [m/s]", record.recipe.test.platen_speed}};
   j["result_hash"] = result.hash;
+  // The recipe twice: as the text that runs again, and below as values in SI units for other programs.
   j["recipe"] = write_recipe(record.recipe);
   j["recipe_values"] = recipe_json(record.recipe);
+  // Texts may hold bytes that are no UTF-8 (a name from a file system): replaced, so that the file is valid
+  // JSON.
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -155,6 +163,7 @@ void write_result(const std::string& folder, const Recipe& recipe, const std::st
   add_snapshots(place, *specimen.packing, result);
   const SpecimenRecord record = record_of(recipe, version, specimen, result);
   place.add("scene.bin", pack_scene(record.scene, result.history.kind));
+  // The folder appears as a whole with publish(), whatever the order of files.
   place.add("result.json", result_json(record));
   place.publish();
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/csv.hpp"   // the other files that a command writes or reads:
-#include "io/file.hpp"  // whoever stores results needs these two as well
+#include "io/file.hpp"  // storing results needs these two as well
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"

@@ -19,6 +19,7 @@ bool split(std::string_view line, char delimiter, std::vector<std::string>& cell
   std::string cell;
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
+    // A doubled quote inside quotes is one quote.
     if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
       cell += line[++i];
     else if (line[i] == '"')
@@ -50,6 +51,7 @@ bool has_outside_quotes(std::string_view line, char wanted) {
 
 /// Digits, one comma, digits: a number of half of Europe.
 bool is_comma_number(const std::string& cell) {
+  // At least a digit on either side; a list such as "1,2,3" is no number.
   const std::size_t comma = cell.find(',');
   if (comma == 0 || comma == cell.npos || comma + 1 == cell.size()) return false;
   return std::all_of(cell.begin(), cell.end(),
@@ -60,6 +62,7 @@ bool is_comma_number(const std::string& cell) {
          cell.find(',', comma + 1) == cell.npos;
 }
 bool is_point_number(std::string cell) {
+  // Points become commas, and commas something that no number holds: one rule serves both.
   std::replace(cell.begin(), cell.end(), ',', ';');
   std::replace(cell.begin(), cell.end(), '.', ',');
   return is_comma_number(cell);
@@ -70,6 +73,7 @@ class Reader {
   Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
 
   Table read() {
+    // Spreadsheets write this as "Unicode text"; every second byte is zero, so no line could be read.
     if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
       table_.problems.push_back(
           {where_, "", "UTF-16", "text in UTF-8", "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
@@ -106,7 +110,7 @@ class Reader {
     if (!is_text(std::string(line))) {
       table_.problems.push_back({at(number), "", "", "text in UTF-8 without control characters",
                                  "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
-      if (table_.header_line == 0) text_ = {};  // the rows would be held against another header
+      if (table_.header_line == 0) text_ = {};  // rows would be compared with a wrong header
       return;
     }
     if (table_.header_line == 0) {
@@ -119,6 +123,7 @@ class Reader {
     if (!split(line, delimiter_, row.cells)) {
       table_.problems.push_back({at(number), "", trimmed(line.substr(0, 60)), "closed quotes", ""});
     } else if (row.cells.size() != table_.header.size()) {
+      // The usual cause of too many cells: 1,5 read as two.
       const bool commas = delimiter_ == ',' && row.cells.size() > table_.header.size();
       table_.problems.push_back(
           {at(number), "", std::to_string(row.cells.size()) + " cells",
@@ -132,6 +137,7 @@ class Reader {
     std::string found;
     for (const char c : {',', ';', '\t'})
       if (has_outside_quotes(header, c)) found += c;
+    // A single column needs no delimiter. With several candidates the last is assumed, and reported.
     delimiter_ = found.empty() ? ',' : found.back();
     if (found.size() > 1)
       table_.problems.push_back({at(table_.header_line), "", trimmed(header.substr(0, 80)),
@@ -140,6 +146,7 @@ class Reader {
   }
   /// Turns decimal commas into points, where semicolons or tabs leave no doubt.
   void settle_decimals() {
+    // With commas between cells "1,5" are two cells: the wrong number of cells has shown it.
     if (delimiter_ == ',') return;
     int comma_line = 0, point_line = 0;
     for (TableRow& row : table_.rows)
@@ -148,6 +155,7 @@ class Reader {
         if (point_line == 0 && is_point_number(cell)) point_line = row.line;
         if (is_comma_number(cell)) cell[cell.find(',')] = '.';
       }
+    // One file with both is ambiguous: 1.234 may be a thousand.
     if (comma_line != 0 && point_line != 0)
       table_.problems.push_back(
           {at(std::max(comma_line, point_line)), "", "", "decimal commas or decimal points, not both",

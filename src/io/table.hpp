@@ -1,9 +1,9 @@
 // Tables of other people: text with a delimiter, as spreadsheets of any country write it.
 //
-// Read and told: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma.
-// Refused: a header whose delimiter could be two things, decimal points and decimal commas in one table, rows
-// with more or fewer cells than the header, UTF-16. Lines that begin with # are comments; empty lines are
-// skipped.
+// Accepted: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma (all but
+// tabs are mentioned in the notes). Refused: a header whose delimiter could be two things, decimal points and
+// decimal commas in one table, rows with more or fewer cells than the header, UTF-16. Lines that begin with #
+// are comments; empty lines are skipped.
 #pragma once
 #include <string>
 #include <string_view>

@@ -15,8 +15,8 @@
 namespace phy::io {
 namespace {
 
-/// A table that recipes had until there were studies by the direct solution. Completed recipes hold it
-/// without factors: it says nothing then.
+/// The table [sweep] of recipes before there were studies by the direct solution. Completed recipes of that
+/// time hold it without factors, where it has no effect.
 void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Problem>& problems) {
   const auto key =
       std::find_if(root.keys.begin(), root.keys.end(), [](const auto& k) { return k.name == "sweep"; });
@@ -31,6 +31,7 @@ void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Probl
 }
 
 void assign(const Field& f, const Document& file, const std::string& path, Recipe& recipe, std::size_t set) {
+  // Only what was given and could be read; all else stays at its default.
   if (file.find(path) == nullptr || !file.is_known(path)) return;
   if (f.set_text)
     f.set_text(recipe, file.text(path, ""));
@@ -43,6 +44,8 @@ void assign(const Field& f, const Document& file, const std::string& path, Recip
 std::string write(const Recipe& recipe, bool comments) {
   std::string text;
   const auto line = [&](const Field& f, std::size_t index) {
+    // A key of one test is left out of other recipes, so that their texts and fingerprints do not change when
+    // a test gets a key (docs/decisions/0010).
     if (!comments && !f.only_of.empty() && f.only_of != recipe.test.kind->name) return;
     if (comments) {
       text += "# " + f.meaning + "; " + range_text(f);
@@ -57,6 +60,7 @@ std::string write(const Recipe& recipe, bool comments) {
     if (f.table != table) text += "\n[" + f.table + "]\n", table = f.table;
     line(f, 0);
   }
+  // Bedding last: [[bedding]] opens a table for everything below it.
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i) {
     text += "\n[[bedding]]\n";
     for (const Field& f : recipe_fields())
@@ -65,12 +69,13 @@ std::string write(const Recipe& recipe, bool comments) {
   return text;
 }
 
-/// What a recipe and the discs that it imports say against each other.
+/// Contradictions between a recipe and the disc file that it imports.
 std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& where) {
   const DiscFile file = parse_discs(read_file(recipe.packing.file), recipe.packing.file);
   std::vector<Problem> problems;
   const auto length = [](double v) { return print_quantity(v, Dimension::length); };
   const auto differs = [](double box, double size) {
+    // Relative: the size in the file may have been rounded when it was written.
     return box > 0.0 && std::fabs(box - size) > 1e-6 * box;
   };
   for (const auto& [key, box, size] : {std::tuple{"width", file.width, recipe.specimen.width},
@@ -103,6 +108,7 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   take_out_sweep(root, where, problems);
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
   Recipe recipe;
+  // A set of defaults for each [[bedding]] table.
   recipe.bedding.resize(file.tables("bedding").size());
   for (const Field& f : recipe_fields())
     if (f.table != "bedding")
@@ -113,6 +119,7 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   // The defaults give a number of grains; a file that gives a porosity means it instead.
   if (file.find("packing.porosity") != nullptr && file.find("packing.n_grains") == nullptr)
     recipe.packing.n_grains = 0;
+  // Checks between keys are left out where a key was misread.
   for (Problem& p : cross_checks(
            recipe, [&](const std::string& path) { return file.place(path); },
            [&](const std::string& path) { return file.is_known(path); }))
@@ -125,6 +132,8 @@ Recipe read_recipe(const std::string& path) {
   Recipe recipe = parse_recipe(read_file(path), path);
   if (recipe.packing.file.empty()) return recipe;
   const auto folder = std::filesystem::absolute(path).parent_path();
+  // Stored as an absolute path: a recipe is kept in folders and stores, from which the relative one would not
+  // lead back.
   recipe.packing.file = (folder / recipe.packing.file).lexically_normal().string();
   if (!is_plain(recipe.packing.file))  // the name of a folder above it
     throw InputError(Problem{path, "packing.file", recipe.packing.file,

@@ -1,4 +1,4 @@
-// Recipes as TOML files. All problems of a file are told at once.
+// Recipes as TOML files. All problems of a file are reported at once.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ const Schema& recipe_schema();
 Recipe read_recipe(const std::string& path);
 /// The same from text; `where` names the source in messages.
 Recipe parse_recipe(std::string_view text, const std::string& where);
-/// The recipe that a file names under a key; nothing, with the problems told, where there is none to be read.
+/// The recipe that a file names under a key; nothing, with the problems reported, where it cannot be read.
 std::optional<Recipe> named_recipe(Document& file, const std::string& key);
 /// The completed recipe: every key with its value, in units that read back to the same bits.
 std::string write_recipe(const Recipe& recipe);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t max_bytes = 1U << 20U;  // what a user writes has some kilobytes
 constexpr std::size_t max_line = 4096;        // bounds the depth of nesting, on which the parser recurses
-constexpr std::size_t max_problems = 50;      // problems; more help nobody
+constexpr std::size_t max_problems = 50;      // more in one message do not help the user
 
 /// Follows strings and comments through a text, one character after the other.
 class Lexer {
@@ -32,6 +32,7 @@ class Lexer {
     const char c = text[i];
     if (c == '\n') {
       comment_ = false;
+      // TOML strings in single or double quotes end with their line; triple ones go on.
       if (!triple_) quote_ = 0;  // a string that is not closed ends with its line
     } else if (comment_) {
       return;
@@ -39,10 +40,12 @@ class Lexer {
       comment_ = c == '#';
       if (c == '"' || c == '\'') open(text, i);
     } else if (quote_ == '"' && c == '\\' && i + 1 < text.size() && text[i + 1] != '\n') {
+      // In basic strings a backslash hides the next character; control characters are left to the scan below.
       if (static_cast<unsigned char>(text[i + 1]) >= 32) ++i;
     } else if (c == quote_ && !triple_) {
       quote_ = 0;
     } else if (c == quote_ && text.substr(i, 3) == std::string(3, c)) {
+      // Three of the opening quote close a triple string.
       quote_ = 0, i += 2;
     }
   }
@@ -63,6 +66,7 @@ class Lexer {
 void find_other_encodings(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   std::size_t line = 1, told = 0;
   for (std::size_t i = 0; i < text.size() && problems.size() < max_problems;) {
+    // Zero bytes long: no UTF-8 starts here. One message per line.
     const std::size_t n = utf8_length(text.substr(i));
     if (n == 0 && told != line)
       problems.push_back({at_line(where, told = line), "", "", "text in UTF-8", "save the file as UTF-8"});
@@ -74,10 +78,12 @@ void find_other_encodings(std::string_view text, const std::string& where, std::
 /// Control characters anywhere, other than ASCII outside strings and comments, and overlong lines: one
 /// problem a line.
 void scan(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  // Before anything is parsed: a wrong file (a picture, a dump) is refused at once.
   if (text.size() > max_bytes) {
     problems.push_back({where, "", "", "a file of at most 1 MB", "this is some other file"});
     return;
   }
+  // In another encoding every line would raise the errors below: say this first and alone.
   find_other_encodings(text, where, problems);
   if (!problems.empty()) return;
   Lexer lexer;
@@ -88,11 +94,13 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
   };
   for (std::size_t i = 0; i < text.size() && problems.size() < max_problems; ++i) {
     const auto u = static_cast<unsigned char>(text[i]);
+    // The lexer is fed every character, so it knows whether this one is inside a string or comment.
     lexer.take(text, i);
     if (u == '\n') {
       ++line, begin = i + 1;
       continue;
     }
+    // Bytes above 127 outside strings are mostly typographic quotes or blanks copied from a text processor.
     const bool control = (u < 32 && u != '\r' && u != '\t') || u == 127;
     if (control || (u > 127 && !lexer.in_text()))
       report_problem("plain ASCII text",
@@ -105,10 +113,12 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
 /// A parsed value without toml++.
 TomlValue tree_of(const toml::node& node) {
   TomlValue v;
+  // The line is kept for messages about the value.
   v.line = node.source().begin.line;
   if (const auto* s = node.as_string())
     v.kind = TomlValue::Kind::text, v.text = s->get();
   else if (const auto* n = node.as_integer())
+    // The integer as it was written: beyond 2^53 a double would print another number.
     v.kind = TomlValue::Kind::integer, v.number = static_cast<double>(n->get()),
     v.text = std::to_string(n->get());
   else if (const auto* d = node.as_floating_point())
@@ -180,25 +190,30 @@ std::string syntax_remedy(std::string_view line, std::string_view problem) {
 /// next.
 toml::parse_result parse_all(std::string text, const std::string& where, std::vector<Problem>& problems) {
   for (;;) {
+    // toml++ stops at the first error.
     toml::parse_result result = toml::parse(text);
     if (result) return result;
     const std::string description(result.error().description());
     const std::size_t line = result.error().source().begin.line;
     const std::size_t begin = begin_of_line(text, line), end = std::min(text.find('\n', begin), text.size());
     const std::string_view content = std::string_view(text).substr(begin, end - begin);
+    // A list that is not closed is noticed lines later: the cause is above the line of the error.
     const bool in_list = description.find("array") != std::string::npos;
     const bool left_out = can_be_left_out(content, description);
     problems.push_back({at_line(where, line), "", "", "TOML (" + description + ")",
                         left_out  ? syntax_remedy(content, description)
                         : in_list ? "close the list begun above with ]"
                                   : ""});
+    // Where the line is not the cause, parsing again would only find consequences.
     if (problems.size() >= max_problems || !left_out) return result;
+    // The line break stays, so that line numbers do not change.
     text.erase(begin, end - begin);
   }
 }
 
 /// The table of a whole text. Throws InputError where nothing can be read; else problems are added.
 toml::table parse_checked(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
+  // A byte-order mark of UTF-8, as Windows editors write it.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   scan(text, where, problems);
   if (!problems.empty()) throw InputError(std::move(problems));

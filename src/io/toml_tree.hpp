@@ -25,7 +25,7 @@ struct TomlValue {
   const TomlValue* find(std::string_view key) const;
 };
 
-/// The root table. Lines that are no TOML are told in `problems` and left out; throws InputError where
+/// The root table. Lines that are no TOML are reported in `problems` and left out; throws InputError where
 /// nothing can be read.
 TomlValue parse_toml(std::string_view text, const std::string& where, std::vector<Problem>& problems);
 

@@ -21,10 +21,12 @@ class PolyData {
 
   template <class T>
   std::string array(const std::string& name, int components, const std::vector<T>& values) {
+    // The three types that are written: 8 bytes floating or whole, 4 bytes floating.
     const std::string type = sizeof(T) == 8 ? (std::is_floating_point_v<T> ? "Float64" : "Int64") : "Float32";
     std::string tag = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
                       std::to_string(components) + "\" format=\"appended\" offset=\"" +
                       std::to_string(raw_.size()) + "\"/>\n";
+    // header_type UInt64 below: the length in front of each block.
     const std::uint64_t bytes = values.size() * sizeof(T);
     append(&bytes, sizeof bytes);
     append(values.data(), bytes);
@@ -39,6 +41,7 @@ class PolyData {
            "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n" + point_data +
            "</PointData>\n<CellData>\n" + cell_data + "</CellData>\n<Points>\n" + points +
            "</Points>\n<Verts>\n" + verts + "</Verts>\n<Lines>\n" + lines +
+           // Raw data begin after the underscore; offsets count from there.
            "</Lines>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" + raw_ +
            "\n</AppendedData>\n</VTKFile>\n";
   }
@@ -67,7 +70,7 @@ std::vector<std::int64_t> counting(std::size_t n) {
   return all;
 }
 
-/// What a test that has blown up holds instead of a number counts as nothing: ParaView has no place for it.
+/// Values of an unstable test that are not finite are written as 0: ParaView cannot read them.
 double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 
 std::vector<double> grain_points(const Packing& packing, const Snapshot& shot) {
@@ -76,6 +79,7 @@ std::vector<double> grain_points(const Packing& packing, const Snapshot& shot) {
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
     xyz.push_back(packing.discs[i].x + or_zero(shot.grains[i].ux));
     xyz.push_back(packing.discs[i].y + or_zero(shot.grains[i].uy));
+    // Points are three-dimensional in VTK.
     xyz.push_back(0.0);
   }
   return xyz;
@@ -93,6 +97,7 @@ std::string grains_vtp(const Packing& packing, const Snapshot& shot) {
   }
   PolyData file(n, 0, n);
   const std::string points = file.array("points", 3, grain_points(packing, shot));
+  // One vertex per grain: without cells ParaView draws nothing.
   const std::string verts = cells(file, n, 1, counting(n));
   const std::string lines = cells(file, 0, 2, {});
   const std::string data = file.array("radius [m]", 1, radius) +
@@ -122,6 +127,8 @@ std::string cracks_vtp(const std::vector<CrackEvent>& cracks, TestKind kind) {
   std::vector<double> xyz, strain, energy;
   std::vector<std::int64_t> mode, place;
   for (const CrackEvent& c : cracks) {
+    // A crack lies across the line of the centres: from its middle half a length to either side along the
+    // plane.
     const Vec2 half = 0.5 * c.size * tangent(c.normal);
     for (const Vec2 p : {c.position - half, c.position + half}) xyz.insert(xyz.end(), {p.x, p.y, 0.0});
     strain.push_back(c.strain), energy.push_back(c.energy);

@@ -22,6 +22,7 @@ std::vector<std::size_t> shuffled(const Study& study, std::size_t dimension, std
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = n; i > 1; --i)
+    // Counts down, so that every draw picks among the positions that are not yet settled.
     std::swap(order[i - 1],
               order[static_cast<std::size_t>(draw(study, dimension, i) * static_cast<double>(i))]);
   return order;
@@ -39,6 +40,7 @@ std::vector<Point> one_at_a_time(const Study& study) {
   std::vector<Point> points = {base};
   for (std::size_t k = 0; k < study.vary.size(); ++k)
     for (const double level : study.vary[k].levels) {
+      // The base is the first point already, and serves all parameters.
       if (level == base.values[k]) continue;
       points.push_back(base);
       points.back().values[k] = level;
@@ -49,6 +51,7 @@ std::vector<Point> one_at_a_time(const Study& study) {
 
 std::vector<Point> full_factorial(const Study& study) {
   std::vector<Point> points(1);
+  // The product of levels, one factor at a time; the last factor runs fastest.
   for (const Factor& f : study.vary) {
     std::vector<Point> longer;
     for (const Point& p : points)
@@ -65,6 +68,7 @@ std::vector<Point> latin_hypercube(const Study& study) {
   const auto n = static_cast<std::size_t>(study.samples);
   std::vector<std::vector<double>> u(n, std::vector<double>(study.vary.size()));
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
+    // Two dimensions of random numbers per factor: the order of slices, and the place within a slice.
     const std::vector<std::size_t> slice = shuffled(study, 2 * k, n);
     for (std::size_t i = 0; i < n; ++i)
       u[i][k] = (static_cast<double>(slice[i]) + draw(study, 2 * k + 1, i)) / static_cast<double>(n);
@@ -77,6 +81,7 @@ std::vector<Point> latin_hypercube(const Study& study) {
 /// The first n points of Sobol's sequence in [0, 1)^dimensions; Boost begins behind the origin.
 std::vector<std::vector<double>> sobol_sequence(std::size_t dimensions, std::size_t n) {
   boost::random::sobol engine(dimensions);
+  // Boost returns whole numbers up to `range`, included; + 1 keeps u below 1.
   const auto range = static_cast<double>(boost::random::sobol::max());
   std::vector<std::vector<double>> u(n, std::vector<double>(dimensions));
   for (auto& x : u)
@@ -95,6 +100,7 @@ std::vector<Point> sobol(const Study& study) {
 std::vector<Point> saltelli(const Study& study) {
   const std::size_t k = study.vary.size();
   std::vector<Point> points;
+  // One sequence of 2k dimensions: A and B come from different coordinates, so they are independent.
   for (const auto& u : sobol_sequence(2 * k, static_cast<std::size_t>(study.samples))) {
     const std::vector<double> a(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(k)),
         b(u.begin() + static_cast<std::ptrdiff_t>(k), u.end());
@@ -123,9 +129,11 @@ std::vector<Point> morris(const Study& study) {
     for (std::size_t i = 0; i < k; ++i)
       levels[i] = static_cast<int>(draw(study, 2 * i, walk) * morris_levels);
     points.push_back(on_grid(study, levels));
+    // A shuffle of its own for every walk: draw() has no index left for the walk.
     Study turn = study;
     turn.seed = study.seed + static_cast<std::int64_t>(walk);
     for (const std::size_t i : shuffled(turn, 2 * k + 1, k)) {
+      // Half the grid up or down, whichever stays inside.
       levels[i] += levels[i] < morris_jump ? morris_jump : -morris_jump;
       points.push_back(on_grid(study, levels));
       points.back().moved = static_cast<int>(i);
@@ -160,12 +168,14 @@ double RecipeKey::get(const Recipe& recipe) const {
 }
 
 void RecipeKey::put(Recipe& recipe, double value) const {
+  // A key of one set, or of a table that exists once; else all bedding sets alike.
   if (field->table != "bedding" || set >= 0)
     return field->set(recipe, static_cast<std::size_t>(std::max(set, 0)), value);
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i) field->set(recipe, i, value);
 }
 
 std::string RecipeKey::print(double value) const {
+  // The printers of the recipe take a recipe: a scratch one with a single bedding set.
   Recipe r;
   r.bedding.resize(1);
   field->set(r, 0, value);
@@ -176,9 +186,11 @@ std::string RecipeKey::print(double value) const {
 
 double Factor::at(double u) const {
   if (!levels.empty()) {
+    // Equal shares of [0, 1] for the levels; u = 1 belongs to the last.
     const auto i = static_cast<std::size_t>(u * static_cast<double>(levels.size()));
     return levels[std::min(i, levels.size() - 1)];
   }
+  // On a logarithmic scale equal steps of u are equal factors.
   const double value = logarithmic ? from * std::pow(to / from, u) : from + u * (to - from);
   return key.field->kind == FieldKind::integer ? std::round(value) : value;
 }

@@ -3,9 +3,8 @@
 //   one_at_a_time     every parameter through its levels, the others at their base
 //   full_factorial    every combination of levels
 //   list              the rows of a CSV table
-//   latin_hypercube   `samples` points, every parameter once in each of `samples` equal slices (McKay,
-//   Beckman
-//                     & Conover 1979, Technometrics 21:239-245)
+//   latin_hypercube   `samples` points, every parameter once in each of `samples` equal slices
+//                     (McKay, Beckman & Conover 1979, Technometrics 21:239-245)
 //   sobol             the first `samples` points of Sobol's sequence without its origin (Boost, direction
 //                     numbers of Joe & Kuo 2008): fills the space evenly, can be prolonged
 //   morris            `samples` random walks through a grid of four levels, one parameter a step: elementary

@@ -9,6 +9,7 @@ namespace phy::study {
 namespace {
 
 void add_moduli(TestResult& result, const ElasticResult& r) {
+  // Both idealisations are stored side by side; the suffix marks contacts that also pull.
   const std::string behind = r.bilateral ? "_pulling" : "";
   const std::string contacts = r.bilateral ? ", linear contacts also pull" : ", linear contacts only push";
   const auto add = [&](const char* name, double value, const char* unit, const char* definition) {
@@ -37,6 +38,7 @@ void add_structure(TestResult& result, const Specimen& specimen) {
   add("non_crossing_fraction", bedding.non_crossing_fraction, "joints that do not cross their plane");
 }
 
+/// Over the numbers, as there is no history to cover.
 std::string hash_of_numbers(const TestResult& result) {
   Hash h;
   h.add(std::string(to_string(result.outcome.status)));
@@ -47,6 +49,7 @@ std::string hash_of_numbers(const TestResult& result) {
 }  // namespace
 
 Recipe elastic_recipe(Recipe single) {
+  // Back to defaults, so that recipes that differ only here get one fingerprint.
   single.test = {};
   single.engine = {};
   single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
@@ -61,12 +64,14 @@ TestResult solve_directly(const Specimen& specimen, statics::UniaxialStatics& st
   result.theta = result.intact ? 0.0 : specimen.bedding.front().theta;
   result.outcome = {Status::solved, "", ""};
   statics::ElasticOptions options;
+  // Derivatives are for calibrations; a study reads the moduli only.
   options.sensitivities = false;
   for (const bool bilateral : {false, true}) {
     options.bilateral = bilateral;
     const ElasticResult r = statics.solve(specimen, options);
     add_moduli(result, r);
     result.n_contacts = r.n_contacts;
+    // One of the two unsolved makes the test unsolved; the first reason is kept.
     if (!r.outcome.ok()) result.outcome.status = Status::unsolved, result.outcome.advice = r.outcome.advice;
     if (result.outcome.reason.empty()) result.outcome.reason = r.outcome.reason;
   }

@@ -24,6 +24,7 @@ std::size_t replicate_of(const Plan& plan, const Run& run) {
 }
 
 const Number* number_of(const StudyRows& rows, const Run& run, const std::string& name) {
+  // Without an answer (not peaked, untrusted, interrupted) there is no number to count.
   const auto& row = rows[run.test];
   const bool counts = row && has_answer(row->result.outcome.status);
   return counts ? analysis::find(row->result.numbers, name) : nullptr;
@@ -43,12 +44,14 @@ class Collected {
   void add(const std::string& name, const std::string& unit, double value) {
     for (auto& [known, of, values] : all_)
       if (known == name) return values.push_back(value);
+    // In the order in which names first appear, which becomes the order of columns; a map would sort them.
     all_.push_back({name, unit, {value}});
   }
   std::vector<Effect> effects() const {
     std::vector<Effect> out;
     for (const auto& [name, unit, values] : all_) {
       std::vector<double> finite;
+      // A replicate without a result (NaN) makes the sample smaller, not the mean NaN.
       std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
                    [](double v) { return std::isfinite(v); });
       out.push_back({name, unit, summarise(finite)});
@@ -76,6 +79,7 @@ LineFit curve_line(const Plan& plan, const std::vector<double>& y, const std::ve
                    std::size_t factor) {
   std::vector<double> x, finite;
   for (const std::size_t p : points)
+    // Points without a result are left out: the line is through the others.
     if (std::isfinite(y[p])) x.push_back(plan.points[p].values[factor]), finite.push_back(y[p]);
   return fit_line(x, finite);
 }
@@ -87,6 +91,7 @@ void add_line(Collected& all, const Plan& plan, const Response& r, const std::ve
   all.add("slope", slope_unit, line.slope), all.add("slope se", slope_unit, line.slope_se);
   all.add("intercept", r.unit, line.intercept), all.add("intercept se", r.unit, line.intercept_se);
   all.add("R2", "1", line.R2);
+  // Relative change from the lowest to the highest level.
   all.add("change", "1", y[points.back()] / y[points.front()] - 1.0);
 }
 
@@ -106,10 +111,12 @@ std::map<std::pair<std::size_t, std::size_t>, Readings> readings_of(const Plan& 
     const Number* n = number_of(rows, run, modulus);
     const Recipe& recipe = plan.tests[run.test].recipe;
     const double E = n != nullptr ? n->value : nan;
+    // One intact specimen serves as the reference E of all angles of its point.
     if (recipe.bedding.empty()) {
       r.intact = E;
       continue;
     }
+    // Eq. 1 is fitted to complete sets only: with angles missing, replicates could not be compared.
     r.whole = r.whole && std::isfinite(E);
     r.spacing = recipe.bedding.front().spacing;
     r.layered.push_back({recipe.bedding.front().theta, E});
@@ -131,12 +138,14 @@ std::vector<Response> responses(const Plan& plan, const StudyRows& rows, const s
   for (const Run& run : plan.runs) {
     const Number* n = number_of(rows, run, number);
     const std::string specimen = name_of(plan.tests[run.test].recipe);
+    // Angles are told apart by the specimen's name.
     auto r = std::find_if(all.begin(), all.end(), [&](const Response& x) { return x.specimen == specimen; });
     if (r == all.end()) r = all.insert(r, {number, "", specimen, no_values(plan)});
     if (n == nullptr) continue;
     r->unit = n->unit;
     r->values[replicate_of(plan, run)][run.point] = n->value;
   }
+  // No unit: no test has given this number.
   std::erase_if(all, [](const Response& r) { return r.unit.empty(); });
   return all;
 }
@@ -149,15 +158,18 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading
   fits.R2 = {"R2_eq1", "1", "all angles", no_values(plan)};
   for (const auto& [place, r] : readings_of(plan, rows, reading.modulus)) {
     const bool has_reference = reading.reference != theory::Eq1Reference::given || std::isfinite(r.intact);
+    // With the intact rock as reference its modulus has to be there; other references need none.
     if (!r.whole || r.layered.empty() || !has_reference) continue;
     const theory::Eq1Fit fit = theory::fit_eq1(r.layered, {reading.loss, reading.reference, r.intact});
     fits.fits[place.first][place.second] = fit;
     if (!fit.ok()) continue;
+    // Theory gives K times the spacing of the planes, [Pa/m] times [m].
     fits.K_n.values[place.first][place.second] = fit.rock.K_n_delta / r.spacing;
     fits.K_s.values[place.first][place.second] = fit.rock.K_s_delta / r.spacing;
     fits.R2.values[place.first][place.second] = fit.R2;
     for (std::size_t i = 0; i < r.layered.size(); ++i) {
       const double theta = r.layered[i].theta;
+      // A response per angle, made when the first fit gives it.
       if (i == fits.E.size()) fits.E.push_back({"E_eq1", "Pa", specimen_name(theta), no_values(plan)});
       fits.E[i].values[place.first][place.second] = theory::goodman_E(fit.rock, theta);
     }
@@ -168,6 +180,7 @@ JointFits fit_joints(const Plan& plan, const StudyRows& rows, const MacroReading
 std::vector<std::size_t> curve_points(const Plan& plan, std::size_t factor) {
   std::vector<std::size_t> points;
   for (std::size_t p = 0; p < plan.points.size(); ++p)
+    // The base (moved < 0) belongs to the curve of every parameter.
     if (plan.points[p].moved < 0 || plan.points[p].moved == static_cast<int>(factor)) points.push_back(p);
   std::stable_sort(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
     return plan.points[a].values[factor] < plan.points[b].values[factor];
@@ -186,6 +199,7 @@ std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::
   const RecipeKey& key = plan.study.vary[factor].key;
   const std::string slope_unit = response.unit + " per " + key.unit();
   Collected all;
+  // Each replicate gives its own effect; the scatter of the effects is then their uncertainty.
   for (const std::vector<double>& y : response.values) {
     if (plan.study.design == Design::one_at_a_time) {
       add_line(all, plan, response, y, factor, slope_unit);
@@ -210,12 +224,14 @@ std::vector<Effect> beside_regressions(const Plan& plan, const Response& respons
                                        const std::vector<Effect>& effects) {
   std::vector<Effect> beside;
   for (const Regression& line : plan.study.regressions) {
+    // Compared only where number, key and unit are the same.
     if (line.number != response.number || line.key != plan.study.vary[factor].key.field->path() ||
         line.unit != response.unit)
       continue;
     for (const Effect& e : effects) {
       Summary s = e.value;
       if (e.name == "slope") {
+        // Relative to the published slope; sd and interval stay positive.
         s.mean /= line.slope, s.sd /= std::fabs(line.slope), s.half_width /= std::fabs(line.slope);
         beside.push_back({"slope over that of " + line.source, "1", s});
       } else if (e.name == "intercept") {
@@ -236,6 +252,7 @@ PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& 
     if (std::isfinite(y[i])) used.push_back(i);
   fit.n = used.size();
   const auto n = static_cast<Eigen::Index>(used.size()), m = static_cast<Eigen::Index>(k);
+  // Slopes, mean and at least one degree of freedom for the residual.
   if (n < m + 2) return fit;
   Eigen::MatrixXd X(n, m);
   Eigen::VectorXd Y(n);
@@ -244,15 +261,18 @@ PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& 
     for (Eigen::Index j = 0; j < m; ++j)
       X(i, j) = points[used[static_cast<std::size_t>(i)]].values[static_cast<std::size_t>(j)];
   }
+  // About the mean, which takes the intercept out of the system.
   Y.array() -= Y.mean();
   X.rowwise() -= X.colwise().mean().eval();
   const Eigen::VectorXd scale = X.colwise().norm();  // keys differ by twelve orders of magnitude
   if (!(scale.minCoeff() > 0.0)) return fit;
   X = X * scale.cwiseInverse().asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
+  // Parameters that move together cannot be separated: no slopes rather than arbitrary ones.
   if (qr.rank() < m) return fit;
   const Eigen::VectorXd b = qr.solve(Y), residual = Y - X * b;
   fit.R2 = Y.squaredNorm() > 0.0 ? 1.0 - residual.squaredNorm() / Y.squaredNorm() : 1.0;
+  // Standard errors of least squares: s^2 (X^T X)^-1, scaled back to the units of the keys.
   const double s2 = residual.squaredNorm() / static_cast<double>(n - m - 1);
   const Eigen::MatrixXd inverse = (X.transpose() * X).inverse();
   for (Eigen::Index j = 0; j < m; ++j) {
@@ -266,6 +286,7 @@ std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& point
                                                  const std::vector<double>& y) {
   std::vector<std::vector<double>> effects(points.empty() ? 0 : points.front().values.size());
   for (std::size_t i = 1; i < points.size(); ++i) {
+    // moved < 0 begins a new walk; differences are taken within a walk only.
     if (points[i].moved < 0 || !std::isfinite(y[i]) || !std::isfinite(y[i - 1])) continue;
     const auto k = static_cast<std::size_t>(points[i].moved);
     const double sign = points[i].values[k] > points[i - 1].values[k] ? 1.0 : -1.0;
@@ -273,6 +294,7 @@ std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& point
   }
   std::vector<ElementaryEffect> all;
   for (std::vector<double>& e : effects) {
+    // mu* is the mean of magnitudes: effects of opposite sign do not cancel.
     const Summary with_sign = summarise(e);
     for (double& v : e) v = std::abs(v);
     all.push_back({with_sign.mean, summarise(e).mean, with_sign.sd, e.size()});
@@ -281,6 +303,7 @@ std::vector<ElementaryEffect> elementary_effects(const std::vector<Point>& point
 }
 
 std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<double>& y) {
+  // Blocks are A, k mixed points, B (design.cpp); an incomplete one would bias the sums.
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b + k + 2 <= y.size(); b += k + 2)
     if (std::all_of(y.begin() + static_cast<std::ptrdiff_t>(b),
@@ -289,6 +312,7 @@ std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<dou
       blocks.push_back(b);
   std::vector<double> outer;  // A and B: independent points
   for (const std::size_t b : blocks) outer.push_back(y[b]), outer.push_back(y[b + k + 1]);
+  // Subtracting the mean lowers the noise of the products below; differences are not affected.
   const Summary s = summarise(outer);
   std::vector<VarianceIndex> all(k, {nan, nan, blocks.size()});
   if (blocks.size() < 2 || !(s.sd > 0.0)) return all;
@@ -296,6 +320,7 @@ std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<dou
   for (std::size_t i = 0; i < k; ++i) {
     double first = 0.0, total = 0.0;
     for (const std::size_t b : blocks) {
+      // First order by Saltelli et al. (2010), total by Jansen (1999).
       const double A = y[b] - s.mean, B = y[b + k + 1] - s.mean, mixed = y[b + 1 + i] - s.mean;
       first += B * (mixed - A) / n;
       total += 0.5 * (A - mixed) * (A - mixed) / n;

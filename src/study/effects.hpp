@@ -12,7 +12,7 @@
 //   sampled designs    one plane over all parameters: slopes, standard errors, R2
 //   morris             mu (mean), mu* (mean of magnitudes; Campolongo et al. 2007, Environmental Modelling &
 //                      Software 22:1509-1518) and sigma of the change of the response per full range of the
-//                      parameter; a sigma near mu* tells of curvature or interaction
+//                      parameter; a sigma near mu* indicates curvature or interaction
 //   saltelli           share of the variance that a parameter explains alone (first order, Saltelli et al.
 //                      2010) and with all its interactions (total, Jansen 1999, Computer Physics
 //                      Communications 117:35-43)
@@ -69,7 +69,7 @@ struct Effect {
   Summary value;
 };
 
-/// All effects of parameter number `factor` that the design can tell.
+/// All effects of parameter number `factor` that the design can determine.
 std::vector<Effect> effects_of(const Plan& plan, const Response& response, std::size_t factor);
 
 /// Slope and intercept beside those that others found for this response and parameter (Study::regressions),

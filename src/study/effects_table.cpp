@@ -13,7 +13,7 @@
 namespace phy::study {
 namespace {
 
-/// Numbers whose effects are printed.
+/// Numbers whose effects are printed in the terminal. The CSV files hold all.
 std::vector<std::string> told(Solver solver) {
   if (solver == Solver::direct) return {"E_gauge", "nu_gauge"};
   return {"ucs", "E_tangent", "nu"};
@@ -28,6 +28,8 @@ struct NamedReading {
 /// Every way that a study can be read; the first is the usual one.
 std::vector<NamedReading> all_readings(Solver solver) {
   using R = theory::Eq1Reference;
+  // Tests in time: the tangent modulus against the intact rock is the usual reading; the others show how much
+  // K depends on reference and modulus.
   if (solver == Solver::dynamic)
     return {{{"E_tangent", R::given},
              "reference intact",
@@ -35,6 +37,8 @@ std::vector<NamedReading> all_readings(Solver solver) {
             {{"E_tangent", R::measured_90}, "reference E(90)", ""},
             {{"E_tangent", R::free}, "reference free", ""},
             {{"E_small", R::given}, "reference intact (E_small)", ""}};
+  // Direct solution: all combinations of modulus, reference and loss go to the CSV. Printed are the first
+  // six: the gauge, with contacts that only push or also pull.
   std::vector<NamedReading> all;
   for (const theory::Eq1Loss loss : {theory::Eq1Loss::compliance, theory::Eq1Loss::modulus})
     for (const char* modulus : {"E_gauge", "E_gauge_pulling", "E_platen", "E_platen_pulling"})
@@ -42,6 +46,7 @@ std::vector<NamedReading> all_readings(Solver solver) {
            {std::pair{R::given, "intact"}, std::pair{R::measured_90, "E(90)"}, std::pair{R::free, "free"}}) {
         const bool squares_of_E = loss == theory::Eq1Loss::modulus, first = all.size() < 3;
         std::string name = fmt::format("reference {}", word);
+        // The usual modulus goes without its name: rows keep the name that they always had.
         if (!first) name += fmt::format(" ({}{})", modulus, squares_of_E ? ", loss in modulus" : "");
         const std::string title =
             all.size() < 6 ? fmt::format("Eq. 1 on {}, reference {}", modulus, word) : std::string();
@@ -50,7 +55,7 @@ std::vector<NamedReading> all_readings(Solver solver) {
   return all;
 }
 
-/// What the design tells first about a parameter, and how to print it.
+/// The effect of a parameter that the design shows first, and how to print it.
 struct Headline {
   const char* effect;
   const char* meaning;
@@ -96,6 +101,7 @@ std::string effect_table(const Plan& plan, const std::vector<Response>& of, int 
   for (const Factor& f : plan.study.vary) keys.cells.push_back(f.key.path());
   Columns columns;
   for (const Response& r : of) {
+    // The angle alone as the head of a column: "30 deg".
     const bool at_angle = r.specimen.starts_with("theta = ");
     Column c{r.specimen == "all angles" ? r.number : at_angle ? r.specimen.substr(8) : r.specimen, "", {}};
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
@@ -122,6 +128,7 @@ std::string line_text(const Plan& plan, const Response& K, const std::string& fi
                         with_interval(value("slope"), 1.0, 4), k_name,
                         with_interval(value("intercept"), 1e-9, 1), with_interval(value("R2"), 1.0, 5),
                         value("slope se").mean, value("intercept se").mean * 1e-9);
+    // Published lines under the study's own, in the same units.
     for (const Regression& r : plan.study.regressions)
       if (r.number == K.number && r.key == field)
         text += r.unit != K.unit
@@ -151,6 +158,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
     if (plan.study.design == Design::one_at_a_time)
       own += line_text(plan, fits.K_n, "bedding.k_n") + line_text(plan, fits.K_s, "bedding.k_s");
     text += wrapped(own, terminal_width, 4);
+    // The table of main effects once, by the first reading that has K; the others differ by their reference.
     if (table.empty()) table = effect_table(plan, {fits.K_n, fits.K_s}, terminal_width);
   }
   return text + table;
@@ -180,9 +188,11 @@ std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
 
 /// How many finished tests the effects do without, and how many of the others carry a warning.
 std::string left_out_text(const StudyRows& rows, Solver solver) {
+  // Answers, untrusted results, and what is left over: specimens without a peak or solution.
   std::size_t n_finished = 0, n_untrusted = 0;
   QualityTally tally;
   for (const auto& row : rows) {
+    // Not yet run: not left out either.
     if (!row) continue;
     ++n_finished;
     if (has_answer(row->result.outcome.status)) tally.add(row->result.numbers);
@@ -216,6 +226,7 @@ std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_w
 
 StudyRows with_untrusted(StudyRows rows) {
   for (auto& row : rows)
+    // The warnings remain in the numbers; only the exclusion is lifted.
     if (row && row->result.outcome.status == Status::untrusted) row->result.outcome.status = Status::peaked;
   return rows;
 }

@@ -11,16 +11,19 @@ namespace {
 
 constexpr double across_planes = 15.0;  // [deg] m_i is that of planes within this of across the load
 
-/// Inclination from across the load, 0 ... 90 [deg].
+/// Inclination from across the load, 0 ... 90 [deg]: planes at 120 deg are the mirror image of planes at 60
+/// deg.
 double folded(double theta) { return theta > 90.0 ? 180.0 - theta : theta; }
 
 std::vector<SpecimenEnvelope> collect(const EnvelopeTests& tests) {
   std::vector<SpecimenEnvelope> all(tests.results.empty() ? 0 : tests.results.front().size());
+  // From one list of specimens per stress to one list of stresses per specimen.
   for (std::size_t i = 0; i < tests.confining.size(); ++i) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       const TestResult& r = tests.results[i][k];
       all[k].name = r.name, all[k].intact = r.intact, all[k].theta = r.theta;
       const Number* sigma_1 = analysis::find(r.numbers, "sigma_1");
+      // Only peaks are strengths.
       if (r.outcome.status == Status::peaked && sigma_1 != nullptr && std::isfinite(sigma_1->value))
         all[k].readings.push_back({tests.confining[i], sigma_1->value});
     }
@@ -32,6 +35,7 @@ std::vector<SpecimenEnvelope> collect(const EnvelopeTests& tests) {
 void fit_anisotropy(Envelope& envelope) {
   const SpecimenEnvelope* across = nullptr;
   for (const SpecimenEnvelope& s : envelope.specimens)
+    // The reference is the specimen whose planes lie nearest to across the load: there k is 1 by definition.
     if (!s.intact && s.hoek_brown.ok && (across == nullptr || folded(s.theta) < folded(across->theta)))
       across = &s;
   if (across == nullptr || folded(across->theta) > across_planes) return;
@@ -41,6 +45,7 @@ void fit_anisotropy(Envelope& envelope) {
     if (s.intact || !s.hoek_brown.ok) continue;
     const theory::Estimate m = s.hoek_brown.m_i;
     s.k.value = m.value / m_i.value;
+    // The reference over itself has no error.
     s.k.se = &s == across ? 0.0 : s.k.value * std::hypot(m.se / m.value, m_i.se / m_i.value);
   }
 }
@@ -52,6 +57,7 @@ void fit_plane(Envelope& envelope) {
     if (!s.intact)
       for (const theory::EnvelopeReading& r : s.readings) readings.push_back({s.theta, r.sigma_1, r.sigma_3});
     if (!s.mohr_coulomb.ok) continue;
+    // The rock between the planes is taken as the strongest specimen: no plane has weakened it.
     if (matrix == nullptr || s.mohr_coulomb.ucs.value > matrix->mohr_coulomb.ucs.value) matrix = &s;
   }
   if (matrix == nullptr) {

@@ -27,23 +27,28 @@ constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest g
 double expected_grains(const Recipe& r) {
   const PackingRecipe& p = r.packing;
   const double box = r.specimen.width * r.specimen.height, a = p.radius_min, b = p.radius_max;
+  // Mean of r^2: with radii uniform by area it is ab, with radii uniform in number (a^2 + ab + b^2)/3.
   const double mean_square =
       p.distribution == RadiusDistribution::by_area ? a * b : (a * a + a * b + b * b) / 3.0;
   const double n =
       p.n_grains > 0 ? static_cast<double>(p.n_grains) : (1.0 - p.porosity) * box / (pi * mean_square);
   if (r.test.kind->cut == nullptr) return n;
+  // Discs and half discs are cut from the box: their share of its area.
   const SpecimenCut cut = r.test.kind->cut(r);
   return n * (cut.half ? 0.125 : 0.25) * pi * cut.diameter * cut.diameter / box;
 }
 
 double expected_cost(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
+  // The smallest grain decides the step; mass is per metre of thickness, so sqrt(mass/E) is a time.
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
   const double dt =
       step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
+  // At least a tenth of the way to the peak, for tests whose jump leaves almost nothing.
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
+  // Both platens move, so strain grows by 2 v/length per second.
   const double cycles = strain * r.test.kind->expected.length(r) / (2.0 * r.test.platen_speed * dt);
   return cycles * expected_grains(r);
 }
@@ -51,6 +56,7 @@ double expected_cost(const Recipe& r) {
 double expected_direct_cost(const Recipe& r) { return direct_cycles * expected_grains(r); }
 
 double expected_peak_strain(const Recipe& r) {
+  // Runs to its end: the peak does not matter.
   if (r.test.kind->runs_to_end) return r.test.max_strain;
   const ExpectedPeak& expected = r.test.kind->expected;
   const MatrixRecipe& m = r.matrix;
@@ -58,9 +64,11 @@ double expected_peak_strain(const Recipe& r) {
   if (r.bedding.empty()) return expected.strain_factor * expected.intact * bond / E;
   const BeddingRecipe& b = r.bedding.front();
   const double layer = layer_thickness * (r.packing.radius_min + r.packing.radius_max);
+  // Joints in series: a zone of several contact layers is softer by their number.
   const double layers = b.rule == BeddingRule::zone ? b.zone_thickness / layer : 1.0;  // one behind the other
   const double factor = stiffness_factor * b.spacing / layers;
   const double cohesion = bridge_factor * m.tau_c + cohesion_factor * b.cohesion;
+  // Weak planes in elastic rock: macro stiffness per area and spacing by Goodman, strength by Jaeger.
   const theory::JointedRock rock{E, factor * b.k_n, factor * b.k_s, 0.0};
   const double stress =
       expected.bedded > 0.0

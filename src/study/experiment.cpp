@@ -20,6 +20,7 @@ namespace {
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
   r.test.intact = false;
+  // Angles of the bedding differ from specimen to specimen; what is compared is the rest.
   if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
   return r;
 }
@@ -31,6 +32,7 @@ std::vector<Recipe> single_recipes(const Recipe& recipe) {
   Recipe one = recipe;
   one.test.angles.clear();
   one.test.intact = false;
+  // test.angles turns all sets together (genesis::turned). Without it the bedding is one specimen as given.
   for (const double theta : recipe.test.angles) {
     one.bedding = genesis::turned(recipe.bedding, theta);
     singles.push_back(one);
@@ -45,15 +47,20 @@ std::vector<Recipe> single_recipes(const Recipe& recipe) {
 std::string specimen_key(const Recipe& single) {
   PHY_CHECK(single.test.angles.empty() && !(single.test.intact && !single.bedding.empty()),
             "a key belongs to one specimen");
+  // Everything that does not change a result is taken out, so that equal specimens have equal keys.
   Recipe r = single;
   r.name.clear();
   r.test.n_snapshots = r.test.n_frames = 0;
   r.test.intact = false;
+  // Only the zone rule reads its thickness.
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
+  // A new version of results gives new keys: old rows are not found.
   std::string text = fmt::format("results {}\n", results_version);
+  // By content: a disc file may be moved, or changed under the same name.
   if (!r.packing.file.empty()) text += "discs " + fingerprint_of(io::read_file(r.packing.file)) + "\n";
   r.packing.file.clear();
+  // Without defaults, a key that comes later with a default changes no fingerprint.
   return fingerprint_of(text + keys_not_by_default(r));
 }
 

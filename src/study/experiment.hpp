@@ -1,6 +1,6 @@
 // From a recipe to the specimens that it stands for, each with a recipe of its own.
 //
-// A recipe may ask for several angles and for the intact rock. Here it falls apart into recipes of one
+// A recipe may ask for several angles and for the intact rock. Here it is split into recipes of one
 // specimen each, completed: the bedding turned to its final angle, nothing left to default. Such a recipe
 // says everything that a result depends on, so its fingerprint is the specimen's name in the store.
 #pragma once

@@ -10,6 +10,7 @@
 namespace phy::study {
 
 int fitting_lanes(std::size_t n, Precision precision, int widest) {
+  // Float has no kernel below four lanes (engine/kernels.hpp); counts are powers of two.
   int lanes = precision == Precision::single_precision ? 4 : 1;
   while (static_cast<std::size_t>(lanes) < n && lanes < widest) lanes *= 2;
   return lanes;
@@ -42,6 +43,7 @@ void LaneBatch::hand_over(const LaneHooks& hooks, LaneSlot& slot) {
 
 void LaneBatch::work(const LaneHooks& hooks) {
   const auto n = static_cast<double>(n_tests());
+  // Time on the processor, not on the clock: other workers and programs do not count.
   const double before = thread_seconds();
   group_->advance();
   const double seconds = thread_seconds() - before;
@@ -49,12 +51,15 @@ void LaneBatch::work(const LaneHooks& hooks) {
   for (std::size_t lane = 0; lane < slots_.size(); ++lane) {
     LaneSlot& slot = slots_[lane];
     if (!slot.test) continue;
+    // A block advances all lanes at once; its time is shared equally among the tests in them.
     slot.seconds += seconds / n;
     bool over = slot.test->after_block();
     if (const lab::Procedure::Reading r = slot.test->latest(); hooks.reading)
       hooks.reading(slot.job.index, r.strain, r.stress);
+    // A test that has just ended keeps its result, even when the run is being stopped.
     if (!over && hooks.stopped()) slot.test->interrupt(), over = true;
     if (!over) continue;
+    // The result is taken before its lane is emptied: it reads the group's memory.
     hand_over(hooks, slot);
     group_->clear(static_cast<int>(lane));
   }
@@ -79,6 +84,8 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
     const Specimen& s = *slots_[lane].job.specimen;
     return s.bedding.empty() ? -1.0 : s.bedding.front().theta;
   };
+  // Neighbours in angle stay together: where all lanes have the same interfaces only one law is evaluated per
+  // contact (study/plan.hpp). Intact rock is sorted in front of all angles.
   std::stable_sort(busy.begin(), busy.end(),
                    [&](std::size_t a, std::size_t b) { return theta(a) < theta(b); });
   LaneBatchOptions options = options_;
@@ -86,6 +93,7 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
   auto other = std::make_unique<LaneBatch>(packing_, options);
   for (std::size_t lane = 0; lane < n; ++lane) {
     LaneSlot& slot = slots_[busy[lane]];
+    // The procedure moves with its lane; both groups are between blocks.
     slot.test->move_to(*other->group_, static_cast<int>(lane));
     other->slots_[lane] = std::exchange(slot, LaneSlot{});
   }
@@ -101,10 +109,12 @@ std::unique_ptr<LaneBatch> LaneBatchExchange::take_offered() {
 
 std::unique_ptr<LaneBatch> LaneBatchExchange::wait() {
   const auto start = std::chrono::steady_clock::now();
+  // Waiting means having no work: the last one to wait wakes all others, which then end.
   std::unique_lock lock(mutex_);
   ++n_waiting_;
   if (--n_working_ == 0) change_.notify_all();
   change_.wait(lock, [this] { return !offered_.empty() || n_working_ == 0; });
+  // Working again, also when nothing came: leave() takes the worker off the count.
   --n_waiting_, ++n_working_;
   waited_ += seconds_since(start);
   return take_offered();
@@ -113,6 +123,7 @@ std::unique_ptr<LaneBatch> LaneBatchExchange::wait() {
 std::unique_ptr<LaneBatch> LaneBatchExchange::wait_for(std::chrono::milliseconds patience) {
   const auto start = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
+  // Still counted as working: this worker may yet find tests of another packing or process.
   ++n_waiting_;
   change_.wait_for(lock, patience, [this] { return !offered_.empty(); });
   --n_waiting_;
@@ -124,6 +135,7 @@ std::unique_ptr<LaneBatch> LaneBatchExchange::wait_for(std::chrono::milliseconds
 // cycles, and the others look in once per block.
 bool LaneBatchExchange::share(const std::function<std::unique_ptr<LaneBatch>()>& make) {
   const std::lock_guard lock(mutex_);
+  // Every batch on offer has a worker waiting for it; one more would be run by none.
   if (n_waiting_ == offered_.size()) return false;
   offered_.push_back(make());
   change_.notify_one();
@@ -144,10 +156,13 @@ void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hook
                     LaneBatchExchange& exchange) {
   while (lane_batch->n_tests() > 0) {
     lane_batch->work(hooks);
+    // The number of lanes was fixed by the user (MachineOptions::lanes): nothing is narrowed or shared.
     if (lane_batch->fixed()) continue;
     if (lane_batch->n_tests() > 1)
+      // Half of the tests: this worker and the one that waits then take about as long.
       exchange.share([&] { return lane_batch->part(lane_batch->n_tests() / 2); });
     if (lane_batch->n_tests() > 0 && lane_batch->too_wide())
+      // Moving into a narrower group costs far less than cycles with empty lanes.
       lane_batch = lane_batch->part(lane_batch->n_tests());
   }
 }

@@ -3,7 +3,7 @@
 //
 // Near the end of a run there are fewer tests than lanes. A lane batch whose lanes stand empty becomes
 // narrower, since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
-// scheduler.cpp); a worker that has run dry gets half of the tests of a lane batch that still has several.
+// scheduler.cpp); a worker without work gets half of the tests of a lane batch that still has several.
 // Tests move between blocks, in the middle of their course; no bit of their results changes
 // (LaneGroup::move_lane). Lane batches with a fixed number of lanes stay as they are.
 #pragma once
@@ -76,13 +76,13 @@ class LaneBatch {
   std::vector<LaneSlot> slots_;
 };
 
-/// Between the workers of one run. A worker comes with the constructor and goes with leave(). A lane batch
-/// is made for a worker that waits, who takes it even if its time to wait is over by then: nothing else would
-/// run these tests.
+/// Between the workers of one run, all counted as working from the constructor until leave(). A lane batch is
+/// made for a worker that waits. It takes the batch even if its waiting time is over by then: no other worker
+/// would run these tests.
 class LaneBatchExchange {
  public:
   explicit LaneBatchExchange(int n_workers) : n_working_(n_workers) {}
-  /// A worker without work waits for a lane batch. Nothing: nobody has work any more.
+  /// A worker without work waits for a lane batch. Nothing: no worker has work any more.
   std::unique_ptr<LaneBatch> wait();
   /// The same for a worker that may find work elsewhere. Nothing: none came in time.
   std::unique_ptr<LaneBatch> wait_for(std::chrono::milliseconds patience);
@@ -97,7 +97,7 @@ class LaneBatchExchange {
 
   std::mutex mutex_;
   std::condition_variable change_;
-  std::vector<std::unique_ptr<LaneBatch>> offered_;  // never more than there are who wait
+  std::vector<std::unique_ptr<LaneBatch>> offered_;  // never more than workers that wait
   int n_working_;
   std::size_t n_waiting_ = 0;
   double waited_ = 0.0;

@@ -42,6 +42,7 @@ constexpr useconds_t pause = 500;  // [us] between looks for a message; MPI's ow
 
 void send(const json& message, int to, int tag) {
   const std::string text = message.dump();
+  // As text: plans and results are small beside the time of a test, and JSON carries exact doubles and NaN.
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
 }
 
@@ -53,7 +54,7 @@ json receive(const MPI_Status& status) {
   return json::parse(text);
 }
 
-/// False if there is no message.
+/// Looks for a message without waiting; false if there is none.
 bool look(int from, int tag, MPI_Status& status) {
   int there = 0;
   MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status);
@@ -128,6 +129,7 @@ class RemoteQueue : public TaskQueue {
   }
   json ask(const json& request) {
     const std::lock_guard lock(mutex_);
+    // The answer is awaited by looking now and then: MPI_Recv would keep a core busy.
     send(request, 0, request_tag);
     MPI_Status status;
     while (!look(0, answer_tag, status)) ::usleep(pause);
@@ -135,7 +137,8 @@ class RemoteQueue : public TaskQueue {
   }
 };
 
-/// Answers the other ranks until all have ended, also after an error here: told to stop, they end soon.
+/// Answers the other ranks until all have ended, also after an error here: they are asked to stop and end
+/// soon.
 class Server {
  public:
   Server(StoreQueue& queue, int n_guests) : queue_(queue), n_left_(n_guests) {}
@@ -157,6 +160,8 @@ class Server {
       } catch (...) {  // of the store
         if (!error) error = std::current_exception();
         queue_.close();
+        // The guest waits for an answer and must get one. Delivering again could fail again; everything else
+        // is answered "stop" by the closed queue.
         if (request["ask"] != "deliver") reply = answer(request);  // a closed task queue touches no store
       }
       send(reply, status.MPI_SOURCE, answer_tag);
@@ -183,6 +188,7 @@ class Server {
     }
     if (what == "deliver") queue_.deliver_from(q["host"], q["test"], unpacked(q["result"]));
     if (what == "count") queue_.count(q["work"]);
+    // An ended rank asks no more: the server runs until all have ended.
     if (what == "end") --n_left_, reports.push_back({q["cpu"], q["wall"], q["idle"]});
     return queue_.stopped();
   }
@@ -190,6 +196,7 @@ class Server {
 
 std::uint64_t fingerprint(const Plan& plan) {
   Hash h;
+  // Keys are fingerprints of complete recipes: equal lists of keys mean equal plans.
   for (const PlannedTest& t : plan.tests) h.add(t.key);
   return h.value();
 }
@@ -199,6 +206,7 @@ std::uint64_t fingerprint(const Plan& plan) {
 Ranks::Ranks() {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  // Workers call MPI from several threads, one at a time (mutex in RemoteQueue; only the server on rank 0).
   PHY_CHECK(provided >= MPI_THREAD_SERIALIZED, "MPI can be called from several threads in turn");
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -218,6 +226,7 @@ int Ranks::sum(int value) const {
 
 void Ranks::check_same(const Plan& plan) const {
   const std::uint64_t mine = fingerprint(plan);
+  // Equal least and greatest value: all ranks hold the same.
   std::uint64_t least = 0, most = 0;
   MPI_Allreduce(&mine, &least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
   MPI_Allreduce(&mine, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
@@ -232,11 +241,14 @@ WorkReport work_as_host(const Ranks& ranks, StoreQueue& queue, const Plan& plan,
   WorkReport report;
   std::atomic<bool> broken{false};
   on_threads(
+      // Thread 0 serves, thread 1 starts the workers of this rank. If either fails the queue is closed, so
+      // that the other ends.
       2, broken, [&](std::size_t i) { i == 0 ? server.run() : void(report = work_at(queue, plan, machine)); },
       [&] {
         if (broken) queue.close();
       });
-  // Ranks have equally many workers unless told otherwise; each counts with its own wall time.
+  // By default all ranks have equally many workers; the idle share takes them so. Each counts its own wall
+  // time.
   double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;
   for (const WorkReport& r : server.reports) {
     report.cpu_seconds += r.cpu_seconds;

@@ -2,8 +2,9 @@
 //
 // Rank 0 owns the store, has a worker for each of its threads like any study, and one more thread that
 // answers the other ranks: what next, here is a result, is there a stop. A request takes a millisecond and a
-// block of cycles fifty, so nobody waits. Every rank makes the plan by itself; that all made the same one is
-// checked. A test gives the same bits on every rank, so the store has the hash of a run on threads.
+// block of cycles fifty, so no worker waits noticeably. Every rank makes the plan by itself; that all made
+// the same one is checked. A test gives the same bits on every rank, so the store has the hash of a run on
+// threads.
 //
 // If a rank is lost, mpirun ends the others: finished tests are in the store, the same command goes on.
 // Rejected: a store per rank with a merge at the end, which could not give work to the rank that runs dry

@@ -13,12 +13,15 @@
 namespace phy::study {
 namespace {
 
+/// Number of a set of angles, in the order of appearance.
 std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
   std::vector<double> angles;
   for (const BeddingRecipe& set : single.bedding) angles.push_back(set.theta);
   return kinds.try_emplace(angles, kinds.size()).first->second;
 }
 
+// Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact geometry,
+// precision and block.
 using BatchName =
     std::tuple<std::string, std::string, std::string, StiffnessConvention, Precision, std::int64_t>;
 
@@ -41,6 +44,7 @@ void make_batches(Plan& plan, const Shard& shard) {
   for (Batch& batch : plan.batches) {
     std::stable_sort(batch.tests.begin(), batch.tests.end(),
                      [&](std::size_t a, std::size_t b) { return plan.tests[a].cost > plan.tests[b].cost; });
+    // Deals after sorting: every shard gets long and short tests alike.
     std::erase_if(batch.tests, [&](std::size_t) {
       return dealt++ % static_cast<std::size_t>(shard.n) != static_cast<std::size_t>(shard.i - 1);
     });
@@ -53,7 +57,10 @@ class PlanMaker {
   explicit PlanMaker(Plan& plan) : plan_(plan) {}
   void add(Recipe single, Run run) {
     const bool direct = plan_.study.solver == Solver::direct;
+    // Test, engine and bond seed do not matter to a direct solution: at their defaults, more runs share a
+    // result.
     if (direct) single = elastic_recipe(std::move(single));
+    // The two solvers must not find each other's results in a store.
     const std::string key = (direct ? "direct-" : "") + specimen_key(single);
     const auto [it, is_new] = known_.emplace(key, plan_.tests.size());
     run.test = it->second;
@@ -76,6 +83,7 @@ Plan plan_of(const std::vector<Recipe>& singles) {
   Plan plan;
   PlanMaker maker(plan);
   for (std::size_t i = 0; i < singles.size(); ++i)
+    // No study around them: point 0, the seeds of the recipe.
     maker.add(singles[i], {0, singles[i].packing.seed, singles[i].matrix.bond_seed, i});
   make_batches(plan, {});
   return plan;

@@ -16,6 +16,7 @@ constexpr double ramp_strain = 2e-5;
 Recipe short_test(Recipe r) {
   r.test.kind = TestKind("uniaxial");  // as in the direct solution, whatever test the recipe names
   r.test.platen_speed = speed, r.test.ramp_strain = ramp_strain;
+  // To a given small strain, whatever happens: no rule ends the test before.
   r.test.max_strain = press_check_strain, r.test.jump_strain = 0.0;
   r.test.stop_at = 0.0, r.test.post_peak = 0.0, r.test.platen_friction = 0.0;
   r.test.n_snapshots = 0;
@@ -25,6 +26,7 @@ Recipe short_test(Recipe r) {
 /// The specimens with all overlaps stress-free, as the direct solution takes them.
 std::vector<std::shared_ptr<const Specimen>> stress_free(const std::vector<Specimen>& specimens,
                                                          bool elastic) {
+  // One copy per packing: specimens that shared one go on sharing it.
   std::vector<std::shared_ptr<const Specimen>> list;
   std::shared_ptr<const Packing> original, copy;
   for (const Specimen& s : specimens) {
@@ -35,6 +37,7 @@ std::vector<std::shared_ptr<const Specimen>> stress_free(const std::vector<Speci
     }
     auto specimen = std::make_shared<Specimen>(s);
     specimen->packing = copy;
+    // `elastic`: bonds cannot break; otherwise the recipe decides.
     specimen->matrix.unbreakable = elastic || s.matrix.unbreakable;
     list.push_back(std::move(specimen));
   }
@@ -47,12 +50,14 @@ PressModuli read(const TestResult& result) {
   m.E = m.nu = nan;
   m.n_cracks = static_cast<std::int64_t>(result.cracks.size());
   const std::vector<HistoryRow>& rows = result.history.rows;
+  // Ended before the strain was reached: no modulus.
   if (rows.empty() || rows.back().axial_strain < press_check_strain) {
     m.outcome = result.outcome.reason;
     return m;
   }
   std::vector<double> axial, lateral, stress;
   for (const HistoryRow& row : rows) {
+    // The lower half contains the ramp of the platens.
     if (row.axial_strain < 0.5 * press_check_strain) continue;
     axial.push_back(row.axial_strain_gauge), lateral.push_back(row.lateral_strain_gauge);
     stress.push_back(row.axial_stress);

@@ -18,7 +18,7 @@ namespace {
 constexpr auto patience = std::chrono::milliseconds(300);  // between looks at what runs elsewhere
 constexpr auto renewal = std::chrono::seconds(20);         // well within lease_seconds
 
-/// A test that could not even begin.
+/// The result of a specimen that cannot be generated, so that the study stores why and does not try again.
 TestResult not_made(const PlannedTest& test, const std::string& reason) {
   TestResult r;
   r.intact = test.recipe.bedding.empty();
@@ -37,6 +37,8 @@ class Worker {
       : queue_(queue), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
 
   void run() {
+    // A task queue may have nothing for now (other processes run the rest): then a lane batch of another
+    // worker is waited for, but not for long, as claims elsewhere may lapse.
     while (!stopped()) {
       const Assignment a = queue_.enter();
       if (a.kind == Assignment::Kind::work) {
@@ -47,6 +49,7 @@ class Worker {
       const bool finished = a.kind == Assignment::Kind::finished;
       std::unique_ptr<LaneBatch> lane_batch = finished ? exchange_.wait() : exchange_.wait_for(patience);
       if (lane_batch)
+        // Such a batch belongs to another worker, which alone takes new tests for it: no `next`.
         run_lane_batch(std::move(lane_batch), hooks({}), exchange_);
       else if (finished)
         return;
@@ -71,6 +74,8 @@ class Worker {
     try {
       packing_ = packing_of(any);
     } catch (const InputError& e) {
+      // Without a packing none of the tests of this batch can run. Each is claimed and answered one by one:
+      // some of them may run in other processes, which will find out for themselves.
       while (const auto test = queue_.take(a.batch, last_)) {
         last_ = test;
         queue_.deliver(*test, not_made(plan_.tests[*test], e.what()));
@@ -78,6 +83,7 @@ class Worker {
       return;
     }
     if (plan_.study.solver == Solver::direct) return solve_batch(a.batch);
+    // The lanes of this worker alone, so the number of threads does not matter.
     MachineOptions alone = machine_;
     alone.threads = 1;
     auto lane_batch = std::make_unique<LaneBatch>(held_by(any), lane_batch_options(a.n_tests, any, alone));
@@ -109,6 +115,8 @@ class Worker {
       if (!test) return {};
       last_ = test;
       const Recipe& recipe = plan_.tests[*test].recipe;
+      // The specimen is made where it will run, just before it does: making all of them first would fill the
+      // memory and idle the lanes. A recipe lives in the plan, so it is not owned here.
       try {
         Job job{specimen_of(packing_, recipe), {std::shared_ptr<const Recipe>(), &recipe}, *test};
         lab::check_load_path(*job.specimen, recipe);
@@ -124,6 +132,8 @@ class Worker {
 }  // namespace
 
 double StudyProgress::seconds_left(double seconds) const {
+  // Expected costs are guesses with a common factor, which finished tests reveal: work done over work
+  // expected. Before there are any it is 1.
   const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;
   return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
 }
@@ -138,11 +148,13 @@ StoreQueue::StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, 
   for (std::size_t b = 0; b < plan.batches.size(); ++b) {
     std::vector<std::string> keys;
     for (const std::size_t t : plan.batches[b].tests) keys.push_back(plan.tests[t].key);
+    // One query per batch instead of one per test.
     const auto rows = store.rows(keys);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const std::size_t test = plan.batches[b].tests[i];
       ++progress_.n_total;
       progress_.cost_left += plan.tests[test].cost;
+      // A failed test counts as finished too: the same recipe would fail again.
       if (rows[i])
         finish(test, !has_answer(rows[i]->result.outcome.status));
       else
@@ -154,13 +166,15 @@ StoreQueue::StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, 
 
 StoreQueue::~StoreQueue() { keeper_.request_stop(); }
 
+/// Renews the claims while their tests run: a test may take longer than a lease.
 void StoreQueue::keep_claims(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, stop, renewal, [] { return false; }) && !stop.stop_requested()) {
+    // The store has a lock of its own. Holding ours while the disk is slow would stop all workers.
     lock.unlock();
     try {
       store_.renew();
-    } catch (const IoError&) {  // the next writer tells; until then the lease runs on
+    } catch (const IoError&) {  // the next put() reports it; the lease is still valid
     }
     lock.lock();
   }
@@ -184,13 +198,15 @@ std::size_t StoreQueue::n_waiting(std::size_t batch) const {
   return n;
 }
 
-/// What others had may be finished, or free again.
+/// Tests that other processes had claimed may be finished meanwhile, or free again because the process is
+/// dead.
 void StoreQueue::look_again() {
   std::vector<std::size_t> still;
   for (const std::size_t test : elsewhere_) {
     const PlannedTest& t = plan_.tests[test];
     const Claim claim = store_.claim(t.key);
     if (claim == Claim::elsewhere) still.push_back(test);
+    // Only whether it is free was asked; take() claims it for the worker that will run it.
     if (claim == Claim::mine) store_.release(t.key), enqueue(test);
     if (claim == Claim::done) finish(test, !has_answer(store_.rows({t.key}).front()->result.outcome.status));
   }
@@ -200,6 +216,8 @@ void StoreQueue::look_again() {
 Assignment StoreQueue::enter() {
   const std::lock_guard lock(mutex_);
   if (stopped()) return {};
+  // The batch with most tests waiting per worker already there (the new one counted): workers spread over the
+  // packings.
   const auto pick = [&] {
     std::size_t best = waiting_.size();
     double most = 0.0;
@@ -213,6 +231,7 @@ Assignment StoreQueue::enter() {
   if (batch == waiting_.size()) look_again(), batch = pick();
   if (batch == waiting_.size())
     return {elsewhere_.empty() ? Assignment::Kind::finished : Assignment::Kind::wait, 0, 0};
+  // A fair share of all tests that wait, rounded up: it decides how many lanes the worker opens.
   std::size_t n = 0;
   for (std::size_t b = 0; b < waiting_.size(); ++b) n += n_waiting(b);
   const auto workers = static_cast<std::size_t>(n_workers_);
@@ -243,6 +262,7 @@ StoreQueue::Kind& StoreQueue::choose(std::size_t batch, std::optional<std::size_
 
 std::optional<std::size_t> StoreQueue::take(std::size_t batch, std::optional<std::size_t> last) {
   const std::lock_guard lock(mutex_);
+  // Claiming can fail where another process was faster: then the next test is tried.
   while (n_waiting(batch) > 0 && !stopped()) {
     Kind& kind = choose(batch, last);
     const std::size_t test = kind.tests.front();
@@ -260,7 +280,9 @@ std::optional<std::size_t> StoreQueue::take(std::size_t batch, std::optional<std
 
 void StoreQueue::deliver_from(const std::string& host, std::size_t test, const TestResult& result) {
   const PlannedTest& t = plan_.tests[test];
+  // An interrupted test has no result: another process, or the next run, may take it.
   if (result.outcome.status == Status::interrupted) return store_.release(t.key);
+  // Stored first, counted afterwards: what is reported as finished is on the disk.
   store_.put(t.key, io::write_recipe(t.recipe), result, host);
   const std::lock_guard lock(mutex_);
   finish(test, !has_answer(result.outcome.status));
@@ -293,6 +315,7 @@ WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& mac
   on_threads(
       static_cast<std::size_t>(machine.threads), broken,
       [&](std::size_t) {
+        // Each thread adds its own time, since the clock of a thread is gone with it.
         Worker(queue, plan, machine, exchange, broken).run();
         const std::lock_guard lock(mutex);
         report.cpu_seconds += thread_seconds();

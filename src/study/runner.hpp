@@ -24,7 +24,7 @@ namespace phy::study {
 
 /// Where a study stands.
 struct StudyProgress {
-  std::size_t n_done = 0;    ///< finished, by whomever
+  std::size_t n_done = 0;    ///< finished, by any process
   std::size_t n_failed = 0;  ///< of these: without an answer
   std::size_t n_new = 0;     ///< of these: finished by this run
   std::size_t n_guest = 0;   ///< of these: on other ranks
@@ -116,7 +116,7 @@ class StoreQueue : public TaskQueue {
 struct WorkReport {
   double cpu_seconds = 0.0;   ///< of all workers
   double wall_seconds = 0.0;  ///< from the first start to the last end
-  double idle = 0.0;          ///< share of workers' time after they had run dry
+  double idle = 0.0;          ///< share of workers' time without work
 };
 
 /// Works at the task queue until it is finished or stopped. Rethrows the first exception of a worker.

@@ -24,16 +24,19 @@ struct TaskQueue {
   Progress progress;
   std::atomic<bool> broken{false};  // a worker has failed
 
+  // A failure in one worker ends the others at their next block.
   bool stopped() const { return broken || (hooks.stop != nullptr && hooks.stop->load()); }
-  /// The next test of the worker's chunk, then of all that wait.
+  /// The next test of the worker's own chunk, then of all tests that are still waiting.
   std::optional<Job> next(std::deque<std::size_t>& chunk) {
     const std::lock_guard lock(mutex);
     std::deque<std::size_t>& from = chunk.empty() ? waiting : chunk;
+    // The queue is looked at under the lock also when the run is ending: a test is given to one worker only.
     if (stopped() || from.empty()) return std::nullopt;
     const std::size_t i = from.front();
     from.pop_front();
     return Job{specimens[i], recipe, i};
   }
+  /// Results arrive in any order; each has its place, so that the order of the output is that of the input.
   void done(std::size_t index, TestResult result) {
     const std::lock_guard lock(mutex);
     results[index] = std::move(result);
@@ -50,11 +53,14 @@ struct TaskQueue {
     hooks.on_reading(index, strain, stress);
   }
   void work(std::deque<std::size_t>& chunk, const LaneBatchOptions& options, LaneBatchExchange& exchange) {
+    // A worker runs its own lane batch to the end and then takes over parts of others', until none is left.
     const LaneHooks hooks_of_lanes = for_lanes(chunk);
     auto lane_batch = std::make_unique<LaneBatch>(specimens.front()->packing, options);
     for (lane_batch->fill(hooks_of_lanes); lane_batch; lane_batch = exchange.wait())
       run_lane_batch(std::move(lane_batch), hooks_of_lanes, exchange);
   }
+  /// The hooks of a lane batch, with this queue behind them. Without a listener no reading is passed on,
+  /// which saves the lock in every block.
   LaneHooks for_lanes(std::deque<std::size_t>& chunk) {
     return {[this, &chunk] { return next(chunk); },
             [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
@@ -71,6 +77,7 @@ double slowness(int lanes) {
   return lanes == 1 ? 1.0 : lanes == 2 ? 1.6 : lanes == 4 ? 1.75 : lanes == 8 ? 2.1 : 2.5;
 }
 
+/// What a specimen is expected to cost: a recipe of several angles has to be reduced to this one.
 double cost_of(const Specimen& specimen, const Recipe& recipe) {
   Recipe single = recipe;
   single.matrix = specimen.matrix;
@@ -82,6 +89,7 @@ double cost_of(const Specimen& specimen, const Recipe& recipe) {
 std::vector<std::size_t> longest_first(const std::vector<double>& cost) {
   std::vector<std::size_t> order(cost.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  // Stable: tests of equal cost stay in the order of the input, and so does the log.
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
   return order;
@@ -95,6 +103,8 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
   engine::GroupOptions group;
   group.isa = machine.isa;
   group.precision = precision;
+  // A register full of specimens is the best speed per specimen; fewer lanes only where there are fewer
+  // tests.
   const int widest = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
                                                               : engine::native_lanes<double>(machine.isa);
   group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, precision, widest);
@@ -106,6 +116,8 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
 std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
                                       Precision precision, int widest) {
   const auto most = static_cast<std::size_t>(widest);
+  // Greedy: fills chunk after chunk, longest tests first, as far as a chunk stays within `time`. Cost falls,
+  // so the first test of a chunk is its longest and decides how long the chunk takes.
   const auto chunks_within = [&](double time) {
     std::vector<std::size_t> chunks;
     for (std::size_t i = 0; i < cost.size() && chunks.size() < n_workers; i += chunks.back()) {
@@ -121,6 +133,8 @@ std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size
   for (const double c : cost)
     for (int lanes = 1; lanes <= widest; lanes *= 2) times.push_back(c * slowness(lanes));
   std::sort(times.begin(), times.end());
+  // The least of these times within which all tests find a place; more time never places fewer. Where none
+  // suffices there are more tests than lanes, and the rest waits.
   const auto fitting = std::partition_point(times.begin(), times.end(), [&](double time) {
     const auto chunks = chunks_within(time);
     return std::accumulate(chunks.begin(), chunks.end(), std::size_t{0}) < cost.size();
@@ -132,18 +146,21 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks) {
   PHY_CHECK(machine.threads > 0, "at least one worker");
+  // The recipe outlives the run: shared without ownership, not copied per test.
   const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
   TaskQueue queue{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     queue.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
+    // So that a run that is stopped before a test has begun reports that, not an empty result.
     queue.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
     cost.push_back(cost_of(*specimens[i], recipe));
   }
   queue.progress.n_total = specimens.size();
   for (const std::size_t i : longest_first(cost)) queue.waiting.push_back(i);
   std::sort(cost.begin(), cost.end(), std::greater<>());
+  // Each worker starts with a chunk of its own; what is in no chunk is taken one by one as lanes fall free.
   const int widest = lane_batch_options(specimens.size(), recipe, machine).group.lanes;
   std::vector<std::deque<std::size_t>> chunks;
   for (const std::size_t n :

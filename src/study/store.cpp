@@ -23,8 +23,11 @@
 namespace phy::study {
 namespace {
 
+// From linux/magic.h and the file systems' own headers; there is no portable test for "network".
 constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
 
+// Keyed by fingerprint. Numbers are rows of their own, so that any can be selected by SQL; `place` keeps
+// their order.
 constexpr const char* tables = R"(
 CREATE TABLE IF NOT EXISTS specimen (
   key TEXT PRIMARY KEY, recipe TEXT NOT NULL, name TEXT NOT NULL, intact INTEGER NOT NULL, theta REAL,
@@ -40,6 +43,7 @@ constexpr const char* specimen_columns =
     "key, recipe, name, intact, theta, status, reason, advice, result_hash, dt, n_steps, n_contacts, "
     "n_cracks, seconds, host, program, finished";
 
+/// Leases compare times of several processes, so this is the calendar clock and not a steady one.
 double now() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
@@ -71,6 +75,7 @@ std::string world() {
 /// number it names a process for good.
 std::string start_of(const std::string& pid) {
   const std::string stat = first_line("/proc/" + pid + "/stat");
+  // The name of the program may hold blanks and brackets: fields are counted from the last bracket.
   const std::size_t name_end = stat.rfind(')');
   if (name_end == stat.npos) return "";
   std::istringstream fields(stat.substr(name_end + 1));
@@ -91,6 +96,8 @@ bool is_dead(const std::string& owner) {
   std::istringstream parts(owner);
   std::string place, pid, start;
   std::getline(parts, place, '|'), std::getline(parts, pid, '|'), std::getline(parts, start, '|');
+  // Of another machine, boot or container nothing is known: such a claim ends with its lease only. A number
+  // that has been given to a new process shows by its start.
   return place == world() && start_of(pid) != start;
 }
 
@@ -101,9 +108,11 @@ std::string unpacked(const std::string& blob, const std::string& path) {
   return std::move(*text);
 }
 
+/// SQLite relies on locks of the file system, which network file systems implement loosely or not at all.
 void refuse_network(const std::string& path) {
   struct statfs fs {};
   const std::string folder = std::filesystem::path(path).parent_path().string();
+  // If the file system cannot be asked, the attempt to open the database decides.
   if (::statfs(folder.empty() ? "." : folder.c_str(), &fs) != 0) return;
   const auto type = static_cast<long>(fs.f_type);
   if (type == nfs_magic || type == smb_magic || type == lustre_magic)
@@ -138,6 +147,8 @@ void read_numbers(io::Database& database, StoredResult& r) {
 
 void write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
                     const TestResult& t, const std::string& host) {
+  // OR IGNORE: two processes may have run the same test after a lease ended; the first result stays. Tests
+  // are deterministic, so the second would be the same.
   io::Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
                                 ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
@@ -147,6 +158,7 @@ void write_specimen(io::Database& database, const std::string& key, const std::s
   s.bind_blob(io::deflated(io::history_csv(t.history)))
       .bind_blob(io::deflated(io::cracks_csv(t.cracks, t.history.kind)));
   s.run();
+  // The row was there: its numbers are, too.
   if (database.n_changed() == 0) return;
   io::Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");
   std::int64_t place = 0;
@@ -164,6 +176,7 @@ std::string host_name() {
 }
 
 std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
+  // Sorted by key, so that neither the order of a design nor of arrival changes the fingerprint.
   std::map<std::string, const TestResult*> sorted;
   for (const auto& row : rows)
     if (row) sorted[row->key] = &row->result;
@@ -187,7 +200,7 @@ Store::~Store() {
 }
 
 /// Format 1: keys of 64 bits, over the whole text of the recipe. A row whose recipe cannot be read any more,
-/// because its discs are not where they were, keeps the key that nobody asks for.
+/// because its disc file has moved, keeps its old key, which no study asks for.
 void Store::rekey() {
   std::vector<std::pair<std::string, std::string>> keys;
   io::Statement rows(database_, "SELECT key, recipe FROM specimen");
@@ -198,17 +211,22 @@ void Store::rekey() {
     } catch (const IoError&) {
     }
   }
+  // A new key may exist already (OR IGNORE); the old row then keeps its own.
   for (const auto& [before, now] : keys)
     for (const char* table : {"specimen", "number"})
       io::Statement(database_, fmt::format("UPDATE OR IGNORE {} SET key = ? WHERE key = ?", table))
           .bind(now)
           .bind(before)
           .run();
+  // Claims refer to old keys; their tests are claimed anew under the new ones.
   database_.execute("DELETE FROM claim; PRAGMA user_version = " + std::to_string(store_format));
 }
 
 void Store::make_tables(Sharing sharing) {
+  // Before the first access: SQLite then keeps the lock for good and needs no shared memory, which network
+  // file systems lack.
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
+  // One transaction: of two processes that create the store at once, one finds it made.
   database_.transaction([&] {
     io::Statement version(database_, "PRAGMA user_version");
     version.step();
@@ -217,6 +235,8 @@ void Store::make_tables(Sharing sharing) {
     foreign.step();
     const bool empty = foreign.integer(0) == 0;
     if (!empty && found == 1) return rekey();
+    // An empty file is a new store; a database with tables but without our version belongs to another
+    // program.
     if (!empty && found != store_format)
       throw IoError(database_.path() + ": " +
                     (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
@@ -224,8 +244,8 @@ void Store::make_tables(Sharing sharing) {
     if (empty)
       database_.execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(store_format));
   });
-  // Last, as somebody else's database is not changed. Changing to WAL needs the file for oneself for a
-  // moment; SQLite does not wait for that by itself.
+  // Last: a database that is not ours has been refused before anything changes in it. Changing to WAL needs
+  // exclusive access for a moment, and SQLite does not wait for that by itself: up to 5 s here.
   for (int i = 0;; ++i) {
     try {
       database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
@@ -240,12 +260,14 @@ void Store::make_tables(Sharing sharing) {
 Claim Store::claim(const std::string& key) {
   const std::lock_guard lock(mutex_);
   Claim answer = Claim::mine;
+  // Test and set in one transaction, or two processes could claim the same test.
   database_.transaction([&] {
     io::Statement row(database_, "SELECT 1 FROM specimen WHERE key = ?");
     if (row.bind(key).step()) return void(answer = Claim::done);
     io::Statement other(database_, "SELECT owner, until FROM claim WHERE key = ?");
     if (other.bind(key).step()) {
       const std::string owner = other.text(0);
+      // An expired claim, or one of a dead process, is replaced.
       const bool free = owner != owner_ && (other.number(1) < now() || is_dead(owner));
       if (!free) return void(answer = Claim::elsewhere);
     }
@@ -277,6 +299,7 @@ void Store::put(const std::string& key, const std::string& recipe, const TestRes
                 const std::string& host) {
   PHY_CHECK(result.outcome.status != Status::interrupted, "an interrupted test is no result");
   const std::lock_guard lock(mutex_);
+  // Result and end of claim in one transaction: no other process sees the test as free in between.
   database_.transaction([&] {
     write_specimen(database_, key, recipe, result, host);
     io::Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
@@ -328,6 +351,7 @@ std::size_t Store::size() const {
 std::size_t Store::n_claimed() const {
   const std::lock_guard lock(mutex_);
   io::Statement s(database_, "SELECT owner FROM claim WHERE until >= ?");
+  // Expired claims do not match, those of dead processes are taken out one by one.
   s.bind(now());
   std::size_t n = 0;
   while (s.step()) n += is_dead(s.text(0)) ? 0 : 1;
@@ -345,6 +369,7 @@ std::vector<std::string> Store::keys() const {
 MergeReport Store::merge(const std::string& other_path) {
   if (!std::filesystem::exists(other_path)) throw IoError(other_path + ": cannot be read: no such file");
   { const Store check(other_path); }  // is it a store, and of this format?
+  // SQLite can join tables of two files, which moves rows without decoding them.
   const std::lock_guard lock(mutex_);
   io::Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
   MergeReport report;
@@ -353,6 +378,7 @@ MergeReport Store::merge(const std::string& other_path) {
                         "SELECT a.key FROM specimen a JOIN other.specimen b ON a.key = b.key "
                         "WHERE a.result_hash <> b.result_hash OR a.status <> b.status ORDER BY a.key");
     while (clash.step()) report.different.push_back(clash.text(0));
+    // Numbers first: the second statement makes the keys known, and would hide what the first has to copy.
     database_.execute(
         "INSERT INTO number SELECT * FROM other.number WHERE key NOT IN (SELECT key FROM specimen)");
     database_.execute(

@@ -40,7 +40,7 @@ struct StoredResult {
 enum class Claim {
   mine,      ///< this store object runs it now: put or release it
   done,      ///< there is a row
-  elsewhere  ///< somebody is at it
+  elsewhere  ///< another process runs it
 };
 
 struct MergeReport {

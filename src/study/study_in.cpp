@@ -18,9 +18,10 @@ namespace {
 
 using Kind = io::TomlValue::Kind;
 constexpr std::size_t max_problems = 20;
-constexpr double max_specimens = 1e6;  // a slip of the pen, not a study
+constexpr double max_specimens = 1e6;  // more is taken for a typing error
 constexpr double max_seed = 4294967295.0;
 
+/// An entry of the list of keys of a study file; what has a range or choices is given them by the next two.
 Field entry(FieldKind kind, const char* table, const char* key, const char* meaning, const char* otherwise) {
   Field f;
   f.kind = kind, f.table = table, f.key = key, f.meaning = meaning, f.otherwise = otherwise;
@@ -81,9 +82,11 @@ RecipeKey find_key(const std::string& path) {
   std::string plain = path;
   if (const std::size_t open = path.find('['), close = path.find(']'); open < close && close != path.npos) {
     key.set = std::atoi(path.c_str() + open + 1);
+    // "bedding[1].k_n" is looked up as "bedding.k_n", the name in the list of recipe keys.
     plain.erase(open, close - open + 1);
   }
   const Field* field = find_field(recipe_fields(), plain);
+  // An index is for bedding sets only.
   if (field != nullptr && (key.set < 0 || field->table == "bedding")) key.field = field;
   return key;
 }
@@ -95,7 +98,8 @@ std::string key_hint(const std::string& path) {
   return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
-/// Why a key must not vary from point to point, as what to do instead; empty: it may.
+/// What to do instead where a key must not vary from point to point; empty where it may. Seeds are set for
+/// every replicate and angles for every specimen of a point: factors would clash with them.
 std::string instead_of_varying(const RecipeKey& key, const Recipe& base) {
   const std::string path = key.field->path();
   if (path == "packing.seed") return "give the seeds as packings = [1, 2, 3], at the top of the study";
@@ -113,6 +117,8 @@ class Reader {
       : path_(path), file_(io::read_file(path), path, study_schema()), problems_(file_.problems) {}
 
   Study read() {
+    // The order matters: seeds default to those of the base, [set] changes the base that `times` refers to,
+    // and points can be checked when all factors are known.
     study_.name = file_.name();
     read_base();
     study_.solver = static_cast<Solver>(file_.number("solver", 0.0));
@@ -123,6 +129,7 @@ class Reader {
     if (base_ok_) {
       read_vary();
       read_list();
+      // Points are built from factors: with problems left they would only cause messages about consequences.
       if (problems_.empty()) check_points();
     }
     file_.check();
@@ -142,6 +149,7 @@ class Reader {
   }
 
   void read_base() {
+    // Nothing can be checked against a missing base: the rest of the file is still read for its own errors.
     if (file_.text("recipe", "").empty()) {
       if (file_.is_known("recipe"))
         problems_.push_back({path_, "recipe", "", "the recipe that the study starts from",
@@ -169,6 +177,7 @@ class Reader {
     const std::string name = file_.text("regressions", "");
     if (name.empty()) return;
     try {
+      // Problems of a named file are reported together with those of this one.
       study_.regressions = io::read_regressions(file_.beside(name));
     } catch (const InputError& e) {
       problems_.insert(problems_.end(), e.problems().begin(), e.problems().end());
@@ -182,7 +191,8 @@ class Reader {
     return list.empty() ? std::vector<std::int64_t>{base} : list;
   }
 
-  /// A key of the recipe that can be set to a number, or nothing with the problem told.
+  /// A key of the recipe that can be set to a number; without a field, and with the problem reported, where
+  /// it is none.
   RecipeKey usable(const std::string& name, std::size_t line, const std::string& where) {
     RecipeKey key = find_key(name);
     std::string expected, remedy;
@@ -206,6 +216,7 @@ class Reader {
         double value = 0.0;
         std::string remedy;
         if (key.field == nullptr) continue;
+        // Units and ranges are those of the recipe.
         if (io::take_value(*key.field, table->items[i], value, remedy))
           key.put(study_.base, value);
         else
@@ -227,6 +238,7 @@ class Reader {
     if (key == nullptr)
       return report_problem(table, name + ".key", "a key of the recipe in quotes",
                             "for example key = \"bedding.k_n\"");
+    // An unreadable key has been reported already.
     if (!file_.is_known(name + ".key")) return;
     Factor f;
     f.key = usable(key->text, key->line, name + ".key");
@@ -235,6 +247,7 @@ class Reader {
       return report_problem(*key, name + ".key", "a key that varies from point to point", remedy);
     const io::TomlValue *values = table.find("values"), *times = table.find("times"),
                         *from = table.find("from"), *to = table.find("to");
+    // Exactly one way of giving levels; from and to belong together.
     const int n_ways = (values != nullptr) + (times != nullptr) + (from != nullptr || to != nullptr);
     if (n_ways != 1 || (from == nullptr) != (to == nullptr))
       return report_problem(table, name, "one of: values; times; from and to",
@@ -261,6 +274,7 @@ class Reader {
   }
   void read_times(Factor& f, const io::TomlValue& list, const std::string& name) {
     if (!file_.is_known(name)) return;
+    // A multiple of a choice or a switch has no meaning.
     const bool countable = f.key.field->kind == FieldKind::quantity || f.key.field->kind == FieldKind::number;
     if (list.items.empty() || !countable)
       return report_problem(list, name, "a list of factors of a key that is a number",
@@ -290,7 +304,9 @@ class Reader {
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
   void read_list() {
     const std::string name = file_.text("file", "");
+    // A table belongs to the list design and to no other.
     if ((study_.design == Design::list) == name.empty()) {
+      // If one of the two could not be read, nothing can be said about the pair.
       if (file_.is_known("file") && file_.is_known("design"))
         problems_.push_back(
             {file_.place("file"), "file", "", "a CSV file exactly with design = \"list\"",
@@ -311,6 +327,7 @@ class Reader {
   std::vector<std::string> read_header(const io::Table& table, const std::string& file) {
     std::vector<std::string> units;
     for (const std::string& cell : table.header) {
+      // "bedding.k_n [GPa/m]": the unit follows the last bracket, as a key may have an index of its own.
       const std::size_t open = cell.rfind(" [");
       Factor f;
       const std::string key = cell.substr(0, open);
@@ -333,6 +350,7 @@ class Reader {
     std::vector<double> values;
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
       const RecipeKey& key = study_.vary[k].key;
+      // The column was reported with the header; every row would repeat it.
       if (key.field == nullptr) return;
       double value = 0.0;
       std::string remedy;
@@ -343,6 +361,8 @@ class Reader {
     }
     study_.rows.push_back(values);
   }
+  /// A cell as if it stood in TOML, so that units, ranges and messages are those of take_value(): a quantity
+  /// becomes text with its unit, a bare number an integer or a float.
   static io::TomlValue cell_value(const Field& f, const std::string& cell, const std::string& unit) {
     io::TomlValue v;
     v.kind = Kind::text, v.text = cell;
@@ -367,11 +387,13 @@ class Reader {
           {path_, "vary", "", "at most a million specimens", "use fewer levels, or a sampled design"});
       return;
     }
+    // Each point must be a valid recipe by itself; the first replicate stands for all.
     for (const Point& point : points_of(study_)) {
       const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
       for (Problem& p :
            cross_checks(r, [&](const std::string&) { return path_ + " at " + describe(study_, point); }))
         problems_.push_back(std::move(p));
+      // One slip usually affects all points: enough to see what is wrong.
       if (problems_.size() >= max_problems) return;
     }
   }

@@ -1,4 +1,4 @@
-// Studies as TOML files. Keys, units and messages follow the recipe; all problems are told at once.
+// Studies as TOML files. Keys, units and messages follow the recipe; all problems are reported at once.
 #pragma once
 #include <string>
 #include <utility>

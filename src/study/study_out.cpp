@@ -7,6 +7,7 @@
 namespace phy::study {
 namespace {
 
+/// The points of a list design as the table that read_study() reads.
 std::string points_csv(const Study& study) {
   std::string text;
   for (const Factor& f : study.vary)
@@ -15,6 +16,7 @@ std::string points_csv(const Study& study) {
   text += "\n";
   for (const auto& row : study.rows) {
     for (std::size_t k = 0; k < row.size(); ++k)
+      // Choices and switches as words; quantities as numbers in the unit of the column's head.
       text += (k == 0 ? "" : ",") + (study.vary[k].key.field->dimension == Dimension::none
                                          ? study.vary[k].key.print(row[k])
                                          : print_number(row[k]));
@@ -24,6 +26,7 @@ std::string points_csv(const Study& study) {
 }
 
 std::string value_text(const RecipeKey& key, double value) {
+  // TOML strings for words and for quantities with units.
   const bool quoted = key.field->dimension != Dimension::none || key.field->kind == FieldKind::choice;
   return quoted ? toml_string(key.print(value)) : key.print(value);
 }
@@ -43,8 +46,10 @@ std::vector<std::pair<std::string, std::string>> study_files(const Study& study)
   if (study.solver == Solver::direct) text += "solver = \"direct\"\n";
   text += "recipe = \"recipe.toml\"\ndesign = \"" + std::string(to_string(study.design)) + "\"\n";
   text += "samples = " + whole(study.samples) + "\nseed = " + whole(study.seed) + "\n";
+  // An imported packing has no seeds, and a study file that gives them is refused.
   if (study.base.packing.file.empty()) text += "packings = " + list_text(study.packings, whole) + "\n";
   text += "bond_seeds = " + list_text(study.bond_seeds, whole) + "\n";
+  // The base is written completed, with [set] already applied.
   std::vector<std::pair<std::string, std::string>> files = {{"recipe.toml", io::write_recipe(study.base)}};
   if (!study.regressions.empty()) {
     files.emplace_back(io::regressions_file, io::write_regressions(study.regressions));

@@ -16,6 +16,7 @@ std::vector<std::pair<std::string, std::string>> numbers_in(
   for (const auto& row : rows)
     if (row)
       for (const Number& n : row->result.numbers)
+        // Name and unit together: tests of different kinds may use a name with another unit.
         if (std::find(names.begin(), names.end(), std::pair{n.name, n.unit}) == names.end())
           names.emplace_back(n.name, n.unit);
   return names;
@@ -55,6 +56,7 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
             (intact ? "" : print_number(test.recipe.bedding.front().theta)) + (intact ? ",1" : ",0");
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
       text += "," + csv_cell(plan.study.vary[k].key, plan.points[run.point].values[k]);
+    // A row for every run of the design, also where several runs share one test.
     const std::optional<StoredResult>& row = rows[run.test];
     for (const auto& [name, unit] : numbers) {
       const Number* n = row ? analysis::find(row->result.numbers, name) : nullptr;
@@ -65,6 +67,7 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
               print_number(row->result.seconds) + "," + phy::to_string(row->result.outcome.status) + "," +
               phy::csv_cell(row->result.outcome.reason) + "," + quality_cells(row->result) + "," +
               row->result.hash + ",";
+    // Empty cells keep the table rectangular while the study is running.
     else
       text += ",,,,not run,,,,,";
     text += test.key + "\n";
