@@ -43,7 +43,7 @@ std::int64_t first_grain(const Packing& packing, Vec2 from, Vec2 direction) {
     const double across = cross(direction, c);
     if (std::fabs(across) >= d.r) continue;
     const double distance = dot(direction, c) - std::sqrt(d.r * d.r - across * across);
-    if (distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
+    if (distance >= 0.0 && distance < nearest) nearest = distance, first = static_cast<std::int64_t>(i);
   }
   return first;
 }

@@ -199,16 +199,15 @@ bool Procedure::check_stop() {
       !to_the_end && peak_.stress > 0.0 && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
-               fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, stopped at {:.0f} % of it", stress,
-                           peak_.stress * 1e-6, peak_.strain * 100.0, recipe_.test.stop_at * 100.0),
+               fmt::format("peak {} {:.2f} MPa at {}, stopped at {:.0f} % of it", stress, peak_.stress * 1e-6,
+                           extent(peak_.strain, 4), recipe_.test.stop_at * 100.0),
                "");
   if (may_stop && recipe_.test.post_peak > 0.0 && now.strain > (1.0 + recipe_.test.post_peak) * peak_.strain)
-    return end(
-        Status::peaked,
-        fmt::format("peak {} {:.2f} MPa at strain {:.4f} %, at {:.0f} % of it when stopped at {:.4f} %",
-                    stress, peak_.stress * 1e-6, peak_.strain * 100.0, 100.0 * now.stress / peak_.stress,
-                    now.strain * 100.0),
-        "");
+    return end(Status::peaked,
+               fmt::format("peak {} {:.2f} MPa at {}, at {:.0f} % of it when stopped at {:.4f} %", stress,
+                           peak_.stress * 1e-6, extent(peak_.strain, 4), 100.0 * now.stress / peak_.stress,
+                           now.strain * 100.0),
+               "");
   if (now.strain >= max_strain() && to_the_end && peak_.strain < now.strain)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, {:.2f} MPa at the end", stress, peak_.stress * 1e-6,

@@ -86,6 +86,14 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
   return 0.62 * width;
 }
 
+/// "K_Ic" as gnuplot sets it: all of the word behind the line is low.
+std::string typeset(const std::string& label) {
+  const std::size_t line = label.find('_');
+  if (line == label.npos) return label;
+  const std::size_t end = std::min(label.find(' ', line), label.size());
+  return label.substr(0, line + 1) + "{" + label.substr(line + 1, end - line - 1) + "}" + label.substr(end);
+}
+
 struct Panel {
   std::string number, label;
   double factor;
@@ -123,7 +131,7 @@ double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
   const TestCurve& axes = axes_of(data.run);
   const TestQuantity made_for = axes.quantity();
   const Panel all[] = {{"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E},
-                       {made_for.number, made_for.label + " [" + made_for.unit + "]", made_for.scale,
+                       {made_for.number, typeset(made_for.label) + " [" + made_for.unit + "]", made_for.scale,
                         axes.property, &curves.ucs},
                        {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu}};
   std::vector<std::pair<std::string, std::vector<std::string>>> panels;  // label, parts

@@ -7,16 +7,18 @@
 
 #include "base/text_table.hpp"
 #include "records/quality.hpp"
+#include "records/test_description.hpp"
 #include "study/effects.hpp"
 #include "study/table.hpp"
 
 namespace phy::study {
 namespace {
 
-/// Numbers whose effects are printed in the terminal. The CSV files hold all.
-std::vector<std::string> told(Solver solver) {
-  if (solver == Solver::direct) return {"E_gauge", "nu_gauge"};
-  return {"ucs", "E_tangent", "nu"};
+/// Numbers whose effects are printed in the terminal: what the test is made for, and the moduli. The CSV
+/// files hold all.
+std::vector<std::string> printed_numbers(const Study& study) {
+  if (study.solver == Solver::direct) return {"E_gauge", "nu_gauge"};
+  return {study.base.test.kind->curve.quantity().number, "E_tangent", "nu"};
 }
 
 /// A way to K_n and K_s with its names: `name` in the tables, `title` of what is printed, if it is printed.
@@ -75,6 +77,7 @@ Headline headline(Design design) {
 std::pair<double, std::string> readable(const std::string& unit) {
   if (unit == "Pa") return {1e-6, "MPa"};
   if (unit == "Pa/m") return {1e-9, "GPa/m"};
+  if (unit == "Pa sqrt(m)") return {1e-6, "MPa sqrt(m)"};
   return {1.0, unit};
 }
 
@@ -216,7 +219,7 @@ std::string cells(const Summary& s) {
 
 std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_width) {
   std::string text = joints_text(plan, rows, terminal_width);
-  for (const std::string& name : told(plan.study.solver))
+  for (const std::string& name : printed_numbers(plan.study))
     if (const std::vector<Response> of = responses(plan, rows, name); !of.empty())
       text += effect_table(plan, of, terminal_width);
   if (text.find("+-") != text.npos)

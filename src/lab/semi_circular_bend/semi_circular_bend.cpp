@@ -109,12 +109,13 @@ void SemiCircularBendTest::read_more(HistoryRow& row) {
 
 std::vector<Number> SemiCircularBendTest::numbers(const analysis::WavePath& path) const {
   std::vector<Number> out = bend_numbers(result_.history, result_.cracks, bend_, path.density);
-  if (!specimen_->bedding.empty())
-    out.front().note =
-        analysis::joined(out.front().note, "isotropic factor of Kuruppu et al. 2014 on bedded rock");
-  const Number* peak = analysis::find(out, "bend_strength");
+  const double peak = analysis::find(out, "bend_strength")->value;
   const DirectIntensity direct = direct_intensity(*specimen_, bend_, bend_rollers(packing(), bend_).boundary);
-  analysis::add(out, direct_numbers(direct, peak->value));
+  std::string note = "isotropic factor of Kuruppu et al. 2014";
+  if (!specimen_->bedding.empty()) note += " on bedded rock";
+  if (!direct.missing.empty()) note += "; no K_I and K_II, " + direct.missing;
+  out.front().note = analysis::joined(out.front().note, note);
+  analysis::add(out, direct_numbers(direct, peak));
   return out;
 }
 
