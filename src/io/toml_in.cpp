@@ -30,6 +30,15 @@ void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Probl
   root.items.erase(item), root.keys.erase(key);
 }
 
+/// Studies and rocks name a recipe, no recipe does.
+void refuse_other_documents(const TomlValue& root, const std::string& where) {
+  const TomlValue* recipe = root.find("recipe");
+  if (recipe != nullptr)
+    throw InputError(
+        Problem{at_line(where, recipe->line), "recipe", as_written(*recipe), "a recipe",
+                "a file that names one is a study or a rock: `phyllite study`, `phyllite rock check`"});
+}
+
 void assign(const Field& f, const Document& file, const std::string& path, Recipe& recipe, std::size_t set) {
   // Only what was given and could be read; all else stays at its default.
   if (file.find(path) == nullptr || !file.is_known(path)) return;
@@ -105,6 +114,7 @@ const Schema& recipe_schema() {
 Recipe parse_recipe(std::string_view text, const std::string& where) {
   std::vector<Problem> problems;
   TomlValue root = parse_toml(text, where, problems);
+  refuse_other_documents(root, where);
   take_out_sweep(root, where, problems);
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
   Recipe recipe;

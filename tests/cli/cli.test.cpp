@@ -370,9 +370,13 @@ TEST_F(Cli, ContactShowsALawBesideItsClosedForm) {
 }
 
 TEST_F(Cli, ExamplesAreValid) {
-  for (const char* name : {"press", "press-crossing", "press-area", "elastic", "elastic-area"})
-    EXPECT_EQ(run(std::string("recipe ") + PHY_SOURCE_DIR + "/examples/paper/" + name + ".toml"), 0)
-        << output;
+  const std::string paper = std::string(PHY_SOURCE_DIR) + "/examples/paper/";
+  for (const char* name : {"press", "press-crossing", "press-area"})
+    EXPECT_EQ(run("recipe " + paper + name + ".toml"), 0) << output;
+  for (const char* name : {"elastic", "elastic-crossing", "elastic-area", "elastic-area-crossing", "study"})
+    EXPECT_EQ(run("study " + paper + name + ".toml --dry-run --out " + out()), 0) << output;
+  EXPECT_EQ(run("elastic " + paper + "elastic.toml"), 2);
+  EXPECT_THAT(output, HasSubstr("elastic.toml:5: recipe = \"press.toml\": expected a recipe"));
 }
 
 TEST_F(Cli, ElasticPrintsModuliFitsAndSensitivities) {
