@@ -78,10 +78,8 @@ TEST(CrackFiles, NameWhatCracksAreFiledUnder) {
   crack.step = 300, crack.strain = 4e-5, crack.b = 1;
   for (const TestDescription* test : laboratory_tests()) {
     const std::string text = cracks_csv({crack}, *test);
-    const bool shear = TestKind(*test) == TestKind("direct_shear");
-    EXPECT_EQ(text.find("strain") == text.npos, shear) << test->name;
-    EXPECT_THAT(text, HasSubstr(shear ? "time [s],shear_displacement [m],grain_a"
-                                      : "time [s],axial_strain [1],grain_a"));
+    EXPECT_EQ(text.find("strain") != text.npos, test->loads_by_strain()) << test->name;
+    EXPECT_THAT(text, HasSubstr("time [s]," + heading(test->loading_column()) + ",grain_a"));
     const std::vector<CrackEvent> back = parse_cracks(text, "c.csv");
     ASSERT_EQ(back.size(), 1U);
     EXPECT_EQ(back[0].strain, 4e-5);

@@ -170,6 +170,7 @@ TEST(Recipe, EveryKeyRoundTrips) {
   for (std::uint32_t i = 0; i < 200; ++i) {
     Recipe r;
     r.bedding.resize(2);
+    r.test.kind = TestKind(i % 2 == 0 ? "uniaxial" : "semi_circular_bend");  // which has keys of its own
     r.test.angles = {180.0 * uniform(i, Stream::test, 1), 180.0 * uniform(i, Stream::test, 2)};
     r.name = std::string("quote\" 'other' slash\\ \xC3\xA9 ") + static_cast<char>('a' + i % 26);
     std::uint32_t draw = 3;
@@ -185,7 +186,7 @@ TEST(Recipe, EveryKeyRoundTrips) {
     ASSERT_EQ(back.bedding.size(), 2U);
     for (const Field& f : recipe_fields())
       for (std::size_t set = 0; set < (f.table == "bedding" ? 2U : 1U); ++set)
-        if (f.get) {
+        if (f.get && (f.only_of.empty() || f.only_of == r.test.kind->name)) {
           EXPECT_EQ(f.get(back, set), f.get(r, set)) << f.path();
         }
   }
