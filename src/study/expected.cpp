@@ -18,7 +18,7 @@ constexpr double bridge_factor = 0.2;   // macro cohesion over tau_c: bonds that
 constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joints, beside the bridges
 constexpr double stiffness_factor = 1.8;  // K over k, for n and s, of a plane one layer of contacts thick
 constexpr double layer_thickness = 0.9;   // of a zone that holds one layer, over the mean diameter
-constexpr double direct_cycles = 3500.0;  // that a press could run while two direct solutions are found
+constexpr double direct_cycles = 7000.0;  // that a press runs in both direct solutions
 constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
 constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain, step_safety as usual
 
