@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -29,9 +30,17 @@ struct NoPipeSignal {
   void (*before)(int);
 };
 
-/// Removes a file when it goes out of scope, also after an exception.
+/// A file in the folder for temporary files, under a name that nobody can have guessed; it goes with this
+/// object.
 struct Passing {
-  std::string path;
+  std::string path = (fs::temp_directory_path() / "phyllite-XXXXXX").string();
+  Passing() {
+    const int fd = ::mkstemp(path.data());
+    if (fd < 0) throw IoError(path + ": cannot be made: " + std::strerror(errno));
+    ::close(fd);
+  }
+  Passing(const Passing&) = delete;
+  Passing& operator=(const Passing&) = delete;
   ~Passing() { ::unlink(path.c_str()); }
 };
 
@@ -79,8 +88,7 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
                  const std::string& package,
                  const std::function<void(const std::function<void(const std::string&)>& write)>& feed) {
   const NoPipeSignal quiet;
-  const Passing said{
-      (fs::temp_directory_path() / ("phyllite-" + program + "-" + std::to_string(::getpid()))).string()};
+  const Passing said;
   const Child child = start(program, arguments, package, said.path);
   bool ok = true;
   try {
@@ -88,7 +96,8 @@ void run_program(const std::string& program, const std::vector<std::string>& arg
     feed([&](const std::string& text) { ok = ok && write_all(child.input, text) == 0; });
   } catch (...) {
     ::close(child.input);
-    ::waitpid(child.pid, nullptr, 0);
+    while (::waitpid(child.pid, nullptr, 0) < 0 && errno == EINTR) {
+    }
     throw;
   }
   // The end of input lets the program finish.

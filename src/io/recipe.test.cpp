@@ -9,6 +9,7 @@
 #include "base/rng.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/test_description.hpp"
 
 namespace phy::io {
 namespace {

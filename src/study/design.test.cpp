@@ -190,6 +190,9 @@ TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {
 TEST_F(StudyFile, PointsThatNoRecipeMayHaveAreRefused) {
   EXPECT_THAT(problems_of("[[vary]]\nkey = \"bedding[0].zone_thickness\"\nvalues = [\"1 mm\", \"3 mm\"]\n"),
               HasSubstr("zone_thickness = 3 mm: bedding[0].zone_thickness"));
+  EXPECT_THAT(problems_of("design = \"saltelli\"\nsamples = 100000\npackings = [1, 2, 3]\n" +
+                          std::string(two_ranges)),
+              HasSubstr("at most a million specimens"));  // four points a sample, on three packings
   EXPECT_THAT(problems_of("design = \"full_factorial\"\nsamples = 1\n" + std::string(two_ranges)),
               HasSubstr("values or times with this design"));
   EXPECT_THAT(

@@ -372,6 +372,17 @@ MergeReport Store::merge(const std::string& other_path) {
   // SQLite can join tables of two files, which moves rows without decoding them.
   const std::lock_guard lock(mutex_);
   io::Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
+  try {
+    const MergeReport report = merge_attached();
+    database_.execute("DETACH DATABASE other");
+    return report;
+  } catch (...) {  // or no other store could be merged by this object
+    database_.execute("DETACH DATABASE other");
+    throw;
+  }
+}
+
+MergeReport Store::merge_attached() {
   MergeReport report;
   database_.transaction([&] {
     io::Statement clash(database_,
@@ -388,7 +399,6 @@ MergeReport Store::merge(const std::string& other_path) {
     count.step();
     report.n_known = static_cast<std::size_t>(count.integer(0)) - report.n_added;
   });
-  database_.execute("DETACH DATABASE other");
   return report;
 }
 

@@ -94,6 +94,7 @@ class Store {
  private:
   void make_tables(Sharing sharing);
   void rekey();
+  MergeReport merge_attached();
   mutable std::mutex mutex_;
   mutable io::Database database_;
   std::string owner_;

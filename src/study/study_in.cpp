@@ -377,14 +377,29 @@ class Reader {
     return v;
   }
 
+  /// Of the design, before it is made: a design of a billion points would not fit into memory.
+  double n_points() const {
+    const double samples = static_cast<double>(study_.samples), k = static_cast<double>(study_.vary.size());
+    double product = 1.0;
+    for (const Factor& f : study_.vary) product *= static_cast<double>(f.levels.size());
+    switch (study_.design) {
+      case Design::full_factorial: return product;
+      case Design::morris: return samples * (k + 1.0);
+      case Design::saltelli: return samples * (k + 2.0);
+      case Design::one_at_a_time:
+      case Design::list: return 1.0;  // no more than the file has lines
+      case Design::latin_hypercube:
+      case Design::sobol: return samples;
+    }
+    return samples;
+  }
+
   void check_points() {
-    double n = study_.design == Design::full_factorial ? 1.0 : static_cast<double>(study_.samples);
-    if (study_.design == Design::full_factorial)
-      for (const Factor& f : study_.vary) n *= static_cast<double>(f.levels.size());
-    n *= static_cast<double>(study_.packings.size() * study_.bond_seeds.size());
-    if (n > max_specimens) {
+    const std::size_t angles = std::max<std::size_t>(1, study_.base.test.angles.size());
+    const double replicates = static_cast<double>(study_.packings.size() * study_.bond_seeds.size());
+    if (n_points() * replicates * static_cast<double>(angles) > max_specimens) {
       problems_.push_back(
-          {path_, "vary", "", "at most a million specimens", "use fewer levels, or a sampled design"});
+          {path_, "vary", "", "at most a million specimens", "use fewer levels, samples or packings"});
       return;
     }
     // Each point must be a valid recipe by itself; the first replicate stands for all.

@@ -8,6 +8,7 @@
 #include "genesis/cut.hpp"
 #include "lab/procedure_fixture.hpp"
 #include "lab/semi_circular_bend/direct_solution.hpp"
+#include "records/assembly.hpp"
 
 namespace phy::lab {
 namespace {
@@ -137,15 +138,38 @@ TEST(SemiCircularBend, BreaksInEquilibrium) {
   EXPECT_LT(norm(first - Vec2{axis, end}), 0.003) << "within a few grains of the end of the notch";
 }
 
-// The direct solution of an isotropic rock is K_I alone, and close to the factor of an isotropic body.
-TEST(SemiCircularBend, DirectSolutionOfIsotropicRockIsModeOne) {
-  const Recipe r = small_bend();
-  const Specimen s = first_specimen(r);
-  const BendSpecimen bend = as_sawn(*s.packing, bend_specimen(r));
+// The same specimen twice as large, grains and all, at the same speed of the rollers: bonds break at the same
+// stress, so toughness grows with the root of the size (Potyondy & Cundall 2004: K_Ic = sigma_t sqrt(pi alpha
+// R)). A power of two scales every number without rounding; 1e-6 leaves room for constants that do not scale.
+TEST(SemiCircularBend, ToughnessGrowsWithTheRootOfTheGrains) {
+  const Recipe small = small_bend();
+  Recipe large = small;
+  large.specimen = {2.0 * small.specimen.width, 2.0 * small.specimen.height};
+  large.packing.radius_min *= 2.0, large.packing.radius_max *= 2.0;
+  const TestResult one = run_alone(small), two = run_alone(large);
+  EXPECT_NEAR(number(two, "bend_strength").value / number(one, "bend_strength").value, 1.0, 1e-6);
+  EXPECT_NEAR(number(two, "K_Ic_apparent").value / number(one, "K_Ic_apparent").value, std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(number(two, "K_I").value / number(one, "K_I").value, std::sqrt(2.0), 1e-6);
+}
+
+// A hexagonal lattice is isotropic. Its K is that of the notch as sawn: the published factor lies 2 % above
+// finite elements at a/R = 0.5 (reading.test.cpp); 0.03: rows of the lattice at other places scatter by 1 %.
+TEST(SemiCircularBend, DirectSolutionOfALatticeIsModeOne) {
+  constexpr double r = 2e-4, radius = 40.0 * 2.0 * r;
+  Packing lattice;
+  lattice.discs = hexagonal(86, 54, r);
+  lattice.width = r * 173.0, lattice.height = r * (2.0 + std::sqrt(3.0) * 53.0);
+  Specimen s;
+  s.matrix = soft_contact();
+  s.packing = std::make_shared<const Packing>(
+      genesis::cut_half_disc(lattice, {2.0 * radius, true, 0.5 * radius, 0.0}, s.matrix.bond_gap));
+  bond_touching(s);
+  const BendSpecimen bend = as_sawn(*s.packing, {radius, 0.5 * radius, 1.6 * radius});
+  EXPECT_NEAR(bend.notch, 0.5 * radius, 2.0 * r);
   const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).boundary);
   ASSERT_EQ(K.missing, "");
-  EXPECT_NEAR(K.K_I / isotropic_K_I(bend, 1.0), 1.0, 0.15) << "one packing of 20 grains in the radius";
-  EXPECT_LT(std::fabs(K.K_II), 0.1 * K.K_I);
+  EXPECT_NEAR(K.K_I / isotropic_K_I(bend, 1.0), 0.98, 0.03);
+  EXPECT_LT(std::fabs(K.K_II), 0.04 * K.K_I);
 }
 
 // Planes farther apart than the ring can average over: no number that looks like one.
