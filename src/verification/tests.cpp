@@ -163,10 +163,10 @@ Intensity notched_half_disc(const Packing& packing, double radius, double notch_
 }
 
 std::vector<Check> notched_bending() {
-  constexpr double r = 2e-4, radius = 0.016;  // 40 grains
+  constexpr double r = 2e-4, radius = 0.032;  // 80 grains
   Packing lattice;
-  lattice.discs = hexagonal(86, 54, r);
-  lattice.width = r * 173.0, lattice.height = r * (2.0 + std::numbers::sqrt3 * 53.0);
+  lattice.discs = hexagonal(166, 104, r);
+  lattice.width = r * 333.0, lattice.height = r * (2.0 + std::numbers::sqrt3 * 103.0);
   std::vector<Check> checks;
   for (const auto& [notch, span] : {std::pair{0.42, 0.5}, {0.5, 0.8}, {0.58, 0.8}}) {
     const Intensity K = notched_half_disc(lattice, radius, notch, span);
