@@ -234,13 +234,13 @@ page from their stores; every number below is read from them. The text of the pa
 Fig. 6; its Table 3, Table 4 and the curves of its figures are not in it, so we compare with what the text says.
 
 Specimen: 38 x 76 mm, 7,481 discs, Tables 1 and 2; `examples/paper/press.toml` states what the paper leaves open. Press:
-{0} m/s per platen, single precision, jump start to strain {1}. Factors 0.25, 0.5, 1, 1.5, 2 of each of six parameters, one
+{0} m/s per platen, single precision, affine pre-strain to strain {1}. Factors 0.25, 0.5, 1, 1.5, 2 of each of six parameters, one
 at a time, seven angles, three packings: {2} tests with the intact rock, {3:.2f} million cycles, {4:.0f} s of CPU.
 {5}
 +- is the 95 % interval of the mean over packings (one packing where there is none); other numbers are means over them.
 
-The jump start, against the same tests loaded from zero, as far as both are in the stores (E is the tangent at 40-60 % of
-UCS). A test whose joints would break during the jump is loaded from zero in both and differs by nothing:
+The affine pre-strain, against the same tests loaded from zero, as far as both are in the stores (E is the tangent at 40-60 % of
+UCS). A test whose joints would break during the pre-strain is loaded from zero in both and differs by nothing:
 
 """
 TABLE_3 = """
@@ -331,7 +331,7 @@ def fig4_table(study, small):
                 row.append(f"{value:.1f}" if math.isfinite(value) else "-")
         rows.append(row)
     return ("Largest over smallest value along each parameter, minus 1 [%]. E at 50 % of UCS as in the laboratory, and E at small "
-            "strain, before anything breaks (a quarter of the specimen, without jump start):\n\n" +
+            "strain, before anything breaks (a quarter of the specimen, without affine pre-strain):\n\n" +
             table(["parameter", "K_n, E at 50 %", "K_s, E at 50 %", "K_n, small strain", "K_s, small strain"], rows))
 
 

@@ -153,23 +153,28 @@ TEST(SemiCircularBend, ToughnessGrowsWithTheRootOfTheGrains) {
 }
 
 // A hexagonal lattice is isotropic. Its K is that of the notch as sawn: the published factor lies 2 % above
-// finite elements at a/R = 0.5 (reading.test.cpp); 0.03: rows of the lattice at other places scatter by 1 %.
+// finite elements at a/R = 0.5 (reading.test.cpp). Mean over four places of the axis between the columns of
+// the lattice, of which single ones scatter by 2.5 % with 40 grains in the radius: 0.03.
 TEST(SemiCircularBend, DirectSolutionOfALatticeIsModeOne) {
   constexpr double r = 2e-4, radius = 40.0 * 2.0 * r;
-  Packing lattice;
-  lattice.discs = hexagonal(86, 54, r);
-  lattice.width = r * 173.0, lattice.height = r * (2.0 + std::sqrt(3.0) * 53.0);
-  Specimen s;
-  s.matrix = soft_contact();
-  s.packing = std::make_shared<const Packing>(
-      genesis::cut_half_disc(lattice, {2.0 * radius, true, 0.5 * radius, 0.0}, s.matrix.bond_gap));
-  bond_touching(s);
-  const BendSpecimen bend = as_sawn(*s.packing, {radius, 0.5 * radius, 1.6 * radius});
-  EXPECT_NEAR(bend.notch, 0.5 * radius, 2.0 * r);
-  const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).boundary);
-  ASSERT_EQ(K.missing, "");
-  EXPECT_NEAR(K.K_I / isotropic_K_I(bend, 1.0), 0.98, 0.03);
-  EXPECT_LT(std::fabs(K.K_II), 0.04 * K.K_I);
+  double one = 0.0, two = 0.0;
+  for (int place = 0; place < 4; ++place) {
+    Packing lattice;
+    lattice.discs = hexagonal(86, 54, r);
+    lattice.width = r * (173.0 + 0.5 * place), lattice.height = r * (2.0 + std::sqrt(3.0) * 53.0);
+    Specimen s;
+    s.matrix = soft_contact();
+    s.packing = std::make_shared<const Packing>(
+        genesis::cut_half_disc(lattice, {2.0 * radius, true, 0.5 * radius, 0.0}, s.matrix.bond_gap));
+    bond_touching(s);
+    const BendSpecimen bend = as_sawn(*s.packing, {radius, 0.5 * radius, 1.6 * radius});
+    EXPECT_NEAR(bend.notch, 0.5 * radius, 2.0 * r);
+    const DirectIntensity K = direct_intensity(s, bend, bend_rollers(*s.packing, bend).boundary);
+    ASSERT_EQ(K.missing, "");
+    one += 0.25 * K.K_I / isotropic_K_I(bend, 1.0), two = std::max(two, std::fabs(K.K_II / K.K_I));
+  }
+  EXPECT_NEAR(one, 0.98, 0.03);
+  EXPECT_LT(two, 0.05);
 }
 
 // Planes farther apart than the ring can average over: no number that looks like one.
