@@ -207,8 +207,23 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   return has([](Status s) { return s != Status::peaked; }) ? 1 : 0;
 }
 
+/// Makes a folder for results; where nothing comes into it, it goes again.
+struct ResultFolder {
+  explicit ResultFolder(const std::string& folder) : path(folder), is_new(!fs::exists(folder)) {
+    io::check_writable(folder);
+  }
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+  ~ResultFolder() {
+    std::error_code not_empty;
+    if (is_new) fs::remove(path, not_empty);
+  }
+  fs::path path;
+  bool is_new;
+};
+
 int run_one(const RecipeRun& job, const RunArguments& args, const Session& session) {
-  io::check_writable(job.folder);
+  const ResultFolder folder(job.folder);
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);

@@ -178,7 +178,9 @@ TEST(Servo, KeepsItsSpeed) {
   double before = 0.0, most = 0.0;
   for (int block = 1; block <= 60; ++block) {
     wall.group->advance();
-    if (block <= 8) EXPECT_NEAR(wall.moved(), 0.1 * block * way, 1e-9 * way) << "after block " << block;
+    if (block <= 8) {
+      EXPECT_NEAR(wall.moved(), 0.1 * block * way, 1e-9 * way) << "after block " << block;
+    }
     EXPECT_LE(std::fabs(wall.moved() - before), 0.1 * way * (1.0 + 1e-9)) << "after block " << block;
     before = wall.moved();
     most = std::max(most, wall.pushes());

@@ -83,7 +83,8 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   edge.bodies.resize(info.boundary().bodies.size());
   edge.damping = setup.damping, edge.density = specimen->matrix.density;
   // The bound comes first, it gives the time step.
-  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary());
+  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary(),
+                     info.setup.body_friction);
   for (const Contact& c : specimen->contacts) {
     const Disc& a = grains_.packing().discs[c.a];
     const Disc& b = grains_.packing().discs[c.b];

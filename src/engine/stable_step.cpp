@@ -73,10 +73,12 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-/// A body's contact, on the diagonal block of its grain.
-void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
-  // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain. Normal
-  // k_n n n^T, shear k_s t t^T; rotation k_s r^2/I = 2 k_s/m. The coupling of slide and rotation is left out.
+/// A body's contact, on the diagonal block of its grain. `rubs`: the body has friction.
+void add_wall(const Specimen& specimen, const Touch& t, bool rubs, Sym3& block) {
+  // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain: k_n n
+  // n^T
+  // + k_s s s^T with the slide s = (t, -sqrt(2)) of u and the scaled rotation. Without friction nothing is
+  // carried across; what is kept of k_s then lies on the safe side.
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
@@ -84,6 +86,10 @@ void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
   block[1] += (yy + ratio * xx) * k_n / mass;
   block[2] += 2.0 * ratio * k_n / mass;
   block[3] += (1.0 - ratio) * t.normal.x * t.normal.y * k_n / mass;
+  if (!rubs) return;
+  const Vec2 across = tangent(t.normal);
+  block[4] -= std::sqrt(2.0) * ratio * k_n / mass * across.x;
+  block[5] -= std::sqrt(2.0) * ratio * k_n / mass * across.y;
 }
 
 }  // namespace
@@ -117,7 +123,7 @@ ContactStiffness initial_stiffness(const contact::Models& models, const Specimen
 }
 
 FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
-                               const Boundary& boundary)
+                               const Boundary& boundary, double body_friction)
     : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
   const std::size_t n = packing_->discs.size();
   std::vector<Sym3> diagonal(n, Sym3{});
@@ -135,7 +141,8 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
   for (const BoundaryBody& body : boundary.bodies)
     for (const Touch& t : body.touches)
       // Also grains that will touch soon: the bound does not grow when a body reaches them.
-      if (t.gap < packing_->discs[t.grain].r) add_wall(specimen, t, diagonal[t.grain]);
+      if (t.gap < packing_->discs[t.grain].r)
+        add_wall(specimen, t, body.rough && body_friction > 0.0, diagonal[t.grain]);
   for (std::size_t i = 0; i < n; ++i) {
     own[i] = largest_eigenvalue(diagonal[i]);
   }

@@ -36,9 +36,9 @@ std::vector<ContactStiffness> initial_stiffnesses(const contact::Models& models,
 /// The bound with its witness x, so that new contacts can be added without starting over.
 class FrequencyBound {
  public:
-  /// Grains within a radius of a body count as touching it.
+  /// Grains within a radius of a body count as touching it. `body_friction`: of its rough bodies.
   FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
-                 const Boundary& boundary = {});
+                 const Boundary& boundary = {}, double body_friction = 0.0);
   /// Upper bound of omega_max [1/s].
   double omega() const;
   /// A contact is created: the bound rises by what its row of N can at most become. Breakage only lowers the

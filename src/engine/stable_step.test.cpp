@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/exact_math.hpp"
 #include "base/rng.hpp"
+#include "contact/wall.hpp"
 #include "engine/small_groups_fixture.hpp"
 
 namespace phy::engine {
@@ -28,6 +30,22 @@ TEST(FrequencyBound, FullStepIsStable) {
   const double start = group->row(0).kinetic + group->row(0).strain_bond;
   for (int i = 0; i < 100; ++i) group->advance();
   EXPECT_LT(group->row(0).kinetic + group->row(0).strain_bond, 3.0 * start);
+}
+
+// One disc of mass m that rolls on a rough body: k_n along the normal; along the face slide and rotation
+// share the one spring k_s, so m w^2 = k_s (1 + m r^2/I) = 3 k_s.
+TEST(FrequencyBound, CountsThatADiscRollsOnARoughBody) {
+  Specimen s = assembly({{0.0, 3e-4, 3e-4}}, MatrixRecipe{});
+  const double mass = s.matrix.density * pi * 9e-8;
+  for (const double ratio : {0.2, 1.0})
+    for (const double degrees : {0.0, 35.0, 90.0}) {
+      s.matrix.ks_over_kn = ratio;
+      const double k_n = contact::wall::normal_stiffness(s.matrix);
+      Boundary boundary;
+      boundary.bodies = {{"face", {{0, plane_normal(degrees), 0.0}}, {}, true}};
+      EXPECT_NEAR(std::pow(FrequencyBound(s, {}, boundary, 0.5).omega(), 2.0) * mass / k_n,
+                  std::max(1.0, 3.0 * ratio), 1e-6);
+    }
 }
 
 TEST(FrequencyBound, NewContactsOnlyRaiseIt) {

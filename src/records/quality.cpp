@@ -53,8 +53,15 @@ std::string QualityMark::name() const {
   return fmt::format("{} {} {:g}", limit->number, limit->least ? "below" : "above", bound());
 }
 
+std::string QualityMark::value_text() const {
+  std::string text;  // as many digits as tell it from the bound: not "0.1, above 0.1"
+  for (int digits = 2; digits <= 6; ++digits)
+    if (text = fmt::format("{:.{}g}", value, digits); text != fmt::format("{:g}", bound())) break;
+  return text;
+}
+
 std::string QualityMark::text() const {
-  return fmt::format("{} {:.2g}, {} {:g}: {}", limit->number, value, limit->least ? "below" : "above",
+  return fmt::format("{} {}, {} {:g}: {}", limit->number, value_text(), limit->least ? "below" : "above",
                      bound(), limit->says);
 }
 

@@ -39,6 +39,8 @@ struct QualityMark {
   double bound() const { return grade == Grade::untrusted ? limit->untrusted : limit->warning; }
   /// "kinetic_ratio above 0.01"
   std::string name() const;
+  /// "0.08", with as many digits as tell it from the bound.
+  std::string value_text() const;
   /// "kinetic_ratio 0.08, above 0.01: the specimen is in motion, not in equilibrium"
   std::string text() const;
 };

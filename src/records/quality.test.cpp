@@ -67,6 +67,7 @@ TEST(Quality, AMarkTellsValueLimitAndTrouble) {
   ASSERT_EQ(marks.size(), 1u);
   EXPECT_EQ(marks[0].name(), "wave_transits below 10");
   EXPECT_THAT(marks[0].text(), HasSubstr("wave_transits 4.2, below 10: "));
+  EXPECT_THAT(quality_marks(sound_but("wave_transits", 9.996))[0].text(), HasSubstr("9.996, below 10: "));
 }
 
 TEST(Quality, WhatIsNotKnownIsNoMarkAndAnOldResultIsNotCalledGood) {

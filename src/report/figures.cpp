@@ -90,7 +90,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
 std::string typeset(const std::string& label) {
   const std::size_t line = label.find('_');
   if (line == label.npos) return label;
-  const std::size_t end = std::min(label.find(' ', line), label.size());
+  const std::size_t end = std::min(label.find_first_of(" ,", line), label.size());
   return label.substr(0, line + 1) + "{" + label.substr(line + 1, end - line - 1) + "}" + label.substr(end);
 }
 

@@ -133,7 +133,7 @@ std::string quality_lines(const Results& results) {
   for (const TestResult& r : results) {
     if (r.outcome.status != Status::peaked) continue;
     for (const QualityMark& mark : quality_marks(r.numbers)) {
-      const std::string test = fmt::format("{} {:.2g}", r.name, mark.value);
+      const std::string test = r.name + " " + mark.value_text();
       const auto same = [&](const auto& t) {
         return t.first.limit == mark.limit && t.first.grade == mark.grade;
       };
