@@ -159,7 +159,7 @@ void Group<T>::pre_strain(int lane, double axial_strain) {
     grains_.set(g, g_ux, l, u.x);
     grains_.set(g, g_uy, l, u.y);
   }
-  // Bodies go along with the ends of the specimen, so that the jump opens or closes no gap there.
+  // Bodies go along with the ends of the specimen, so that the pre-strain opens or closes no gap there.
   const LoadAxis& axis = info.boundary().axial;
   const Vec2 closing = 0.5 * axial_strain * packing.height * axis.direction;
   std::vector<BodyMotion>& bodies = boundary_.lane(l).bodies;

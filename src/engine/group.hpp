@@ -3,7 +3,7 @@
 //   grain_memory     order and state of the grains
 //   neighbour_list   which pairs are looked at
 //   contact_memory   states of the contacts by their models
-//   boundary         bodies and jacket
+//   boundary_memory  bodies and jacket
 //   energy_balance   work and where it went
 // Its members: group.cpp loading, the block of cycles, states for others; group_contacts.cpp renewing the
 // list, creation of contacts, the stable step; group_rows.cpp history rows, cracks, watchdog.

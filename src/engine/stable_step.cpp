@@ -76,7 +76,8 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 /// A body's contact, on the diagonal block of its grain.
 void add_wall(const Specimen& specimen, const Touch& t, Sym3& block) {
   // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain. Normal
-  // k_n n n^T, shear k_s t t^T; rotation k_s r^2/I = 2 k_s/m. The coupling of slide and rotation is left out.
+  // k_n n n^T, shear k_s t t^T; rotation k_s r^2/I = 2 k_s/m. The coupling of slide and rotation is left out:
+  // where a rough body alone holds a grain and k_s > k_n/3, this falls short of the exact 3 k_s/m.
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
