@@ -39,7 +39,7 @@ struct Step {
   ScalarOf<R> gap;              ///< approach needed before the grains themselves press on each other [m]
   R side;       ///< interfaces: +1 where the plane's normal points from 1 to 2, else -1; 0: no interface here
   const R& dt;  ///< [s]
-  const R& hold;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
+  const R& extra_strength;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
 };
 
 /// On grain 2; grain 1 gets the opposite force.

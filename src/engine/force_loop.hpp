@@ -187,7 +187,7 @@ class ForceLoop {
                            MaskOf<R> here, std::int32_t i, int step, contact::Sums<R>& sums) {
     const auto at = static_cast<std::size_t>(i);
     const contact::Memory<R, everywhere> memory{v.contact + (at * n_contact_fields + c_fields) * W, here};
-    const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_hold]};
+    const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_extra_strength]};
     const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released) {
       record_cracks(in_tension & here, in_shear & here, released, step, i);
     };
