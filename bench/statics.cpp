@@ -72,7 +72,7 @@ EACH(one_angle, bilateral, true)->Arg(0)->Arg(45);
 EACH(one_angle, unilateral, false)->Arg(0)->Arg(45);
 EACH(next_angle, bilateral, true)->Arg(45);
 EACH(next_angle, unilateral, false)->Arg(45);
-EACH(all_sets, seven_angles_nine_sets_pulling, true)->Arg(1)->Arg(4)->Iterations(1);
+EACH(all_sets, seven_angles_nine_sets_bilateral, true)->Arg(1)->Arg(4)->Iterations(1);
 
 }  // namespace
 

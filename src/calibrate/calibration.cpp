@@ -98,7 +98,7 @@ void report_validity(Calibration& result) {
                    c.n_invalid, c.n_packings));
 }
 
-/// Remarks on the tests behind the strengths of the verification.
+/// Warnings about the tests behind the strengths of the verification.
 void report_quality(Calibration& result) {
   QualityTally tally;
   for (const Comparison& c : result.verification) tally.add(c.quality);
@@ -132,10 +132,10 @@ void judge_strength(Calibration& result, bool short_search) {
     const double share = 1.0 / c.n_packings + (fitted != nullptr ? 1.0 / fitted->n_packings : 0.0);
     const double packing = (std::isfinite(c.sd) ? c.sd * std::sqrt(share) : 0.0) / c.target.mean;
     const double laboratory = c.target.standard_error() / c.target.mean;
-    const double told = std::hypot(excusing_error(c.target) / c.target.mean, packing),
+    const double excused = std::hypot(excusing_error(c.target) / c.target.mean, packing),
                  noise = std::hypot(laboratory, packing);
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * told)) continue;
+    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * excused)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));

@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "base/stats.hpp"
 #include "records/rock.hpp"
 #include "theory/eq1_fit.hpp"
 

@@ -1,4 +1,4 @@
-// What a table of tests can and cannot determine, told before anything runs.
+// What a table of tests can and cannot determine, predicted before anything runs.
 //
 // Elastic parameters: the closed form of jointed rock (theory/goodman.hpp) stands in for the model, because
 // the micro-parameters act on it one by one (E_c on E, k_s/k_n on nu, k_n on K_n, k_s on K_s). Its

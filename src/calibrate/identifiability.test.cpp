@@ -31,13 +31,13 @@ ParameterEstimate expected(const Rock& rock, const std::string& key) {
   return {};
 }
 
-TEST(Foresee, ModuliAtSevenAnglesDetermineTheElasticParameters) {
+TEST(Identifiability, ModuliAtSevenAnglesDetermineTheElasticParameters) {
   for (const char* key : {"matrix.E_c", "bedding[0].k_n", "bedding[0].k_s"})
     EXPECT_TRUE(expected(layered_rock(), key).determined) << key;
   EXPECT_FALSE(expected(layered_rock(), "matrix.sigma_c").determined);
 }
 
-TEST(Foresee, ANoisierTableLeavesWiderIntervals) {
+TEST(Identifiability, ANoisierTableLeavesWiderIntervals) {
   Rock noisy = layered_rock();
   for (RockReading& r : noisy.readings) r.sd *= 4.0;
   const auto width = [](const ParameterEstimate& e) { return std::log(e.high / e.low); };
@@ -45,7 +45,7 @@ TEST(Foresee, ANoisierTableLeavesWiderIntervals) {
             2.0 * width(expected(layered_rock(), "bedding[0].k_n")));
 }
 
-TEST(Foresee, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
+TEST(Identifiability, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
   Rock rock = layered_rock();
   rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
   EXPECT_THAT(expected(rock, "sigma_n,sj/C_sj").next_test, testing::HasSubstr("direct tension at 0"));
@@ -53,7 +53,7 @@ TEST(Foresee, TensionAcrossTheBeddingPinsTheJointsAndItsAbsenceIsSaid) {
   EXPECT_TRUE(expected(rock, "sigma_n,sj/C_sj").determined);
 }
 
-TEST(Foresee, WithoutUcsNoStrengthIsDetermined) {
+TEST(Identifiability, WithoutUcsNoStrengthIsDetermined) {
   Rock rock = layered_rock();
   for (const double theta : {0.0, 90.0})
     rock.readings.push_back(reading(Property::direct_tension, theta, 5e6));
@@ -67,7 +67,7 @@ TEST(Foresee, WithoutUcsNoStrengthIsDetermined) {
 }
 
 // The fit may pin a ratio that no rule says it would: its estimate then names data that are there.
-TEST(Foresee, ParametersRestOnWhatTheTableHolds) {
+TEST(Identifiability, ParametersRestOnWhatTheTableHolds) {
   Rock rock = layered_rock();
   std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::nu; });
   for (const double theta : {0.0, 45.0, 90.0}) rock.readings.push_back(reading(Property::ucs, theta, 100e6));
@@ -77,12 +77,12 @@ TEST(Foresee, ParametersRestOnWhatTheTableHolds) {
         << e.key;
 }
 
-TEST(Foresee, IntervalsAreSaidToLeaveOutThePackings) {
+TEST(Identifiability, IntervalsAreSaidToLeaveOutThePackings) {
   EXPECT_THAT(advice(Evidence(layered_rock())),
               testing::Contains(testing::HasSubstr("what packings of the model differ by")));
 }
 
-TEST(Foresee, ARockWithoutBeddingIsToldOfNoAngle) {
+TEST(Identifiability, ARockWithoutBeddingHasNoAngleInItsTests) {
   Rock rock;
   rock.bedded = false;
   rock.readings.push_back(reading(Property::ucs, 0.0, 150e6));
@@ -104,7 +104,7 @@ std::vector<std::string> next_tests(const Rock& rock) {
 }
 
 // The table's strengths under confinement are kept, not fitted.
-TEST(Foresee, NoTestIsAdvisedThatNoTableCanHold) {
+TEST(Identifiability, NoTestIsAdvisedThatNoTableCanHold) {
   Rock rock = layered_rock();
   EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
   EXPECT_EQ(expected(rock, "matrix.mu").next_test, "UCS");  // without any nothing is fitted
@@ -116,7 +116,7 @@ TEST(Foresee, NoTestIsAdvisedThatNoTableCanHold) {
   EXPECT_THAT(next_tests(rock), testing::Not(testing::Contains(testing::HasSubstr("confined"))));
 }
 
-TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
+TEST(Identifiability, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
   Rock rock;
   rock.model.bedding.resize(1);
   const theory::JointedRock stiff{60e9, 3000e9, 2500e9, 0.25};  // joints that E hardly feels
@@ -128,7 +128,7 @@ TEST(Foresee, OfATestThatTheTableHasMoreSpecimensAreAdvised) {
   EXPECT_EQ(expected(rock, "bedding[0].k_n").next_test, "E at 0 or 15 degrees");
 }
 
-TEST(Foresee, OneTensorIsNoConflictAndFallingModuliAreNoError) {
+TEST(Identifiability, OneTensorIsNoConflictAndFallingModuliAreNoError) {
   EXPECT_THAT(advice(Evidence(layered_rock())),
               testing::Not(testing::Contains(testing::HasSubstr("layered"))));
   Rock falling;  // by less than its errors
@@ -144,7 +144,7 @@ TEST(Foresee, OneTensorIsNoConflictAndFallingModuliAreNoError) {
               testing::Not(testing::Contains(testing::HasSubstr("can only soften"))));
 }
 
-TEST(Foresee, AssumedScatterIsToldAsItIsTaken) {
+TEST(Identifiability, AssumedScatterIsReportedAsItIsTaken) {
   Rock rock;
   rock.bedded = false;
   rock.readings = {reading(Property::E, 0.0, 40e9)};
@@ -159,7 +159,7 @@ TEST(Foresee, AssumedScatterIsToldAsItIsTaken) {
               testing::Contains(testing::ContainsRegex("2 of 2 cells; [0-9.]+ to [0-9.]+ % is taken")));
 }
 
-TEST(Foresee, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
+TEST(Identifiability, EAndNuOfARockWithoutBeddingDetermineItsTwoElasticParameters) {
   Rock rock;
   rock.bedded = false;
   rock.readings = {reading(Property::E, 0.0, 40e9)};

@@ -5,7 +5,7 @@
 // quadratic in all eight per angle, fitted by ridge regression to tests of 48 synthetic rocks of the
 // paper's geometry (1,197 discs, nine points of the box each on twelve packings, seven angles and intact),
 // predicts UCS of rocks that took no part to 10-18 %, of which some 10 % is the scatter of single runs
-// (docs/calibration.md, "Experience"). It is a beginning, not an answer: the surrogate learns how far this
+// (docs/calibration.md, "Prior mean"). It is a beginning, not an answer: the surrogate learns how far this
 // rock, with its own bedding and grains, lies from it.
 //
 // Of tension a closed form is enough to begin with. Across a set of planes under the pull s the normal stress

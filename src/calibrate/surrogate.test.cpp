@@ -59,7 +59,7 @@ TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
   EXPECT_GT(rms(Surrogate(runs(48, 0.02, 0.15, 48))), 0.05);  // none: the offset cannot be known
 }
 
-TEST(Surrogate, LearnsTheDifferenceToWhatIsForetold) {
+TEST(Surrogate, LearnsTheDifferenceToThePriorMean) {
   const PriorMean prior_mean{[](std::span<const double> z) { return curve(z) + 0.2 + 0.05 * z[1]; }, 0.15,
                              0.06, 0.04};
   const Surrogate none({}, prior_mean), few(runs(6, 0.02, 0.0, 0), prior_mean);

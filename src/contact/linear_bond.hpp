@@ -46,13 +46,10 @@ struct LinearBond {
     laws::linear::State<R> sl{memory.load(shear)};
     const laws::Reaction<R> rl =
         laws::linear::respond(pl, sl, laws::Motion<R>{-(k.stretch + R(step.gap)), d_closure, d_slide, R(0)});
-    const laws::parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]),
-                                                p[kb_s] * R(g[bond_factor]),
-                                                p[kb_m] * R(g[bend_factor]),
-                                                p[arm] * R(g[inv_r_min]),
-                                                memory.load(shear_capacity),
-                                                p[tan_phi],
-                                                step.hold};
+    const laws::parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]), p[kb_s] * R(g[bond_factor]),
+                                                p[kb_m] * R(g[bend_factor]), p[arm] * R(g[inv_r_min]),
+                                                memory.load(shear_capacity), p[tan_phi],
+                                                step.extra_strength};
     laws::parallel_bond::State<R> sb{memory.load(bond_shear), memory.load(capacity)};
     const laws::Reaction<R> rb =
         laws::parallel_bond::respond(pb, sb, laws::Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});

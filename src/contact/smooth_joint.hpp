@@ -32,8 +32,8 @@ struct SmoothJoint {
     const laws::Motion<R> m{R(0), -((k.vx * normal_x + k.vy * normal_y) * dt),
                             (k.vy * normal_x - k.vx * normal_y) * dt, R(0)};
     const R A(g[area]);
-    const laws::smooth_joint::Parameters<R> law{p[k_n] * A, p[k_s] * A, p[mu],    p[S_0] * A,
-                                                p[tan_phi], p[tan_psi], step.hold};
+    const laws::smooth_joint::Parameters<R> law{p[k_n] * A, p[k_s] * A,         p[mu], p[S_0] * A, p[tan_phi],
+                                                p[tan_psi], step.extra_strength};
     // Lanes without a joint here pass as bonded, or their broken bonds would call the law's rare branches.
     const R holds = select(memory.here, memory.load(capacity), R(1));
     laws::smooth_joint::State<R> st{memory.load(shear), memory.load(closure), holds, memory.load(dilation)};

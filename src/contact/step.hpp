@@ -10,13 +10,13 @@
 //
 //   template <bool sample, class R, class P, class Memory, class Broke>
 //   static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-//                          const Step<R>& step, Sums<R>& sums, const Broke& broke);
+//                                  const Step<R>& step, Sums<R>& sums, const Broke& broke);
 //
 // It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
 // fields have to be zero there. p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a
 // field. `respond` turns the kinematics into the motion of its laws, stores its memory, adds to the sums
-// (energies only where `sample`) and tells what broke: broke(tension, shear, released), at most once per step
-// and ContactModel::Size::cracks times in the life of a contact.
+// (energies only where `sample`) and reports what broke: broke(tension, shear, released), at most once per
+// step and ContactModel::Size::cracks times in the life of a contact.
 #pragma once
 #include "base/lane_memory.hpp"
 
@@ -35,11 +35,11 @@ struct Kinematics {
 
 template <class R>
 struct Step {
-  const Kinematics<R>& motion;  ///< by reference: copies of lane vectors stay on the stack
+  const Kinematics<R>& motion;  ///< by reference: a copy would be written to the stack
   ScalarOf<R> gap;              ///< approach needed before the grains themselves press on each other [m]
   R side;       ///< interfaces: +1 where the plane's normal points from 1 to 2, else -1; 0: no interface here
   const R& dt;  ///< [s]
-  const R& hold;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
+  const R& extra_strength;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
 };
 
 /// On grain 2; grain 1 gets the opposite force.

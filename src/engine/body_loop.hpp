@@ -16,12 +16,12 @@ namespace phy::engine {
 inline namespace PHY_ISA {
 
 template <class R>
-class ToolLoop {
+class BodyLoop {
  public:
   using T = ScalarOf<R>;
   static constexpr std::size_t W = NumberTraits<R>::width;
 
-  ToolLoop(GroupView<T>& view, const R* lane_constants) : v(view), lane(lane_constants) {}
+  BodyLoop(GroupView<T>& view, const R* lane_constants) : v(view), lane(lane_constants) {}
 
   /// Before a row moves in `step`: the forces of the step before go to the bodies, their velocities to the
   /// grains.

@@ -47,7 +47,7 @@ BoundaryMemory<T>::BoundaryMemory(const GrainMemory<T>& grains, int interval)
 template <class T>
 void BoundaryMemory<T>::clear(std::size_t l) {
   lanes_[l] = {};
-  for (std::size_t p = 0; p < n_tools_ * grains_->size(); ++p) {
+  for (std::size_t p = 0; p < n_bodies_ * grains_->size(); ++p) {
     touch_gap_[p * W_ + l] = T(far_away);
     touch_shear_[p * W_ + l] = T(0);
   }
@@ -56,7 +56,7 @@ void BoundaryMemory<T>::clear(std::size_t l) {
 template <class T>
 void BoundaryMemory<T>::copy(std::size_t l, BoundaryMemory<T>& to, std::size_t k) const {
   to.lanes_[k] = lanes_[l];
-  for (std::size_t place = 0; place < n_tools_ * grains_->size(); ++place) {
+  for (std::size_t place = 0; place < n_bodies_ * grains_->size(); ++place) {
     to.touch_gap_[place * to.W_ + k] = touch_gap_[place * W_ + l];
     to.touch_shear_[place * to.W_ + k] = touch_shear_[place * W_ + l];
   }
@@ -68,22 +68,22 @@ void BoundaryMemory<T>::adopt(const Boundary& boundary) {
   // The group's first specimen decides the geometry and the size of all buffers; later ones have to match it,
   // since one list of touches serves all lanes.
   if (boundary.bodies.empty() && !boundary.jacket) return;
-  if (n_tools_ > 0 || jacket_) {
-    PHY_CHECK(boundary.bodies.size() == n_tools_ && boundary.jacket == jacket_, "lanes share one boundary");
+  if (n_bodies_ > 0 || jacket_) {
+    PHY_CHECK(boundary.bodies.size() == n_bodies_ && boundary.jacket == jacket_, "lanes share one boundary");
     return;
   }
   jacket_ = boundary.jacket;
-  n_tools_ = boundary.bodies.size();
-  const std::size_t per_step = n_steps_ * n_tools_ * 2 * W_, n = grains_->size();
+  n_bodies_ = boundary.bodies.size();
+  const std::size_t per_step = n_steps_ * n_bodies_ * 2 * W_, n = grains_->size();
   // Motion and force of every step of a block are kept, not sums: the work is a sum over steps, and a crack
   // is given the travel of its own step.
   body_u_.assign(per_step), body_v_.assign(per_step), body_force_.assign(per_step), body_du_.assign(per_step);
-  balance_on_.assign(n_tools_ * 2 * W_), balance_force_.assign(n_tools_ * 2 * W_);
-  touch_gap_.assign(n_tools_ * n * W_);
-  touch_shear_.assign(n_tools_ * n * W_);
-  std::fill_n(touch_gap_.get(), n_tools_ * n * W_, T(far_away));
-  touch_normal_.assign(n_tools_ * n, Vec2{});
-  for (std::size_t t = 0; t < n_tools_; ++t)
+  balance_on_.assign(n_bodies_ * 2 * W_), balance_force_.assign(n_bodies_ * 2 * W_);
+  touch_gap_.assign(n_bodies_ * n * W_);
+  touch_shear_.assign(n_bodies_ * n * W_);
+  std::fill_n(touch_gap_.get(), n_bodies_ * n * W_, T(far_away));
+  touch_normal_.assign(n_bodies_ * n, Vec2{});
+  for (std::size_t t = 0; t < n_bodies_; ++t)
     for (const Touch& p : boundary.bodies[t].touches)
       touch_normal_[t * n + grains_->sorted_id(p.grain)] = p.normal;
   list_grips(boundary);
@@ -91,7 +91,7 @@ void BoundaryMemory<T>::adopt(const Boundary& boundary) {
 
 template <class T>
 void BoundaryMemory<T>::list_grips(const Boundary& boundary) {
-  for (std::size_t t = 0; t < n_tools_; ++t)
+  for (std::size_t t = 0; t < n_bodies_; ++t)
     for (const Grip& p : boundary.bodies[t].grips)
       grip_.push_back({static_cast<std::int32_t>(grains_->sorted_id(p.grain)), static_cast<std::int32_t>(t),
                        p.x, p.y, p.rotation});
@@ -121,7 +121,7 @@ void BoundaryMemory<T>::place_body(std::size_t body, std::size_t l) {
   for (const Touch& p : lanes_[l].boundary->bodies[body].touches) gap[grains_->sorted_id(p.grain)] = p.gap;
   const Vec2* normal = touch_normal_.data() + body * n;
   // Mean displacement along the normal of the grains that touch from the start: by so much the surface has
-  // moved towards the body since the packing was made.
+  // moved away from the body since the packing was made.
   double sum = 0.0, count = 0.0;
   for (std::size_t g = 0; g < n; ++g)
     if (gap[g] <= 0.0) sum += dot(normal[g], grains_->displacement(g, l)), count += 1.0;
@@ -129,7 +129,7 @@ void BoundaryMemory<T>::place_body(std::size_t body, std::size_t l) {
   for (std::size_t g = 0; g < n; ++g) {
     // closure = n.(U - u) - gap with U = 0 now (body_loop.hpp). -u makes it exactly zero where a grain
     // touches from the start. The others keep their gap from the surface as it has moved, but never less than
-    // -u: nothing may be pressed before anything has been driven.
+    // -u: nothing may be pressed before anything has moved.
     const double u = dot(normal[g], grains_->displacement(g, l));
     const std::size_t place = (body * n + g) * W_ + l;
     touch_gap_[place] = T(gap[g] <= 0.0 ? -u : std::max(gap[g] - mean, -u));
@@ -141,7 +141,7 @@ template <class T>
 void BoundaryMemory<T>::place(std::size_t l) {
   LaneBoundary& lane = lanes_[l];
   for (std::size_t t = 0; t < lane.boundary->bodies.size(); ++t) place_body(t, l);
-  lane.bodies.assign(n_tools_, BodyMotion{});
+  lane.bodies.assign(n_bodies_, BodyMotion{});
   lane.placed = true;
   lane.swept = 0.0;
 }
@@ -201,7 +201,7 @@ void BoundaryMemory<T>::list_touches(const NeighbourList<T>& list) {
     row_touch_[row] = static_cast<std::int32_t>(touch_.size());
     // Row by row, then body by body: the loop keeps a body's sums over a row in registers and adds them once.
     if (boundary == nullptr) continue;
-    for (std::size_t body = 0; body < n_tools_; ++body)
+    for (std::size_t body = 0; body < n_bodies_; ++body)
       for (auto g = static_cast<std::size_t>(row_grain[row]);
            g < static_cast<std::size_t>(row_grain[row + 1]); ++g) {
         if (!near(body, g, list)) continue;
@@ -231,7 +231,7 @@ Vec2 BoundaryMemory<T>::block_velocity(LaneBoundary& lane, BodyMotion& body) con
 template <class T>
 void BoundaryMemory<T>::plan_balance() {
   balanced_.clear(), balanced_touch_.clear();
-  for (std::size_t t = 0; t < n_tools_; ++t)
+  for (std::size_t t = 0; t < n_bodies_; ++t)
     for (std::size_t c = 0; c < 2; ++c) {
       bool any = false;
       for (std::size_t l = 0; l < W_; ++l) {
@@ -301,7 +301,7 @@ template <class T>
 void BoundaryMemory<T>::plan() {
   plan_balance();
   // The loop adds to these sums.
-  std::fill_n(body_force_.get(), n_steps_ * n_tools_ * 2 * W_, T(0));
+  std::fill_n(body_force_.get(), n_steps_ * n_bodies_ * 2 * W_, T(0));
   for (std::size_t l = 0; l < W_; ++l) plan_lane(l);
 }
 
@@ -317,7 +317,7 @@ double BoundaryMemory<T>::reach(std::size_t l, double fastest_grain, double bloc
 template <class T>
 void BoundaryMemory<T>::enter(GroupView<T>& v) {
   v.row_touch = row_touch_.data(), v.row_grip = row_grip_.data(), v.row_load = row_load_.data();
-  v.n_bodies = static_cast<int>(n_tools_);
+  v.n_bodies = static_cast<int>(n_bodies_);
   v.touch = touch_.data(), v.grip = grip_.data(), v.load = load_.data(), v.load_force = load_force_.get();
   v.touch_gap = touch_gap_.get(), v.touch_shear = touch_shear_.get();
   v.body_u = body_u_.get(), v.body_v = body_v_.get(), v.body_force = body_force_.get();

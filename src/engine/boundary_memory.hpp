@@ -24,8 +24,8 @@ struct BodyMotion {
 struct LaneBoundary {
   std::shared_ptr<const Boundary> boundary;  // null: none, or an empty lane
   bool placed = false;
-  double damping = 0.0, density = 1.0,
-         dt = 0.0;  // of the lane: for the way on which the jacket drives a free grain
+  // Of the lane: for the way on which the jacket pushes a free grain.
+  double damping = 0.0, density = 1.0, dt = 0.0;
   std::vector<BodyMotion> bodies;
   double pressure = 0.0;        // of the jacket [Pa]
   double swept = 0.0;           // area that it has swept since it was placed [m^2]
@@ -58,9 +58,9 @@ class BoundaryMemory {
   }
 
   /// Fits the jackets to the surface as it is, before a block. A list that does not allow for the way on
-  /// which the jacket drives a grain is forgotten; true if one was.
+  /// which the jacket pushes a grain is forgotten; true if one was.
   bool fit_jackets(NeighbourList<T>& list);
-  /// Way on which the jacket alone would drive each grain that nothing holds in a block [m]; empty: no
+  /// Way on which the jacket alone would push each grain that nothing holds in a block [m]; empty: no
   /// jacket.
   std::vector<double> push(std::size_t l) const;
 
@@ -78,7 +78,7 @@ class BoundaryMemory {
   const GrainMemory<T>* grains_;
   std::size_t W_, n_steps_;
   std::vector<LaneBoundary> lanes_;
-  std::size_t n_tools_ = 0;
+  std::size_t n_bodies_ = 0;
   bool jacket_ = false;
   std::vector<Vec2> touch_normal_;          // per body and sorted grain; zero: never touched
   Buffer<T> touch_gap_, touch_shear_;       // per body, grain and lane
@@ -96,7 +96,7 @@ class BoundaryMemory {
   bool acts(std::size_t l) const { return lanes_[l].boundary && lanes_[l].placed; }
   /// Place of a body's x component in a step; y follows W_ further on.
   std::size_t body_at(std::size_t step, std::size_t body, std::size_t lane) const {
-    return (step * n_tools_ + body) * 2 * W_ + lane;
+    return (step * n_bodies_ + body) * 2 * W_ + lane;
   }
   Vec2 body_vector(const Buffer<T>& field, std::size_t step, std::size_t body, std::size_t lane) const {
     const std::size_t i = body_at(step, body, lane);

@@ -37,7 +37,7 @@ class ForceLoop {
   using Matrix = typename Models::Matrix;
   using Interface = typename Models::Interface;
   using Kinematics = contact::Kinematics<R>;
-  using Push = contact::ContactForce<R>;
+  using ContactForce = contact::ContactForce<R>;
   static constexpr std::size_t W = NumberTraits<R>::width;
   static constexpr std::size_t n_contact_fields = c_fields + Models::n_fields;
   static constexpr T closest = T(1e-4);  // of (distance of two centres / that at the start)^2
@@ -62,7 +62,7 @@ class ForceLoop {
       if (v.n_balanced == 0) move_row(row, done);
       forces_row<true>(row, done);
     }
-    for (int row = 0; row < v.n_rows; ++row) ToolLoop<R>(v, lane).collect(row, done);
+    for (int row = 0; row < v.n_rows; ++row) BodyLoop<R>(v, lane).collect(row, done);
     sample_grains();
   }
 
@@ -88,20 +88,20 @@ class ForceLoop {
     const int behind = v.skew > 1 ? 1 : v.n_rows;
     for (int row = 0; row < v.n_rows; ++row) move_row(row, 0);
     for (int step = 0; step + 1 < n_steps; ++step) {
-      ToolLoop<R>(v, lane).balance(step);
+      BodyLoop<R>(v, lane).balance(step);
       for (int front = 0; front < v.n_rows + behind; ++front) {
         if (front < v.n_rows) forces_row<false>(front, step);
         if (front >= behind) move_row(front - behind, step + 1);
       }
     }
-    ToolLoop<R>(v, lane).balance(n_steps - 1);
+    BodyLoop<R>(v, lane).balance(n_steps - 1);
   }
 
   // The boundary (body_loop.hpp), out of the way of the loop over contacts.
-  PHY_RARE void hold_grips(int row, int step) { ToolLoop<R>(v, lane).hold(row, step); }
+  PHY_RARE void hold_grips(int row, int step) { BodyLoop<R>(v, lane).hold(row, step); }
   template <bool sample>
   PHY_RARE R press_bodies(int row, int step) {
-    return ToolLoop<R>(v, lane).template press<sample>(row, step);
+    return BodyLoop<R>(v, lane).template press<sample>(row, step);
   }
 
   /// -F_damp: the force of local damping against the motion.
@@ -183,11 +183,11 @@ class ForceLoop {
 
   /// What a model does with contact i, in the lanes `here`.
   template <class Model, bool sample, bool everywhere, class Parameters>
-  PHY_HOT Push ask(const Parameters& p, std::size_t first_number, const Kinematics& k, R side, MaskOf<R> here,
-                   std::int32_t i, int step, contact::Sums<R>& sums) {
+  PHY_HOT ContactForce ask(const Parameters& p, std::size_t first_number, const Kinematics& k, R side,
+                           MaskOf<R> here, std::int32_t i, int step, contact::Sums<R>& sums) {
     const auto at = static_cast<std::size_t>(i);
     const contact::Memory<R, everywhere> memory{v.contact + (at * n_contact_fields + c_fields) * W, here};
-    const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_hold]};
+    const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_extra_strength]};
     const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released) {
       record_cracks(in_tension & here, in_shear & here, released, step, i);
     };
@@ -196,32 +196,33 @@ class ForceLoop {
   }
 
   template <bool sample, bool everywhere>
-  PHY_HOT Push matrix(const Kinematics& k, MaskOf<R> here, std::int32_t i, int step, contact::Sums<R>& sums) {
+  PHY_HOT ContactForce matrix(const Kinematics& k, MaskOf<R> here, std::int32_t i, int step,
+                              contact::Sums<R>& sums) {
     return ask<Matrix, sample, everywhere>(matrix_constants, 0, k, R(0), here, i, step, sums);
   }
 
   template <bool sample>
-  PHY_HOT Push interface(const ContactConst<T>& c, const Kinematics& k, R side, MaskOf<R> here,
-                         std::int32_t i, int step, contact::Sums<R>& sums) {
+  PHY_HOT ContactForce interface(const ContactConst<T>& c, const Kinematics& k, R side, MaskOf<R> here,
+                                 std::int32_t i, int step, contact::Sums<R>& sums) {
     const contact::Row<R> p{v.joint + static_cast<std::size_t>(c.joint) * Interface::n_parameters * W};
     return ask<Interface, sample, false>(p, Matrix::n_geometry, k, side, here, i, step, sums);
   }
 
   /// A contact that is an interface in some lanes: both models, blended lane by lane.
   template <bool sample>
-  PHY_HOT Push mixed(const ContactConst<T>& c, const Kinematics& k, std::int32_t i, int step,
-                     contact::Sums<R>& sums) {
+  PHY_HOT ContactForce mixed(const ContactConst<T>& c, const Kinematics& k, std::int32_t i, int step,
+                             contact::Sums<R>& sums) {
     const R side = load<R>(v.contact, static_cast<std::size_t>(i) * n_contact_fields + c_side);
     const auto here = abs(side) > R(0);
     if (!any(!here)) return interface<sample>(c, k, side, here, i, step, sums);
-    const Push m = matrix<sample, false>(k, !here, i, step, sums);
-    const Push j = interface<sample>(c, k, side, here, i, step, sums);
+    const ContactForce m = matrix<sample, false>(k, !here, i, step, sums);
+    const ContactForce j = interface<sample>(c, k, side, here, i, step, sums);
     return {select(here, j.fx, m.fx), select(here, j.fy, m.fy), select(here, j.M, m.M)};
   }
 
   /// Forces and couples on both grains of a contact.
   template <bool sample>
-  PHY_HOT void apply(const ContactConst<T>& c, const Kinematics& k, const Push& push, RowSums& sums) {
+  PHY_HOT void apply(const ContactConst<T>& c, const Kinematics& k, const ContactForce& push, RowSums& sums) {
     T* a = grain_at(c.a);
     T* b = grain_at(c.b);
     add_to(b, g_fx, push.fx);
@@ -253,11 +254,11 @@ class ForceLoop {
       ahead = kinematics(v.contact_const[i + 1 < end ? i + 1 : i]);
       const ContactConst<T>& c = v.contact_const[i];
       if (c.joint < 0) {
-        const Push push = matrix<sample, true>(k, R(1) > R(0), i, step, sums);
+        const ContactForce push = matrix<sample, true>(k, R(1) > R(0), i, step, sums);
         apply<sample>(c, k, push, sums);
       } else {
         contact::Sums<R> part;
-        const Push push = mixed<sample>(c, k, i, step, part);
+        const ContactForce push = mixed<sample>(c, k, i, step, part);
         apply<sample>(c, k, push, sums);
         sums.add(part);
       }

@@ -75,7 +75,7 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   info.setup = setup;
   // Contacts are installed with the next list: only then all pairs have places.
   info.fresh = true;
-  info.hold = specimen->matrix.unbreakable;
+  info.unbreakable = specimen->matrix.unbreakable;
   if (!info.setup.boundary) info.setup.boundary = std::make_shared<const Boundary>();
   boundary_.adopt(info.boundary());
   LaneBoundary& edge = boundary_.lane(l);
@@ -160,7 +160,7 @@ void Group<T>::pre_strain(int lane, double axial_strain) {
     grains_.set(g, g_ux, l, u.x);
     grains_.set(g, g_uy, l, u.y);
   }
-  // Bodies go along with the ends of the specimen, so that the jump opens or closes no gap there.
+  // Bodies go along with the ends of the specimen, so that the pre-strain opens or closes no gap there.
   const LoadAxis& axis = info.boundary().axial;
   const Vec2 closing = 0.5 * axial_strain * packing.height * axis.direction;
   std::vector<BodyMotion>& bodies = boundary_.lane(l).bodies;
@@ -215,7 +215,7 @@ void Group<T>::fill_lane_table() {
     contact::wall::parameters(m, lane.setup.body_friction, wall);
     for (int i = 0; i < contact::wall::n_parameters; ++i) put(l_wall + i, wall[i]);
     // Breakage is switched off by strengths out of reach, not by a branch.
-    put(l_hold, lane.hold ? contact::unlimited : 0.0);
+    put(l_extra_strength, lane.unbreakable ? contact::unlimited : 0.0);
     if (!lane.specimen) continue;
     // Grips hold from the moment when the boundary is placed; before, grains are free to settle.
     put(l_grips, boundary_.lane(l).placed ? 1.0 : 0.0);

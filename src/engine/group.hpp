@@ -3,7 +3,7 @@
 //   grain_memory     order and state of the grains
 //   neighbour_list   which pairs are looked at
 //   contact_memory   states of the contacts by their models
-//   boundary         bodies and jacket
+//   boundary_memory  bodies and jacket
 //   energy_balance   work and where it went
 // Its members: group.cpp loading, the block of cycles, states for others; group_contacts.cpp renewing the
 // list, creation of contacts, the stable step; group_rows.cpp history rows, cracks, watchdog.
@@ -28,7 +28,7 @@ struct Lane {
   std::shared_ptr<const Specimen> specimen;  // null: empty lane
   LaneSetup setup;
   bool fresh = false;  // loaded, contacts not yet installed
-  bool hold = false;
+  bool unbreakable = false;
   std::optional<FrequencyBound> bound;
   std::map<PairKey, ContactStiffness> created;  // contacts that the bound counts beyond those of the start
   double dt = 0.0, time = 0.0;
@@ -55,7 +55,7 @@ class Group final : public LaneGroup {
   void move_lane(int lane, LaneGroup& to, int to_lane) override;
   void place_boundary(int lane) override;
   void zero_strains(int lane) override;
-  void hold_bonds(int lane, bool hold) override { at(lane).hold = hold; }
+  void forbid_breakage(int lane, bool forbid) override { at(lane).unbreakable = forbid; }
   void prescribe(int lane, int body, const PrescribedMotion& prescribed) override {
     boundary_.prescribe(index(lane), static_cast<std::size_t>(body), prescribed);
   }

@@ -101,8 +101,9 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   e.a = std::min(pa, pb);
   e.b = std::max(pa, pb);
   e.mode = raw.shear != 0 ? CrackMode::shear : CrackMode::tension;
+  // Along the branch, on the surface of grain a; a model whose crack lies otherwise overwrites it (an
+  // interface: the normal of its plane).
   e.normal = (1.0 / norm(xb - xa)) * (xb - xa);
-  // On the surface of grain a; a model that knows better (an interface has a plane) overwrites it.
   e.position = xa + grains_.radius(a) * e.normal;
   contacts_.with(c, l, *lane.specimen, [&](const contact::ContactModel& model, const contact::Standing& now) {
     model.crack(now, e);

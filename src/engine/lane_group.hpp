@@ -68,7 +68,7 @@ class LaneGroup {
   /// The strains of the gauges, and the travel that the watchdog's energy check depends on, count from now.
   virtual void zero_strains(int lane) = 0;
   /// Stops or allows breakage (relaxation, affine pre-strain, elastic runs).
-  virtual void hold_bonds(int lane, bool hold) = 0;
+  virtual void forbid_breakage(int lane, bool forbid) = 0;
   /// How a body moves from now on.
   virtual void prescribe(int lane, int body, const PrescribedMotion& prescribed) = 0;
   /// Pressure of the jacket from now on [Pa].

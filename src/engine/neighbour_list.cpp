@@ -63,7 +63,7 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double> p
   for (std::size_t g = 0; g < of.size(); ++g) {
     searched_at_[g * of.lanes() + l] = of.displacement(g, l);
     x[g] = of.place(g, l);
-    // A grain that is too fast for half the skin is given the excess, twice over because it may speed up.
+    // Round a fast grain the list reaches as far as twice its way in a block, because it may speed up.
     const double flight = block * norm(of.velocity(g, l));
     double more = std::max(0.0, flight_margin * flight - usual_range());
     // The allowance is written back into `push`: fit_jackets() compares the next push with it.

@@ -75,10 +75,9 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
 
 /// A body's contact, on the diagonal block of its grain. `rubs`: the body has friction.
 void add_wall(const Specimen& specimen, const Touch& t, bool rubs, Sym3& block) {
-  // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain: k_n n
-  // n^T
-  // + k_s s s^T with the slide s = (t, -sqrt(2)) of u and the scaled rotation. Without friction nothing is
-  // carried across; what is kept of k_s then lies on the safe side.
+  // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain:
+  // k_n n n^T + k_s s s^T, where s = (t, -sqrt(2)) is the slide per displacement and scaled rotation. Without
+  // friction nothing is carried across; what is kept of k_s then lies on the safe side.
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
   const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;

@@ -23,12 +23,12 @@ enum ContactField {
 
 /// Lane constants: numerics and walls of each specimen.
 enum LaneField {
-  l_hold,     // added to strengths while breakage is off
-  l_dt,       // time step
-  l_accel,    // time step / grain density
-  l_damping,  // local damping coefficient
-  l_grips,    // 1 where the boundary's grips hold, else 0
-  l_wall,     // the first of the parameters of grains against bodies (contact/wall.hpp)
+  l_extra_strength,  // added to strengths while breakage is off
+  l_dt,              // time step
+  l_accel,           // time step / grain density
+  l_damping,         // local damping coefficient
+  l_grips,           // 1 where the boundary's grips hold, else 0
+  l_wall,            // the first of the parameters of grains against bodies (contact/wall.hpp)
   n_lane_fields = l_wall + 4
 };
 

@@ -50,7 +50,7 @@ void Procedure::begin() {
   if (packing().stress_free) {
     place_boundary();
   } else {
-    group_->hold_bonds(lane_, true);
+    group_->forbid_breakage(lane_, true);
   }
 }
 
@@ -66,7 +66,7 @@ void Procedure::place_boundary() {
 
 void Procedure::start_loading() {
   phase_ = Phase::load;
-  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prescribe_motion();
   result_.history.width = packing().width;
   result_.history.height = packing().height;

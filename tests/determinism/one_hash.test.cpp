@@ -1,6 +1,6 @@
 // One hash: the same recipe and precision give the same bits for every number of lanes, instruction set,
-// thread count, skew, lane neighbour and compiler. The recorded hashes are those of g++ 12 and hold
-// for clang as well.
+// thread count, skew, lane neighbour and compiler. The recorded hashes are those of g++ 12 and hold for
+// clang as well.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -69,7 +69,7 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
 
 class OneHash : public testing::TestWithParam<Precision> {};
 
-TEST_P(OneHash, ForLanesSetsThreadsSkewAndMates) {
+TEST_P(OneHash, ForLanesSetsThreadsSkewAndNeighbours) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
   const bool single = GetParam() == Precision::single_precision;
@@ -135,7 +135,8 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
   }
 }
 
-// In whatever phase a test is: settling, preparing, loading, loaded anew after a jump that went too far.
+// In whatever phase a test is: settling, preparing, loading, loaded anew after a pre-strain that went too
+// far.
 TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   const auto check = [](const Recipe& r, const char* what) {
     const auto specimens = specimens_of(r);
@@ -161,9 +162,9 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   check(r, ", jacket, isotropic stress");
   r = base;
   r.test.kind = TestKind("uniaxial");
-  for (const double jump : {5e-4, 2e-2}) {
-    r.test.jump_strain = jump;
-    r.test.max_strain = jump + 5e-4;
+  for (const double pre_strain : {5e-4, 2e-2}) {
+    r.test.jump_strain = pre_strain;
+    r.test.max_strain = pre_strain + 5e-4;
     check(r, ", affine pre-strain");
   }
 }

@@ -1,6 +1,6 @@
 // The tests behind src/calibrate/prior_regression.cpp: synthetic rocks from outside the twenty of the twin
 // trials, each at nine points of the strength box. All 48 are 3,456 tests, some 50 minutes of CPU;
-// PHY_EXPERIENCE_ROCKS sets how many, PHY_EXPERIENCE_STORE a file that keeps finished tests.
+// PHY_REGRESSION_ROCKS sets how many, PHY_REGRESSION_STORE a file that keeps finished tests.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -131,9 +131,9 @@ double left_out_error(const std::vector<Lesson>& all, double theta) {
 }
 
 TEST(PriorRegression, IsWhatItsTestsTeach) {
-  const auto n = static_cast<std::uint32_t>(setting("PHY_EXPERIENCE_ROCKS", n_rocks));
+  const auto n = static_cast<std::uint32_t>(setting("PHY_REGRESSION_ROCKS", n_rocks));
   const auto simulator = calibrate::make_simulator({static_cast<int>(std::thread::hardware_concurrency()),
-                                                    text_setting("PHY_EXPERIENCE_STORE"), nullptr, nullptr});
+                                                    text_setting("PHY_REGRESSION_STORE"), nullptr, nullptr});
   const Recipe model = magnified_model(2.5);
   std::vector<Lesson> all;
   for (std::uint32_t k = 0; k < n; ++k)

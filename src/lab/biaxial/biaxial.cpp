@@ -77,7 +77,7 @@ void BiaxialTest::confine(double stress, bool platens_too) {
 
 void BiaxialTest::on_placed() {
   if (recipe_.test.confining_stress == 0.0) return start_loading();
-  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prepare(0);
 }
 

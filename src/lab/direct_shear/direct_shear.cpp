@@ -84,7 +84,7 @@ engine::Servo DirectShearTest::normal_load(double stress, double spring, double 
 
 void DirectShearTest::on_placed() {
   if (recipe_.test.normal_stress == 0.0) return start_loading();
-  group_->hold_bonds(lane_, specimen_->matrix.unbreakable);
+  group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prepare(0);
 }
 

@@ -25,7 +25,7 @@ class UniaxialTest final : public Procedure {
 
 void UniaxialTest::on_placed() {
   if (!may_pre_strain_) return start_loading();
-  group_->hold_bonds(lane_, true);
+  group_->forbid_breakage(lane_, true);
   group_->pre_strain(lane_, recipe_.test.jump_strain);
 }
 

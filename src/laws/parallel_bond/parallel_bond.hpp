@@ -22,13 +22,13 @@ namespace phy::laws::parallel_bond {
 
 template <class R>
 struct Parameters {
-  R k_n;      ///< kb_n A [N/m per m], > 0
-  R k_s;      ///< kb_s A [N/m per m], > 0
-  R k_m;      ///< kb_n I [N], >= 0
-  R arm;      ///< beta A R_bar / I = 3 beta / R_bar [1/m], >= 0
-  R S_0;      ///< shear capacity at zero normal force, tau_c A [N/m], > 0
-  R tan_phi;  ///< slope of the shear strength [-], >= 0
-  R hold;     ///< added to both capacities [N/m]: 0, or huge while breakage is switched off
+  R k_n;             ///< kb_n A [N/m per m], > 0
+  R k_s;             ///< kb_s A [N/m per m], > 0
+  R k_m;             ///< kb_n I [N], >= 0
+  R arm;             ///< beta A R_bar / I = 3 beta / R_bar [1/m], >= 0
+  R S_0;             ///< shear capacity at zero normal force, tau_c A [N/m], > 0
+  R tan_phi;         ///< slope of the shear strength [-], >= 0
+  R extra_strength;  ///< added to both capacities [N/m]: 0, or huge while breakage is switched off
 };
 
 template <class R>
@@ -57,8 +57,8 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
   const R F_s = select(bonded, s.F_s - p.k_s * m.d_slide, R(0));
   const R M = select(bonded, -(p.k_m * m.rotation), R(0));
   Reaction<R> r{F_n, F_s, M, R(0), R(0), {}, {}};
-  r.broke_tension = bonded & (p.arm * abs(M) - F_n >= s.capacity + p.hold);
-  r.broke_shear = bonded & (!r.broke_tension) & (abs(F_s) >= p.S_0 + p.tan_phi * F_n + p.hold);
+  r.broke_tension = bonded & (p.arm * abs(M) - F_n >= s.capacity + p.extra_strength);
+  r.broke_shear = bonded & (!r.broke_tension) & (abs(F_s) >= p.S_0 + p.tan_phi * F_n + p.extra_strength);
   const auto broken = r.broke_tension | r.broke_shear;
   if (any(broken)) {
     r.released = select(broken, strain_energy(p, F_n, F_s, M), R(0));

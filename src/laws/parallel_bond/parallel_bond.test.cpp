@@ -66,7 +66,7 @@ TEST(ParallelBond, BreaksInShearAtCohesionPlusFriction) {
 
 TEST(ParallelBond, HeldBondsDoNotBreak) {
   auto p = cement();
-  p.hold = 1e30;
+  p.extra_strength = 1e30;
   parallel_bond::State<double> s{0.0, 20e3};
   EXPECT_FALSE(broke(parallel_bond::respond(p, s, {-1e-5, 0.0, 1e-5, 1e-2})));
 }

@@ -28,13 +28,13 @@ namespace phy::laws::smooth_joint {
 
 template <class R>
 struct Parameters {
-  R k_n;      ///< k_n,sj A [N/m per m], > 0
-  R k_s;      ///< k_s,sj A [N/m per m], > 0
-  R mu;       ///< friction coefficient of the broken joint [-], >= 0
-  R S_0;      ///< cohesion times area [N/m], > 0
-  R tan_phi;  ///< bonded friction [-], >= 0
-  R tan_psi;  ///< dilation [-], 0 <= tan psi <= mu
-  R hold;     ///< added to both capacities [N/m]: 0, or huge while breakage is switched off
+  R k_n;             ///< k_n,sj A [N/m per m], > 0
+  R k_s;             ///< k_s,sj A [N/m per m], > 0
+  R mu;              ///< friction coefficient of the broken joint [-], >= 0
+  R S_0;             ///< cohesion times area [N/m], > 0
+  R tan_phi;         ///< bonded friction [-], >= 0
+  R tan_psi;         ///< dilation [-], 0 <= tan psi <= mu
+  R extra_strength;  ///< added to both capacities [N/m]: 0, or huge while breakage is switched off
 };
 
 template <class R>
@@ -82,8 +82,9 @@ PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R>& s, const Mo
   const R F_n_bonded = p.k_n * g;
   const R F_s_bonded = s.F_s - p.k_s * m.d_slide;
   Reaction<R> r{F_n_bonded, F_s_bonded, R(0), R(0), R(0), {}, {}};
-  r.broke_tension = bonded & (-F_n_bonded >= s.capacity + p.hold);
-  r.broke_shear = bonded & (!r.broke_tension) & (abs(F_s_bonded) >= p.S_0 + p.tan_phi * F_n_bonded + p.hold);
+  r.broke_tension = bonded & (-F_n_bonded >= s.capacity + p.extra_strength);
+  r.broke_shear =
+      bonded & (!r.broke_tension) & (abs(F_s_bonded) >= p.S_0 + p.tan_phi * F_n_bonded + p.extra_strength);
   const auto broken = r.broke_tension | r.broke_shear;
   const auto unbonded = (!bonded) | broken;
   if (any(unbonded)) {
