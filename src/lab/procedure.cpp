@@ -196,7 +196,7 @@ bool Procedure::check_stop() {
   // Nothing fails before it has carried something and something has broken: what falls earlier is the first
   // stress wave.
   const bool may_stop =
-      !to_the_end && peak_.stress > 0.0 && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
+      !to_the_end && peak_.stress > 0.0 && now.strain > boundary_->first_wave && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, stopped at {:.0f} % of it", stress, peak_.stress * 1e-6,

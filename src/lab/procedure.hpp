@@ -63,8 +63,6 @@ class Procedure {
   /// Sets the bodies in motion, at the start of loading.
   virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }
-  /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
-  virtual double first_stop_strain() const { return 0.0; }
   /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
   virtual void read_more(HistoryRow& /*row*/) {}
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
