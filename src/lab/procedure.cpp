@@ -234,9 +234,9 @@ bool Procedure::end_without_peak(const Reading& now) {
         Status::not_peaked,
         fmt::format(
             "the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the specimen has "
-            "come out of a {}, or slips",
+            "lost contact with a {}, or slips",
             stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken, result_.kind->body),
-        fmt::format("take smaller grains, of which a {} meets more", result_.kind->body));
+        "take smaller grains: more bonds then carry the load");
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
                          recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, at),

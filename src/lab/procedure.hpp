@@ -2,13 +2,12 @@
 //
 // Phases
 //   settle    only for packings with a locked-in stress: breakage off, no bodies, damped cycles until the
-//   mean
-//             unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have
-//             gone)
+//             mean unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls
+//             have gone)
 //   prepare   the boundary is in place; what a kind of test does before it loads (affine pre-strain,
-//   confinement) load      a history row every test.history_interval cycles, until the stop rule, the
-//   watchdog or the user
-//             ends it
+//             confinement)
+//   load      a history row every test.history_interval cycles, until the stop rule, the watchdog or the
+//             user ends it
 // Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
 // test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
 // test.max_strain is reached (not peaked). A peak needs three broken bonds. The test reads rows and decides;
@@ -77,6 +76,8 @@ class Procedure {
   /// never does.
   bool load_once_steady(bool at_target, double stress_over_target, double tolerance);
   const Packing& packing() const { return *specimen_->packing; }
+  /// Bodies and axes, as they were put in place.
+  const engine::Boundary& boundary() const { return boundary_->boundary; }
   /// State at the end of the block: the group's row with the strain and stress of this test.
   const HistoryRow& latest_row() const { return row_; }
 
@@ -90,7 +91,7 @@ class Procedure {
   enum class Phase { settle, prepare, load, over };
   const TestDescription& test() const { return *recipe_.test.kind; }
   Reading reading(const HistoryRow& row) const;
-  /// "strain 0.1234 %"; of direct shear the displacement, over the width.
+  /// "strain 0.1234 %"; where a displacement loads, that, over the width.
   std::string extent(double strain, int digits) const;
   void place_boundary();
   void read_row();
