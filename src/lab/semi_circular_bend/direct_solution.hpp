@@ -9,8 +9,8 @@
 //
 // K belongs to a homogeneous body. Bedded rock is one only where the ring around the notch that is read spans
 // many planes: with 9 of them K_I of planes across the notch is 2 % off that of finite elements, with 5 some
-// 8 %, with 2 some 20 %, all too high; of inclined planes more (docs/theory/semi-circular-bend.md). With fewer
-// than `least_planes` there is no answer.
+// 8 %, with 2 some 20 %, all too high; of inclined planes more (docs/theory/semi-circular-bend.md). With
+// fewer than `least_planes` there is no answer.
 #pragma once
 #include "engine/boundary.hpp"
 #include "lab/semi_circular_bend/reading.hpp"
