@@ -7,6 +7,21 @@
 #include "genesis/packing.hpp"
 
 namespace phy::genesis {
+namespace {
+
+double largest_radius(const Packing& packing) {
+  double r_max = 0.0;
+  for (const Disc& d : packing.discs) r_max = std::max(r_max, d.r);
+  return r_max;
+}
+
+/// What was cut, moved within its box.
+void move_by(Packing& cut, Vec2 shift) {
+  for (Disc& d : cut.discs) d.x += shift.x, d.y += shift.y;
+  cut.hash = packing_hash(cut.discs);
+}
+
+}  // namespace
 
 Packing cut_disc(const Packing& packing, double diameter) {
   PHY_CHECK(diameter > 0.0 && diameter <= std::min(packing.width, packing.height),
@@ -14,14 +29,8 @@ Packing cut_disc(const Packing& packing, double diameter) {
   const Vec2 centre{0.5 * packing.width, 0.5 * packing.height};
   Packing disc = packing;
   std::erase_if(disc.discs, [&](const Disc& d) { return norm(Vec2{d.x, d.y} - centre) > 0.5 * diameter; });
-  double r_max = 0.0;
-  for (const Disc& d : disc.discs) r_max = std::max(r_max, d.r);
-  disc.width = disc.height = diameter + 2.0 * r_max;
-  for (Disc& d : disc.discs) {
-    d.x += 0.5 * disc.width - centre.x;
-    d.y += 0.5 * disc.height - centre.y;
-  }
-  disc.hash = packing_hash(disc.discs);
+  disc.width = disc.height = diameter + 2.0 * largest_radius(disc);
+  move_by(disc, Vec2{0.5 * disc.width, 0.5 * disc.height} - centre);
   return disc;
 }
 
@@ -34,19 +43,14 @@ Packing cut_half_disc(const Packing& packing, const SpecimenCut& cut, double bon
   std::erase_if(half.discs, [&](const Disc& d) {
     return d.y < middle.y || norm(Vec2{d.x, d.y} - middle) > radius;
   });
-  double r_max = 0.0;
-  for (const Disc& d : half.discs) r_max = std::max(r_max, d.r);
+  const double r_max = largest_radius(half);
   const double width = std::max(cut.notch_width, (2.0 + bond_gap) * r_max);
   std::erase_if(half.discs, [&](const Disc& d) {
     return d.y + d.r < middle.y + cut.notch_length && std::fabs(d.x - middle.x) < 0.5 * width;
   });
   half.width = cut.diameter + 2.0 * r_max;
   half.height = radius + 2.0 * r_max;
-  for (Disc& d : half.discs) {
-    d.x += 0.5 * half.width - middle.x;
-    d.y += r_max - middle.y;
-  }
-  half.hash = packing_hash(half.discs);
+  move_by(half, Vec2{0.5 * half.width, r_max} - middle);
   return half;
 }
 

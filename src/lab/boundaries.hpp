@@ -21,6 +21,7 @@ struct LoadScale {
 struct TestBoundary {
   engine::Boundary boundary;
   LoadScale axial, lateral;
+  double first_wave = 0.0;  ///< strain below which the first wave still runs through: the stop rule sleeps
 };
 
 /// Bodies `lo` and `hi`, of which `direction` points from the first to the second, become the axial axis.
@@ -36,8 +37,6 @@ double ray_spacing(const Packing& packing);
 
 /// Two flat platens at the bottom and the top of the box: the press. Bodies 0 and 1.
 TestBoundary platens(const Packing& packing);
-/// Axial strain of the press below which its first wave still runs through the specimen.
-constexpr double first_wave_strain = 2e-4;
 /// Axial stress of the press, from both platens and from each.
 const HistoryColumns& platen_stress_columns();
 /// "Two rigid platens (friction 0) closed at 0.05 m/s each".

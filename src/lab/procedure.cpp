@@ -196,7 +196,7 @@ bool Procedure::check_stop() {
   // Nothing fails before it has carried something and something has broken: what falls earlier is the first
   // stress wave.
   const bool may_stop =
-      !to_the_end && peak_.stress > 0.0 && now.strain > first_stop_strain() && row.n_cracks >= least_cracks;
+      !to_the_end && peak_.stress > 0.0 && now.strain > boundary_->first_wave && row.n_cracks >= least_cracks;
   if (may_stop && now.stress < recipe_.test.stop_at * peak_.stress)
     return end(Status::peaked,
                fmt::format("peak {} {:.2f} MPa at {}, stopped at {:.0f} % of it", stress, peak_.stress * 1e-6,
@@ -234,9 +234,9 @@ bool Procedure::end_without_peak(const Reading& now) {
         Status::not_peaked,
         fmt::format(
             "the {} fell from {:.2f} to {:.2f} MPa up to {}, but only {} bonds broke: the specimen has "
-            "come out of a {}, or slips",
+            "lost contact with a {}, or slips",
             stress, peak_.stress * 1e-6, now.stress * 1e-6, at, n_broken, result_.kind->body),
-        fmt::format("take smaller grains, of which a {} meets more", result_.kind->body));
+        "take smaller grains: more bonds then carry the load");
   return end(Status::not_peaked,
              fmt::format("no drop to {:.0f} % of the largest {} ({:.2f} MPa) up to {}",
                          recipe_.test.stop_at * 100.0, stress, peak_.stress * 1e-6, at),

@@ -2,13 +2,12 @@
 //
 // Phases
 //   settle    only for packings with a locked-in stress: breakage off, no bodies, damped cycles until the
-//   mean
-//             unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls have
-//             gone)
+//             mean unbalanced force is below 1e-3 of the mean contact force (joints replace bonds, walls
+//             have gone)
 //   prepare   the boundary is in place; what a kind of test does before it loads (affine pre-strain,
-//   confinement) load      a history row every test.history_interval cycles, until the stop rule, the
-//   watchdog or the user
-//             ends it
+//             confinement)
+//   load      a history row every test.history_interval cycles, until the stop rule, the watchdog or the
+//             user ends it
 // Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
 // test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
 // test.max_strain is reached (not peaked). A peak needs three broken bonds. The test reads rows and decides;
@@ -63,8 +62,6 @@ class Procedure {
   /// Sets the bodies in motion, at the start of loading.
   virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }
-  /// Strain below which the stop rule sleeps, while the first wave runs through the specimen.
-  virtual double first_stop_strain() const { return 0.0; }
   /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
   virtual void read_more(HistoryRow& /*row*/) {}
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
@@ -79,6 +76,8 @@ class Procedure {
   /// never does.
   bool load_once_steady(bool at_target, double stress_over_target, double tolerance);
   const Packing& packing() const { return *specimen_->packing; }
+  /// Bodies and axes, as they were put in place.
+  const engine::Boundary& boundary() const { return boundary_->boundary; }
   /// State at the end of the block: the group's row with the strain and stress of this test.
   const HistoryRow& latest_row() const { return row_; }
 
@@ -92,7 +91,7 @@ class Procedure {
   enum class Phase { settle, prepare, load, over };
   const TestDescription& test() const { return *recipe_.test.kind; }
   Reading reading(const HistoryRow& row) const;
-  /// "strain 0.1234 %"; of direct shear the displacement, over the width.
+  /// "strain 0.1234 %"; where a displacement loads, that, over the width.
   std::string extent(double strain, int digits) const;
   void place_boundary();
   void read_row();

@@ -3,8 +3,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
+
+#include "base/exact_math.hpp"
 
 namespace phy::statics {
 namespace {
@@ -18,17 +19,15 @@ bool within(const Window& w, Vec2 p, double margin = 0.0) {
   return p.x > w.lo.x - margin && p.x < w.hi.x + margin && p.y > w.lo.y - margin && p.y < w.hi.y + margin;
 }
 
-/// Sum of force times branch over the contacts in the window, over its area: xx, yy, xy, tension positive.
+/// Over the contacts in the window: xx, yy, xy, tension positive.
 Eigen::Vector3d mean_stress(const Network& net, const std::vector<laws::Tangent<double>>& k,
                             const Movements& u, const Window& w) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < net.links.size(); ++i) {
     const Link& l = net.links[i];
     if (!within(w, net.x[l.a] + l.arm_a * l.branch)) continue;
-    const std::array<double, 3> q = forces(k[i], strains(l, u));
-    const Vec2 on_b = q[0] * l.n + q[1] * tangent(l.n), branch = (l.arm_a + l.arm_b) * l.branch;
-    sum -=
-        Eigen::Vector3d(on_b.x * branch.x, on_b.y * branch.y, 0.5 * (on_b.x * branch.y + on_b.y * branch.x));
+    const std::array<double, 3> share = stress_share(l, k[i], strains(l, u));
+    sum += Eigen::Vector3d(share[0], share[1], share[2]);
   }
   return sum / ((w.hi.x - w.lo.x) * (w.hi.y - w.lo.y));
 }
@@ -50,10 +49,9 @@ Eigen::Vector3d mean_strain(const Network& net, const Movements& u, const Window
 /// A tensor of compliance, given in x and y, in axes turned to `axis`.
 Compliance turned(const Eigen::Matrix3d& S, Vec2 axis) {
   const double c = axis.x, s = axis.y;
-  Eigen::Matrix3d strain, stress;  // from x, y to the turned axes
-  strain << c * c, s * s, c * s, s * s, c * c, -c * s, -2.0 * c * s, 2.0 * c * s, c * c - s * s;
-  stress << c * c, s * s, 2.0 * c * s, s * s, c * c, -2.0 * c * s, -c * s, c * s, c * c - s * s;
-  const Eigen::Matrix3d t = strain * S * stress.inverse();
+  Eigen::Matrix3d Q;  // takes strains from x, y to the turned axes; Q^T takes stresses back
+  Q << c * c, s * s, c * s, s * s, c * c, -c * s, -2.0 * c * s, 2.0 * c * s, c * c - s * s;
+  const Eigen::Matrix3d t = Q * S * Q.transpose();
   Compliance out;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -120,11 +118,11 @@ EffectiveCompliance effective_compliance(const Network& net, std::span<const Win
   EffectiveCompliance result;
   result.outcome = system.factor(net, k);
   if (!result.outcome.ok()) return result;
-  const std::array<Gradient, 3> cases{Gradient{1, 0, 0, 0}, Gradient{0, 0, 0, 1}, Gradient{0, 0.5, 0.5, 0}};
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(), strain = Eigen::Matrix3d::Zero();
   for (int c = 0; c < 3; ++c) {
     Boundary boundary;
-    for (const std::uint32_t i : driven) move_with(boundary, net, i, cases[static_cast<std::size_t>(c)]);
+    for (const std::uint32_t i : driven)
+      move_with(boundary, net, i, unit_strains[static_cast<std::size_t>(c)]);
     const Movements u = system.solve(net, k, boundary);
     for (const Window& w : windows)
       stress.col(c) += mean_stress(net, k, u, w), strain.col(c) += mean_strain(net, u, w);
@@ -155,7 +153,7 @@ StressIntensity stress_intensity(const Network& net, const Movements& u, const C
   const Eigen::VectorXd size = A.colwise().norm();
   const Eigen::VectorXd fit = (A * size.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(b);
   const Eigen::VectorXd c = fit.cwiseQuotient(size);
-  const double scale = std::sqrt(2.0 * std::numbers::pi / tip.farthest);
+  const double scale = std::sqrt(2.0 * pi / tip.farthest);
   const Eigen::VectorXd moved = b - A.leftCols(2) * c.head(2);
   return {scale * c[2], -scale * c[3], (b - A * c).norm() / moved.norm()};
 }

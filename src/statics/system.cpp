@@ -238,6 +238,13 @@ void move_with(Boundary& boundary, const Network& net, std::uint32_t body, const
   boundary.movements.push_back({{body, 2}, 0.5 * (g.yx - g.xy)});
 }
 
+std::array<double, 3> stress_share(const Link& l, const laws::Tangent<double>& k,
+                                   const std::array<double, 3>& strains) {
+  const std::array<double, 3> q = forces(k, strains);
+  const Vec2 on_b = q[0] * l.n + q[1] * tangent(l.n), branch = (l.arm_a + l.arm_b) * l.branch;
+  return {-on_b.x * branch.x, -on_b.y * branch.y, -0.5 * (on_b.x * branch.y + on_b.y * branch.x)};
+}
+
 LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<char> active) {
   if (active.empty()) active.assign(net.links.size(), 1);
   std::vector<Freedom> prescribed;
@@ -264,24 +271,19 @@ LoadCase solve_once(const Network& net, const Boundary& boundary, std::vector<ch
 }
 
 CellStiffness cell_stiffness(const Network& net, double area) {
-  const std::array<Gradient, 3> cases{Gradient{1, 0, 0, 0}, Gradient{0, 0, 0, 1}, Gradient{0, 0.5, 0.5, 0}};
   const std::vector<Freedom> pinned{{0, 0}, {0, 1}};
   StiffnessSystem system(net, pinned);
   const std::vector<laws::Tangent<double>> k = stiffnesses(net, std::vector<char>(net.links.size(), 1));
   CellStiffness cell;
   cell.outcome = system.factor(net, k);
-  for (std::size_t c = 0; c < cases.size() && cell.outcome.ok(); ++c) {
+  for (std::size_t c = 0; c < unit_strains.size() && cell.outcome.ok(); ++c) {
     Boundary boundary;
-    boundary.gradient = cases[c];
+    boundary.gradient = unit_strains[c];
     const Movements u = system.solve(net, k, boundary);
     for (std::size_t i = 0; i < net.links.size(); ++i) {
       const Link& l = net.links[i];
-      const std::array<double, 3> q = forces(k[i], strains(l, u, boundary.gradient));
-      const Vec2 on_b = q[0] * l.n + q[1] * tangent(l.n);
-      const Vec2 branch = (l.arm_a + l.arm_b) * l.branch;
-      cell.C[0][c] -= on_b.x * branch.x / area;
-      cell.C[1][c] -= on_b.y * branch.y / area;
-      cell.C[2][c] -= 0.5 * (on_b.x * branch.y + on_b.y * branch.x) / area;
+      const std::array<double, 3> share = stress_share(l, k[i], strains(l, u, boundary.gradient));
+      for (std::size_t r = 0; r < 3; ++r) cell.C[r][c] += share[r] / area;
     }
   }
   return cell;

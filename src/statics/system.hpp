@@ -84,6 +84,15 @@ class StiffnessSystem {
 std::vector<double> inner_forces(const Network& network, const std::vector<laws::Tangent<double>>& k,
                                  const Movements& u, const Gradient& gradient = {});
 
+/// Uniform straining by 1: xx, yy, 2 xy.
+constexpr std::array<Gradient, 3> unit_strains = {Gradient{1, 0, 0, 0}, Gradient{0, 0, 0, 1},
+                                                  Gradient{0, 0.5, 0.5, 0}};
+
+/// Force times branch of a link: xx, yy, xy, tension positive [N]. Summed over an area and divided by it this
+/// is the mean stress there.
+std::array<double, 3> stress_share(const Link& link, const laws::Tangent<double>& k,
+                                   const std::array<double, 3>& strains);
+
 /// Solution of one load case.
 struct LoadCase {
   ElasticOutcome outcome;

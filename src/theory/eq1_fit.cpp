@@ -112,11 +112,11 @@ struct Solution {
 
 int n_parameters(const Setup& p) { return p.free_E ? 3 : 2; }
 
-// Least squares of weight_i (y_i - terms_i x) over the free parameters.
-Solution solve_linear(const Setup& p, const Eigen::VectorXd& y, const Eigen::VectorXd& weight) {
+// Least squares of weight_i (compliance_i - terms_i x) over the free parameters.
+Solution solve_linear(const Setup& p, const Eigen::VectorXd& weight) {
   const Eigen::Index m = n_parameters(p);
   Eigen::MatrixXd J = p.terms.rightCols(m);
-  Eigen::VectorXd rhs = p.free_E ? y : Eigen::VectorXd(y.array() - p.e);
+  Eigen::VectorXd rhs = p.free_E ? p.compliance : Eigen::VectorXd(p.compliance.array() - p.e);
   for (Eigen::Index i = 0; i < J.rows(); ++i) {
     const double w = p.takes_part[static_cast<std::size_t>(i)] ? weight[i] : 0.0;
     J.row(i) *= w;
@@ -158,7 +158,7 @@ struct ModulusMisfit {
 // Least squares of the moduli themselves, from the solution for compliances weighted by E^2.
 Solution solve_modulus(const Setup& p) {
   const Eigen::Index m = n_parameters(p);
-  Solution s = solve_linear(p, p.compliance, p.compliance.cwiseInverse().array().square());
+  Solution s = solve_linear(p, p.compliance.cwiseInverse().array().square());
   ModulusMisfit misfit{p};
   Eigen::LevenbergMarquardt<ModulusMisfit> solver(misfit);
   solver.parameters.ftol = solver.parameters.xtol = 1e-15;
@@ -267,7 +267,7 @@ Eq1Fit fit_eq1(const std::vector<ModulusReading>& readings, const Eq1Options& op
   const Setup p = set_up(readings, options, E_reference);
   const Solution s = options.loss == Eq1Loss::modulus
                          ? solve_modulus(p)
-                         : solve_linear(p, p.compliance, Eigen::VectorXd::Ones(p.compliance.size()));
+                         : solve_linear(p, Eigen::VectorXd::Ones(p.compliance.size()));
   return conclude(fit, s, p, readings);
 }
 

@@ -46,7 +46,6 @@ class BiaxialTest final : public Procedure {
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void prescribe_motion() override;
-  double first_stop_strain() const override { return first_wave_strain; }
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   /// A stress all round [Pa]: sides at once, platens by their servos; sides alone while the platens are

@@ -8,13 +8,15 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
+#include "lab/semi_circular_bend/semi_circular_bend.hpp"
 #include "statics/crack_tip.hpp"
 
 namespace phy::lab {
 namespace {
 
-// In radii. The ring leaves out what the rollers and the arc disturb; the windows lie on both sides of the
-// notch, inside the arc.
+// In radii. The ring leaves out the grains next to the end of the notch; with a/R near 0.6 it comes near the
+// loading roller (verified up to 0.58, docs/theory/semi-circular-bend.md). The windows lie on both sides of
+// the notch, inside the arc.
 constexpr double ring_from = 0.1, ring_to = 0.4;
 constexpr double window_near = 0.12, window_far = 0.7, window_low = 0.1, window_high = 0.6;
 constexpr double grains_off = 4.0;  // largest radii that the ring is off the end of the notch at least
@@ -42,7 +44,7 @@ void press(statics::Boundary& boundary, const Packing& packing, const engine::Bo
   if (left != right) boundary.loads.push_back({{right->grain, 1}, (1.0 - share) * force});
 }
 
-/// Keeps the body from moving away, without any force: a grain with as many contacts as any.
+/// Keeps the body from moving away: a grain with as many contacts as any.
 void hold(statics::Boundary& boundary, const std::vector<int>& n_contacts) {
   const auto most =
       static_cast<std::uint32_t>(std::max_element(n_contacts.begin(), n_contacts.end()) - n_contacts.begin());
@@ -52,7 +54,7 @@ void hold(statics::Boundary& boundary, const std::vector<int>& n_contacts) {
 statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, const engine::Boundary& rollers) {
   std::vector<int> n_contacts(specimen.packing->discs.size(), 0);
   for (const Contact& c : specimen.contacts) ++n_contacts[c.a], ++n_contacts[c.b];
-  const double cx = 0.5 * specimen.packing->width, P = 2.0 * bend.radius;  // nominal stress 1
+  const double cx = flat_face(*specimen.packing, bend).x, P = 2.0 * bend.radius;  // nominal stress 1
   statics::Boundary boundary;
   for (const double side : {-0.5, 0.5})
     press(boundary, *specimen.packing, rollers.bodies[0], n_contacts, cx + side * bend.span, 0.5 * P);
@@ -65,8 +67,8 @@ statics::Boundary loads(const Specimen& specimen, const BendSpecimen& bend, cons
 
 DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& bend,
                                  const engine::Boundary& rollers) {
-  const double R = bend.radius, cx = 0.5 * specimen.packing->width;
-  const double flat = cx - R;  // height of the flat face: the largest radius
+  const double R = bend.radius;
+  const auto [cx, flat] = flat_face(*specimen.packing, bend);  // flat: the largest radius, too
   const Vec2 up{0.0, 1.0};
   const statics::CrackTip tip{
       {cx, flat + bend.notch}, up, std::max(ring_from * R, grains_off * flat), ring_to * R};

@@ -2,13 +2,15 @@
 // K_Ic, which takes the specimen for isotropic.
 //
 // The same grains and bonds as in the test, loaded on the lines of the rollers: half of P on each support, P
-// on top, each shared by two grains of the roller on either side of its line, so that forces and moments
-// balance to the last bit and nothing has to be held. Linear: contacts also pull (statics/crack_tip.hpp).
+// on top, each shared by the grains of the roller next to its line on either side, so that forces and moments
+// balance and the one grain that is held, for a solution without rigid movement, carries nothing. Where there
+// is a grain on one side only it takes all, at most two of the largest radii off the line, and the held grain
+// the moment of that. Linear: contacts also pull (statics/crack_tip.hpp).
 //
 // K belongs to a homogeneous body. Bedded rock is one only where the ring around the notch that is read spans
 // many planes: with 9 of them K_I of planes across the notch is 2 % off that of finite elements, with 5 some
-// 8 %, with 2 it is 20 - 35 % too high (docs/theory/semi-circular-bend.md). With fewer than `least_planes`
-// there is no answer.
+// 8 %, with 2 some 20 %, all too high; of inclined planes more (docs/theory/semi-circular-bend.md). With
+// fewer than `least_planes` there is no answer.
 #pragma once
 #include "engine/boundary.hpp"
 #include "lab/semi_circular_bend/reading.hpp"

@@ -12,10 +12,6 @@
 namespace phy::lab {
 namespace {
 
-/// E u / (2 R) over the nominal stress, of an isotropic half disc with a/R = 0.5 and s/(2R) = 0.8 (own plane
-/// strain calculation): for the speed of waves only.
-constexpr double bend_compliance = 12.0;
-
 /// a/R of a specimen is that of its grains: what is as near to a bound as this counts as within.
 constexpr double in_range = 0.01;
 

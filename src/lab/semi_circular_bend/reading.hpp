@@ -1,7 +1,6 @@
 // Semi-circular bend: the apparent fracture toughness.
 //
-//   K_Ic_apparent   Y' sqrt(pi a) P_max / (2 R B), B = 1, with the factor Y' of an isotropic body:
-//   "apparent",
+//   K_Ic_apparent   Y' sqrt(pi a) P_max / (2 R B), B = 1, with the factor Y' of an isotropic body; apparent,
 //                   because bedded rock is not one, and because the notch of a grain assembly is as blunt as
 //                   its grains
 //   bend_strength   largest nominal stress P/(2 R B); the percentages of the history refer to it
@@ -20,6 +19,10 @@
 #include "analysis/branch.hpp"
 
 namespace phy::lab {
+
+/// E u / (2 R) over the nominal stress, of an isotropic half disc with a/R = 0.5 and s/(2R) = 0.8 (own plane
+/// strain calculation): for the speed of waves and the expected cost only.
+constexpr double bend_compliance = 12.0;
 
 /// The half disc, its notch and its supports.
 struct BendSpecimen {

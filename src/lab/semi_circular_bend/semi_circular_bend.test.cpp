@@ -190,6 +190,23 @@ TEST(SemiCircularBend, NoDirectIntensityOfAFewPlanes) {
   EXPECT_NE(numbers.front().note.find("bedding planes within the ring"), std::string::npos);
 }
 
+// Where no load is the largest there is none to give K under; the reason is said, not that numbers are odd.
+TEST(SemiCircularBend, WithoutAPeakNoIntensityAndTheReason) {
+  const Recipe r = small_bend();
+  const auto specimen = std::make_shared<const Specimen>(first_specimen(r));
+  engine::GroupOptions options;
+  options.isa = engine::native_isa();
+  options.interval = static_cast<int>(r.test.history_interval);
+  const auto group = engine::make_group(specimen->packing, options);
+  const auto test = make_test(specimen, r, *group, 0);
+  test->interrupt();
+  const TestResult result = test->take_result();
+  for (const char* name : {"K_Ic_apparent", "K_I", "K_II"}) {
+    EXPECT_TRUE(std::isnan(number(result, name).value)) << name;
+    EXPECT_EQ(number(result, name).note, "the stress never rises above zero") << name;
+  }
+}
+
 TEST(SemiCircularBend, DefinitionsSpeakOfTheNominalStress) {
   expect_speaks_of("nominal stress",
                    bend_numbers(marble_of("semi_circular_bend"), {}, {0.012, 0.006, 0.0192}, 2700.0));

@@ -16,7 +16,6 @@ class UniaxialTest final : public Procedure {
   void on_placed() override;
   bool prepare(std::int64_t n_blocks) override;
   void prescribe_motion() override;
-  double first_stop_strain() const override { return first_wave_strain; }
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
   bool may_pre_strain_ = recipe_.test.jump_strain > 0.0;
