@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -102,7 +101,7 @@ class RockReader {
       return true;
     }
     if (!file_.is_known("recipe")) return false;
-    const std::optional<Recipe> recipe = named_recipe(file_, "recipe");
+    const std::optional<Recipe> recipe = file_.read_named("recipe", read_recipe);
     if (!recipe) return false;
     rock_.model = *recipe;
     const auto refuse = [&](const char* expected, const char* remedy) {
@@ -226,12 +225,12 @@ class RockReader {
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
     bool has_angles = false;
-    try {
-      rock_.readings = parse_readings(read_file(where), where, file_.number("confining", nan), has_angles,
-                                      problems_, rock_.notes);
-    } catch (const IoError& error) {
-      return file_.tell_unreadable("data", error);
-    }
+    auto readings = file_.read_named("data", [&](const std::string& table) {
+      return parse_readings(read_file(table), table, file_.number("confining", nan), has_angles, problems_,
+                            rock_.notes);
+    });
+    if (!readings) return;
+    rock_.readings = std::move(*readings);
     // A column of angles means bedding, unless the file says otherwise.
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
     if (rock_.bedded && !has_angles)

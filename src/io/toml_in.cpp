@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/quote.hpp"
+#include "base/spelling.hpp"
 #include "io/csv.hpp"
 #include "io/document.hpp"
 #include "io/file.hpp"
@@ -153,15 +154,11 @@ Recipe read_recipe(const std::string& path) {
   return recipe;
 }
 
-std::optional<Recipe> named_recipe(Document& file, const std::string& key) {
-  try {
-    return read_recipe(file.beside(file.text(key, "")));
-  } catch (const InputError& e) {
-    file.problems.insert(file.problems.end(), e.problems().begin(), e.problems().end());
-  } catch (const IoError& e) {
-    file.tell_unreadable(key, e);
-  }
-  return std::nullopt;
+std::string recipe_key_hint(const std::string& word) {
+  std::vector<std::string> known;
+  for (const Field& f : recipe_fields()) known.push_back(f.path());
+  const std::string near = nearest(word, known);
+  return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }
