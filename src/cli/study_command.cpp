@@ -107,8 +107,9 @@ void check_tables(const std::string& folder, const std::string& option) {
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
 void report_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
                     int width) {
-  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, rows));
-  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, rows));
+  const std::vector<study::Response> all = study::all_responses(plan, rows);
+  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, all));
+  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, all));
   print_out("{}", study::effects_text(plan, rows, width));
 }
 
