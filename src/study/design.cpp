@@ -144,6 +144,8 @@ std::vector<Point> morris(const Study& study) {
 
 }  // namespace
 
+const char* to_string(Solver solver) { return solver == Solver::direct ? "direct" : "dynamic"; }
+
 const char* to_string(Design design) {
   switch (design) {
     case Design::one_at_a_time: return "one_at_a_time";

@@ -46,7 +46,7 @@ Fields study_fields() {
                 "dynamic: the recipe's test, in time; direct: E and nu at small strain by the direct elastic "
                 "solution",
                 "\"dynamic\""),
-          {"dynamic", "direct"}),
+          {to_string(Solver::dynamic), to_string(Solver::direct)}),
       one_of(entry(K::choice, "", "design", "points to visit", "\"one_at_a_time\""), designs),
       within(
           entry(K::integer, "", "samples",
