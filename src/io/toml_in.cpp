@@ -17,14 +17,15 @@ namespace phy::io {
 namespace {
 
 /// The table [sweep] of recipes before there were studies by the direct solution. Completed recipes of that
-/// time hold it without factors, where it has no effect.
+/// time hold it with an empty list of factors, where it has no effect.
 void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Problem>& problems) {
   const auto key =
       std::find_if(root.keys.begin(), root.keys.end(), [](const auto& k) { return k.name == "sweep"; });
   if (key == root.keys.end()) return;
   const auto item = root.items.begin() + (key - root.keys.begin());
   const TomlValue* factors = item->find("factors");
-  if (factors != nullptr && !factors->items.empty())
+  // A misspelt or missing list is not taken for an empty one: what a user writes has an effect or is refused.
+  if (factors == nullptr || factors->kind != TomlValue::Kind::list || !factors->items.empty())
     problems.push_back({at_line(where, key->line), "sweep", "", "a study with solver = \"direct\"",
                         "write a study file with [[vary]] key = \"bedding.k_n\", times = [0.5, 1, 2] and run "
                         "`phyllite study`: examples/paper/elastic.toml"});
