@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/check.hpp"
 #include "base/rng.hpp"
 
 namespace phy::study {
