@@ -2,7 +2,6 @@
 
 #include <zlib.h>
 
-
 #include "base/check.hpp"
 
 namespace phy::io {
