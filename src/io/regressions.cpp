@@ -26,7 +26,7 @@ Field entry(FieldKind kind, const char* key, const char* meaning) {
 }
 
 Fields regression_fields() {
-  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is told");
+  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is given");
   R2.min = 0.0, R2.max = 1.0;
   return {entry(FieldKind::text, "source", "who found it, and where it stands"),
           entry(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),

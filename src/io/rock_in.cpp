@@ -20,9 +20,9 @@ namespace {
 // Fewer angles cannot show a minimum between 0 and 90 degrees.
 constexpr std::size_t least_angles = 3;
 
-Field text_field(const char* key, const char* meaning) {
+Field entry(FieldKind kind, const char* key, const char* meaning) {
   Field f;
-  f.kind = FieldKind::text, f.key = key, f.meaning = meaning;
+  f.kind = kind, f.key = key, f.meaning = meaning;
   return f;
 }
 
@@ -35,23 +35,22 @@ Field as_in_recipe(const char* path, const char* table, const char* key, const c
 
 const Fields& rock_fields() {
   static const Fields fields = [] {
-    Field reading = text_field("elastic_reading", "how moduli of cylinders are read in two dimensions");
-    reading.kind = FieldKind::choice, reading.choices = {"plane stress", "plane strain"};
+    using K = FieldKind;
+    Field reading = entry(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
+    reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
-    Field bedded = text_field("bedded", "the rock has bedding; default: where the table has angles");
-    bedded.kind = FieldKind::boolean;
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "of a table with several confining pressures, the one to use");
     confining.otherwise.clear();
     return Fields{
-        text_field("name", "name of the rock; default: the file's name"),
-        text_field("data", "CSV table of tests, counted from the folder of this file"),
-        text_field("recipe",
-                   "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
-                   "[specimen]"),
+        entry(K::text, "name", "name of the rock; default: the file's name"),
+        entry(K::text, "data", "CSV table of tests, counted from the folder of this file"),
+        entry(K::text, "recipe",
+              "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
+              "[specimen]"),
         reading,
         confining,
-        bedded,
+        entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe(
