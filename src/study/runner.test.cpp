@@ -14,7 +14,6 @@
 namespace phy::study {
 namespace {
 
-
 class Runner : public InFolder {
  protected:
   void SetUp() override {
