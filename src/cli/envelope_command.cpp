@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
+#include "base/lines.hpp"
 #include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
@@ -67,28 +67,6 @@ std::vector<double> read_stresses(const std::vector<std::string>& words) {
   return stresses;
 }
 
-/// What is found of whom, told once.
-class Findings {
- public:
-  void add(const std::string& who, const std::string& what) {
-    const auto it =
-        std::find_if(findings_.begin(), findings_.end(), [&](const auto& t) { return t.what == what; });
-    if (it == findings_.end())
-      findings_.push_back({who, what});
-    else
-      it->who += ", " + who;
-  }
-  void print(int width) const {
-    for (const Finding& f : findings_) print_wrapped(width, 2, "{}: {}\n", f.who, f.what);
-  }
-
- private:
-  struct Finding {
-    std::string who, what;
-  };
-  std::vector<Finding> findings_;
-};
-
 /// NaN where there is no fit.
 template <class Fit>
 double R2_of(const Fit& fit) {
@@ -140,12 +118,12 @@ void print_fits(const study::Envelope& envelope, int width) {
   print_wrapped(width, 0,
                 "+-: standard errors; k: m over that of the planes nearest to across the load (Saroglou & "
                 "Tsiambaos)\n");
-  Findings findings;
+  std::vector<std::string> findings;
   for (S s : envelope.specimens)
-    if (!s.mohr_coulomb.ok) findings.add(s.name, "no Mohr-Coulomb envelope: " + s.mohr_coulomb.reason);
+    if (!s.mohr_coulomb.ok) add_line(findings, s.name, "no Mohr-Coulomb envelope: " + s.mohr_coulomb.reason);
   for (S s : envelope.specimens)
-    if (!s.hoek_brown.ok) findings.add(s.name, "no Hoek-Brown envelope: " + s.hoek_brown.reason);
-  findings.print(width);
+    if (!s.hoek_brown.ok) add_line(findings, s.name, "no Hoek-Brown envelope: " + s.hoek_brown.reason);
+  for (const std::string& line : findings) print_wrapped(width, 2, "{}\n", line);
   if (envelope.plane.ok)
     print_wrapped(
         width, 2,
@@ -157,23 +135,23 @@ void print_fits(const study::Envelope& envelope, int width) {
     print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
 }
 
-/// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do. Remarks
+/// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do. Warnings
 /// of the others.
 void print_outcomes(const study::EnvelopeTests& tests, int width) {
-  Findings findings;
+  std::vector<std::string> findings;
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       for (const QualityMark& mark : quality_marks(r.numbers))
         if (r.outcome.status == Status::peaked)
-          findings.add(fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
-                       fmt::format("warning: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
+          add_line(findings, fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
+                   fmt::format("warning: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       if (const Outcome& o = r.outcome; o.status != Status::peaked)
-        findings.add(
-            fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
+        add_line(
+            findings, fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
             fmt::format("{}: {}{}{}", to_string(o.status), o.reason, o.advice.empty() ? "" : "; ", o.advice));
-  findings.print(width);
+  for (const std::string& line : findings) print_wrapped(width, 2, "{}\n", line);
 }
 
 std::string strengths_csv(const study::EnvelopeTests& tests) {

@@ -20,9 +20,7 @@ std::string in_code(const std::string& text) { return text.empty() ? "" : "`" + 
 }  // namespace
 
 std::string explain(const std::vector<const io::Schema*>& schemas, const std::string& key) {
-  std::string word = key;
-  if (const std::size_t open = word.find('['), close = word.find(']'); open < close && close != word.npos)
-    word.erase(open, close - open + 1);
+  const std::string word = io::without_index(key);
   std::vector<std::string> known, longer;
   for (const bool in_pfc : {false, true}) {
     std::string text;

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/check.hpp"
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "io/toml_in.hpp"

@@ -2,7 +2,6 @@
 // side of a calibration.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/quote.hpp"

@@ -107,8 +107,9 @@ void check_tables(const std::string& folder, const std::string& option) {
 /// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
 void report_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
                     int width) {
-  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, rows));
-  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, rows));
+  const std::vector<study::Response> all = study::all_responses(plan, rows);
+  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, all));
+  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, all));
   print_out("{}", study::effects_text(plan, rows, width));
 }
 
@@ -174,12 +175,9 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
   if (there.name != study.name)
     throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
-  const auto solver_of = [](const study::Study& s) {
-    return s.solver == study::Solver::direct ? "direct" : "dynamic";
-  };
   if (there.solver != study.solver)
-    throw InputError(Problem{folder, "solver", solver_of(there),
-                             std::string(solver_of(study)) + ", as in the study file", remedy});
+    throw InputError(Problem{folder, "solver", study::to_string(there.solver),
+                             std::string(study::to_string(study.solver)) + ", as in the study file", remedy});
   if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
@@ -257,7 +255,7 @@ int status_of(const StudyArguments& args, const Session& session) {
   print_plan(plan, rows, session);
   const std::size_t n_left = n_unfinished(plan, rows),
                     n_bad = print_failures(plan, rows, session.terminal_width);
-  print_out("status    {} of {} finished, {} in flight, {} without a good peak; hash {}\n", n_finished(rows),
+  print_out("status    {} of {} finished, {} in flight, {} without an answer; hash {}\n", n_finished(rows),
             plan.tests.size(), store.n_claimed(), n_bad, study::hash_of(rows));
   return n_left + n_bad > 0 ? 1 : 0;
 }

@@ -99,7 +99,7 @@ std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) 
 
 std::string progress_text(const study::StudyProgress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
-  if (p.n_failed > 0) text += fmt::format(" ({} without a good peak)", p.n_failed);
+  if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
   text += fmt::format(", {:.0f} s", seconds);
   if (p.work <= 0.0) return text + ", starting";
   return text + fmt::format(", {:.0f} per minute, about {} left",

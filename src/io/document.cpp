@@ -108,6 +108,12 @@ bool take_value(const Field& field, const TomlValue& value, double& number, std:
   return within_range(field, number);
 }
 
+std::string without_index(std::string path) {
+  if (const std::size_t open = path.find('['), close = path.find(']'); open < close && close != path.npos)
+    path.erase(open, close - open + 1);
+  return path;
+}
+
 Document::Document(std::string_view text, const std::string& where, const Schema& schema)
     : where_(where), schema_(schema) {
   root_ = parse_toml(text, where, problems);
@@ -122,10 +128,6 @@ Document::Document(TomlValue root, std::string where, const Schema& schema, std:
 void Document::report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
                               const std::string& remedy) {
   problems.push_back({at_line(where_, value.line), path, as_written(value), expected, remedy});
-}
-
-void Document::tell_unreadable(const std::string& key, const IoError& error) {
-  report_problem(*find(key), key, "a file that can be read", error.what());
 }
 
 void Document::check() const {

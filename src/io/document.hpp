@@ -2,6 +2,7 @@
 // read in this one way, with the same checks and the same words.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,9 @@ std::string unknown_key_hint(const Schema& schema, const std::string& word, cons
 /// where range_text says it all).
 bool take_value(const Field& field, const TomlValue& value, double& number, std::string& remedy);
 
+/// "bedding[0].k_n" as it stands in the list of keys: "bedding.k_n".
+std::string without_index(std::string path);
+
 class Document {
  public:
   /// Reads all values; what is wrong goes to `problems`. Throws InputError where nothing can be read.
@@ -43,8 +47,6 @@ class Document {
   std::vector<Problem> problems;
   void report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
                       const std::string& remedy);
-  /// A file that this one names under `key` cannot be read.
-  void tell_unreadable(const std::string& key, const IoError& error);
   /// Throws InputError with all problems, if there are any.
   void check() const;
 
@@ -65,6 +67,20 @@ class Document {
   std::string name();
   /// A file named in this one: counted from its folder.
   std::string beside(const std::string& file) const;
+  /// What `read` makes of the file that this one names under `key`; nothing, with its problems among those of
+  /// this one, where it cannot be read.
+  template <class Read>
+  auto read_named(const std::string& key, const Read& read) {
+    std::optional<decltype(read(std::string()))> made;
+    try {
+      made = read(beside(text(key, "")));
+    } catch (const InputError& e) {
+      problems.insert(problems.end(), e.problems().begin(), e.problems().end());
+    } catch (const IoError& e) {
+      report_problem(*find(key), key, "a file that can be read", e.what());
+    }
+    return made;
+  }
 
  private:
   struct Value {

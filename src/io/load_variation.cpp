@@ -108,12 +108,8 @@ double mean_of(const Rows& rows, std::optional<std::size_t> value) {
 
 /// A value as the recipe would print it: "840 GPa/m". `column`: "bedding.k_n [Pa/m]".
 std::string value_text(const std::string& column, const std::string& cell) {
-  std::string path = column.substr(0, column.find(' '));
-  // "bedding[1].k_n" is described by the list entry "bedding.k_n".
-  if (const auto bracket = path.find('['); bracket != path.npos)
-    path.erase(bracket, path.find(']') - bracket + 1);
   const double value = number_of(cell);
-  const Field* field = find_field(recipe_fields(), path);
+  const Field* field = find_field(recipe_fields(), without_index(column.substr(0, column.find(' '))));
   if (field == nullptr || !std::isfinite(value)) return cell;
   return print_quantity(std::stod(fmt::format("{:.6g}", value)),
                         field->dimension);  // no last digits of a product

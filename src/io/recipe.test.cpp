@@ -129,6 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"idle_phi", "[matrix]\nphi = \"30 deg\"\n", "shear_strength = \"cohesion_friction\""},
         Bad{"long_ramp", "[test]\nramp_strain = 0.01\n", "below max_strain = 0.01"},
         Bad{"former_sweep", bedding + "[sweep]\nfactors = [0.5, 1, 2]\n", "a study with solver = \"direct\""},
+        Bad{"misspelt_former_sweep", bedding + "[sweep]\nfactor = [0.5, 1, 2]\n",
+            "a study with solver = \"direct\""},
         Bad{"a_study", "recipe = \"press.toml\"\nsolver = \"direct\"\n",
             "r.toml:1: recipe = \"press.toml\": expected a recipe"},
         Bad{"long_jump", "[test]\njump_strain = 0.05\n", "below max_strain = 0.01"},

@@ -5,9 +5,9 @@
 
 #include "base/nan.hpp"
 #include "base/quote.hpp"
-#include "base/spelling.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace phy::io {
@@ -26,7 +26,7 @@ Field entry(FieldKind kind, const char* key, const char* meaning) {
 }
 
 Fields regression_fields() {
-  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is told");
+  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is given");
   R2.min = 0.0, R2.max = 1.0;
   return {entry(FieldKind::text, "source", "who found it, and where it stands"),
           entry(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
@@ -56,14 +56,9 @@ Regression read_line(Document& file, const TomlValue& table, const std::string& 
   line.key = file.text(path + "key", "");
   line.slope = file.number(path + "slope", 0.0);
   line.R2 = file.number(path + "R2", nan);
-  if (!line.key.empty() && find_field(recipe_fields(), line.key) == nullptr) {
-    std::vector<std::string> known;
-    for (const Field& f : recipe_fields()) known.push_back(f.path());
-    const std::string near = nearest(line.key, known);
-    file.report_problem(
-        *file.find(path + "key"), path + "key", "a key of the recipe",
-        near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?");
-  }
+  if (!line.key.empty() && find_field(recipe_fields(), line.key) == nullptr)
+    file.report_problem(*file.find(path + "key"), path + "key", "a key of the recipe",
+                        recipe_key_hint(line.key));
   if (const TomlValue* intercept = file.find(path + "intercept")) {
     const std::optional<double> value = take_any_unit(*intercept, line.unit);
     if (!value)

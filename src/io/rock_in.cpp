@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -21,9 +20,9 @@ namespace {
 // Fewer angles cannot show a minimum between 0 and 90 degrees.
 constexpr std::size_t least_angles = 3;
 
-Field text_field(const char* key, const char* meaning) {
+Field entry(FieldKind kind, const char* key, const char* meaning) {
   Field f;
-  f.kind = FieldKind::text, f.key = key, f.meaning = meaning;
+  f.kind = kind, f.key = key, f.meaning = meaning;
   return f;
 }
 
@@ -36,23 +35,22 @@ Field as_in_recipe(const char* path, const char* table, const char* key, const c
 
 const Fields& rock_fields() {
   static const Fields fields = [] {
-    Field reading = text_field("elastic_reading", "how moduli of cylinders are read in two dimensions");
-    reading.kind = FieldKind::choice, reading.choices = {"plane stress", "plane strain"};
+    using K = FieldKind;
+    Field reading = entry(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
+    reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
-    Field bedded = text_field("bedded", "the rock has bedding; default: where the table has angles");
-    bedded.kind = FieldKind::boolean;
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "of a table with several confining pressures, the one to use");
     confining.otherwise.clear();
     return Fields{
-        text_field("name", "name of the rock; default: the file's name"),
-        text_field("data", "CSV table of tests, counted from the folder of this file"),
-        text_field("recipe",
-                   "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
-                   "[specimen]"),
+        entry(K::text, "name", "name of the rock; default: the file's name"),
+        entry(K::text, "data", "CSV table of tests, counted from the folder of this file"),
+        entry(K::text, "recipe",
+              "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
+              "[specimen]"),
         reading,
         confining,
-        bedded,
+        entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe(
@@ -102,7 +100,7 @@ class RockReader {
       return true;
     }
     if (!file_.is_known("recipe")) return false;
-    const std::optional<Recipe> recipe = named_recipe(file_, "recipe");
+    const std::optional<Recipe> recipe = file_.read_named("recipe", read_recipe);
     if (!recipe) return false;
     rock_.model = *recipe;
     const auto refuse = [&](const char* expected, const char* remedy) {
@@ -226,12 +224,12 @@ class RockReader {
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
     bool has_angles = false;
-    try {
-      rock_.readings = parse_readings(read_file(where), where, file_.number("confining", nan), has_angles,
-                                      problems_, rock_.notes);
-    } catch (const IoError& error) {
-      return file_.tell_unreadable("data", error);
-    }
+    auto readings = file_.read_named("data", [&](const std::string& table) {
+      return parse_readings(read_file(table), table, file_.number("confining", nan), has_angles, problems_,
+                            rock_.notes);
+    });
+    if (!readings) return;
+    rock_.readings = std::move(*readings);
     // A column of angles means bedding, unless the file says otherwise.
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
     if (rock_.bedded && !has_angles)

@@ -2,7 +2,6 @@
 
 #include <sqlite3.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "base/check.hpp"

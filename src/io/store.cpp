@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/check.hpp"
 #include "base/units.hpp"
 #include "io/scene.hpp"
 #include "io/toml_in.hpp"

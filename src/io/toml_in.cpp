@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/quote.hpp"
+#include "base/spelling.hpp"
 #include "io/csv.hpp"
 #include "io/document.hpp"
 #include "io/file.hpp"
@@ -16,14 +17,15 @@ namespace phy::io {
 namespace {
 
 /// The table [sweep] of recipes before there were studies by the direct solution. Completed recipes of that
-/// time hold it without factors, where it has no effect.
+/// time hold it with an empty list of factors, where it has no effect.
 void take_out_sweep(TomlValue& root, const std::string& where, std::vector<Problem>& problems) {
   const auto key =
       std::find_if(root.keys.begin(), root.keys.end(), [](const auto& k) { return k.name == "sweep"; });
   if (key == root.keys.end()) return;
   const auto item = root.items.begin() + (key - root.keys.begin());
   const TomlValue* factors = item->find("factors");
-  if (factors != nullptr && !factors->items.empty())
+  // A misspelt or missing list is not taken for an empty one: what a user writes has an effect or is refused.
+  if (factors == nullptr || factors->kind != TomlValue::Kind::list || !factors->items.empty())
     problems.push_back({at_line(where, key->line), "sweep", "", "a study with solver = \"direct\"",
                         "write a study file with [[vary]] key = \"bedding.k_n\", times = [0.5, 1, 2] and run "
                         "`phyllite study`: examples/paper/elastic.toml"});
@@ -153,15 +155,11 @@ Recipe read_recipe(const std::string& path) {
   return recipe;
 }
 
-std::optional<Recipe> named_recipe(Document& file, const std::string& key) {
-  try {
-    return read_recipe(file.beside(file.text(key, "")));
-  } catch (const InputError& e) {
-    file.problems.insert(file.problems.end(), e.problems().begin(), e.problems().end());
-  } catch (const IoError& e) {
-    file.tell_unreadable(key, e);
-  }
-  return std::nullopt;
+std::string recipe_key_hint(const std::string& word) {
+  std::vector<std::string> known;
+  for (const Field& f : recipe_fields()) known.push_back(f.path());
+  const std::string near = nearest(word, known);
+  return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
 std::string write_recipe(const Recipe& recipe) { return write(recipe, false); }

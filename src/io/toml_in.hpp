@@ -1,6 +1,5 @@
 // Recipes as TOML files. All problems of a file are reported at once.
 #pragma once
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +16,8 @@ const Schema& recipe_schema();
 Recipe read_recipe(const std::string& path);
 /// The same from text; `where` names the source in messages.
 Recipe parse_recipe(std::string_view text, const std::string& where);
-/// The recipe that a file names under a key; nothing, with the problems reported, where it cannot be read.
-std::optional<Recipe> named_recipe(Document& file, const std::string& key);
+/// What to do about a word that is no key of the recipe: the nearest key, or where all are listed.
+std::string recipe_key_hint(const std::string& word);
 /// The completed recipe: every key with its value, in units that read back to the same bits.
 std::string write_recipe(const Recipe& recipe);
 /// As write_recipe, with meaning and range of every key as a comment.

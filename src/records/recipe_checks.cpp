@@ -1,6 +1,5 @@
 // Problems between keys of a recipe that are each in range (cross_checks).
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/exact_math.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/exact_math.hpp"
 #include "base/quote.hpp"
 #include "records/test_description.hpp"
 
@@ -314,15 +313,13 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
 }
 
 std::string keys_not_by_default(const Recipe& r) {
-  Recipe plain;
-  plain.bedding.resize(r.bedding.size());
   std::string text = std::to_string(r.bedding.size()) + " sets of bedding\n";
   for (const Field& f : recipe_fields()) {
     if (!f.only_of.empty() && f.only_of != r.test.kind->name) continue;
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
-      if (value == print_field(f, plain, i)) continue;
+      if (value == f.otherwise) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";
     }

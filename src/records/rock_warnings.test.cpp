@@ -25,7 +25,7 @@ Rock with(const std::vector<RockReading>& readings) {
   return rock;
 }
 
-TEST(RockRemarks, AnUsualRockPassesWithoutAWord) {
+TEST(RockWarnings, AnUsualRockPassesWithoutAWord) {
   EXPECT_THAT(warnings_about(
                   with({cell(Property::E, 0, 23e9), cell(Property::ucs, 0, 107e6), cell(Property::nu, 0, 0.1),
                         cell(Property::E, 90, 59e9), cell(Property::ucs, 90, 134e6),
@@ -34,7 +34,7 @@ TEST(RockRemarks, AnUsualRockPassesWithoutAWord) {
 }
 
 // E in MPa and UCS in kPa leave E/UCS as it was.
-TEST(RockRemarks, UnitsOffByAThousandAreDoubted) {
+TEST(RockWarnings, UnitsOffByAThousandAreDoubted) {
   EXPECT_THAT(warnings_about(with({cell(Property::E, 0, 0.023e9), cell(Property::ucs, 0, 0.11e6)})),
               ElementsAre(AllOf(HasSubstr("E(0) = 0.023 GPa"), HasSubstr("unit in the header")),
                           AllOf(HasSubstr("UCS(0) = 0.11 MPa"), HasSubstr("unit in the header"))));
@@ -42,7 +42,7 @@ TEST(RockRemarks, UnitsOffByAThousandAreDoubted) {
               ElementsAre(AllOf(HasSubstr("E/UCS(0) = 4.6e+04"), HasSubstr("Deere & Miller 1966"))));
 }
 
-TEST(RockRemarks, ExchangedColumnsAreDoubted) {
+TEST(RockWarnings, ExchangedColumnsAreDoubted) {
   EXPECT_THAT(warnings_about(with({cell(Property::E, 0, 110e9), cell(Property::ucs, 0, 23e6)})),
               ElementsAre(HasSubstr("E/UCS(0) = 4783")));
   Rock plain = with({cell(Property::ucs, 0, 20e6), cell(Property::brazilian, 0, 11e6)});
@@ -50,7 +50,7 @@ TEST(RockRemarks, ExchangedColumnsAreDoubted) {
   EXPECT_THAT(warnings_about(plain), ElementsAre(HasSubstr("BTS = 0.55 UCS")));
 }
 
-TEST(RockRemarks, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
+TEST(RockWarnings, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   Rock rock =
       with({cell(Property::E, 0, 23e9, 2), cell(Property::E, 0, 80e9, 4), cell(Property::E, 0, 23.2e9, 3)});
   EXPECT_THAT(warnings_about(rock), ElementsAre(HasSubstr("E(0) of lines 2 and 4 differs by a factor 3.5")));
@@ -58,7 +58,7 @@ TEST(RockRemarks, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   EXPECT_THAT(warnings_about(rock), IsEmpty());
 }
 
-TEST(RockRemarks, AConversionInPartIsTold) {
+TEST(RockWarnings, AConversionInPartIsTold) {
   Rock rock = with({cell(Property::E, 0, 20e9), cell(Property::nu, 30, 0.2), cell(Property::E, 60, 30e9),
                     cell(Property::nu, 60, 0.25)});
   rock.reading = ElasticReading::plane_strain;
@@ -70,7 +70,7 @@ TEST(RockRemarks, AConversionInPartIsTold) {
 }
 
 // 1/E_2D = 1/E - nu^2/E(90): a table of 195 GPa does not become one that hardly any rock has.
-TEST(RockRemarks, WhatIsDoubtedIsTheTableAndNotItsConversion) {
+TEST(RockWarnings, WhatIsDoubtedIsTheTableAndNotItsConversion) {
   Rock rock = with({cell(Property::E, 0, 180e9), cell(Property::E, 90, 195e9), cell(Property::nu, 0, 0.25),
                     cell(Property::nu, 90, 0.27)});
   rock.reading = ElasticReading::plane_strain;

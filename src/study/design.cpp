@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/check.hpp"
 #include "base/rng.hpp"
 
 namespace phy::study {
@@ -143,6 +142,8 @@ std::vector<Point> morris(const Study& study) {
 }
 
 }  // namespace
+
+const char* to_string(Solver solver) { return solver == Solver::direct ? "direct" : "dynamic"; }
 
 const char* to_string(Design design) {
   switch (design) {

@@ -26,6 +26,7 @@ namespace phy::study {
 
 /// How a specimen is answered: by its test in time, or by the direct elastic solution (study/direct.hpp).
 enum class Solver { dynamic, direct };
+const char* to_string(Solver solver);
 enum class Design { one_at_a_time, full_factorial, list, latin_hypercube, sobol, morris, saltelli };
 constexpr int n_designs = 7;
 /// Of morris: p levels and a step of p / 2 of them, so that each is reached equally often; in parts of the

@@ -109,10 +109,12 @@ std::vector<VarianceIndex> variance_indices(std::size_t k, const std::vector<dou
 /// Tables for the terminal: macro joint stiffness where the design has the angles for it, and the main effect
 /// of every parameter on ucs and E at every specimen. Nothing where there is no result.
 std::string effects_text(const Plan& plan, const StudyRows& rows, int terminal_width = 0);
+/// Every number of every specimen, then K_n, K_s, R2_eq1 and E_eq1 of Eq. 1 by every reading: what both CSV
+/// files are about. Thousands of fits in a large study.
+std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows);
 /// Tidy CSV, a row per response, parameter and effect.
-std::string effects_csv(const Plan& plan, const StudyRows& rows);
-/// Tidy CSV, a row per response (K_n, K_s, R2_eq1 and E_eq1 of Eq. 1 among them) and point: mean, standard
-/// deviation, 95 % interval over the replicates.
-std::string responses_csv(const Plan& plan, const StudyRows& rows);
+std::string effects_csv(const Plan& plan, const std::vector<Response>& all);
+/// Tidy CSV, a row per response and point: mean, standard deviation, 95 % interval over the replicates.
+std::string responses_csv(const Plan& plan, const std::vector<Response>& all);
 
 }  // namespace phy::study

@@ -167,28 +167,6 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
   return text + table;
 }
 
-/// All numbers of all specimens, then Eq. 1 by every reading.
-std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
-  std::vector<Response> all;
-  std::vector<std::string> names;
-  for (const auto& row : rows)
-    if (row)
-      for (const Number& n : row->result.numbers)
-        if (std::find(names.begin(), names.end(), n.name) == names.end()) names.push_back(n.name);
-  for (const std::string& name : names)
-    for (Response& r : responses(plan, rows, name)) all.push_back(std::move(r));
-  for (const NamedReading& named : all_readings(plan.study.solver)) {
-    JointFits fits = fit_joints(plan, rows, named.reading);
-    std::vector<Response> of = std::move(fits.E);
-    of.insert(of.end(), {fits.K_n, fits.K_s, fits.R2});
-    for (Response& r : of) {
-      r.specimen += fmt::format(", {}", named.name);
-      all.push_back(std::move(r));
-    }
-  }
-  return all;
-}
-
 /// How many finished tests the effects do without, and how many of the others carry a warning.
 std::string left_out_text(const StudyRows& rows, Solver solver) {
   // Answers, untrusted results, and what is left over: specimens without a peak or solution.
@@ -234,9 +212,30 @@ StudyRows with_untrusted(StudyRows rows) {
   return rows;
 }
 
-std::string effects_csv(const Plan& plan, const StudyRows& rows) {
+std::vector<Response> all_responses(const Plan& plan, const StudyRows& rows) {
+  std::vector<Response> all;
+  std::vector<std::string> names;
+  for (const auto& row : rows)
+    if (row)
+      for (const Number& n : row->result.numbers)
+        if (std::find(names.begin(), names.end(), n.name) == names.end()) names.push_back(n.name);
+  for (const std::string& name : names)
+    for (Response& r : responses(plan, rows, name)) all.push_back(std::move(r));
+  for (const NamedReading& named : all_readings(plan.study.solver)) {
+    JointFits fits = fit_joints(plan, rows, named.reading);
+    std::vector<Response> of = std::move(fits.E);
+    of.insert(of.end(), {fits.K_n, fits.K_s, fits.R2});
+    for (Response& r : of) {
+      r.specimen += fmt::format(", {}", named.name);
+      all.push_back(std::move(r));
+    }
+  }
+  return all;
+}
+
+std::string effects_csv(const Plan& plan, const std::vector<Response>& all) {
   std::string text = "number,specimen,parameter,effect,unit,replicates,mean,sd,half width of 95 %\n";
-  for (const Response& r : all_responses(plan, rows))
+  for (const Response& r : all)
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k) {
       std::vector<Effect> effects = effects_of(plan, r, k);
       const std::vector<Effect> beside = beside_regressions(plan, r, k, effects);
@@ -249,11 +248,11 @@ std::string effects_csv(const Plan& plan, const StudyRows& rows) {
   return text;
 }
 
-std::string responses_csv(const Plan& plan, const StudyRows& rows) {
+std::string responses_csv(const Plan& plan, const std::vector<Response>& all) {
   std::string text = "number,unit,specimen,point";
   for (const Factor& f : plan.study.vary) text += "," + csv_head(f.key);
   text += ",replicates,mean,sd,half width of 95 %\n";
-  for (const Response& r : all_responses(plan, rows))
+  for (const Response& r : all)
     for (std::size_t p = 0; p < plan.points.size(); ++p) {
       text += fmt::format("{},{},{},{}", phy::csv_cell(r.number), phy::csv_cell(r.unit),
                           phy::csv_cell(r.specimen), p);

@@ -1,6 +1,5 @@
 #include "study/envelope.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -61,7 +61,7 @@ bool look(int from, int tag, MPI_Status& status) {
   return there != 0;
 }
 
-// What the store keeps of a result and the task queue counts, nothing more. NaN travels as null.
+// What the store keeps of a result and the progress counts, nothing more. NaN travels as null.
 json packed(const TestResult& r) {
   json numbers = json::array();
   for (const Number& n : r.numbers) numbers.push_back({n.name, n.value, n.unit, n.definition, n.note});
@@ -162,7 +162,7 @@ class Server {
         queue_.close();
         // The guest waits for an answer and must get one. Delivering again could fail again; everything else
         // is answered "stop" by the closed queue.
-        if (request["ask"] != "deliver") reply = answer(request);  // a closed task queue touches no store
+        if (request["ask"] != "deliver") reply = answer(request);  // a closed queue touches no store
       }
       send(reply, status.MPI_SOURCE, answer_tag);
     }

@@ -33,7 +33,8 @@ class Ranks {
   int rank_ = 0, size_ = 1;
 };
 
-/// Rank 0: works at the task queue and serves the other ranks. The report is about all workers of all ranks.
+/// Rank 0: runs tests like any study and serves the other ranks. The report is about all workers of all
+/// ranks.
 WorkReport work_as_host(const Ranks& ranks, StoreQueue& queue, const Plan& plan,
                         const MachineOptions& machine);
 /// The other ranks. `stop` ends this one soon: rank 0 goes on without it, its tests are left for a resume.

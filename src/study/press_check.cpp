@@ -1,6 +1,5 @@
 #include "study/press_check.hpp"
 
-#include <cmath>
 #include <memory>
 
 #include "base/nan.hpp"

@@ -37,7 +37,7 @@ class Worker {
       : queue_(queue), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
 
   void run() {
-    // A task queue may have nothing for now (other processes run the rest): then a lane batch of another
+    // The queue may have nothing for now (other processes run the rest): then a lane batch of another
     // worker is waited for, but not for long, as claims elsewhere may lapse.
     while (!stopped()) {
       const Assignment a = queue_.enter();
@@ -86,7 +86,9 @@ class Worker {
     // The lanes of this worker alone, so the number of threads does not matter.
     MachineOptions alone = machine_;
     alone.threads = 1;
-    auto lane_batch = std::make_unique<LaneBatch>(held_by(any), lane_batch_options(a.n_tests, any, alone));
+    // All tests of a batch have the grains in common that are cut from the packing (genesis/cut.hpp).
+    auto lane_batch = std::make_unique<LaneBatch>(genesis::shaped(packing_, any),
+                                                  lane_batch_options(a.n_tests, any, alone));
     const LaneHooks lanes = hooks([&] { return next(a.batch); });
     lane_batch->fill(lanes);
     run_lane_batch(std::move(lane_batch), lanes, exchange_);
@@ -96,10 +98,6 @@ class Worker {
       queue_.deliver(job->index, solve_directly(*job->specimen, statics_));
       queue_.count(plan_.tests[job->index].cost);
     }
-  }
-  /// The grains that a group holds: of Brazilian tests the disc, which all tests of a batch have in common.
-  std::shared_ptr<const Packing> held_by(const Recipe& recipe) const {
-    return genesis::shaped(packing_, recipe);
   }
   LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
     if (!next_job) next_job = [] { return std::optional<Job>(); };

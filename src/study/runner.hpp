@@ -119,7 +119,7 @@ struct WorkReport {
   double idle = 0.0;          ///< share of workers' time without work
 };
 
-/// Works at the task queue until it is finished or stopped. Rethrows the first exception of a worker.
+/// Runs tests of the queue until none is left or it is stopped. Rethrows the first exception of a worker.
 WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& machine);
 
 }  // namespace phy::study

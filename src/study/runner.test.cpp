@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <set>
 
 #include "base/in_folder_fixture.hpp"
@@ -14,8 +13,6 @@
 
 namespace phy::study {
 namespace {
-
-namespace fs = std::filesystem;
 
 class Runner : public InFolder {
  protected:

@@ -14,7 +14,7 @@ namespace phy::study {
 namespace {
 
 /// What the workers of run_tests share.
-struct TaskQueue {
+struct SharedTests {
   const std::vector<std::shared_ptr<const Specimen>>& specimens;
   std::shared_ptr<const Recipe> recipe;
   const ScheduleHooks& hooks;
@@ -30,7 +30,7 @@ struct TaskQueue {
   std::optional<Job> next(std::deque<std::size_t>& chunk) {
     const std::lock_guard lock(mutex);
     std::deque<std::size_t>& from = chunk.empty() ? waiting : chunk;
-    // The queue is looked at under the lock also when the run is ending: a test is given to one worker only.
+    // Looked at under the lock also when the run is ending: a test is given to one worker only.
     if (stopped() || from.empty()) return std::nullopt;
     const std::size_t i = from.front();
     from.pop_front();
@@ -59,7 +59,7 @@ struct TaskQueue {
     for (lane_batch->fill(hooks_of_lanes); lane_batch; lane_batch = exchange.wait())
       run_lane_batch(std::move(lane_batch), hooks_of_lanes, exchange);
   }
-  /// The hooks of a lane batch, with this queue behind them. Without a listener no reading is passed on,
+  /// The hooks of a lane batch, with these tests behind them. Without a listener no reading is passed on,
   /// which saves the lock in every block.
   LaneHooks for_lanes(std::deque<std::size_t>& chunk) {
     return {[this, &chunk] { return next(chunk); },
@@ -148,35 +148,35 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   PHY_CHECK(machine.threads > 0, "at least one worker");
   // The recipe outlives the run: shared without ownership, not copied per test.
   const std::shared_ptr<const Recipe> borrowed(std::shared_ptr<const Recipe>(), &recipe);
-  TaskQueue queue{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
+  SharedTests shared{specimens, borrowed, hooks, std::vector<TestResult>(specimens.size()), {}, {}, {}, {}};
   if (specimens.empty()) return {};
   std::vector<double> cost;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
-    queue.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
+    shared.results[i] = lab::blank_result(*specimens[i], recipe.test.kind);
     // So that a run that is stopped before a test has begun reports that, not an empty result.
-    queue.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
+    shared.results[i].outcome = {Status::interrupted, "not started", "run the same recipe again"};
     cost.push_back(cost_of(*specimens[i], recipe));
   }
-  queue.progress.n_total = specimens.size();
-  for (const std::size_t i : longest_first(cost)) queue.waiting.push_back(i);
+  shared.progress.n_total = specimens.size();
+  for (const std::size_t i : longest_first(cost)) shared.waiting.push_back(i);
   std::sort(cost.begin(), cost.end(), std::greater<>());
   // Each worker starts with a chunk of its own; what is in no chunk is taken one by one as lanes fall free.
   const int widest = lane_batch_options(specimens.size(), recipe, machine).group.lanes;
   std::vector<std::deque<std::size_t>> chunks;
   for (const std::size_t n :
        first_chunks(cost, static_cast<std::size_t>(machine.threads), recipe.engine.precision, widest)) {
-    const auto end = queue.waiting.begin() + static_cast<std::ptrdiff_t>(n);
-    chunks.emplace_back(queue.waiting.begin(), end);
-    queue.waiting.erase(queue.waiting.begin(), end);
+    const auto end = shared.waiting.begin() + static_cast<std::ptrdiff_t>(n);
+    chunks.emplace_back(shared.waiting.begin(), end);
+    shared.waiting.erase(shared.waiting.begin(), end);
   }
   LaneBatchExchange exchange(static_cast<int>(chunks.size()));
   on_threads(
-      chunks.size(), queue.broken,
+      chunks.size(), shared.broken,
       [&](std::size_t i) {
-        queue.work(chunks[i], lane_batch_options(chunks[i].size(), recipe, machine), exchange);
+        shared.work(chunks[i], lane_batch_options(chunks[i].size(), recipe, machine), exchange);
       },
       [&] { exchange.leave(); });
-  return std::move(queue.results);
+  return std::move(shared.results);
 }
 
 }  // namespace phy::study

@@ -145,6 +145,14 @@ void read_numbers(io::Database& database, StoredResult& r) {
   while (s.step()) r.result.numbers.push_back({s.text(0), s.number(1), s.text(2), s.text(3), s.text(4)});
 }
 
+/// False where the new key exists already: the row then keeps its own.
+bool rename_key(io::Database& database, const char* table, const std::string& before,
+                const std::string& now) {
+  io::Statement s(database, fmt::format("UPDATE OR IGNORE {} SET key = ? WHERE key = ?", table));
+  s.bind(now).bind(before).run();
+  return database.n_changed() > 0;
+}
+
 void write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
                     const TestResult& t, const std::string& host) {
   // OR IGNORE: two processes may have run the same test after a lease ended; the first result stays. Tests
@@ -211,13 +219,9 @@ void Store::rekey() {
     } catch (const IoError&) {
     }
   }
-  // A new key may exist already (OR IGNORE); the old row then keeps its own.
+  // Numbers go with their specimen: those of a row that keeps its key do not mix with the other's.
   for (const auto& [before, now] : keys)
-    for (const char* table : {"specimen", "number"})
-      io::Statement(database_, fmt::format("UPDATE OR IGNORE {} SET key = ? WHERE key = ?", table))
-          .bind(now)
-          .bind(before)
-          .run();
+    if (rename_key(database_, "specimen", before, now)) rename_key(database_, "number", before, now);
   // Claims refer to old keys; their tests are claimed anew under the new ones.
   database_.execute("DELETE FROM claim; PRAGMA user_version = " + std::to_string(store_format));
 }

@@ -245,6 +245,9 @@ TEST_F(StoreTest, AnOlderStoreIsGivenTheKeysOfToday) {
     Store s(file());
     s.put(before, io::write_recipe(recipe), some_result(1));
     s.put("fedcba9876543210", "no recipe", some_result(2));
+    TestResult again = some_result(1);
+    again.numbers.push_back({"later", 1.0, "1", "a number of a later version", ""});
+    s.put("second", io::write_recipe(recipe), again);
   }
   io::Database(file()).execute("PRAGMA user_version = 1");
   for (int opened = 0; opened < 2; ++opened) {
@@ -255,6 +258,8 @@ TEST_F(StoreTest, AnOlderStoreIsGivenTheKeysOfToday) {
     EXPECT_EQ(phy::hash_of(found->result), phy::hash_of(some_result(1)));
     EXPECT_EQ(found->result.numbers.size(), 3U);
     EXPECT_TRUE(s.find("fedcba9876543210")) << "what cannot be named anew is kept";
+    ASSERT_TRUE(s.find("second")) << "of two rows of one new key the second keeps its own";
+    EXPECT_EQ(s.find("second")->result.numbers.size(), 4U);
   }
 }
 

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "base/quote.hpp"
-#include "base/spelling.hpp"
 #include "io/file.hpp"
 #include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
-#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -49,7 +46,7 @@ Fields study_fields() {
                 "dynamic: the recipe's test, in time; direct: E and nu at small strain by the direct elastic "
                 "solution",
                 "\"dynamic\""),
-          {"dynamic", "direct"}),
+          {to_string(Solver::dynamic), to_string(Solver::direct)}),
       one_of(entry(K::choice, "", "design", "points to visit", "\"one_at_a_time\""), designs),
       within(
           entry(K::integer, "", "samples",
@@ -79,23 +76,12 @@ Fields study_fields() {
 /// The recipe key of that name, "bedding.k_n" or "bedding[1].k_n"; field = nullptr if there is none.
 RecipeKey find_key(const std::string& path) {
   RecipeKey key;
-  std::string plain = path;
-  if (const std::size_t open = path.find('['), close = path.find(']'); open < close && close != path.npos) {
-    key.set = std::atoi(path.c_str() + open + 1);
-    // "bedding[1].k_n" is looked up as "bedding.k_n", the name in the list of recipe keys.
-    plain.erase(open, close - open + 1);
-  }
+  const std::string plain = io::without_index(path);
+  if (plain != path) key.set = std::atoi(path.c_str() + path.find('[') + 1);
   const Field* field = find_field(recipe_fields(), plain);
   // An index is for bedding sets only.
   if (field != nullptr && (key.set < 0 || field->table == "bedding")) key.field = field;
   return key;
-}
-
-std::string key_hint(const std::string& path) {
-  std::vector<std::string> known;
-  for (const Field& f : recipe_fields()) known.push_back(f.path());
-  const std::string near = nearest(path, known);
-  return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }
 
 /// What to do instead where a key must not vary from point to point; empty where it may. Seeds are set for
@@ -125,7 +111,7 @@ class Reader {
     study_.design = static_cast<Design>(file_.number("design", 0.0));
     if (base_ok_) read_set();
     read_numbers();
-    read_found();
+    read_regressions();
     if (base_ok_) {
       read_vary();
       read_list();
@@ -156,7 +142,7 @@ class Reader {
                              "add recipe = \"press.toml\" (counted from the folder of this file)"});
       return;
     }
-    const std::optional<Recipe> base = io::named_recipe(file_, "recipe");
+    const std::optional<Recipe> base = file_.read_named("recipe", io::read_recipe);
     base_ok_ = base.has_value();
     if (base) study_.base = *base;
   }
@@ -173,17 +159,10 @@ class Reader {
       report_problem(*v, "packings", "no seeds with packing.file",
                      "an imported packing has no seed; vary nothing here");
   }
-  void read_found() {
-    const std::string name = file_.text("regressions", "");
-    if (name.empty()) return;
-    try {
-      // Problems of a named file are reported together with those of this one.
-      study_.regressions = io::read_regressions(file_.beside(name));
-    } catch (const InputError& e) {
-      problems_.insert(problems_.end(), e.problems().begin(), e.problems().end());
-    } catch (const IoError& e) {
-      file_.tell_unreadable("regressions", e);
-    }
+  void read_regressions() {
+    if (file_.text("regressions", "").empty()) return;
+    if (auto found = file_.read_named("regressions", io::read_regressions))
+      study_.regressions = std::move(*found);
   }
   std::vector<std::int64_t> seeds(const char* key, std::int64_t base) const {
     std::vector<std::int64_t> list;
@@ -197,7 +176,7 @@ class Reader {
     RecipeKey key = find_key(name);
     std::string expected, remedy;
     if (key.field == nullptr)
-      expected = "a key of the recipe", remedy = key_hint(name);
+      expected = "a key of the recipe", remedy = io::recipe_key_hint(name);
     else if (!is_scalar(*key.field))
       expected = "a key with one number, choice or switch", remedy = "give it in the base recipe";
     else if (key.field->table == "bedding" &&
@@ -337,7 +316,7 @@ class Reader {
                        static_cast<int>(study_.base.bedding.size()) > std::max(f.key.set, 0));
       if (!ok)
         problems_.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
-                             "a key of the base recipe", key_hint(key)});
+                             "a key of the base recipe", io::recipe_key_hint(key)});
       else if (const std::string remedy = instead_of_varying(f.key, study_.base); !remedy.empty())
         problems_.push_back({file + ":" + std::to_string(table.header_line), "column", cell,
                              "a key that varies from point to point", remedy});

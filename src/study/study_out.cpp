@@ -3,6 +3,7 @@
 #include "io/regressions.hpp"
 #include "io/toml_in.hpp"
 #include "study/study_in.hpp"
+#include "study/table.hpp"
 
 namespace phy::study {
 namespace {
@@ -10,9 +11,7 @@ namespace {
 /// The points of a list design as the table that read_study() reads.
 std::string points_csv(const Study& study) {
   std::string text;
-  for (const Factor& f : study.vary)
-    text += (text.empty() ? "" : ",") + f.key.path() +
-            (f.key.field->dimension == Dimension::none ? "" : " [" + f.key.unit() + "]");
+  for (const Factor& f : study.vary) text += (text.empty() ? "" : ",") + csv_head(f.key);
   text += "\n";
   for (const auto& row : study.rows) {
     for (std::size_t k = 0; k < row.size(); ++k)

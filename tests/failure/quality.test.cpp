@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"three_rows", {"history_interval = 5000"}, "rows_to_peak", "lower test.history_interval"}),
     [](const auto& one) { return std::string(one.param.name); });
 
-TEST_F(Quality, WithoutDampingTheNumberStandsWithARemark) {
+TEST_F(Quality, WithoutDampingTheNumberStandsWithAWarning) {
   EXPECT_EQ(run("run " + rock({"damping = 0"}) + " --out " + out()), 0) << output;
   EXPECT_THAT(output, AllOf(HasSubstr("warning"), HasSubstr("raise engine.damping")));
   EXPECT_EQ(result()["outcome"]["status"], "peaked");
