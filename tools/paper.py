@@ -285,12 +285,13 @@ def run_numbers(results):
     n, seconds, steps, bad, _ = store_line(results / "study")
     recipe = (results / "study" / "recipe.toml").read_text()
 
-    def key(name):
-        return next(x.split("=")[1].split("#")[0].strip().strip('"') for x in recipe.splitlines() if x.startswith(name + " "))
+    def key(*names):  # the last ones are those of earlier versions
+        return next(x.split("=")[1].split("#")[0].strip().strip('"') for x in recipe.splitlines()
+                    if x.startswith(tuple(name + " " for name in names)))
 
     failures = "All peaked." if not bad else (
         f"{len(bad)} without a peak, stored as such: " + "; ".join(f"{name} ({reason})" for name, reason in bad) + ".")
-    return key("platen_speed").split()[0], key("jump_strain"), n, steps * 1e-6, seconds, failures
+    return key("platen_speed").split()[0], key("pre_strain", "jump_strain"), n, steps * 1e-6, seconds, failures
 
 
 def table3(study, choices):

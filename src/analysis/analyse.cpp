@@ -38,7 +38,7 @@ std::vector<Number> axial_numbers(const History& history, const LoadingBranch& b
   std::vector<Number> out = strength(branch);
   add(out, elastic(branch, options, StrainFrom::gauge, ""));
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
-  add(out, crack_initiation(branch, cracks, options.jump_strain));
+  add(out, crack_initiation(branch, cracks, options.pre_strain));
   out.push_back(crack_damage(branch));
   add(out, common_numbers(history, branch, cracks, options.path));
   return out;

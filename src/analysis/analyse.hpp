@@ -24,7 +24,7 @@ namespace phy::analysis {
 
 struct AxialOptions {
   WavePath path;
-  double jump_strain = 0.0;          ///< affine axial pre-strain, 0: none; cracks below it could not show
+  double pre_strain = 0.0;           ///< affine axial pre-strain, 0: none; cracks below it could not show
   StressRange tangent = {0.4, 0.6};  ///< of E_tangent and nu, fractions of the strength
   double secant = 0.5;               ///< level of E_secant, fraction of the strength
   /// Of E_small: before cracking, comparable with the direct elastic solution.

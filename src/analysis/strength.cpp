@@ -12,7 +12,7 @@ namespace phy::analysis {
 namespace {
 
 /// Puts the stress at the count-th crack into n.
-void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_t count, double jump_strain,
+void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_t count, double pre_strain,
            Number& n) {
   if (strains.size() < count) {
     n.note = strains.empty() ? "no crack before the peak"
@@ -22,12 +22,12 @@ void place(const LoadingBranch& branch, std::vector<double>& strains, std::size_
   const auto nth = strains.begin() + static_cast<std::ptrdiff_t>(count - 1);
   std::nth_element(strains.begin(), nth, strains.end());
   const double first_row = branch.rows.front().axial_strain;
-  const double hidden = std::min(std::max(first_row, jump_strain), branch.strain);
+  const double hidden = std::min(std::max(first_row, pre_strain), branch.strain);
   n.value = stress_at(branch, std::max(*nth, hidden));
   if (*nth > hidden) return;
   n.note = fmt::format(
       "below {:.4g} MPa: the crack came {}", n.value * 1e-6,
-      jump_strain > 0.0 ? "by the end of the affine pre-strain" : "before the first row of the history");
+      pre_strain > 0.0 ? "by the end of the affine pre-strain" : "before the first row of the history");
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::vector<Number> strength(const LoadingBranch& branch) {
 }
 
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
-                                     double jump_strain) {
+                                     double pre_strain) {
   const std::string stress = branch.stress;
   Number ci{"sigma_ci", nan, "Pa",
             stress + " when the number of cracks reaches max(3, 1 % of the cracks at the peak)",
@@ -56,9 +56,9 @@ std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vec
   std::vector<double> strains;
   for (const CrackEvent& c : cracks)
     if (c.strain <= branch.strain) strains.push_back(c.strain);
-  place(branch, strains, 1, jump_strain, first);
+  place(branch, strains, 1, pre_strain, first);
   if (branch.peaked)
-    place(branch, strains, std::max<std::size_t>(3, (strains.size() + 99) / 100), jump_strain, ci);
+    place(branch, strains, std::max<std::size_t>(3, (strains.size() + 99) / 100), pre_strain, ci);
   return {ci, first};
 }
 

@@ -17,10 +17,10 @@ namespace phy::analysis {
 std::vector<Number> strength(const LoadingBranch& branch);
 
 /// sigma_ci and sigma_first_crack [Pa]. A crack from before the first row, or from an affine pre-strain up to
-/// the axial strain `jump_strain`, gives an upper bound: the note then begins with "below". Cracks may come
+/// the axial strain `pre_strain`, gives an upper bound: the note then begins with "below". Cracks may come
 /// in any order.
 std::vector<Number> crack_initiation(const LoadingBranch& branch, const std::vector<CrackEvent>& cracks,
-                                     double jump_strain);
+                                     double pre_strain);
 
 /// sigma_cd [Pa]. NaN with a note when the volumetric strain does not turn before the peak.
 Number crack_damage(const LoadingBranch& branch);

@@ -119,7 +119,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
 Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
   Recipe one = of(recipe, target, seed);
   one.test.platen_speed *= search_speed;
-  if (one.test.kind->may_pre_strain) one.test.jump_strain = pre_strain_share * strains_[target];
+  if (one.test.kind->may_pre_strain) one.test.pre_strain = pre_strain_share * strains_[target];
   return one;
 }
 

@@ -124,7 +124,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   machine.with_untrusted = args.with_untrusted;
   machine.store = store_in(args, label(evidence, args));
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
-  for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
+  print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));
   flush_out();
   ProgressLine line;

@@ -283,6 +283,7 @@ int elastic(const ElasticArguments& args, const Session& session) {
   const ElasticStudy study = solve_recipe(recipe, args, threads);
   print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
                 args.glued ? "glued" : "frictionless");
+  print_notes(recipe.notes, width);
   print_packing(study, width);
   print_moduli(study, width);
   bool all_solved = print_outcomes(study, width);

@@ -243,6 +243,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   print_wrapped(width, 10, "envelope  {} specimens of {} discs under {} confining stresses, sides: {}\n",
                 specimens.size(), packing->discs.size(), confining.size(),
                 recipe.test.confinement == Confinement::walls ? "walls" : "jacket");
+  print_notes(recipe.notes, width);
   flush_out();
   const study::EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const study::Envelope envelope =

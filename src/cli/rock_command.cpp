@@ -49,7 +49,7 @@ int rock_check(const std::string& path, int width) {
   const calibrate::Evidence evidence(io::read_rock(path));
   const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
-  for (const std::string& note : rock.notes) print_wrapped(width, 10, "          {}\n", note);
+  print_notes(rock.notes, width);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
             report::foresight_table({expected.begin(), expected.end()}, width));

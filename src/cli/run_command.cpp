@@ -227,6 +227,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
+  print_notes(job.recipe.notes, width);
   const Made made = make_all(job.recipe, args.no_cache, width);
   lab::check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());

@@ -52,6 +52,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   const int threads = n_threads(session), width = session.terminal_width;
   print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, study::to_string(s.design),
                 s.vary.size());
+  print_notes(s.base.notes, width);
   print_wrapped(width, 10,
                 "          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
                 plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(),
@@ -64,7 +65,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
         width, 10, "press     {:.3f} m/s per platen, {} precision, affine pre-strain {}\n",
         s.base.test.platen_speed,
         s.base.engine.precision == Precision::double_precision ? "double" : "single",
-        s.base.test.jump_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.jump_strain) : "off");
+        s.base.test.pre_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.pre_strain) : "off");
   if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
   print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,

@@ -55,4 +55,8 @@ int lost_output() {
   return first_error;
 }
 
+void print_notes(const std::vector<std::string>& notes, int terminal_width) {
+  for (const std::string& note : notes) print_wrapped(terminal_width, 10, "          {}\n", note);
+}
+
 }  // namespace phy::cli

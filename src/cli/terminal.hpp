@@ -6,8 +6,10 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text_table.hpp"
 
@@ -45,5 +47,8 @@ void print_wrapped(int terminal_width, std::size_t indent, fmt::format_string<Va
                    Values&&... values) {
   write_out(wrapped(fmt::format(format, std::forward<Values>(values)...), terminal_width, indent));
 }
+
+/// How a file was understood, below the line that names it.
+void print_notes(const std::vector<std::string>& notes, int terminal_width);
 
 }  // namespace phy::cli

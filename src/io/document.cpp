@@ -134,7 +134,32 @@ void Document::check() const {
   if (!problems.empty()) throw InputError(problems);
 }
 
+/// Gives a key of an earlier version its name of today. One that has both is left, and then not known.
+void Document::rename_former(TomlValue& table, const Field& field) {
+  for (TomlValue::Key& key : table.keys)
+    if (key.name == field.former && table.find(field.key) == nullptr) {
+      notes.push_back(at_line(where_, key.line) + ": " + field.path_of(field.former) + " is called " +
+                      field.key + " now");
+      key.name = field.key;
+    }
+}
+
+void Document::rename_former_keys() {
+  for (const Field& f : schema_.fields) {
+    if (f.former.empty()) continue;
+    if (f.table.empty()) rename_former(root_, f);
+    for (std::size_t i = 0; i < root_.keys.size(); ++i) {
+      if (root_.keys[i].name != f.table) continue;
+      TomlValue& node = root_.items[i];
+      if (node.kind == Kind::table) rename_former(node, f);
+      if (node.kind == Kind::list)
+        for (TomlValue& of_list : node.items) rename_former(of_list, f);
+    }
+  }
+}
+
 void Document::check_tables() {
+  rename_former_keys();
   check_keys(root_, "", "");
   // Each table of the schema once: several fields share one.
   std::set<std::string> names;

@@ -45,6 +45,7 @@ class Document {
   Document& operator=(const Document&) = delete;
 
   std::vector<Problem> problems;
+  std::vector<std::string> notes;  ///< keys under names of earlier versions
   void report_problem(const TomlValue& value, const std::string& path, const std::string& expected,
                       const std::string& remedy);
   /// Throws InputError with all problems, if there are any.
@@ -97,6 +98,8 @@ class Document {
   bool all_lines_known_ = true;  // every line of the file is TOML, and belongs to a key that we know
 
   void check_tables();
+  void rename_former(TomlValue& table, const Field& field);
+  void rename_former_keys();
   void check_keys(const TomlValue& table, const std::string& name, const std::string& prefix);
   void read_values();
   void read(const Field& field, const TomlValue& value, const std::string& path);

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
             "a study with solver = \"direct\""},
         Bad{"a_study", "recipe = \"press.toml\"\nsolver = \"direct\"\n",
             "r.toml:1: recipe = \"press.toml\": expected a recipe"},
-        Bad{"long_jump", "[test]\njump_strain = 0.05\n", "below max_strain = 0.01"},
+        Bad{"long_pre_strain", "[test]\njump_strain = 0.05\n", "below max_strain = 0.01"},
         Bad{"negative_confinement", "[test]\nkind = \"biaxial\"\nconfining_stress = \"-1 MPa\"\n",
             "0 GPa <= value <= 10 GPa"},
         Bad{"big_disc", "[test]\nkind = \"brazilian\"\ndisc_diameter = \"40 mm\"\n",
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
             "at most the width and twice the height, 38 mm"},
         Bad{"idle_normal_stiffness", "[test]\nkind = \"direct_shear\"\nnormal_stiffness = \"1 GPa/m\"\n",
             "give test.normal_stress"},
-        Bad{"jump_in_tension", "[test]\nkind = \"direct_tension\"\njump_strain = 1e-4\n",
+        Bad{"pre_strain_in_tension", "[test]\nkind = \"direct_tension\"\njump_strain = 1e-4\n",
             "only the uniaxial press can start loaded"},
         Bad{"unknown_test", "[test]\nkind = \"brasilian\"\n", "brazilian"},
         Bad{"odd_byte", "[matr\xC3\xAFx]\n", "plain ASCII"},
@@ -236,11 +236,11 @@ TEST(Recipe, SyntaxErrorsDoNotHideOtherProblems) {
 TEST(Recipe, MistakesBetweenKeysAreToldBesideMistakesInKeys) {
   const std::string p = problems_of(
       "[matrix]\nmu = -1\n[[bedding]]\nspacing = \"2 mm\"\nzone_thickness = \"3 mm\"\n[test]\n"
-      "jump_strain = 0.05\nmax_strain = \"1 %\"\n");
+      "pre_strain = 0.05\nmax_strain = \"1 %\"\n");
   EXPECT_THAT(p, HasSubstr("r.toml:2: matrix.mu"));
   EXPECT_THAT(p, HasSubstr("r.toml:5: bedding[0].zone_thickness = 3 mm: expected below the spacing of 2 mm"));
   EXPECT_THAT(p, HasSubstr("r.toml:8: test.max_strain"));
-  EXPECT_EQ(std::count(p.begin(), p.end(), '\n'), 2) << "jump_strain waits for max_strain: " << p;
+  EXPECT_EQ(std::count(p.begin(), p.end(), '\n'), 2) << "pre_strain waits for max_strain: " << p;
 }
 // What a misspelt key or a broken line was meant to give is not known, so only given keys are compared.
 TEST(Recipe, NothingIsHeldAgainstADefaultThatMayNotBeMeant) {
@@ -268,6 +268,16 @@ TEST(Recipe, OtherAlphabetsAreWelcomeInTextsAndComments) {
   const Recipe r = parse_recipe("# \xE5\xB2\xA9\nname = \"\xE9\xA1\xB5\xE5\xB2\xA9\" # \xC3\xA9\n", "r.toml");
   EXPECT_EQ(r.name, "\xE9\xA1\xB5\xE5\xB2\xA9");
   EXPECT_EQ(parse_recipe("name = \"\"\"a \"\xC3\xA9\" b\"\"\"\n", "r.toml").name, "a \"\xC3\xA9\" b");
+}
+
+TEST(Recipe, AKeyUnderItsFormerNameIsTakenWithANote) {
+  const Recipe r = parse_recipe("[test]\nmax_strain = 0.01\njump_strain = 5e-4\n", "r.toml");
+  EXPECT_EQ(r.test.pre_strain, 5e-4);
+  EXPECT_THAT(r.notes, testing::ElementsAre("r.toml:3: test.jump_strain is called pre_strain now"));
+  EXPECT_TRUE(parse_recipe(write_recipe(r), "r.toml").notes.empty());
+  EXPECT_THAT(problems_of("[test]\njump_strain = 5e-4\npre_strain = 5e-4\n"),
+              HasSubstr("r.toml:2: test.jump_strain"));
+  EXPECT_THAT(problems_of("[test]\njump_strain = 0.5\n"), HasSubstr("r.toml:2: test.pre_strain = 0.5"));
 }
 
 // Completed recipes of earlier versions hold the table with its defaults.

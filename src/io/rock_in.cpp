@@ -103,6 +103,7 @@ class RockReader {
     const std::optional<Recipe> recipe = file_.read_named("recipe", read_recipe);
     if (!recipe) return false;
     rock_.model = *recipe;
+    rock_.notes.insert(rock_.notes.end(), recipe->notes.begin(), recipe->notes.end());
     const auto refuse = [&](const char* expected, const char* remedy) {
       file_.report_problem(*file_.find("recipe"), "recipe", expected, remedy);
       return false;

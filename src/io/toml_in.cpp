@@ -137,6 +137,7 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
            [&](const std::string& path) { return file.is_known(path); }))
     file.problems.push_back(std::move(p));
   file.check();
+  recipe.notes = std::move(file.notes);
   return recipe;
 }
 

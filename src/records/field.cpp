@@ -52,8 +52,9 @@ bool has_pfc_name(const Field& f, const std::string& word) {
 }
 
 const Field* find_field(const Fields& fields, const std::string& path) {
-  const auto it =
-      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.path() == path; });
+  const auto it = std::find_if(fields.begin(), fields.end(), [&](const Field& f) {
+    return f.path() == path || (!f.former.empty() && f.path_of(f.former) == path);
+  });
   return it == fields.end() ? nullptr : &*it;
 }
 

@@ -42,6 +42,7 @@ struct Field {
   std::vector<std::string> choices;
   std::string meaning;
   std::string pfc_name;
+  std::string former;     ///< its name in earlier versions: accepted, with a note
   std::string otherwise;  ///< the default, as in a file; empty: there is none, or `meaning` tells
 
   // Of a key of the recipe: the one laboratory test that has it (recipes of other tests are written, and told
@@ -53,7 +54,8 @@ struct Field {
   std::function<void(Recipe&, const std::string&)> set_text;
   std::function<std::vector<double>&(Recipe&)> list;
 
-  std::string path() const { return table.empty() ? key : table + "." + key; }
+  std::string path() const { return path_of(key); }
+  std::string path_of(const std::string& name) const { return table.empty() ? name : table + "." + name; }
 };
 using Fields = std::vector<Field>;
 
@@ -63,7 +65,7 @@ std::string range_text(const Field& field);
 bool within_range(const Field& field, double value);
 /// True if `word` is one of the names of the field in PFC.
 bool has_pfc_name(const Field& field, const std::string& word);
-/// The field of that path; nullptr if there is none.
+/// The field of that path, or whose former path it is; nullptr if there is none.
 const Field* find_field(const Fields& fields, const std::string& path);
 
 }  // namespace phy

@@ -39,7 +39,7 @@ const std::vector<QualityLimit>& quality_limits() {
       {"rows_to_peak", true, 20.0, 5.0, "too few rows of the history see the way to the peak",
        "lower test.history_interval, or test.platen_speed"},
       {"platen_difference_95", false, 0.03, 0.1,
-       "opposite platens (or grips, jaws, boxes) press with different forces, inertia carries the difference",
+       "opposite platens, grips, jaws or rollers carry different forces, inertia takes the difference",
        "lower test.platen_speed, or raise engine.damping"},
       {"kinetic_ratio", false, 0.01, 0.1, "the specimen is in motion, not in equilibrium",
        "lower test.platen_speed, or raise engine.damping"},

@@ -110,7 +110,7 @@ struct TestRecipe {
   std::int64_t history_interval = 100;  ///< steps between history rows; also the interval of all checks
   std::int64_t n_snapshots = 5;         ///< stored states of grains and contacts through the test
   std::int64_t n_frames = 40;           ///< stored displacement fields through the test
-  double jump_strain = 0.0;       ///< [-] axial strain of the affine pre-strain; 0: no affine pre-strain
+  double pre_strain = 0.0;        ///< [-] axial strain of the affine pre-strain; 0: no affine pre-strain
   double grip_thickness = 0.0;    ///< [m] direct tension; 0: four times the largest radius
   double disc_diameter = 0.0;     ///< [m] of the disc, or half disc, cut from the specimen; 0: the most
   double loading_angle = 10.0;    ///< [deg] Brazilian: whole arc of each jaw; 0: flat platens
@@ -138,6 +138,7 @@ struct Recipe {
   std::vector<BeddingRecipe> bedding;
   TestRecipe test;
   EngineRecipe engine;
+  std::vector<std::string> notes;  ///< how the file was understood, for the user to see
 };
 
 }  // namespace phy

@@ -138,7 +138,7 @@ class CrossChecks {
                      "remove the second one; for another specimen change a seed");
     test_of_kind();
     for (const auto& [key, strain] :
-         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"jump_strain", t.jump_strain}})
+         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"pre_strain", t.pre_strain}})
       if (strain >= t.max_strain)
         report_problem({std::string("test.") + key, "test.max_strain"}, print_number(strain),
                        "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
@@ -169,9 +169,9 @@ class CrossChecks {
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
       report_problem({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
                      "give test.normal_stress, from which it grows");
-    if (t.jump_strain > 0.0 && !t.kind->may_pre_strain)
-      report_problem({"test.jump_strain", "test.kind"}, print_number(t.jump_strain),
-                     "0 for this kind of test", "only the uniaxial press can start loaded");
+    if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
+      report_problem({"test.pre_strain", "test.kind"}, print_number(t.pre_strain), "0 for this kind of test",
+                     "only the uniaxial press can start loaded");
   }
 
   void notch(const SpecimenCut& cut) {

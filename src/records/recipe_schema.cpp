@@ -233,8 +233,9 @@ void add_test(List& l) {
   l.integer("test", "n_frames", 0, 1000,
             "stored displacement fields for the specimen viewer (up to twice as many); 0: only the last",
             part, &T::n_frames);
-  l.number("test", "jump_strain", 0, 0.05, "", "axial strain of the affine pre-strain; 0: none", part,
-           &T::jump_strain);
+  l.number("test", "pre_strain", 0, 0.05, "", "axial strain of the affine pre-strain; 0: none", part,
+           &T::pre_strain)
+      .former = "jump_strain";
   l.quantity("test", "grip_thickness", Dimension::length, 0, 0.1, "",
              "direct_tension: rock held at each end; 0: four times the largest radius", part,
              &T::grip_thickness);

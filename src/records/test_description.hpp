@@ -88,7 +88,7 @@ struct TestDescription {
   TestCurve curve;
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
-  bool may_pre_strain = false;  ///< can start loaded (test.jump_strain)
+  bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
   KeptStress kept_stress = {};
   ExpectedPeak expected = {};
   /// What is cut from the packing; null: the whole rectangle is tested.

@@ -218,6 +218,11 @@ TEST_F(StudyFile, SeedsAndAnglesHaveKeysOfTheirOwn) {
   EXPECT_THAT(reported, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
 }
 
+TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
+  const Study s = read(std::string(three_levels) + "[set]\n\"test.jump_strain\" = 1e-4\n");
+  EXPECT_EQ(recipe_at(s, points_of(s).front(), 1, 1).test.pre_strain, 1e-4);
+}
+
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
   io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
   for (const std::string& text :

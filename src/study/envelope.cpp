@@ -74,7 +74,7 @@ void fit_plane(Envelope& envelope) {
 Recipe confined_recipe(Recipe recipe, double confining_stress) {
   recipe.test.kind = TestKind("biaxial");
   recipe.test.confining_stress = confining_stress;
-  recipe.test.jump_strain = 0.0;
+  recipe.test.pre_strain = 0.0;
   return recipe;
 }
 

@@ -47,7 +47,7 @@ double expected_cost(const Recipe& r) {
   // At least a tenth of the way to the peak, for tests whose jump leaves almost nothing.
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
-               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.jump_strain);
+               std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.pre_strain);
   // Both platens move, so strain grows by 2 v/length per second.
   const double cycles = strain * r.test.kind->expected.length(r) / (2.0 * r.test.platen_speed * dt);
   return cycles * expected_grains(r);

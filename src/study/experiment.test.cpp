@@ -65,7 +65,7 @@ TEST(SpecimenKey, ChangesWithEverythingThatChangesTheResult) {
   add([](Recipe& r) { r.packing.seed = 2; });
   add([](Recipe& r) { r.matrix.bond_seed = 2; });
   add([](Recipe& r) { r.engine.precision = Precision::single_precision; });
-  add([](Recipe& r) { r.test.jump_strain = 1e-4; });
+  add([](Recipe& r) { r.test.pre_strain = 1e-4; });
 }
 
 TEST(SpecimenKey, IgnoresWhatChangesNothing) {

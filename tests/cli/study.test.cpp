@@ -88,7 +88,8 @@ TEST_F(StudyCli, KilledAtTwentyEventsItEndsWithTheSameHash) {
   const long n = n_events("study " + file + " --threads 2 --out " + at("calm"));
   const std::string undisturbed = hash();
   std::minstd_rand moment(5);
-  for (int i = 0; i < 20; ++i) {  // all of them together a quarter of the study, or the last would find it finished
+  // All of them together are a quarter of the study: the last must not find it finished.
+  for (int i = 0; i < 20; ++i) {
     const long event = 1 + static_cast<long>(moment()) % (n / 40);
     EXPECT_EQ(run_to_event(event, SIGKILL, "study " + file + " --threads 2 --out " + out()), 128 + SIGKILL)
         << "event " << event << " of " << n << "\n"

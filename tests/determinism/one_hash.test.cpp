@@ -163,7 +163,7 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
   r = base;
   r.test.kind = TestKind("uniaxial");
   for (const double pre_strain : {5e-4, 2e-2}) {
-    r.test.jump_strain = pre_strain;
+    r.test.pre_strain = pre_strain;
     r.test.max_strain = pre_strain + 5e-4;
     check(r, ", affine pre-strain");
   }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
               "fills the specimen"},
         Wrong{"unknown_test", "[test]\nkind = \"uniaxal\"\n", "2: test.kind", "did you mean \"uniaxial\"?"},
         Wrong{"no_toml", "[specimen]\nwidth = 38 mm\n", "2:", "put a quantity in quotes"},
-        Wrong{"jump_beyond_the_end", "[test]\njump_strain = 0.02\n", "2: test.jump_strain",
+        Wrong{"pre_strain_beyond_the_end", "[test]\njump_strain = 0.02\n", "2: test.pre_strain",
               "below max_strain"}),
     [](const auto& one) { return std::string(one.param.name); });
 

@@ -76,8 +76,8 @@ DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& b
   for (const BeddingRecipe& set : specimen.bedding)
     if (const double planes = (tip.farthest - tip.nearest) / set.spacing; planes < least_planes)
       return {
-          fmt::format("the rock is not homogeneous around the notch: {:.1f} bedding planes within the ring "
-                      "that is read, at least {:g} are needed",
+          fmt::format("too few planes around the notch to take the rock for homogeneous: {:.1f} within the "
+                      "ring that is read, at least {:g} are needed",
                       planes, least_planes)};
   const statics::Network network = statics::make_network(specimen);
   const statics::LoadCase solved = statics::solve_once(network, loads(specimen, bend, rollers));

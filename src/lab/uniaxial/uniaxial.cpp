@@ -18,14 +18,14 @@ class UniaxialTest final : public Procedure {
   void prescribe_motion() override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
 
-  bool may_pre_strain_ = recipe_.test.jump_strain > 0.0;
+  bool may_pre_strain_ = recipe_.test.pre_strain > 0.0;
   bool pre_strained_ = false;  // the pre-strain was made and kept
 };
 
 void UniaxialTest::on_placed() {
   if (!may_pre_strain_) return start_loading();
   group_->forbid_breakage(lane_, true);
-  group_->pre_strain(lane_, recipe_.test.jump_strain);
+  group_->pre_strain(lane_, recipe_.test.pre_strain);
 }
 
 bool UniaxialTest::prepare(std::int64_t n_blocks) {
@@ -43,7 +43,7 @@ void UniaxialTest::prescribe_motion() { close_platens(packing().height); }
 std::vector<Number> UniaxialTest::numbers(const analysis::WavePath& path) const {
   const History& history = result_.history;
   return analysis::axial_numbers(history, analysis::loading_branch(history), result_.cracks,
-                                 {path, pre_strained_ ? recipe_.test.jump_strain : 0.0});
+                                 {path, pre_strained_ ? recipe_.test.pre_strain : 0.0});
 }
 
 TestDescription description() {

@@ -1,6 +1,6 @@
 // Uniaxial compression between two rigid platens, as a rock laboratory does it.
 //
-//   prepare   only with test.jump_strain > 0: affine strain with breakage off, damped cycles; if a bond or
+//   prepare   only with test.pre_strain > 0: affine strain with breakage off, damped cycles; if a bond or
 //             joint is then at its strength the specimen starts again without the pre-strain
 //   load      both platens close at test.platen_speed after a short ramp
 //

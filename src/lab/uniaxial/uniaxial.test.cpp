@@ -12,13 +12,13 @@
 namespace phy::lab {
 namespace {
 
-TestResult press(double jump_strain) {
+TestResult press(double pre_strain) {
   Recipe r = small_rock(TestKind("uniaxial"));
   r.bedding = {BeddingRecipe{}};
   r.bedding[0].theta = 60.0;
   r.bedding[0].spacing = 0.002;
   r.test.platen_speed = 0.1;
-  r.test.jump_strain = jump_strain;
+  r.test.pre_strain = pre_strain;
   return run_alone(r);
 }
 
