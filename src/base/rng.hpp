@@ -33,6 +33,7 @@ enum class Stream : std::uint32_t {
   bond_shear = 4,
   design = 5,
   calibration = 6,
+  unbonded = 7,
   test = 99
 };
 

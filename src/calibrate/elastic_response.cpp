@@ -10,7 +10,7 @@ Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
   one.packing.seed = seed;
   one.test.angles.clear();
   one.test.intact = false;
-  if (!one.bedding.empty()) one.bedding = genesis::turned(recipe.bedding, theta);
+  if (layered(one)) genesis::turn_layers(one.matrix, one.bedding, theta);
   return one;
 }
 

@@ -27,15 +27,17 @@ struct ElasticArguments {
   bool press = false;
 };
 
-/// The specimens of a recipe with both answers. The intact specimen is always there, as the last one.
+/// The specimens of a recipe with both answers. The intact specimen is always there, as the last one, unless
+/// the matrix has directions: then no specimen is intact.
 struct ElasticStudy {
   Recipe recipe;
   std::vector<Specimen> specimens;
   std::vector<ElasticResult> one_sided, bilateral;
   double seconds = 0.0;
 
-  std::size_t n_angles() const { return specimens.size() - 1; }
-  double theta(std::size_t i) const { return specimens[i].bedding[0].theta; }
+  bool has_intact() const { return !layered(specimens.back()); }
+  std::size_t n_angles() const { return specimens.size() - (has_intact() ? 1 : 0); }
+  double theta(std::size_t i) const { return inclination(specimens[i]); }
   const ElasticResult& intact() const { return one_sided.back(); }
 };
 
@@ -43,7 +45,7 @@ ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, in
   ElasticStudy study;
   study.recipe = recipe;
   Recipe with_intact = study.recipe;
-  with_intact.test.intact = true;
+  with_intact.test.intact = !recipe.matrix.directional();
   with_intact.test.kind = TestKind("uniaxial");  // the whole specimen, whatever test the recipe names
   study.specimens =
       genesis::make_specimens(genesis::packing_of(recipe, genesis::default_cache_folder()), with_intact);
@@ -111,7 +113,8 @@ bool print_outcomes(const ElasticStudy& study, int width) {
     }
   }
   const ElasticOutcome& intact = study.intact().outcome;
-  if (intact.ok() && !intact.reason.empty()) print_wrapped(width, 2, "intact: {}\n", intact.reason);
+  if (study.has_intact() && intact.ok() && !intact.reason.empty())
+    print_wrapped(width, 2, "intact: {}\n", intact.reason);
   return all_solved;
 }
 
@@ -144,7 +147,14 @@ std::vector<NamedFit> fit_all(const ElasticStudy& study, bool modulus_loss) {
 }
 
 void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
-  if (study.n_angles() == 0) return;
+  if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
+  if (!study.has_intact()) {
+    print_wrapped(
+        width, 0,
+        "\nEq. 1 takes the rock between the planes for isotropic; this matrix has directions, so no "
+        "macro joint stiffness is fitted\n");
+    return;
+  }
   const double spacing = study.recipe.bedding[0].spacing, scale = 1e-9 / spacing;
   const std::vector<NamedFit> fits = fit_all(study, modulus_loss);
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
@@ -210,7 +220,7 @@ void print_packing(const ElasticStudy& study, int width) {
                   "        locked-in stress {:.3f} MPa: the answers hold for axial "
                   "stresses well above it\n",
                   p.report.stress_left * 1e-6);
-  if (study.n_angles() == 0) return;
+  if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, study.n_angles(), [&](std::size_t i) {
       return cell(study.specimens[i].bedding_report[0], study.one_sided[i].E_gauge);
@@ -219,12 +229,13 @@ void print_packing(const ElasticStudy& study, int width) {
   using B = const BeddingReport&;
   const Column theta = column("theta", "deg", study.n_angles(),
                               [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
-  const Columns bedding = {
-      of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
-      of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
-      of("off the plane", "% of joints",
-         [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); }),
-      of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); })};
+  Columns bedding = {of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
+                     of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
+                     of("off the plane", "% of joints",
+                        [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); })};
+  if (study.has_intact())
+    bedding.push_back(
+        of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); }));
   print_out("\n{}", text_table(theta, {bedding}, width));
 }
 

@@ -102,8 +102,8 @@ std::vector<report::TerminalCurve> curves_of(const std::vector<std::shared_ptr<c
   std::vector<report::TerminalCurve> curves;
   for (const auto& s : specimens) {
     TestResult r;
-    r.intact = s->bedding.empty();
-    r.theta = r.intact ? 0.0 : s->bedding[0].theta;
+    r.intact = !layered(*s);
+    r.theta = r.intact ? 0.0 : inclination(*s);
     curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), report::angle_color(r), {}, {}});
   }
   return curves;

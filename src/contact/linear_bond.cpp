@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "contact/direction.hpp"
 #include "contact/model.hpp"
 
 namespace phy::contact {
@@ -25,13 +26,28 @@ constexpr ElasticParameter elastic_list[] = {
     {"E_b", "Pa", &MatrixRecipe::E_b},
     {"ks_over_kn", "1", &MatrixRecipe::ks_over_kn, nullptr, "ks_over_kn"},
     {"bond_ks_over_kn", "1", &MatrixRecipe::bond_ks_over_kn, nullptr, "ks_over_kn"},
+    {"stiffness_ratio", "1", &MatrixRecipe::stiffness_ratio},  // the last: only of the directional model
 };
 
+/// Of all stiffnesses of a contact.
+double stiffness_factor(const Specimen& s, const Contact& c) {
+  return direction_factor(s.matrix.stiffness_ratio, c.cos_2a);
+}
+
+laws::Tangent<double> operator*(double f, const laws::Tangent<double>& k) {
+  return {f * k.k_n, f * k.k_s, f * k.k_m};
+}
+
+template <bool directional>
 class LinearBondModel final : public ContactModel {
-  using F = LinearBond;
+  using F = LinearBondWith<directional>;
 
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
+
+  bool describes(const MatrixRecipe& matrix) const override {
+    return directional || matrix.stiffness_ratio == 1.0;
+  }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
     return one.stiffness_convention == other.stiffness_convention;
@@ -62,6 +78,7 @@ class LinearBondModel final : public ContactModel {
     const double A = bond_of(s, c).A;
     fields[F::capacity] = c.sigma_c * A;
     fields[F::shear_capacity] = c.tau_c * A;
+    if constexpr (directional) fields[F::excess] = stiffness_factor(s, c) - 1.0;
   }
 
   void meet(double, double, double*) const override {}
@@ -78,7 +95,7 @@ class LinearBondModel final : public ContactModel {
       k.k_s += m.bond_ks_over_kn * m.E_b / g.L * g.A;
       k.k_m = m.E_b / g.L * g.I;
     }
-    return k;
+    return stiffness_factor(s, c) * k;
   }
 
   ElasticPart elastic(const Specimen& s, const Contact& c, double gap) const override {
@@ -88,7 +105,9 @@ class LinearBondModel final : public ContactModel {
     return {{k_n, m.ks_over_kn * k_n, 0.0}, {kb_n, m.bond_ks_over_kn * kb_n, m.E_b * f.bend}};
   }
 
-  std::span<const ElasticParameter> elastic_parameters() const override { return elastic_list; }
+  std::span<const ElasticParameter> elastic_parameters() const override {
+    return std::span(elastic_list).first(std::size(elastic_list) - (directional ? 0 : 1));
+  }
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
                            const ElasticParameter& p) const override {
@@ -99,6 +118,11 @@ class LinearBondModel final : public ContactModel {
     if (p.matrix == &MatrixRecipe::E_b) return {none, {f.bond, m.bond_ks_over_kn * f.bond, f.bend}};
     if (p.matrix == &MatrixRecipe::ks_over_kn) return {{0.0, m.E_c * f.linear, 0.0}, none};
     if (p.matrix == &MatrixRecipe::bond_ks_over_kn) return {none, {0.0, m.E_b * f.bond, 0.0}};
+    if (p.matrix == &MatrixRecipe::stiffness_ratio) {
+      const ElasticPart k = elastic(s, c, gap);
+      const double rate = direction_factor_rate(m.stiffness_ratio, c.cos_2a) / stiffness_factor(s, c);
+      return {rate * k.unilateral, rate * k.bilateral};
+    }
     return {none, none};
   }
 
@@ -107,11 +131,12 @@ class LinearBondModel final : public ContactModel {
     const Vec2 n = (1.0 / norm(c.branch_0)) * c.branch_0;
     const double slide = dot(du, tangent(n));
     const double closure = -dot(du, n) - c.gap;
-    const double k_n = m.E_c * c.geometry[F::linear_factor];
+    const double factor = remembered_factor(fields);
+    const double k_n = m.E_c * c.geometry[F::linear_factor] * factor;
     const double limit = (m.unbreakable ? unlimited : m.mu) * k_n * std::max(closure, 0.0);
     fields[F::shear] = std::clamp(-m.ks_over_kn * k_n * slide, -limit, limit);
     if (!unbroken(fields)) return;
-    const double kb = m.E_b * m.radius_multiplier * c.geometry[F::bond_factor];
+    const double kb = m.E_b * m.radius_multiplier * c.geometry[F::bond_factor] * factor;
     fields[F::bond_shear] = -m.bond_ks_over_kn * kb * slide;
   }
 
@@ -119,8 +144,9 @@ class LinearBondModel final : public ContactModel {
     if (!unbroken(c.fields)) return false;
     const MatrixRecipe& m = c.specimen.matrix;
     const double lambda = m.radius_multiplier;
-    const double F_n = m.E_b * lambda * c.geometry[F::bond_factor] * (norm(c.branch_0) - norm(c.branch));
-    const double M = m.E_b * (lambda * lambda * lambda) * c.geometry[F::bend_factor] * std::fabs(c.rotation);
+    const double E_b = m.E_b * remembered_factor(c.fields);
+    const double F_n = E_b * lambda * c.geometry[F::bond_factor] * (norm(c.branch_0) - norm(c.branch));
+    const double M = E_b * (lambda * lambda * lambda) * c.geometry[F::bend_factor] * std::fabs(c.rotation);
     const double arm = 3.0 * m.moment_contribution / lambda * c.geometry[F::inv_r_min];
     const double S = c.fields[F::shear_capacity] + F_n * tan_phi_of(m);
     return arm * M - F_n >= c.fields[F::capacity] || std::fabs(c.fields[F::bond_shear]) >= S;
@@ -136,6 +162,7 @@ class LinearBondModel final : public ContactModel {
     out.normal = (1.0 / norm(c.branch)) * c.branch;
     out.F_n = m.E_c * c.geometry[F::linear_factor] * std::max(closure - c.gap, 0.0);
     if (unbroken(c.fields)) out.F_n += m.E_b * m.radius_multiplier * c.geometry[F::bond_factor] * closure;
+    out.F_n *= remembered_factor(c.fields);
     out.F_s = c.fields[F::shear] + c.fields[F::bond_shear];
   }
 
@@ -145,26 +172,34 @@ class LinearBondModel final : public ContactModel {
   }
 
  private:
+  /// Of all stiffnesses, as the memory of a contact has it.
+  static double remembered_factor([[maybe_unused]] const double* fields) {
+    if constexpr (directional) return 1.0 + fields[F::excess];
+    return 1.0;
+  }
   /// Stiffness over modulus: k_n = E_c linear, kb_n A = E_b bond, kb_n I = E_b bend.
   struct Factors {
     double linear = 0.0, bond = 0.0, bend = 0.0;
   };
   static Factors factors(const Specimen& s, const Contact& c, double gap) {
-    const double r1 = radius(s, c.a), r2 = radius(s, c.b);
+    const double r1 = radius(s, c.a), r2 = radius(s, c.b), factor = stiffness_factor(s, c);
     Factors f;
-    if (gap <= touching_gap * 0.5 * (r1 + r2)) f.linear = linear_stiffness_factor(s.matrix, r1, r2);
+    if (gap <= touching_gap * 0.5 * (r1 + r2)) f.linear = factor * linear_stiffness_factor(s.matrix, r1, r2);
     if (c.kind != ContactKind::bonded) return f;
     const laws::parallel_bond::Geometry g = bond_of(s, c);
-    f.bond = g.A / g.L, f.bend = g.I / g.L;
+    f.bond = factor * g.A / g.L, f.bend = factor * g.I / g.L;
     return f;
   }
 };
 
 }  // namespace
 
-const ContactModel& LinearBond::model() {
-  static const LinearBondModel model;
+template <bool directional>
+const ContactModel& LinearBondWith<directional>::model() {
+  static const LinearBondModel<directional> model;
   return model;
 }
+template const ContactModel& LinearBondWith<false>::model();
+template const ContactModel& LinearBondWith<true>::model();
 
 }  // namespace phy::contact

@@ -1,5 +1,5 @@
-// THE list of contact models: the combinations that may meet in one specimen, one line each. The force loop
-// is compiled for every line.
+// THE list of contact models: the combinations that may meet in one specimen, one line each. A specimen takes
+// the first line that can describe it. The force loop is compiled for every line.
 #pragma once
 #include <algorithm>
 #include <tuple>
@@ -19,6 +19,8 @@ struct Combination {
   static constexpr std::size_t n_geometry = std::size_t{Matrix::n_geometry} + Interface::n_geometry;
 };
 
-using Combinations = std::tuple<Combination<LinearBond, SmoothJoint>>;
+using Combinations = std::tuple<           //
+    Combination<LinearBond, SmoothJoint>,  //
+    Combination<DirectionalBond, SmoothJoint>>;
 
 }  // namespace phy::contact

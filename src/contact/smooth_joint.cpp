@@ -25,6 +25,8 @@ class SmoothJointModel final : public ContactModel {
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
+  bool describes(const MatrixRecipe&) const override { return true; }
+
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
 
   void geometry(const MatrixRecipe&, double r1, double r2, double* out) const override {

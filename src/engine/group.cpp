@@ -60,10 +60,12 @@ void Group<T>::check_neighbour(const Specimen& specimen) const {
   // Same packing: the lanes share initial branch vectors and rows. Same contact geometry: it is stored once
   // per contact, not per lane.
   PHY_CHECK(specimen.packing->hash == grains_.packing().hash, "lanes of a group share one packing");
-  for (const contact::ContactModel* model : {contacts_.models().matrix, contacts_.models().interface})
+  for (const contact::ContactModel* model : {contacts_.models().matrix, contacts_.models().interface}) {
+    PHY_CHECK(model->describes(specimen.matrix), "a group has the contact models of its specimens");
     for (const Lane& l : lanes_)
       PHY_CHECK(!l.specimen || model->same_geometry(l.specimen->matrix, specimen.matrix),
                 "lanes of a group share the geometry of their contacts");
+  }
 }
 
 template <class T>
@@ -86,6 +88,9 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary(),
                      info.setup.body_friction);
   for (const Contact& c : specimen->contacts) {
+    // Those without a bond are in the list like pairs that meet later, and are counted once.
+    if (c.kind == ContactKind::touching)
+      info.created.emplace(grains_.key(c.a, c.b), initial_stiffness(contacts_.models(), *specimen, c));
     const Disc& a = grains_.packing().discs[c.a];
     const Disc& b = grains_.packing().discs[c.b];
     const bool touches = norm(Vec2{b.x - a.x, b.y - a.y}) <= a.r + b.r;

@@ -30,7 +30,7 @@ struct Lane {
   bool fresh = false;  // loaded, contacts not yet installed
   bool unbreakable = false;
   std::optional<FrequencyBound> bound;
-  std::map<PairKey, ContactStiffness> created;  // contacts that the bound counts beyond those of the start
+  std::map<PairKey, ContactStiffness> created;  // contacts without a bond that the bound counts
   double dt = 0.0, time = 0.0;
   std::int64_t step = 0;
   EnergyBalance energy;

@@ -149,6 +149,7 @@ void Group<T>::tighten_bound(std::size_t l) {
   const Specimen& s = *lane.specimen;
   std::vector<ContactStiffness> stiffnesses;
   for (const Contact& k : s.contacts) {
+    if (k.kind == ContactKind::touching) continue;  // with those that were created
     const std::size_t c = contacts_.find(grains_.key(k.a, k.b));
     const bool whole = k.kind == ContactKind::joint || (c < contacts_.size() && contacts_.unbroken(c, l));
     const ContactStiffness initial = initial_stiffness(contacts_.models(), s, k);

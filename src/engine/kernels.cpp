@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 namespace phy::engine {
 
@@ -68,8 +70,17 @@ const ContactPhysics& physics() {
   return of;
 }
 
+template <std::size_t... combinations>
+std::vector<const ContactPhysics*> all_physics(std::index_sequence<combinations...>) {
+  return {&physics<combinations>()...};
+}
+
 }  // namespace
 
-const ContactPhysics& standard_contacts() { return physics<0>(); }
+const ContactPhysics& physics_of(const MatrixRecipe& matrix) {
+  static const std::vector<const ContactPhysics*> lines =
+      all_physics(std::make_index_sequence<std::tuple_size_v<contact::Combinations>>());
+  return *lines[contact::combination_of(matrix)];
+}
 
 }  // namespace phy::engine

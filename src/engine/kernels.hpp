@@ -23,7 +23,7 @@ struct ContactPhysics {
   AdvanceBlock<double> (*double_kernel)(Isa isa, int lanes);
   AdvanceBlock<float> (*float_kernel)(Isa isa, int lanes);
 };
-/// The first line of the list (contact/models.hpp).
-const ContactPhysics& standard_contacts();
+/// Those of a specimen with this matrix (contact/models.hpp).
+const ContactPhysics& physics_of(const MatrixRecipe& matrix);
 
 }  // namespace phy::engine

@@ -51,10 +51,10 @@ TEST(FrequencyBound, CountsThatADiscRollsOnARoughBody) {
 TEST(FrequencyBound, NewContactsOnlyRaiseIt) {
   Specimen s = assembly(hexagonal(6, 6, 3e-4), soft_contact());
   bond_touching(s);
-  FrequencyBound bound(s, initial_stiffnesses(contact::standard_models(), s));
+  FrequencyBound bound(s, initial_stiffnesses(contact::models_of(s), s));
   const double before = bound.omega();
   s.matrix = MatrixRecipe{};
-  bound.add(stiffness_of(contact::standard_models(), s, {3, 4, ContactKind::touching}, {1.0, 0.0}));
+  bound.add(stiffness_of(contact::models_of(s), s, {3, 4, ContactKind::touching}, {1.0, 0.0}));
   EXPECT_GT(bound.omega(), before);
   EXPECT_TRUE(bound.loose());
 }

@@ -50,7 +50,7 @@ void lay_set(Specimen& specimen, std::uint8_t set) {
   for (std::size_t i = 0; i < packing.discs.size(); ++i)
     label[i] = planes.interval(planes.height_of(packing.discs[i].x, packing.discs[i].y));
   for (Contact& c : specimen.contacts) {
-    if (c.kind != ContactKind::bonded) continue;
+    if (c.kind == ContactKind::joint) continue;  // of an earlier set
     const Disc& a = packing.discs[c.a];
     const Disc& b = packing.discs[c.b];
     const bool qualifies = recipe.rule == BeddingRule::crossing

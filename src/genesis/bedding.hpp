@@ -9,8 +9,8 @@
 // connect discs on the same side of the plane, and a few per cent of the crossing contacts stay bonded
 // bridges; BeddingReport states both. The length of joint contact per length of plane, sum(A)/L, sets the
 // macroscopic joint stiffness: K_n ~ k_n sum(A)/L. A joint replaces the bond of its contact (Mas Ivars et al.
-// 2011, Int. J. Rock Mech. Min. Sci. 48:219-244). If several sets claim a contact the first set of the recipe
-// has it.
+// 2011, Int. J. Rock Mech. Min. Sci. 48:219-244), and also that of a contact left without one. If several
+// sets claim a contact the first set of the recipe has it.
 //
 // Side: +1 if b lies above a along n_j, else -1, decided once. A branch parallel to the plane (to rounding,
 // 1e-12 of the radii) has no upper disc; the one with the larger number counts as the upper one.

@@ -190,7 +190,10 @@ TEST(Specimens, OtherSetsTurnWithTheFirst) {
   sets[1].theta = 100.0;
   sets[1].offset = 0.002;
   sets[2].theta = 30.0;
-  sets = turned(sets, 120.0);
+  MatrixRecipe matrix;
+  matrix.tension_ratio = 2.0, matrix.foliation = 100.0;
+  turn_layers(matrix, sets, 120.0);
+  EXPECT_DOUBLE_EQ(matrix.foliation, 10.0);
   EXPECT_EQ(sets[0].theta, 120.0);
   EXPECT_EQ(sets[0].offset, 0.001);
   EXPECT_DOUBLE_EQ(sets[1].theta, 10.0);  // 190 - 180: the normal is reversed

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/exact_math.hpp"
+#include "contact/direction.hpp"
 #include "genesis/near_pairs.hpp"
 
 namespace phy::genesis {
@@ -21,10 +23,36 @@ double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, s
   PHY_CHECK(false, "a bond strength needs a positive mean");
 }
 
+namespace {
+
+/// cos 2a of a contact between two discs, a being the angle between its normal and that of the foliation.
+double cos_2a(const Disc& a, const Disc& b, Vec2 foliation_normal) {
+  const Vec2 d{b.x - a.x, b.y - a.y};
+  const double along = dot(d, foliation_normal);
+  return 2.0 * along * along / dot(d, d) - 1.0;
+}
+
+/// The strengths of a contact that is bonded.
+void cement(Contact& c, const MatrixRecipe& m) {
+  c.kind = ContactKind::bonded;
+  c.sigma_c = draw_strength(m.sigma_c, m.sigma_c_sd, m.bond_seed, Stream::bond_tension, c.a, c.b) *
+              contact::direction_factor(m.tension_ratio, c.cos_2a);
+  c.tau_c = draw_strength(m.tau_c, m.tau_c_sd, m.bond_seed, Stream::bond_shear, c.a, c.b) *
+            contact::direction_factor(m.cohesion_ratio, c.cos_2a) *
+            contact::oblique_factor(m.cohesion_oblique, c.cos_2a);
+}
+
+bool left_unbonded(const MatrixRecipe& m, std::uint32_t a, std::uint32_t b) {
+  return m.unbonded_fraction > 0.0 &&
+         uniform(static_cast<std::uint32_t>(m.bond_seed), Stream::unbonded, a, b) < m.unbonded_fraction;
+}
+
+}  // namespace
+
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
   double r_max = 0.0;
   for (const Disc& d : packing.discs) r_max = std::max(r_max, d.r);
-  const std::int64_t seed = matrix.bond_seed;
+  const Vec2 foliation_normal = plane_normal(matrix.foliation);
   std::vector<Contact> contacts;
   for (const Pair& p : near_pairs(packing.discs, std::max(matrix.bond_gap, 0.0) * r_max)) {
     const Disc& a = packing.discs[p.a];
@@ -33,8 +61,11 @@ std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
     Contact c;
     c.a = p.a;
     c.b = p.b;
-    c.sigma_c = draw_strength(matrix.sigma_c, matrix.sigma_c_sd, seed, Stream::bond_tension, p.a, p.b);
-    c.tau_c = draw_strength(matrix.tau_c, matrix.tau_c_sd, seed, Stream::bond_shear, p.a, p.b);
+    c.kind = ContactKind::touching;
+    if (!left_unbonded(matrix, p.a, p.b)) {
+      if (matrix.directional()) c.cos_2a = cos_2a(a, b, foliation_normal);
+      cement(c, matrix);
+    }
     contacts.push_back(c);
   }
   return contacts;

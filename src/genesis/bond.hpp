@@ -3,7 +3,10 @@
 // Strengths are drawn from a normal distribution and drawn again outside mean +- 3 SD and at values <= 0
 // (truncation at 3 SD lowers the standard deviation by 1.34 %, the mean not at all). A draw is keyed by
 // (bond_seed, a, b, attempt): it does not depend on which other bonds exist or in which order they are made.
-// SD = 0 gives the mean to the last bit.
+// SD = 0 gives the mean to the last bit. In a matrix with directions (contact/direction.hpp) a draw is
+// multiplied by the factor of its contact: the scatter is a share of what the direction has, and is the same
+// share in all. Contacts that are left without a bond (matrix.unbonded_fraction) are linear contacts of mean
+// stiffness from the start.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -20,7 +23,8 @@ constexpr double strength_cut = 3.0;
 double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
                      std::uint32_t b);
 
-/// All pairs with gap <= bond_gap times their mean radius, bonded, sorted by (a, b).
+/// All pairs with gap <= bond_gap times their mean radius, bonded but for the unbonded fraction, sorted by
+/// (a, b).
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix);
 
 }  // namespace phy::genesis

@@ -23,31 +23,36 @@ Specimen make_specimen(std::shared_ptr<const Packing> packing, const MatrixRecip
   return s;
 }
 
-std::vector<BeddingRecipe> turned(std::vector<BeddingRecipe> bedding, double theta) {
-  if (bedding.empty()) return bedding;
-  const double turn = theta - bedding[0].theta;
-  for (BeddingRecipe& set : bedding) {
-    // The first set gets exactly the angle asked for: a + (b - a) need not round to b.
-    const double angle = &set == &bedding[0] ? theta : set.theta + turn;
-    const double half_turns = std::floor(angle / 180.0);
-    set.theta = angle - 180.0 * half_turns;
-    if (std::fmod(std::abs(half_turns), 2.0) == 1.0) set.offset = -set.offset;
+void turn_layers(MatrixRecipe& matrix, std::vector<BeddingRecipe>& bedding, double theta) {
+  const double turn = theta - inclination(matrix, bedding);
+  const auto half_turns = [](double angle) { return std::floor(angle / 180.0); };
+  // The first gets exactly the angle asked for: a + (b - a) need not round to b.
+  if (matrix.directional()) {
+    const double angle = bedding.empty() ? theta : matrix.foliation + turn;
+    matrix.foliation = angle - 180.0 * half_turns(angle);
   }
-  return bedding;
+  for (BeddingRecipe& set : bedding) {
+    const double angle = &set == &bedding[0] ? theta : set.theta + turn;
+    set.theta = angle - 180.0 * half_turns(angle);
+    if (std::fmod(std::abs(half_turns(angle)), 2.0) == 1.0) set.offset = -set.offset;
+  }
 }
 
 std::vector<Specimen> make_specimens(std::shared_ptr<const Packing> packing, const Recipe& recipe) {
-  const std::vector<BeddingRecipe>& bedding = recipe.bedding;
-  if (bedding.empty() && !recipe.test.angles.empty())
+  if (!layered(recipe) && !recipe.test.angles.empty())
     throw InputError(Problem{"", "test.angles", std::to_string(recipe.test.angles.size()) + " angles",
-                             "angles of a bedding", "add a [[bedding]] set or leave the angles out"});
+                             "angles of layers", "add a [[bedding]] set or leave the angles out"});
   packing = shaped(std::move(packing), recipe);
   std::vector<Specimen> specimens;
-  for (const double theta : recipe.test.angles)
-    specimens.push_back(make_specimen(packing, recipe.matrix, turned(bedding, theta), specimen_name(theta)));
-  if (recipe.test.angles.empty() && !bedding.empty())
-    specimens.push_back(make_specimen(packing, recipe.matrix, bedding, specimen_name(bedding[0].theta)));
-  if (recipe.test.intact || bedding.empty())
+  std::vector<double> angles = recipe.test.angles;
+  if (angles.empty() && layered(recipe)) angles.push_back(inclination(recipe));
+  for (const double theta : angles) {
+    MatrixRecipe matrix = recipe.matrix;
+    std::vector<BeddingRecipe> bedding = recipe.bedding;
+    turn_layers(matrix, bedding, theta);
+    specimens.push_back(make_specimen(packing, matrix, std::move(bedding), specimen_name(theta)));
+  }
+  if (recipe.test.intact || !layered(recipe))
     specimens.push_back(make_specimen(packing, recipe.matrix, {}, "intact"));
   return specimens;
 }

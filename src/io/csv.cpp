@@ -158,13 +158,14 @@ std::string contacts_csv(const Specimen& s) {
   std::string text =
       "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],"
       "sigma_c [Pa],tau_c [Pa],k_m [N],x [m],y [m]\n";
+  const contact::Models& models = contact::models_of(s);
   for (const Contact& c : s.contacts) {
     const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
     const Vec2 d{b.x - a.x, b.y - a.y};
     const double gap = norm(d) - a.r - b.r;
     // Middle of the gap or overlap, on the line between the centres.
     const Vec2 branch = (1.0 / norm(d)) * d, point = Vec2{a.x, a.y} + (a.r + 0.5 * gap) * branch;
-    const contact::ContactModel& model = contact::standard_models().of(c.kind);
+    const contact::ContactModel& model = models.of(c.kind);
     const Vec2 normal = model.normal(s, c, branch);
     // Stiffness of the intact contact, the one that a test begins with.
     const laws::Tangent<double> k = model.stiffness(s, c, true);

@@ -316,8 +316,8 @@ TestResult blank_result(const Specimen& specimen, TestKind kind) {
   r.name = specimen.name;
   r.kind = r.history.kind = kind;
   r.n_grains = static_cast<std::int64_t>(specimen.packing->discs.size());
-  r.intact = specimen.bedding.empty();
-  if (!r.intact) r.theta = specimen.bedding.front().theta;
+  r.intact = !layered(specimen);
+  if (!r.intact) r.theta = inclination(specimen);
   return r;
 }
 

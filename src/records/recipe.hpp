@@ -50,15 +50,28 @@ struct MatrixRecipe {
   double radius_multiplier = 1.0;
   double moment_contribution = 1.0;
   ShearStrength shear_strength = ShearStrength::constant;
-  double sigma_c = 65e6;      ///< bond tensile strength, mean [Pa]
-  double sigma_c_sd = 6.5e6;  ///< its standard deviation [Pa]
-  double tau_c = 65e6;        ///< bond shear strength (cohesion), mean [Pa]
-  double tau_c_sd = 6.5e6;    ///< its standard deviation [Pa]
-  double phi = 0.0;           ///< bond friction angle [deg], only with cohesion_friction
-  double bond_gap = 1e-6;     ///< bonds at gaps up to this fraction of the pair's mean radius
+  double sigma_c = 65e6;           ///< bond tensile strength, mean [Pa]
+  double sigma_c_sd = 6.5e6;       ///< its standard deviation [Pa]
+  double tau_c = 65e6;             ///< bond shear strength (cohesion), mean [Pa]
+  double tau_c_sd = 6.5e6;         ///< its standard deviation [Pa]
+  double phi = 0.0;                ///< bond friction angle [deg], only with cohesion_friction
+  double bond_gap = 1e-6;          ///< bonds at gaps up to this fraction of the pair's mean radius
+  double unbonded_fraction = 0.0;  ///< of these contacts: no bond, linear contact only
   std::int64_t bond_seed = 1;
   bool unbreakable = false;  ///< bonds and joints never break and nothing slips (elastic comparison runs)
 
+  // Directions (contact/direction.hpp): values of contacts whose normal lies along the foliation over those
+  // across it, their mean over all directions being the value above.
+  double foliation = 0.0;         ///< [deg] from +x, anticlockwise; 0 <= foliation < 180
+  double stiffness_ratio = 1.0;   ///< of E_c and E_b
+  double tension_ratio = 1.0;     ///< of sigma_c
+  double cohesion_ratio = 1.0;    ///< of tau_c
+  double cohesion_oblique = 1.0;  ///< tau_c of contacts at 45 degrees over those along and across
+
+  /// Differs with direction, so that it has layers to be turned.
+  bool directional() const {
+    return stiffness_ratio != 1.0 || tension_ratio != 1.0 || cohesion_ratio != 1.0 || cohesion_oblique != 1.0;
+  }
   /// Of contact and bond together [Pa]; rock is nearly as stiff.
   double modulus() const { return E_c + radius_multiplier * E_b; }
 };
@@ -140,5 +153,23 @@ struct Recipe {
   EngineRecipe engine;
   std::vector<std::string> notes;  ///< how the file was understood, for the user to see
 };
+
+/// Bedding planes or directions of the matrix: what test.angles turns. Rock without them is intact.
+inline bool layered(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
+  return !bedding.empty() || matrix.directional();
+}
+/// Inclination of layered rock [deg]: that of the first set of bedding or, without bedding, of the foliation.
+inline double inclination(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
+  return bedding.empty() ? matrix.foliation : bedding.front().theta;
+}
+/// The same of a recipe, or of a specimen.
+template <class T>
+bool layered(const T& of) {
+  return layered(of.matrix, of.bedding);
+}
+template <class T>
+double inclination(const T& of) {
+  return inclination(of.matrix, of.bedding);
+}
 
 }  // namespace phy

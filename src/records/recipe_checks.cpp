@@ -106,6 +106,11 @@ class CrossChecks {
       report_problem({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
                      "0 deg with shear_strength = \"constant\"",
                      "leave it out, or set shear_strength = \"cohesion_friction\"");
+    if (m.foliation != 0.0 && !m.directional())
+      report_problem({"matrix.foliation", "matrix.stiffness_ratio", "matrix.tension_ratio",
+                      "matrix.cohesion_ratio", "matrix.cohesion_oblique"},
+                     print_quantity(m.foliation, Dimension::angle), "0 deg where all ratios are 1",
+                     "leave it out, or give the matrix directions by one of its ratios");
   }
 
   void bedding(std::size_t i) {
@@ -127,9 +132,14 @@ class CrossChecks {
 
   void test() {
     const TestRecipe& t = r_.test;
-    if (!t.angles.empty() && r_.bedding.empty())
-      report_problem({"test.angles", "bedding"}, "given", "a [[bedding]] set to turn",
-                     "add [[bedding]], or remove test.angles");
+    if (!t.angles.empty() && !layered(r_))
+      report_problem({"test.angles", "bedding"}, "given", "layers to turn",
+                     "add [[bedding]] or directions of the matrix, or remove test.angles");
+    if (t.intact && r_.matrix.directional())
+      report_problem({"test.intact", "matrix.stiffness_ratio", "matrix.tension_ratio",
+                      "matrix.cohesion_ratio", "matrix.cohesion_oblique"},
+                     "true", "false with a matrix that has directions",
+                     "no specimen of it is intact: leave the key out, or set the ratios to 1");
     std::vector<double> sorted = t.angles;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

@@ -145,9 +145,23 @@ void add_matrix(List& l) {
              "friction angle of bonds, with cohesion_friction", part, &M::phi);
   l.number("matrix", "bond_gap", 0, 0.5, "install gap",
            "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
+  l.number("matrix", "unbonded_fraction", 0, 0.9, "",
+           "share of these contacts that get no bond (linear contact only)", part, &M::unbonded_fraction);
   l.integer("matrix", "bond_seed", 0, 4294967295.0, "seed of the bond strengths", part, &M::bond_seed);
   l.boolean("matrix", "unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", part,
             &M::unbreakable);
+  l.quantity("matrix", "foliation", Dimension::angle, 0, 180, "180 - dip",
+             "inclination of the matrix's own layers, which the ratios below refer to", part, &M::foliation)
+      .below_max = true;
+  l.number("matrix", "stiffness_ratio", 0.05, 20, "",
+           "E_c and E_b of contacts with the normal along the foliation over those across it; the mean stays",
+           part, &M::stiffness_ratio);
+  l.number("matrix", "tension_ratio", 0.05, 20, "", "the same of sigma_c; above 1 the layers part easily",
+           part, &M::tension_ratio);
+  l.number("matrix", "cohesion_ratio", 0.05, 20, "", "the same of tau_c", part, &M::cohesion_ratio);
+  l.number("matrix", "cohesion_oblique", 0.05, 20, "",
+           "tau_c of contacts at 45 deg to the foliation over those along and across it; the mean stays",
+           part, &M::cohesion_oblique);
 }
 
 void add_bedding(List& l) {

@@ -52,6 +52,9 @@ struct Contact {
   std::uint8_t set = 0;  ///< joints: number of the bedding set
   double sigma_c = 0.0;  ///< bonded: tensile strength [Pa]
   double tau_c = 0.0;    ///< bonded: shear strength or cohesion [Pa]
+  /// Of the matrix: cosine of twice the angle between its normal and that of the foliation at the start. 0
+  /// stands for the mean over all directions, which pairs that meet during a test have.
+  double cos_2a = 0.0;
 };
 
 /// How bedding sits in this specimen.

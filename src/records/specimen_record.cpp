@@ -28,8 +28,8 @@ std::string specimen_name(double theta) { return "theta = " + print_number(theta
 std::vector<std::string> specimen_names(const Recipe& recipe) {
   std::vector<std::string> names;
   for (const double theta : recipe.test.angles) names.push_back(specimen_name(theta));
-  if (names.empty() && !recipe.bedding.empty()) names.push_back(specimen_name(recipe.bedding[0].theta));
-  if (recipe.test.intact || recipe.bedding.empty()) names.emplace_back("intact");
+  if (names.empty() && layered(recipe)) names.push_back(specimen_name(inclination(recipe)));
+  if (recipe.test.intact || !layered(recipe)) names.emplace_back("intact");
   return names;
 }
 

@@ -44,7 +44,7 @@ struct RunRecord {
 SpecimenRecord record_of(const Recipe& recipe, const std::string& version, const Specimen& specimen,
                          const TestResult& result);
 
-/// What a specimen with bedding is called: "theta = 30 deg".
+/// What a specimen with layers is called: "theta = 30 deg".
 std::string specimen_name(double theta);
 /// What the specimens of a recipe are called, in its order; intact rock is "intact".
 std::vector<std::string> specimen_names(const Recipe& recipe);

@@ -50,6 +50,10 @@ laws::Tangent<double> operator+(laws::Tangent<double> a, laws::Tangent<double> b
 
 }  // namespace
 
+Network make_network(const Specimen& specimen, Vec2 period) {
+  return make_network(specimen, period, contact::models_of(specimen));
+}
+
 Network make_network(const Specimen& specimen, Vec2 period, const contact::Models& models) {
   Network net;
   net.models = models;

@@ -45,15 +45,15 @@ struct Network {
   double length = 1.0;      ///< a typical arm [m]: compares rotations with displacements
   std::vector<Link> links;  ///< the contacts in their order, then those of platens
   std::size_t n_contacts = 0;
-  contact::Models models = contact::standard_models();
+  contact::Models models;
 };
 
 enum class Platens { frictionless, glued };
 
 /// The contacts of a specimen, in their order. With a period > 0 along x or y a contact joins a to the
-/// nearest image of b.
-Network make_network(const Specimen& specimen, Vec2 period = {},
-                     const contact::Models& models = contact::standard_models());
+/// nearest image of b. `models`: others than those of the specimen's matrix.
+Network make_network(const Specimen& specimen, Vec2 period = {});
+Network make_network(const Specimen& specimen, Vec2 period, const contact::Models& models);
 
 /// Adds the bottom and the top platen (bodies n_grains and n_grains + 1) and their links to the grains that
 /// touch the lines y = 0 and y = height. Glued: sliding is resisted too and nothing comes off.

@@ -35,8 +35,9 @@ std::shared_ptr<const Packing> small_packing() {
 }
 
 Specimen small_specimen(double theta) {
-  const Recipe r = small_recipe();
-  return genesis::make_specimen(small_packing(), r.matrix, genesis::turned(r.bedding, theta), "small");
+  Recipe r = small_recipe();
+  genesis::turn_layers(r.matrix, r.bedding, theta);
+  return genesis::make_specimen(small_packing(), r.matrix, r.bedding, "small");
 }
 
 /// The same specimen with other discs; keeps contacts and bedding.

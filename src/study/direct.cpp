@@ -60,8 +60,8 @@ TestResult solve_directly(const Specimen& specimen, statics::UniaxialStatics& st
   const double start = thread_seconds();
   TestResult result;
   result.name = specimen.name;
-  result.intact = specimen.bedding.empty();
-  result.theta = result.intact ? 0.0 : specimen.bedding.front().theta;
+  result.intact = !layered(specimen);
+  result.theta = result.intact ? 0.0 : inclination(specimen);
   result.outcome = {Status::solved, "", ""};
   statics::ElasticOptions options;
   // Derivatives are for calibrations; a study reads the moduli only.

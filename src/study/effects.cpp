@@ -31,7 +31,7 @@ const Number* number_of(const StudyRows& rows, const Run& run, const std::string
 }
 
 std::string name_of(const Recipe& single) {
-  return single.bedding.empty() ? "intact" : specimen_name(single.bedding.front().theta);
+  return layered(single) ? specimen_name(inclination(single)) : "intact";
 }
 
 std::vector<std::vector<double>> no_values(const Plan& plan) {
@@ -112,6 +112,8 @@ std::map<std::pair<std::size_t, std::size_t>, Readings> readings_of(const Plan& 
     const Recipe& recipe = plan.tests[run.test].recipe;
     const double E = n != nullptr ? n->value : nan;
     // One intact specimen serves as the reference E of all angles of its point.
+    // Eq. 1 takes the rock between the planes for isotropic.
+    if (recipe.matrix.directional()) continue;
     if (recipe.bedding.empty()) {
       r.intact = E;
       continue;

@@ -20,8 +20,8 @@ namespace {
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
   r.test.intact = false;
-  // Angles of the bedding differ from specimen to specimen; what is compared is the rest.
-  if (!r.bedding.empty()) r.bedding = genesis::turned(r.bedding, 0.0);
+  // Angles of the layers differ from specimen to specimen; what is compared is the rest.
+  if (layered(r)) genesis::turn_layers(r.matrix, r.bedding, 0.0);
   return r;
 }
 
@@ -32,26 +32,27 @@ std::vector<Recipe> single_recipes(const Recipe& recipe) {
   Recipe one = recipe;
   one.test.angles.clear();
   one.test.intact = false;
-  // test.angles turns all sets together (genesis::turned). Without it the bedding is one specimen as given.
+  // test.angles turns all layers together. Without it they are one specimen as given.
   for (const double theta : recipe.test.angles) {
-    one.bedding = genesis::turned(recipe.bedding, theta);
     singles.push_back(one);
+    genesis::turn_layers(singles.back().matrix, singles.back().bedding, theta);
   }
-  one.bedding = recipe.bedding;
-  if (recipe.test.angles.empty() && !recipe.bedding.empty()) singles.push_back(one);
+  if (recipe.test.angles.empty() && layered(recipe)) singles.push_back(one);
   one.bedding.clear();
-  if (recipe.test.intact || recipe.bedding.empty()) singles.push_back(one);
+  if (recipe.test.intact || !layered(recipe)) singles.push_back(one);
   return singles;
 }
 
 std::string specimen_key(const Recipe& single) {
-  PHY_CHECK(single.test.angles.empty() && !(single.test.intact && !single.bedding.empty()),
+  PHY_CHECK(single.test.angles.empty() && !(single.test.intact && layered(single)),
             "a key belongs to one specimen");
   // Everything that does not change a result is taken out, so that equal specimens have equal keys.
   Recipe r = single;
   r.name.clear();
   r.test.n_snapshots = r.test.n_frames = 0;
   r.test.intact = false;
+  // Of no effect without directions.
+  if (!r.matrix.directional()) r.matrix.foliation = MatrixRecipe{}.foliation;
   // Only the zone rule reads its thickness.
   for (BeddingRecipe& set : r.bedding)
     if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;

@@ -93,7 +93,7 @@ TEST(RecipeDifference, IsTheFirstKeyThatIsNoAngle) {
   Recipe b = a;
   b.test.angles = {5, 10};
   b.test.intact = false;
-  b.bedding = genesis::turned(a.bedding, 30.0);
+  genesis::turn_layers(b.matrix, b.bedding, 30.0);
   EXPECT_FALSE(first_difference(a, b));
   b.matrix.mu = 0.25;
   b.bedding[1].k_s *= 2.0;

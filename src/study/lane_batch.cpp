@@ -82,7 +82,7 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
   PHY_CHECK(n <= busy.size(), "a lane batch gives tests that it has");
   const auto theta = [this](std::size_t lane) {
     const Specimen& s = *slots_[lane].job.specimen;
-    return s.bedding.empty() ? -1.0 : s.bedding.front().theta;
+    return layered(s) ? inclination(s) : -1.0;
   };
   // Neighbours in angle stay together: where all lanes have the same interfaces only one law is evaluated per
   // contact (study/plan.hpp). Intact rock is sorted in front of all angles.

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "engine/kernels.hpp"
 #include "genesis/cache.hpp"
 #include "lab/tests.hpp"
 #include "study/direct.hpp"
@@ -16,19 +17,24 @@ namespace {
 /// Number of a set of angles, in the order of appearance.
 std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Recipe& single) {
   std::vector<double> angles;
+  if (single.matrix.directional()) angles.push_back(single.matrix.foliation);
   for (const BeddingRecipe& set : single.bedding) angles.push_back(set.theta);
   return kinds.try_emplace(angles, kinds.size()).first->second;
 }
 
-// Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact geometry,
-// precision and block.
-using BatchName =
-    std::tuple<std::string, std::string, std::string, StiffnessConvention, Precision, std::int64_t>;
+// Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact models
+// and geometry, precision and block.
+using BatchName = std::tuple<std::string, std::string, std::string, const engine::ContactPhysics*,
+                             StiffnessConvention, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
-  return {r.packing.file,        genesis::packing_key(r.specimen, r.packing, r.matrix),
-          lab::boundary_name(r), r.matrix.stiffness_convention,
-          r.engine.precision,    r.test.history_interval};
+  return {r.packing.file,
+          genesis::packing_key(r.specimen, r.packing, r.matrix),
+          lab::boundary_name(r),
+          &engine::physics_of(r.matrix),
+          r.matrix.stiffness_convention,
+          r.engine.precision,
+          r.test.history_interval};
 }
 
 /// Batches, longest tests first; equal ones in the order of the design.

@@ -1,10 +1,10 @@
 // From a study to its work: every point on every packing and bond seed is split into specimens; specimens
 // that occur twice (the base of one_at_a_time, the intact rock) are run once.
 //
-// Tests of one packing, boundary, stiffness convention and block length can share a group of lanes: a batch.
-// Within a batch the longest come first, so that lanes and cores run out of work together. The length of a
-// test is not known before its peak; a guess is enough for the order and, scaled by what finished tests took,
-// for the remaining time.
+// Tests of one packing, boundary, contact model, stiffness convention and block length can share a group of
+// lanes: a batch. Within a batch the longest come first, so that lanes and cores run out of work together.
+// The length of a test is not known before its peak; a guess is enough for the order and, scaled by what
+// finished tests took, for the remaining time.
 //
 // Tests whose bedding lies at the same angles are of one kind. A contact that is a smooth joint in some lanes
 // only is computed by both laws, so a group of one kind runs up to twice as fast as one of seven angles: a

@@ -21,8 +21,8 @@ constexpr auto renewal = std::chrono::seconds(20);         // well within lease_
 /// The result of a specimen that cannot be generated, so that the study stores why and does not try again.
 TestResult not_made(const PlannedTest& test, const std::string& reason) {
   TestResult r;
-  r.intact = test.recipe.bedding.empty();
-  r.theta = r.intact ? 0.0 : test.recipe.bedding.front().theta;
+  r.intact = !layered(test.recipe);
+  r.theta = r.intact ? 0.0 : inclination(test.recipe);
   r.name = "specimen not made";
   r.outcome = {Status::not_settled, reason, "change the packing or the bedding of this point"};
   r.hash = phy::hash_of(r);

@@ -50,10 +50,10 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
   text += ",n_cracks,n_steps,cpu [s],status,reason,quality,marks,result_hash,key\n";
   for (const Run& run : plan.runs) {
     const PlannedTest& test = plan.tests[run.test];
-    const bool intact = test.recipe.bedding.empty();
+    const bool intact = !layered(test.recipe);
     text += std::to_string(run.point) + "," + std::to_string(run.packing) + "," +
-            std::to_string(run.bond_seed) + "," +
-            (intact ? "" : print_number(test.recipe.bedding.front().theta)) + (intact ? ",1" : ",0");
+            std::to_string(run.bond_seed) + "," + (intact ? "" : print_number(inclination(test.recipe))) +
+            (intact ? ",1" : ",0");
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
       text += "," + csv_cell(plan.study.vary[k].key, plan.points[run.point].values[k]);
     // A row for every run of the design, also where several runs share one test.

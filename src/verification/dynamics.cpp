@@ -226,7 +226,7 @@ std::vector<Check> energy_balance() {
 // closed forms.
 std::vector<Check> stable_step() {
   const auto ratio = [](const Specimen& s, double exact) {
-    return engine::FrequencyBound(s, engine::initial_stiffnesses(contact::standard_models(), s)).omega() /
+    return engine::FrequencyBound(s, engine::initial_stiffnesses(contact::models_of(s), s)).omega() /
            exact;
   };
   Specimen pair = bonded_pair();

@@ -39,11 +39,12 @@ double plane_stiffness(const Specimen& specimen, double gap) {
   const std::vector<Disc>& discs = specimen.packing->discs;
   const double middle = 0.5 * specimen.packing->height;
   double across = 0.0, sound = 0.0, radius = 0.0;  // sound: as if no joint were there
+  const contact::Models& models = contact::models_of(specimen);
   for (Contact c : specimen.contacts) {
     if ((discs[c.a].y < middle) == (discs[c.b].y < middle)) continue;
-    across += engine::initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+    across += engine::initial_stiffness(models, specimen, c).k.k_n;
     if (c.kind == ContactKind::joint) c.kind = ContactKind::bonded;
-    sound += engine::initial_stiffness(contact::standard_models(), specimen, c).k.k_n;
+    sound += engine::initial_stiffness(models, specimen, c).k.k_n;
   }
   for (const Disc& d : discs) radius += d.r / static_cast<double>(discs.size());
   return across / (1.0 + gap / (2.0 * radius) * (across / sound));
