@@ -186,6 +186,7 @@ TEST(Recipe, EveryKeyRoundTrips) {
           f.set(r, set, f.get(r, set) * (1.0 - 0.02 * uniform(i, Stream::test, ++draw)));
         else if (f.kind == FieldKind::boolean)
           f.set(r, set, uniform(i, Stream::test, ++draw) < 0.5 ? 1.0 : 0.0);
+    r.test.intact = false;  // its ratios have given the matrix directions
     const Recipe back = parse_recipe(write_recipe(r), "r.toml");
     EXPECT_EQ(back.name, r.name);
     EXPECT_EQ(back.test.angles, r.test.angles);

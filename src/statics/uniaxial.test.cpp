@@ -34,8 +34,9 @@ std::shared_ptr<const Packing> small_packing() {
   return packing;
 }
 
-Specimen small_specimen(double theta) {
+Specimen small_specimen(double theta, double stiffness_ratio = 1.0) {
   Recipe r = small_recipe();
+  r.matrix.stiffness_ratio = stiffness_ratio;
   genesis::turn_layers(r.matrix, r.bedding, theta);
   return genesis::make_specimen(small_packing(), r.matrix, r.bedding, "small");
 }
@@ -100,10 +101,14 @@ TEST(Uniaxial, ContactsThatWouldPullAreOpen) {
 }
 
 TEST(Uniaxial, SensitivitiesAreCentralDifferences) {
-  for (const bool bilateral : {true, false}) {
+  struct Case {
+    bool bilateral;
+    double stiffness_ratio;
+  };
+  for (const auto& [bilateral, ratio] : {Case{true, 1.0}, Case{false, 1.0}, Case{false, 1.7}}) {
     ElasticOptions options;
     options.bilateral = bilateral;
-    const Specimen s = small_specimen(35.0);
+    const Specimen s = small_specimen(35.0, ratio);
     UniaxialStatics statics;
     const ElasticResult r = statics.solve(s, options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
@@ -127,6 +132,8 @@ TEST(Uniaxial, SensitivitiesAreCentralDifferences) {
     check("matrix.bond_ks_over_kn", [](Specimen& x, double f) { x.matrix.bond_ks_over_kn *= f; });
     check("bedding[0].k_n", [](Specimen& x, double f) { x.bedding[0].k_n *= f; });
     check("bedding[0].k_s", [](Specimen& x, double f) { x.bedding[0].k_s *= f; });
+    if (ratio != 1.0)
+      check("matrix.stiffness_ratio", [](Specimen& x, double f) { x.matrix.stiffness_ratio *= f; });
     const Sensitivity& both = of(r, "ks_over_kn");
     EXPECT_DOUBLE_EQ(both.dE, of(r, "matrix.ks_over_kn").dE + of(r, "matrix.bond_ks_over_kn").dE);
     EXPECT_DOUBLE_EQ(both.dnu, of(r, "matrix.ks_over_kn").dnu + of(r, "matrix.bond_ks_over_kn").dnu);
