@@ -134,6 +134,19 @@ TEST(Models, RatesAreDerivativesOfTheirStiffness) {
   }
 }
 
+TEST(Models, AJointHasATensileStrengthOfItsOwn) {
+  const Specimen s = two_grains(StiffnessConvention::pfc31);
+  Contact c = s.contacts[0];
+  c.kind = ContactKind::joint, c.side = -1, c.sigma_n = 1.5;
+  Moved<SmoothJoint> hot(s, c);
+  const double opening = s.bedding[0].sigma_n / s.bedding[0].k_n;  // at the mean strength
+  hot.step(-1.49 * opening, 0.0, 0.0);
+  EXPECT_EQ(hot.n_broken, 0);
+  EXPECT_FALSE(SmoothJoint::model().at_strength(hot.standing()));
+  hot.step(-0.02 * opening, 0.0, 0.0);
+  EXPECT_EQ(hot.n_broken, 1);
+}
+
 // The affine start leaves a contact where steps would have brought it.
 TEST(Models, AffineStartIsWhatOneStepGives) {
   const Specimen s = two_grains(StiffnessConvention::pfc31);

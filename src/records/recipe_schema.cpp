@@ -150,29 +150,65 @@ void add_matrix(List& l) {
             &M::unbreakable);
 }
 
-void add_bedding(List& l) {
+/// Where the planes of a set are, and which contacts are its joints.
+void add_planes(List& l) {
   using B = BeddingRecipe;
   l.quantity("bedding", "theta", Dimension::angle, 0, 180, "180 - dip",
              "plane from +x, anticlockwise; load along y", &B::theta)
       .below_max = true;
-  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "", "distance of the planes of the set",
-             &B::spacing);
+  l.quantity("bedding", "theta_sd", Dimension::angle, 0, 10, "",
+             "standard deviation of theta from plane to plane; not with oriented", &B::theta_sd)
+      .quiet = true;
+  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "",
+             "distance of the planes of the set, mean; not with oriented", &B::spacing);
+  l.number("bedding", "spacing_sd", 0, 0.3, "",
+           "standard deviation of the spacing, over the spacing; not with oriented", &B::spacing_sd)
+      .quiet = true;
   l.quantity("bedding", "zone_thickness", Dimension::length, 0, 1, "",
              "thickness d of the zone, used by the zone rule", &B::zone_thickness)
       .above_min = true;
   l.quantity("bedding", "offset", Dimension::length, -10, 10, "",
-             "distance of one plane from the specimen's centre", &B::offset);
+             "distance of one plane from the specimen's centre; not with oriented", &B::offset);
   l.choice(
-      "bedding", "rule", {"crossing", "zone"},
-      "contacts that become joints: centres on opposite sides of a plane, or contact point within the zone",
+      "bedding", "rule", {"crossing", "zone", "oriented"},
+      "contacts that become joints: centres on opposite sides of a plane, contact point within the zone, "
+      "or (no planes) normal near that of the set",
       &B::rule);
+  l.boolean(
+       "bedding", "bridges",
+       "zone rule: contacts that cross a plane outside the zone stay bonded; false: they are joints, too",
+       &B::bridges)
+      .quiet = true;
+  l.quantity("bedding", "orientation_range", Dimension::angle, 0, 90, "",
+             "oriented rule: largest angle between the normals of a joint's contact and of the set",
+             &B::orientation_range)
+      .above_min = true;
+  l.fields.back().quiet = true;
+  l.number("bedding", "persistence", 0, 1, "",
+           "share of the planes that is jointed, the rest stays bonded (rock bridges); not with oriented",
+           &B::persistence)
+      .above_min = true;
+  l.fields.back().quiet = true;
+  l.quantity(
+       "bedding", "patch_length", Dimension::length, 0, 10, "",
+       "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact",
+       &B::patch_length)
+      .quiet = true;
+}
+
+/// The joints of a set.
+void add_joints(List& l) {
+  using B = BeddingRecipe;
   l.quantity("bedding", "k_n", Dimension::stiffness, 1e3, 1e18, "sj_kn", "normal stiffness of the joints",
              &B::k_n);
   l.quantity("bedding", "k_s", Dimension::stiffness, 1e3, 1e18, "sj_ks", "shear stiffness of the joints",
              &B::k_s);
   l.number("bedding", "mu", 0, 10, "sj_fric", "friction coefficient of broken joints", &B::mu);
   l.quantity("bedding", "sigma_n", Dimension::pressure, 1, 1e13, "sj_ten",
-             "tensile strength of bonded joints", &B::sigma_n);
+             "tensile strength of bonded joints, mean", &B::sigma_n);
+  l.quantity("bedding", "sigma_n_sd", Dimension::pressure, 0, 1e13, "", "standard deviation of sigma_n",
+             &B::sigma_n_sd)
+      .quiet = true;
   l.quantity("bedding", "cohesion", Dimension::pressure, 1, 1e13, "sj_coh", "cohesion of bonded joints",
              &B::cohesion);
   l.quantity("bedding", "phi", Dimension::angle, 0, 80, "sj_fa", "friction angle of bonded joints", &B::phi);
@@ -288,10 +324,17 @@ const Fields& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l);
+    add_specimen(l), add_packing(l), add_matrix(l), add_planes(l), add_joints(l), add_test(l), add_engine(l);
     return with_defaults(std::move(l.fields));
   }();
   return fields;
+}
+
+bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
+  if (!f.only_of.empty() && f.only_of != recipe.test.kind->name) return false;
+  const bool about_planes = f.table == "bedding" && (f.key == "spacing" || f.key == "offset");
+  if (about_planes && !recipe.bedding[index].has_planes()) return false;
+  return !f.quiet || print_field(f, recipe, index) != f.otherwise;
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
@@ -316,11 +359,10 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
 std::string keys_not_by_default(const Recipe& r) {
   std::string text = std::to_string(r.bedding.size()) + " sets of bedding\n";
   for (const Field& f : recipe_fields()) {
-    if (!f.only_of.empty() && f.only_of != r.test.kind->name) continue;
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
-      if (value == f.otherwise) continue;
+      if (value == f.otherwise || !is_written(f, r, i)) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";
     }

@@ -142,6 +142,21 @@ TEST(Uniaxial,
   EXPECT_NEAR(dnu, 0.0, 1e-8);
 }
 
+// Of a set that is laid plane by plane: one derivative, for all of its planes.
+TEST(Uniaxial, ASetWhosePlanesScatterIsOneParameter) {
+  Recipe r = small_recipe();
+  r.bedding[0].spacing_sd = 0.2, r.bedding[0].theta_sd = 5.0, r.bedding[0].theta = 35.0;
+  const Specimen s = genesis::make_specimen(small_packing(), r.matrix, r.bedding, "scattered");
+  ASSERT_GT(s.laid_sets.size(), 3U);
+  const ElasticResult answer = solve_uniaxial(s);
+  double dE = 0.0;
+  for (const Sensitivity& d : answer.sensitivities)
+    if (d.parameter != "ks_over_kn" && !d.parameter.ends_with("ks_over_kn")) dE += d.dE * d.value;
+  EXPECT_NEAR(dE, answer.E_gauge, 1e-8 * answer.E_gauge);
+  EXPECT_GT(of(answer, "bedding[0].k_s").dE, 0.0);
+  EXPECT_EQ(answer.sensitivities.back().parameter, "bedding[0].k_s");
+}
+
 TEST(Uniaxial, MirrorImageHasTheSameModuli) {
   const Specimen s = small_specimen(30.0);
   Specimen mirror = with_discs(s, [](Packing& p) {
