@@ -150,7 +150,7 @@ void add_matrix(List& l) {
             &M::unbreakable);
 }
 
-/// Where the planes of a set are, and which contacts are its joints.
+/// Where the planes of a set are.
 void add_planes(List& l) {
   using B = BeddingRecipe;
   l.quantity("bedding", "theta", Dimension::angle, 0, 180, "180 - dip",
@@ -169,6 +169,11 @@ void add_planes(List& l) {
       .above_min = true;
   l.quantity("bedding", "offset", Dimension::length, -10, 10, "",
              "distance of one plane from the specimen's centre; not with oriented", &B::offset);
+}
+
+/// Which contacts are its joints.
+void add_rule(List& l) {
+  using B = BeddingRecipe;
   l.choice(
       "bedding", "rule", {"crossing", "zone", "oriented"},
       "contacts that become joints: centres on opposite sides of a plane, contact point within the zone, "
@@ -179,16 +184,16 @@ void add_planes(List& l) {
        "zone rule: contacts that cross a plane outside the zone stay bonded; false: they are joints, too",
        &B::bridges)
       .quiet = true;
-  l.quantity("bedding", "orientation_range", Dimension::angle, 0, 90, "",
-             "oriented rule: largest angle between the normals of a joint's contact and of the set",
-             &B::orientation_range)
-      .above_min = true;
-  l.fields.back().quiet = true;
-  l.number("bedding", "persistence", 0, 1, "",
-           "share of the planes that is jointed, the rest stays bonded (rock bridges); not with oriented",
-           &B::persistence)
-      .above_min = true;
-  l.fields.back().quiet = true;
+  Field& range =
+      l.quantity("bedding", "orientation_range", Dimension::angle, 0, 90, "",
+                 "oriented rule: largest angle between the normals of a joint's contact and of the set",
+                 &B::orientation_range);
+  range.above_min = range.quiet = true;
+  Field& share =
+      l.number("bedding", "persistence", 0, 1, "",
+               "share of the planes that is jointed, the rest stays bonded (rock bridges); not with oriented",
+               &B::persistence);
+  share.above_min = share.quiet = true;
   l.quantity(
        "bedding", "patch_length", Dimension::length, 0, 10, "",
        "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact",
@@ -324,7 +329,8 @@ const Fields& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_planes(l), add_joints(l), add_test(l), add_engine(l);
+    add_specimen(l), add_packing(l), add_matrix(l), add_planes(l), add_rule(l), add_joints(l), add_test(l),
+        add_engine(l);
     return with_defaults(std::move(l.fields));
   }();
   return fields;
