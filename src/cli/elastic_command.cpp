@@ -148,7 +148,7 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   // Dispersed joints have no spacing: what Eq. 1 gives is left as it is, K delta.
   const BeddingRecipe& set = study.recipe.bedding[0];
   const double scale = set.has_planes() ? 1e-9 / set.spacing : 1e-9;
-  const char* const unit = set.has_planes() ? "GPa/m" : "GPa";
+  const char* const per = set.has_planes() ? "GPa/m" : "GPa";
   const std::vector<NamedFit> fits = fit_all(study, modulus_loss);
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, fits.size(),
@@ -159,12 +159,12 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
   label.left = true;
   const Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
-                          of(set.has_planes() ? "K_n" : "K_n delta", unit,
+                          of(set.has_planes() ? "K_n" : "K_n delta", per,
                              [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
-                          of("+-", unit, [&](F f) { return error(f.se_K_n_delta); })};
-  const Columns shear = {of(set.has_planes() ? "K_s" : "K_s delta", unit,
+                          of("+-", per, [&](F f) { return error(f.se_K_n_delta); })};
+  const Columns shear = {of(set.has_planes() ? "K_s" : "K_s delta", per,
                             [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
-                         of("+-", unit, [&](F f) { return error(f.se_K_s_delta); })};
+                         of("+-", per, [&](F f) { return error(f.se_K_s_delta); })};
   const Columns shape = {of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
                            return f.shape.type == theory::CurveType::shoulder ? fixed(f.shape.theta_star, 1)
                                                                               : "none";
