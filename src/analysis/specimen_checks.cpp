@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/clusters.hpp"
 
@@ -63,7 +64,10 @@ double rattlers(const Specimen& s) {
 double fewest_joints(const Specimen& s) {
   std::vector<double> n(s.bedding.size(), 0.0);
   for (const Contact& c : s.contacts)
-    if (c.kind == ContactKind::joint) n[c.set] += 1.0;
+    if (c.kind == ContactKind::joint) n[s.set_of(c.set)] += 1.0;
+  // Layers may have no joints on purpose.
+  for (std::size_t i = 0; i < n.size(); ++i)
+    if (s.bedding[i].unjointed()) n[i] = std::numeric_limits<double>::infinity();
   return *std::min_element(n.begin(), n.end());
 }
 
@@ -82,12 +86,16 @@ std::vector<Number> specimen_checks(const Specimen& specimen) {
        "share of grains that no contact can load: fewer than two contacts, or cut off from the largest part",
        ""}};
   if (specimen.bedding.empty()) return out;
-  double spacing = specimen.bedding.front().spacing;
-  for (const BeddingRecipe& set : specimen.bedding) spacing = std::min(spacing, set.spacing);
-  out.push_back({"grains_per_spacing", spacing / diameter, "1",
-                 "spacing of the bedding / mean grain diameter, of several sets the smallest", ""});
-  out.push_back({"joints", fewest_joints(specimen), "1",
-                 "smooth joints of a bedding set at the start, of several sets the fewest", ""});
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const BeddingRecipe& set : specimen.bedding)
+    if (set.has_planes()) spacing = std::min(spacing, set.spacing);
+  // Dispersed joints alone have no spacing.
+  if (std::isfinite(spacing))
+    out.push_back({"grains_per_spacing", spacing / diameter, "1",
+                   "spacing of the bedding / mean grain diameter, of several sets the smallest", ""});
+  if (const double joints = fewest_joints(specimen); std::isfinite(joints))
+    out.push_back({"joints", joints, "1",
+                   "smooth joints of a bedding set at the start, of several sets the fewest", ""});
   return out;
 }
 

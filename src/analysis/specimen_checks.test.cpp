@@ -63,5 +63,24 @@ TEST(SpecimenChecks, TheSetThatMissesTheSpecimenCounts) {
   EXPECT_DOUBLE_EQ(of(s, "grains_per_spacing"), 3.0);
 }
 
+TEST(SpecimenChecks, PlanesOfOneSetCountTogether) {
+  Specimen s = assembly(row_of_six, {{0, 1}, {0, 2}, {1, 2}});
+  s.bedding.resize(1);
+  s.laid_sets.resize(2);  // both of set 0
+  for (Contact& c : s.contacts) c.kind = ContactKind::joint;
+  s.contacts[1].set = 1;
+  EXPECT_EQ(of(s, "joints"), 3.0);
+}
+
+TEST(SpecimenChecks, DispersedJointsHaveNoSpacing) {
+  Specimen s = assembly(row_of_six, {{0, 1}});
+  s.bedding.resize(2);
+  s.bedding[0].rule = BeddingRule::oriented, s.bedding[1].spacing = 6.0;
+  EXPECT_DOUBLE_EQ(of(s, "grains_per_spacing"), 3.0);
+  s.bedding.resize(1);
+  EXPECT_EQ(of(s, "grains_per_spacing"), -1.0);
+  EXPECT_EQ(of(s, "joints"), 0.0);
+}
+
 }  // namespace
 }  // namespace phy::analysis

@@ -33,7 +33,13 @@ enum class Stream : std::uint32_t {
   bond_shear = 4,
   design = 5,
   calibration = 6,
-  unbonded = 7,
+  bedding_patch = 7,
+  bedding_phase = 8,
+  bedding_contact = 9,
+  bedding_spacing = 10,
+  bedding_theta = 11,
+  joint_tension = 12,
+  unbonded = 13,
   test = 99
 };
 

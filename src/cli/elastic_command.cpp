@@ -155,7 +155,10 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
         "macro joint stiffness is fitted\n");
     return;
   }
-  const double spacing = study.recipe.bedding[0].spacing, scale = 1e-9 / spacing;
+  // Dispersed joints have no spacing: what Eq. 1 gives is left as it is, K delta.
+  const BeddingRecipe& set = study.recipe.bedding[0];
+  const double scale = set.has_planes() ? 1e-9 / set.spacing : 1e-9;
+  const char* const per = set.has_planes() ? "GPa/m" : "GPa";
   const std::vector<NamedFit> fits = fit_all(study, modulus_loss);
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, fits.size(),
@@ -166,16 +169,20 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   Column label = column("contacts, ref. E", "", fits.size(), [&](std::size_t i) { return fits[i].name; });
   label.left = true;
   const Columns normal = {of("E", "GPa", [](F f) { return fixed(f.rock.E * 1e-9, 2); }),
-                          of("K_n", "GPa/m", [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
-                          of("+-", "GPa/m", [&](F f) { return error(f.se_K_n_delta); })};
-  const Columns shear = {of("K_s", "GPa/m", [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
-                         of("+-", "GPa/m", [&](F f) { return error(f.se_K_s_delta); })};
+                          of(set.has_planes() ? "K_n" : "K_n delta", per,
+                             [&](F f) { return fixed(f.rock.K_n_delta * scale, 1); }),
+                          of("+-", per, [&](F f) { return error(f.se_K_n_delta); })};
+  const Columns shear = {of(set.has_planes() ? "K_s" : "K_s delta", per,
+                            [&](F f) { return fixed(f.rock.K_s_delta * scale, 1); }),
+                         of("+-", per, [&](F f) { return error(f.se_K_s_delta); })};
   const Columns shape = {of("R2", "", [](F f) { return fixed(f.R2, 5); }), of("shoulder", "deg", [](F f) {
                            return f.shape.type == theory::CurveType::shoulder ? fixed(f.shape.theta_star, 1)
                                                                               : "none";
                          })};
-  print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, spacing {:g} mm\n",
-                modulus_loss ? "modulus" : "compliance", spacing * 1e3);
+  print_wrapped(width, 0, "\nmacro joint stiffness by Eq. 1, least squares in {}, {}\n",
+                modulus_loss ? "modulus" : "compliance",
+                set.has_planes() ? fmt::format("spacing {:g} mm", set.spacing * 1e3)
+                                 : "joints dispersed, no spacing delta");
   print_out("{}", text_table(label, {normal, shear, shape}, width));
   std::vector<std::string> missing;
   for (const NamedFit& f : fits)
@@ -229,10 +236,14 @@ void print_packing(const ElasticStudy& study, int width) {
   using B = const BeddingReport&;
   const Column theta = column("theta", "deg", study.n_angles(),
                               [&](std::size_t i) { return fmt::format("{:g}", study.theta(i)); });
-  Columns bedding = {of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
-                     of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
-                     of("off the plane", "% of joints",
-                        [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); })};
+  Columns bedding;
+  if (study.recipe.bedding[0].has_planes())
+    bedding = {of("sum(A)/L", "", [](B b, double) { return fixed(b.overlap_ratio, 3); }),
+               of("bridges", "%", [](B b, double) { return fixed(100.0 * b.bridge_fraction, 1); }),
+               of("off the plane", "% of joints",
+                  [](B b, double) { return fixed(100.0 * b.non_crossing_fraction, 1); })};
+  else
+    bedding = {of("joints", "% of contacts", [](B b, double) { return fixed(100.0 * b.joint_fraction, 1); })};
   if (study.has_intact())
     bedding.push_back(
         of("E/E_intact", "", [&](B, double E) { return fixed(E / study.intact().E_gauge, 4); }));

@@ -54,12 +54,19 @@ void print_packing(const Packing& p, double seconds, bool cached, int width) {
 void print_bedding(const Specimen& s, int width) {
   for (std::size_t i = 0; i < s.bedding.size(); ++i) {
     const BeddingReport& b = s.bedding_report[i];
-    print_wrapped(
-        width, 10,
-        "bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane "
-        "{:.1f} %\n",
-        i + 1, s.bedding[i].theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing",
-        b.overlap_ratio, 100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction);
+    const double theta = s.bedding[i].theta;
+    if (b.dispersed)
+      print_wrapped(
+          width, 10,
+          "bedding   set {} at {:g} deg: oriented rule, no planes, {:.1f} % of all contacts are joints\n",
+          i + 1, theta, 100.0 * b.joint_fraction);
+    else
+      print_wrapped(
+          width, 10,
+          "bedding   set {} at {:g} deg: {} rule, sum(A)/L {:.3f}, bridges {:.1f} %, joints off the plane "
+          "{:.1f} %\n",
+          i + 1, theta, s.bedding[i].rule == BeddingRule::zone ? "zone" : "crossing", b.overlap_ratio,
+          100.0 * b.bridge_fraction, 100.0 * b.non_crossing_fraction);
   }
 }
 

@@ -26,27 +26,29 @@ constexpr ElasticParameter elastic_list[] = {
     {"E_b", "Pa", &MatrixRecipe::E_b},
     {"ks_over_kn", "1", &MatrixRecipe::ks_over_kn, nullptr, "ks_over_kn"},
     {"bond_ks_over_kn", "1", &MatrixRecipe::bond_ks_over_kn, nullptr, "ks_over_kn"},
-    {"stiffness_ratio", "1", &MatrixRecipe::stiffness_ratio},  // the last: only of the directional model
+    {"stiffness_ratio", "1", &MatrixRecipe::stiffness_ratio},  // the last: only of the uneven model
 };
 
 /// Of all stiffnesses of a contact.
 double stiffness_factor(const Specimen& s, const Contact& c) {
-  return direction_factor(s.matrix.stiffness_ratio, c.cos_2a);
+  return direction_factor(s.matrix.stiffness_ratio, c.cos_2a) * c.layer;
 }
 
 laws::Tangent<double> operator*(double f, const laws::Tangent<double>& k) {
   return {f * k.k_n, f * k.k_s, f * k.k_m};
 }
 
-template <bool directional>
+template <bool uneven>
 class LinearBondModel final : public ContactModel {
-  using F = LinearBondWith<directional>;
+  using F = LinearBondWith<uneven>;
 
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
-  bool describes(const MatrixRecipe& matrix) const override {
-    return directional || matrix.stiffness_ratio == 1.0;
+  bool describes(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) const override {
+    const auto like_the_matrix = [](const BeddingRecipe& set) { return set.layer_stiffness == 1.0; };
+    return uneven ||
+           (matrix.stiffness_ratio == 1.0 && std::all_of(bedding.begin(), bedding.end(), like_the_matrix));
   }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
@@ -78,7 +80,7 @@ class LinearBondModel final : public ContactModel {
     const double A = bond_of(s, c).A;
     fields[F::capacity] = c.sigma_c * A;
     fields[F::shear_capacity] = c.tau_c * A;
-    if constexpr (directional) fields[F::excess] = stiffness_factor(s, c) - 1.0;
+    if constexpr (uneven) fields[F::excess] = stiffness_factor(s, c) - 1.0;
   }
 
   void meet(double, double, double*) const override {}
@@ -106,7 +108,7 @@ class LinearBondModel final : public ContactModel {
   }
 
   std::span<const ElasticParameter> elastic_parameters() const override {
-    return std::span(elastic_list).first(std::size(elastic_list) - (directional ? 0 : 1));
+    return std::span(elastic_list).first(std::size(elastic_list) - (uneven ? 0 : 1));
   }
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
@@ -120,7 +122,8 @@ class LinearBondModel final : public ContactModel {
     if (p.matrix == &MatrixRecipe::bond_ks_over_kn) return {none, {0.0, m.E_b * f.bond, 0.0}};
     if (p.matrix == &MatrixRecipe::stiffness_ratio) {
       const ElasticPart k = elastic(s, c, gap);
-      const double rate = direction_factor_rate(m.stiffness_ratio, c.cos_2a) / stiffness_factor(s, c);
+      const double rate =
+          direction_factor_rate(m.stiffness_ratio, c.cos_2a) / direction_factor(m.stiffness_ratio, c.cos_2a);
       return {rate * k.unilateral, rate * k.bilateral};
     }
     return {none, none};
@@ -174,7 +177,7 @@ class LinearBondModel final : public ContactModel {
  private:
   /// Of all stiffnesses, as the memory of a contact has it.
   static double remembered_factor([[maybe_unused]] const double* fields) {
-    if constexpr (directional) return 1.0 + fields[F::excess];
+    if constexpr (uneven) return 1.0 + fields[F::excess];
     return 1.0;
   }
   /// Stiffness over modulus: k_n = E_c linear, kb_n A = E_b bond, kb_n I = E_b bend.
@@ -194,9 +197,9 @@ class LinearBondModel final : public ContactModel {
 
 }  // namespace
 
-template <bool directional>
-const ContactModel& LinearBondWith<directional>::model() {
-  static const LinearBondModel<directional> model;
+template <bool uneven>
+const ContactModel& LinearBondWith<uneven>::model() {
+  static const LinearBondModel<uneven> model;
   return model;
 }
 template const ContactModel& LinearBondWith<false>::model();

@@ -8,9 +8,10 @@
 //   bond     kb_n A = E_b lambda 2 r_min/(R1 + R2),   kb_n I = E_b lambda^3 (2/3) r_min^3/(R1 + R2)
 //   a unit of thickness throughout; strengths times A = 2 lambda r_min
 //
-// Where the stiffness has directions (direction.hpp) each bonded contact has a factor of its own on all its
-// stiffnesses, which depends on the inclination of the foliation and so is memory of the lane, not geometry
-// that lanes share. That costs a field and some operations, so it is a model beside the one without.
+// Where the stiffness is uneven, by directions (direction.hpp) or layers of the bedding, each bonded contact
+// has a factor of its own on all its stiffnesses. It depends on how the layers lie, so it is memory of the
+// lane, not geometry that lanes share. That costs a field and some operations: it is a model beside the one
+// without.
 #pragma once
 #include "contact/step.hpp"
 #include "laws/linear/linear.hpp"
@@ -20,15 +21,15 @@ namespace phy::contact {
 
 class ContactModel;
 
-template <bool directional>
+template <bool uneven>
 struct LinearBondWith {
   enum Field {
     shear,           ///< of the linear contact [N/m]
     bond_shear,      ///< [N/m]
     capacity,        ///< tensile capacity sigma_c A [N/m]; 0 = broken or never bonded
     shear_capacity,  ///< tau_c A [N/m]
-    excess,          ///< directional: factor of the stiffness - 1, so that a pair without memory has 1
-    n_fields = directional ? excess + 1 : excess
+    excess,          ///< uneven: factor of the stiffness - 1, so that a pair without memory has 1
+    n_fields = uneven ? excess + 1 : excess
   };
   enum Parameter { k_n, k_s, inv_k_s, mu, kb_n, kb_s, kb_m, arm, tan_phi, n_parameters };
   enum Geometry {
@@ -49,8 +50,8 @@ struct LinearBondWith {
     const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * step.dt);
     laws::linear::Parameters<R> pl{p[k_n] * R(g[linear_factor]), p[k_s] * R(g[linear_factor]),
                                    p[inv_k_s] * R(g[inv_linear_factor]), p[mu]};
-    [[maybe_unused]] const R factor = directional ? R(1) + memory.load(excess) : R(1);
-    if constexpr (directional)
+    [[maybe_unused]] const R factor = uneven ? R(1) + memory.load(excess) : R(1);
+    if constexpr (uneven)
       pl.k_n = pl.k_n * factor, pl.k_s = pl.k_s * factor, pl.inv_k_s = pl.inv_k_s / factor;
     laws::linear::State<R> sl{memory.load(shear)};
     const laws::Reaction<R> rl =
@@ -59,7 +60,7 @@ struct LinearBondWith {
                                           p[kb_m] * R(g[bend_factor]), p[arm] * R(g[inv_r_min]),
                                           memory.load(shear_capacity), p[tan_phi],
                                           step.extra_strength};
-    if constexpr (directional) pb.k_n = pb.k_n * factor, pb.k_s = pb.k_s * factor, pb.k_m = pb.k_m * factor;
+    if constexpr (uneven) pb.k_n = pb.k_n * factor, pb.k_s = pb.k_s * factor, pb.k_m = pb.k_m * factor;
     laws::parallel_bond::State<R> sb{memory.load(bond_shear), memory.load(capacity)};
     const laws::Reaction<R> rb =
         laws::parallel_bond::respond(pb, sb, laws::Motion<R>{-k.stretch, d_closure, d_slide, k.rotation});
@@ -82,7 +83,7 @@ struct LinearBondWith {
 };
 
 using LinearBond = LinearBondWith<false>;
-/// With directions of the stiffness.
-using DirectionalBond = LinearBondWith<true>;
+/// With a stiffness that differs from contact to contact.
+using UnevenBond = LinearBondWith<true>;
 
 }  // namespace phy::contact

@@ -66,8 +66,8 @@ class ContactModel {
   virtual ~ContactModel() = default;
 
   virtual Size size() const = 0;
-  /// Can it be in a specimen with this matrix?
-  virtual bool describes(const MatrixRecipe& matrix) const = 0;
+  /// Can it be in a specimen with this matrix and bedding?
+  virtual bool describes(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) const = 0;
   /// Specimens side by side in lanes share the geometry: may these two?
   virtual bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const = 0;
   /// What the packing gives it, for grains of radii r1, r2 [m].
@@ -125,10 +125,8 @@ Models models() {
   return {&C::Matrix::model(), &C::Interface::model()};
 }
 
-/// The line of the list (models.hpp) that a specimen with this matrix takes: the first whose models can be in
-/// it.
-std::size_t combination_of(const MatrixRecipe& matrix);
-const Models& models_of(const MatrixRecipe& matrix);
-inline const Models& models_of(const Specimen& specimen) { return models_of(specimen.matrix); }
+/// The line of the list (models.hpp) that a specimen takes: the first whose models can be in it.
+std::size_t combination_of(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding);
+const Models& models_of(const Specimen& specimen);
 
 }  // namespace phy::contact

@@ -22,12 +22,15 @@ const std::vector<Models>& list() {
 
 }  // namespace
 
-std::size_t combination_of(const MatrixRecipe& matrix) {
+std::size_t combination_of(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
   for (std::size_t i = 0; i < list().size(); ++i)
-    if (list()[i].matrix->describes(matrix) && list()[i].interface->describes(matrix)) return i;
-  PHY_CHECK(false, "contact models describe every matrix that a recipe can have");
+    if (list()[i].matrix->describes(matrix, bedding) && list()[i].interface->describes(matrix, bedding))
+      return i;
+  PHY_CHECK(false, "contact models describe every specimen that a recipe can have");
 }
 
-const Models& models_of(const MatrixRecipe& matrix) { return list()[combination_of(matrix)]; }
+const Models& models_of(const Specimen& specimen) {
+  return list()[combination_of(specimen.matrix, specimen.bedding)];
+}
 
 }  // namespace phy::contact

@@ -21,6 +21,6 @@ struct Combination {
 
 using Combinations = std::tuple<           //
     Combination<LinearBond, SmoothJoint>,  //
-    Combination<DirectionalBond, SmoothJoint>>;
+    Combination<UnevenBond, SmoothJoint>>;
 
 }  // namespace phy::contact

@@ -101,10 +101,10 @@ void expect_one_model(const Specimen& s, const Contact& c) {
   EXPECT_FALSE(Model::model().unbroken(hot.fields.data()));
 }
 
-/// The bond of the two grains in a matrix that is 2.5 times as stiff along its foliation.
+/// The bond of the two grains in a matrix that is 2.5 times as stiff along its foliation, in a soft layer.
 Specimen directional(Specimen s) {
   s.matrix.stiffness_ratio = 2.5;
-  s.contacts[0].cos_2a = 0.6;
+  s.contacts[0].cos_2a = 0.6, s.contacts[0].layer = 0.7;
   return s;
 }
 
@@ -113,7 +113,7 @@ TEST(Models, LoopAndFilesAgree) {
     const Specimen s = two_grains(convention), d = directional(s);
     Contact c = s.contacts[0];
     expect_one_model<LinearBond>(s, c);
-    expect_one_model<DirectionalBond>(d, d.contacts[0]);
+    expect_one_model<UnevenBond>(d, d.contacts[0]);
     c.kind = ContactKind::joint, c.side = -1;
     expect_one_model<SmoothJoint>(s, c);
   }
@@ -144,6 +144,19 @@ TEST(Models, RatesAreDerivativesOfTheirStiffness) {
   }
 }
 
+TEST(Models, AJointHasATensileStrengthOfItsOwn) {
+  const Specimen s = two_grains(StiffnessConvention::pfc31);
+  Contact c = s.contacts[0];
+  c.kind = ContactKind::joint, c.side = -1, c.sigma_n = 1.5;
+  Moved<SmoothJoint> hot(s, c);
+  const double opening = s.bedding[0].sigma_n / s.bedding[0].k_n;  // at the mean strength
+  hot.step(-1.49 * opening, 0.0, 0.0);
+  EXPECT_EQ(hot.n_broken, 0);
+  EXPECT_FALSE(SmoothJoint::model().at_strength(hot.standing()));
+  hot.step(-0.02 * opening, 0.0, 0.0);
+  EXPECT_EQ(hot.n_broken, 1);
+}
+
 // The affine start leaves a contact where steps would have brought it.
 TEST(Models, AffineStartIsWhatOneStepGives) {
   const Specimen s = two_grains(StiffnessConvention::pfc31);
@@ -158,10 +171,10 @@ TEST(Models, AffineStartIsWhatOneStepGives) {
   Contact c = s.contacts[0];
   check(LinearBond{}, c);
   const Specimen d = directional(s);
-  Moved<DirectionalBond> stepped(d, d.contacts[0]), placed(d, d.contacts[0]);
+  Moved<UnevenBond> stepped(d, d.contacts[0]), placed(d, d.contacts[0]);
   stepped.step(4e-8, 3e-8, 0.0);
   std::vector<double> fields = placed.fields;
-  DirectionalBond::model().affine_start(placed.standing(), {-4e-8, 3e-8}, fields.data());
+  UnevenBond::model().affine_start(placed.standing(), {-4e-8, 3e-8}, fields.data());
   for (std::size_t i = 0; i < fields.size(); ++i)
     EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << i;
   c.kind = ContactKind::joint, c.side = -1;
@@ -174,8 +187,8 @@ TEST(Models, APairWithoutMemoryIsTheSameInBoth) {
   Contact c = s.contacts[0];
   c.kind = ContactKind::touching, c.cos_2a = 0.0;
   Moved<LinearBond> plain(s, c);
-  Moved<DirectionalBond> other(d, c);
-  other.fields.assign(DirectionalBond::n_fields, 0.0);
+  Moved<UnevenBond> other(d, c);
+  other.fields.assign(UnevenBond::n_fields, 0.0);
   for (int i = 0; i < 3; ++i) {
     const ContactForce<double> one = plain.step(3e-8, 2e-8, 1e-7), two = other.step(3e-8, 2e-8, 1e-7);
     EXPECT_EQ(one.fx, two.fx);
@@ -184,13 +197,18 @@ TEST(Models, APairWithoutMemoryIsTheSameInBoth) {
   }
 }
 
-TEST(Models, OnlyAStiffnessWithDirectionsTakesTheLineThatPaysForIt) {
-  MatrixRecipe m;
-  EXPECT_EQ(models_of(m).matrix, &LinearBond::model());
-  m.tension_ratio = 3.0, m.cohesion_oblique = 2.0;
-  EXPECT_EQ(models_of(m).matrix, &LinearBond::model());
-  m.stiffness_ratio = 2.0;
-  EXPECT_EQ(models_of(m).matrix, &DirectionalBond::model());
+TEST(Models, OnlyAnUnevenStiffnessTakesTheLineThatPaysForIt) {
+  Specimen s;
+  EXPECT_EQ(models_of(s).matrix, &LinearBond::model());
+  s.matrix.tension_ratio = 3.0, s.matrix.cohesion_oblique = 2.0;
+  s.bedding.resize(1);
+  s.bedding[0].layer_thickness = 0.001, s.bedding[0].layer_strength = 0.5;
+  EXPECT_EQ(models_of(s).matrix, &LinearBond::model());
+  s.bedding[0].layer_stiffness = 0.5;
+  EXPECT_EQ(models_of(s).matrix, &UnevenBond::model());
+  s.bedding.clear();
+  s.matrix.stiffness_ratio = 2.0;
+  EXPECT_EQ(models_of(s).matrix, &UnevenBond::model());
 }
 
 // What the two factors promise: ratios, means over all directions, and the specimen turned by 90 degrees.

@@ -16,7 +16,7 @@ constexpr ElasticParameter elastic_list[] = {
 
 double area_of(const Specimen& s, const Contact& c) {
   const std::vector<Disc>& d = s.packing->discs;
-  return laws::smooth_joint::area(s.bedding[c.set].radius_multiplier, d[c.a].r, d[c.b].r);
+  return laws::smooth_joint::area(s.laid(c.set).radius_multiplier, d[c.a].r, d[c.b].r);
 }
 
 class SmoothJointModel final : public ContactModel {
@@ -25,7 +25,7 @@ class SmoothJointModel final : public ContactModel {
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
-  bool describes(const MatrixRecipe&) const override { return true; }
+  bool describes(const MatrixRecipe&, const std::vector<BeddingRecipe>&) const override { return true; }
 
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
 
@@ -34,7 +34,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void parameters(const Specimen& specimen, std::uint8_t number, double* out) const override {
-    const BeddingRecipe& set = specimen.bedding[number];
+    const BeddingRecipe& set = specimen.laid(number);
     const Vec2 n = plane_normal(set.theta);
     out[F::nx] = n.x, out[F::ny] = n.y;
     out[F::k_n] = set.k_n * set.radius_multiplier, out[F::k_s] = set.k_s * set.radius_multiplier;
@@ -49,7 +49,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void install(const Specimen& s, const Contact& c, double* fields) const override {
-    fields[F::capacity] = s.bedding[c.set].sigma_n * area_of(s, c);
+    fields[F::capacity] = s.laid(c.set).sigma_n * c.sigma_n * area_of(s, c);
   }
 
   void meet(double gap, double F_s, double* fields) const override {
@@ -58,12 +58,12 @@ class SmoothJointModel final : public ContactModel {
   }
 
   Vec2 normal(const Specimen& s, const Contact& c, Vec2) const override {
-    return static_cast<double>(c.side) * plane_normal(s.bedding[c.set].theta);
+    return static_cast<double>(c.side) * plane_normal(s.laid(c.set).theta);
   }
 
   laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool) const override {
     const double A = area_of(s, c);
-    return {s.bedding[c.set].k_n * A, s.bedding[c.set].k_s * A, 0.0};
+    return {s.laid(c.set).k_n * A, s.laid(c.set).k_s * A, 0.0};
   }
 
   ElasticPart elastic(const Specimen& s, const Contact& c, double) const override {
@@ -82,7 +82,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void affine_start(const Standing& c, Vec2 du, double* fields) const override {
-    const BeddingRecipe& set = c.specimen.bedding[c.set];
+    const BeddingRecipe& set = c.specimen.laid(c.set);
     const Vec2 n = c.side * plane_normal(set.theta);
     fields[F::shear] = -set.k_s * set.radius_multiplier * c.geometry[F::area] * dot(du, tangent(n));
     fields[F::closure] = -dot(du, n);
@@ -90,7 +90,7 @@ class SmoothJointModel final : public ContactModel {
 
   bool at_strength(const Standing& c) const override {
     if (!unbroken(c.fields)) return false;
-    const BeddingRecipe& set = c.specimen.bedding[c.set];
+    const BeddingRecipe& set = c.specimen.laid(c.set);
     const double A = set.radius_multiplier * c.geometry[F::area];
     const double F_n = set.k_n * A * (c.fields[F::closure] + c.fields[F::dilation]);
     const double S = set.cohesion * A + F_n * tan_degrees(set.phi);
@@ -100,7 +100,7 @@ class SmoothJointModel final : public ContactModel {
   bool unbroken(const double* fields) const override { return fields[F::capacity] > 0.0; }
 
   void describe(const Standing& c, ContactState& out) const override {
-    const BeddingRecipe& set = c.specimen.bedding[c.set];
+    const BeddingRecipe& set = c.specimen.laid(c.set);
     const double A = set.radius_multiplier * c.geometry[F::area];
     out.kind = ContactKind::joint;
     out.broken = !unbroken(c.fields);
@@ -111,7 +111,7 @@ class SmoothJointModel final : public ContactModel {
   }
 
   void crack(const Standing& c, CrackEvent& out) const override {
-    const BeddingRecipe& set = c.specimen.bedding[c.set];
+    const BeddingRecipe& set = c.specimen.laid(c.set);
     out.place = CrackPlace::bedding;
     out.normal = plane_normal(set.theta);
     out.size = 2.0 * set.radius_multiplier * c.r_min;

@@ -74,7 +74,7 @@ bool Group<T>::create_interface(std::size_t c, std::size_t l, double gap) {
   const std::size_t n = grains_.size();
   // The label of a grain says between which planes of a set it lies; labels rise across the planes, so their
   // order is the side. The first set that separates the grains decides.
-  for (std::size_t set = 0; set < s.bedding.size(); ++set) {
+  for (std::size_t set = 0; set < s.n_laid(); ++set) {
     const std::int32_t a = s.plane_label[set * n + grains_.packing_id(key_a(contacts_.pairs()[c]))];
     const std::int32_t b = s.plane_label[set * n + grains_.packing_id(key_b(contacts_.pairs()[c]))];
     if (a == b) continue;

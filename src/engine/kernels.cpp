@@ -77,10 +77,10 @@ std::vector<const ContactPhysics*> all_physics(std::index_sequence<combinations.
 
 }  // namespace
 
-const ContactPhysics& physics_of(const MatrixRecipe& matrix) {
+const ContactPhysics& physics_of(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
   static const std::vector<const ContactPhysics*> lines =
       all_physics(std::make_index_sequence<std::tuple_size_v<contact::Combinations>>());
-  return *lines[contact::combination_of(matrix)];
+  return *lines[contact::combination_of(matrix, bedding)];
 }
 
 }  // namespace phy::engine

@@ -23,7 +23,7 @@ struct ContactPhysics {
   AdvanceBlock<double> (*double_kernel)(Isa isa, int lanes);
   AdvanceBlock<float> (*float_kernel)(Isa isa, int lanes);
 };
-/// Those of a specimen with this matrix (contact/models.hpp).
-const ContactPhysics& physics_of(const MatrixRecipe& matrix);
+/// Those of a specimen with this matrix and bedding (contact/models.hpp).
+const ContactPhysics& physics_of(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding);
 
 }  // namespace phy::engine

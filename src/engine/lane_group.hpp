@@ -26,7 +26,7 @@ struct GroupOptions {
   int lanes = 1;
   int skew = 4;        ///< cycles per sweep
   int interval = 100;  ///< cycles between checks (recipe: test.history_interval)
-  const ContactPhysics* contacts = &physics_of(MatrixRecipe{});  ///< models of matrix and interfaces
+  const ContactPhysics* contacts = &physics_of({}, {});  ///< models of matrix and interfaces
 };
 
 /// Numerics and boundary of a lane. Lanes of a group share the geometry of the boundary.

@@ -110,8 +110,9 @@ TEST(Contacts, AreCreatedWhereLooseGrainsMeet) {
 }
 
 /// Discs on two sides of a plane of the second of two sets, the left one above it: planes that rise at 60
-/// degrees. They slide along it without friction.
-Specimen across_a_plane(bool left_first) {
+/// degrees. They slide along it without friction. `tilted`: both are planes of one set, at 30 degrees in the
+/// mean.
+Specimen across_a_plane(bool left_first, bool tilted) {
   constexpr double R = Meeting::R;
   const Disc left{R, R, R}, right{3.03 * R, R, R};
   Specimen s = left_first ? assembly({left, right}, MatrixRecipe{}) : assembly({right, left}, MatrixRecipe{});
@@ -119,6 +120,10 @@ Specimen across_a_plane(bool left_first) {
   s.bedding[0].theta = 10.0, s.bedding[1].theta = 60.0;
   s.bedding[1].mu = 0.0;
   s.plane_label = {4, 4, left_first ? 3 : 1, left_first ? 1 : 3};
+  if (!tilted) return s;
+  for (const BeddingRecipe& plane : s.bedding) s.laid_sets.push_back({plane, 0, 0});
+  s.bedding.resize(1);
+  s.bedding[0].theta = 30.0;
   return s;
 }
 
@@ -128,10 +133,10 @@ TEST(Contacts, AcrossAPlaneAreBrokenJoints) {
   constexpr double R = Meeting::R;
   const Vec2 n{std::sqrt(0.75), -0.5};  // of the plane, from the left disc to the right one
   for (const Precision precision : both_precisions)
-    for (const bool left_first : {true, false}) {
-      const Specimen s = across_a_plane(left_first);
+    for (const auto& [left_first, tilted] : {std::pair{true, false}, {false, false}, {true, true}}) {
+      const Specimen s = across_a_plane(left_first, tilted);
       Meeting t(s, left_first ? 0 : 1, precision);
-      const double k = s.bedding[1].k_n * 2.0 * R;
+      const double k = s.laid(1).k_n * 2.0 * R;
       const double tolerance = precision == Precision::double_precision ? 1e-9 : 1e-4;
       double met_at = 0.0, force = 0.0, largest = 0.0;  // way when they met [m]; [N/m]
       for (int cycle = 1; cycle <= 40; ++cycle) {

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/exact_math.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
+#include "records/assembly.hpp"
 
 namespace phy::genesis {
 namespace {
@@ -37,6 +40,20 @@ std::string describe(const Specimen& s) {
     text += c.kind == ContactKind::joint ? (c.side > 0 ? "+" : "-") + std::to_string(c.set) : "b";
   }
   return text;
+}
+
+Recipe small_recipe() {
+  Recipe r;
+  r.specimen = {0.010, 0.012};
+  r.packing.n_grains = 320;
+  r.bedding = {BeddingRecipe{}};
+  r.bedding[0].spacing = 0.002;
+  r.bedding[0].offset = 0.0003;
+  return r;
+}
+
+std::shared_ptr<const Packing> packing_of(const Recipe& r) {
+  return std::make_shared<Packing>(make_packing(r.specimen, r.packing, r.matrix));
 }
 
 TEST(Bedding, CrossingRuleTakesTheContactsAcross) {
@@ -74,6 +91,55 @@ TEST(Bedding, ContactPointLiesBetweenTheSurfaces) {
   EXPECT_DOUBLE_EQ(bridge.bedding_report[0].bridge_fraction, 1.0);
 }
 
+TEST(Bedding, ZoneRuleWithoutBridgesTakesWhatCrossesToo) {
+  Recipe r = small_recipe();
+  const auto packing = packing_of(r);
+  r.bedding[0].theta = 40.0;
+  BeddingRecipe across = r.bedding[0], closed = r.bedding[0];
+  across.rule = BeddingRule::crossing, closed.bridges = false;
+  const auto made = [&](const BeddingRecipe& set) { return make_specimen(packing, r.matrix, {set}, "one"); };
+  const Specimen zone = made(r.bedding[0]), crossing = made(across), both = made(closed);
+  int more = 0;
+  for (std::size_t k = 0; k < both.contacts.size(); ++k) {
+    const bool near = zone.contacts[k].kind == ContactKind::joint;
+    const bool crosses = crossing.contacts[k].kind == ContactKind::joint;
+    EXPECT_EQ(both.contacts[k].kind == ContactKind::joint, near || crosses);
+    more += crosses && !near ? 1 : 0;
+  }
+  EXPECT_GT(more, 3);
+  EXPECT_GT(zone.bedding_report[0].bridge_fraction, 0.0);
+  EXPECT_EQ(both.bedding_report[0].bridge_fraction, 0.0);
+}
+
+// Branches of a hexagonal lattice lie at 0, 60 and 120 degrees; the normal of theta = 30 lies at 120.
+TEST(Bedding, OrientedRuleTakesContactsByTheirDirection) {
+  const Specimen lattice = assembly(hexagonal(5, 6, 1.0), MatrixRecipe{});
+  const auto with = [&](double theta, double range) {
+    BeddingRecipe set = plane(theta, BeddingRule::oriented);
+    set.orientation_range = range;
+    return make_specimen(lattice.packing, MatrixRecipe{}, {set}, "lattice");
+  };
+  const auto branch = [](const Specimen& s, const Contact& c) {
+    const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
+    const double angle = std::atan2(b.y - a.y, b.x - a.x) * 180.0 / pi;
+    return static_cast<int>(std::lround(angle + 180.0)) % 180;
+  };
+  const Specimen s = with(30.0, 1.0);
+  std::size_t n_joints = 0;
+  for (const Contact& c : s.contacts) {
+    EXPECT_EQ(c.kind == ContactKind::joint, branch(s, c) == 120);
+    n_joints += c.kind == ContactKind::joint ? 1 : 0;
+    EXPECT_EQ(c.side, c.kind == ContactKind::joint ? 1 : 0);  // b is the upper disc
+  }
+  EXPECT_EQ(n_joints, 22U);  // between 6 rows: in turn 4 and 5 of 9 branches
+  EXPECT_TRUE(s.bedding_report[0].dispersed);
+  EXPECT_DOUBLE_EQ(s.bedding_report[0].joint_fraction, 22.0 / static_cast<double>(s.contacts.size()));
+  EXPECT_EQ(std::count(s.plane_label.begin(), s.plane_label.end(), 0), std::ssize(s.plane_label));
+  for (const Contact& c : with(0.0, 29.0).contacts) EXPECT_EQ(c.kind, ContactKind::bonded);
+  const Specimen wide = with(0.0, 31.0);  // 60 and 120 are 30 from the normal
+  for (const Contact& c : wide.contacts) EXPECT_EQ(c.kind == ContactKind::joint, branch(wide, c) != 0);
+}
+
 TEST(Bedding, FirstSetHasAContestedContact) {
   const BeddingRecipe first = plane(0.0, BeddingRule::crossing);
   const BeddingRecipe second = plane(90.0, BeddingRule::zone, 2.01);
@@ -108,20 +174,6 @@ TEST(PlaneSet, DistanceToTheNearestPlane) {
   EXPECT_DOUBLE_EQ(planes.distance(1.4), 0.9);
   EXPECT_DOUBLE_EQ(planes.distance(1.6), 0.9);
   EXPECT_NEAR(planes.distance(-1.7), 0.2, 1e-15);
-}
-
-Recipe small_recipe() {
-  Recipe r;
-  r.specimen = {0.010, 0.012};
-  r.packing.n_grains = 320;
-  r.bedding = {BeddingRecipe{}};
-  r.bedding[0].spacing = 0.002;
-  r.bedding[0].offset = 0.0003;
-  return r;
-}
-
-std::shared_ptr<const Packing> packing_of(const Recipe& r) {
-  return std::make_shared<Packing>(make_packing(r.specimen, r.packing, r.matrix));
 }
 
 TEST(Bedding, MirroredPackingAndAngleGiveMirroredJoints) {
@@ -181,6 +233,39 @@ TEST(Specimens, WithoutAnglesTheBeddingAsItStands) {
   EXPECT_EQ(all[0].name, "intact");
   r.test.angles = {30.0};
   EXPECT_THROW(make_specimens(packing, r), InputError);
+}
+
+// A square lattice with a seam about every third row of contacts, twice as stiff and a third as strong; where
+// two sets claim a contact the first has it.
+TEST(Layers, BondsAboutThePlanesHaveTheirMatrix) {
+  constexpr double R = 1e-3;
+  Packing p;
+  p.width = 8.0 * R, p.height = 20.0 * R;
+  for (int j = 0; j < 10; ++j)
+    for (int i = 0; i < 4; ++i) p.discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
+  MatrixRecipe m;
+  BeddingRecipe seam;
+  seam.spacing = 6.0 * R, seam.persistence = 0.0;
+  seam.layer_thickness = R, seam.layer_stiffness = 2.0, seam.layer_strength = 1.0 / 3.0;
+  BeddingRecipe other = seam;
+  other.layer_thickness = 2.9 * R, other.layer_stiffness = 5.0, other.layer_strength = 1.0;
+  const auto packing = std::make_shared<const Packing>(p);
+  const Specimen plain = make_specimen(packing, m, {}, "plain");
+  const Specimen s = make_specimen(packing, m, {seam, other}, "layered");
+  int n_seam = 0, n_other = 0;
+  for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+    const Contact& c = s.contacts[i];
+    ASSERT_EQ(c.kind, ContactKind::bonded);
+    const double y = 0.5 * (p.discs[c.a].y + p.discs[c.b].y) / R;  // planes at 4, 10 and 16
+    const double off = std::min({std::abs(y - 4.0), std::abs(y - 10.0), std::abs(y - 16.0)});
+    const double stiffness = off < 0.5 ? 2.0 : off < 1.45 ? 5.0 : 1.0;
+    EXPECT_EQ(c.layer, stiffness) << y;
+    EXPECT_DOUBLE_EQ(c.sigma_c, plain.contacts[i].sigma_c * (off < 0.5 ? 1.0 / 3.0 : 1.0));
+    EXPECT_DOUBLE_EQ(c.tau_c, plain.contacts[i].tau_c * (off < 0.5 ? 1.0 / 3.0 : 1.0));
+    n_seam += off < 0.5, n_other += off >= 0.5 && off < 1.45;
+  }
+  EXPECT_EQ(n_seam, 3 * 4);
+  EXPECT_EQ(n_other, 6 * 3);
 }
 
 TEST(Specimens, OtherSetsTurnWithTheFirst) {

@@ -169,8 +169,8 @@ std::string contacts_csv(const Specimen& s) {
     const Vec2 normal = model.normal(s, c, branch);
     // Stiffness of the intact contact, the one that a test begins with.
     const laws::Tangent<double> k = model.stiffness(s, c, true);
-    text +=
-        std::to_string(c.a) + "," + std::to_string(c.b) + "," + word(c.kind) + "," + std::to_string(c.set);
+    text += std::to_string(c.a) + "," + std::to_string(c.b) + "," + word(c.kind) + "," +
+            std::to_string(c.kind == ContactKind::joint ? s.set_of(c.set) : 0);
     for (const double v :
          {normal.x, normal.y, gap, k.k_n, k.k_s, c.sigma_c, c.tau_c, k.k_m, point.x, point.y})
       text += "," + print_number(v);

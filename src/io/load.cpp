@@ -51,10 +51,15 @@ void read_packing(const Json& j, SpecimenRecord& record) {
   r.n_rattlers = p.at(p.contains("n_rattlers") ? "n_rattlers" : "n_floaters");  // the latter in older folders
   r.mean_overlap = number(p.at("mean_overlap"));
   r.unbalanced = number(p.at("unbalanced"));
-  for (const Json& b : j.at("bedding"))
-    record.bedding.push_back({number(b.at("theta [deg]")),
-                              {number(b.at("overlap_ratio")), number(b.at("bridge_fraction")),
-                               number(b.at("non_crossing_fraction"))}});
+  for (const Json& b : j.at("bedding")) {
+    BeddingRecord& set = record.bedding.emplace_back(number(b.at("theta [deg]")), BeddingReport{});
+    set.report.dispersed = b.contains("joint_fraction");
+    if (set.report.dispersed)
+      set.report.joint_fraction = number(b.at("joint_fraction"));
+    else
+      set.report = {number(b.at("overlap_ratio")), number(b.at("bridge_fraction")),
+                    number(b.at("non_crossing_fraction"))};
+  }
 }
 
 Json parse_format(const std::string& text) {

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 Specimen lattice() {
   Specimen s = assembly(hexagonal(6, 8, 0.001), MatrixRecipe{});
@@ -73,6 +74,17 @@ class Load : public InFolder {
     write_result((folder / name).string(), recipe, "9.9", s, moving(s));
   }
 };
+
+TEST_F(Load, DispersedJointsHaveOneNumber) {
+  Specimen s = lattice();
+  s.bedding_report[0] = {};
+  s.bedding_report[0].dispersed = true, s.bedding_report[0].joint_fraction = 1.0 / 7.0;
+  write_result((folder / "d").string(), recipe, "9.9", s, moving(s));
+  EXPECT_THAT(read(folder / "d" / "result.json"), Not(HasSubstr("overlap_ratio")));
+  const SpecimenRecord back = read_result((folder / "d").string());
+  EXPECT_TRUE(back.bedding.at(0).report.dispersed);
+  EXPECT_EQ(back.bedding.at(0).report.joint_fraction, 1.0 / 7.0);
+}
 
 TEST_F(Load, EveryNumberComesBackToTheSameBits) {
   write("a");

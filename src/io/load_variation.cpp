@@ -188,7 +188,7 @@ Variation read_variation(const std::string& folder) {
   if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
   Variation v;
   v.name = name_of_study(folder, recipe.name);
-  v.spacing = recipe.bedding.empty() ? 0.0 : recipe.bedding[0].spacing;
+  if (!recipe.bedding.empty() && recipe.bedding[0].has_planes()) v.spacing = recipe.bedding[0].spacing;
   const Rows intact = table.rows(
       [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_answer(table, row); });
   v.E_intact = mean_of(intact, modulus_column(table));

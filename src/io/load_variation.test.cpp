@@ -36,6 +36,9 @@ TEST_F(LoadVariation, OneAtATimeAroundTheFirstPointOfAStudy) {
   const Variation v = read_variation(folder.string());
   EXPECT_EQ(v.spacing, 0.004);
   EXPECT_EQ(v.name, read_recipe((folder / "recipe.toml").string()).name);
+  recipe.bedding[0].rule = BeddingRule::oriented;
+  write("recipe.toml", write_recipe(recipe));
+  EXPECT_EQ(read_variation(folder.string()).spacing, 0.0);
   write("study.toml", "name = \"soft joints\"\n");
   EXPECT_EQ(read_variation(folder.string()).name, "soft joints");
   EXPECT_EQ(v.E_intact, 6e10);

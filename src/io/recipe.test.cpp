@@ -15,6 +15,7 @@ namespace phy::io {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 std::string problems_of(const std::string& text) {
   return message_of<InputError>([&] { parse_recipe(text, "r.toml"); });
@@ -88,6 +89,32 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"negative_thickness", bedding + "zone_thickness = \"-1 mm\"\n", "0 mm < value"},
         Bad{"thick_zone", bedding + "zone_thickness = \"6 mm\"\n", "below the spacing of 5 mm"},
         Bad{"narrow_spacing", bedding + "spacing = \"0.7 mm\"\n", "largest grain diameter, 0.83 mm"},
+        Bad{"scatter_below_a_grain", bedding + "spacing_sd = 0.3\n",
+            "bedding[0].spacing_sd = 0.3: expected planes at least the largest grain diameter, 0.83 mm, "
+            "apart"},
+        Bad{"scatter_below_the_zone",
+            bedding + "spacing = \"9 mm\"\nzone_thickness = \"5 mm\"\nspacing_sd = 0.2\n",
+            "planes more than zone_thickness = 5 mm apart"},
+        Bad{"wide_scatter", bedding + "spacing_sd = 0.4\n", "0 <= value <= 0.3"},
+        Bad{"wide_tilts", bedding + "theta_sd = \"20 deg\"\n", "0 deg <= value <= 10 deg"},
+        Bad{"many_planes",
+            "[specimen]\nwidth = \"380 mm\"\nheight = \"760 mm\"\n[packing]\nporosity = 0.16\nn_grains = 0\n"
+            "radius_min = \"1 mm\"\nradius_max = \"1.66 mm\"\n" +
+                bedding + "spacing = \"4 mm\"\ntheta_sd = \"1 deg\"\n",
+            "bedding[0].theta_sd = some 216 planes: expected at most 200 planes"},
+        Bad{"no_persistence", bedding + "persistence = 0\n", "0 < value <= 1"},
+        Bad{"negative_patch", bedding + "patch_length = \"-1 mm\"\n", "0 mm <= value"},
+        Bad{"no_range", bedding + "rule = \"oriented\"\norientation_range = \"0 deg\"\n",
+            "0 deg < value <= 90 deg"},
+        Bad{"oriented_spacing", bedding + "rule = \"oriented\"\nspacing = \"4 mm\"\n",
+            "bedding[0].spacing = 4 mm: expected nothing with rule = \"oriented\", which has no planes"},
+        Bad{"oriented_offset", bedding + "rule = \"oriented\"\noffset = \"1 mm\"\n",
+            "leave it out, or use the rule zone or crossing"},
+        Bad{"oriented_scatter", bedding + "rule = \"oriented\"\nspacing_sd = 0.1\n", "has no planes"},
+        Bad{"oriented_tilts", bedding + "rule = \"oriented\"\ntheta_sd = \"2 deg\"\n", "has no planes"},
+        Bad{"oriented_persistence", bedding + "rule = \"oriented\"\npersistence = 0.5\n", "has no planes"},
+        Bad{"no_bridge", bedding + "bridges = 0\n", "true or false"},
+        Bad{"negative_scatter", bedding + "sigma_n_sd = \"-1 MPa\"\n", "0 GPa <= value"},
         Bad{"dilation", bedding + "psi = \"35 deg\"\n", "tan(psi) <= mu"},
         Bad{"radii", "[packing]\nradius_min = \"0.5 mm\"\n", "exchange the two"},
         Bad{"both_sizes", "[packing]\nn_grains = 7481\nporosity = 0.1\n",
@@ -197,6 +224,24 @@ TEST(Recipe, EveryKeyRoundTrips) {
           EXPECT_EQ(f.get(back, set), f.get(r, set)) << f.path();
         }
   }
+}
+
+// Bedding that is as it always was is written as it always was.
+TEST(Recipe, LaterKeysOfBeddingAreWrittenOnlyWhereTheySaySomething) {
+  Recipe r;
+  r.bedding.resize(1);
+  for (const char* key : {"theta_sd", "spacing_sd", "bridges", "orientation_range", "persistence",
+                          "patch_length", "sigma_n_sd"}) {
+    EXPECT_THAT(write_recipe(r), Not(HasSubstr(key)));
+    EXPECT_THAT(commented_recipe(r), HasSubstr(std::string("\n") + key + " = "));
+  }
+  r.bedding[0].persistence = 0.4;
+  EXPECT_THAT(write_recipe(r), HasSubstr("persistence = 0.4\n"));
+  r.bedding[0] = {};
+  r.bedding[0].rule = BeddingRule::oriented;
+  EXPECT_THAT(write_recipe(r), Not(HasSubstr("spacing")));
+  EXPECT_THAT(write_recipe(r), Not(HasSubstr("offset")));
+  EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").bedding[0].rule, BeddingRule::oriented);
 }
 
 TEST(Recipe, CommentsChangeNothing) {

@@ -189,6 +189,19 @@ TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {
               Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("no packing.file"))));
 }
 
+TEST_F(RockFile, OnlyWholeParallelEquallySpacedPlanesAreCalibrated) {
+  for (const char* key : {"rule = \"oriented\"", "persistence = 0.5", "spacing_sd = 0.1",
+                          "theta_sd = \"2 deg\"", "sigma_n_sd = \"1 MPa\"", "bridges = false"}) {
+    write("m.toml", std::string("[[bedding]]\n") + key + "\n");
+    EXPECT_THAT(
+        problems(good, "recipe = \"m.toml\"\n"),
+        Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("a calibration knows no other bedding"))))
+        << key;
+  }
+  write("m.toml", "[[bedding]]\nrule = \"crossing\"\nbridges = false\n");  // read by the zone rule only
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"), IsEmpty());
+}
+
 TEST_F(RockFile, PartsOfSpecimensAreRefused) {
   EXPECT_THAT(problems("theta [deg],E [GPa],n\n0,23,2.5\n45,20,3\n90,59,3\n"),
               Contains(AllOf(HasSubstr("r.csv:2: n = 2.5"), HasSubstr("whole number"))));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -61,6 +62,12 @@ const Fields& rock_fields() {
   return fields;
 }
 
+/// Bedding as calibrations predict it and commands for other programs lay it.
+bool is_ideal(const BeddingRecipe& b) {
+  return b.is_regular() && b.persistence == 1.0 && b.sigma_n_sd == 0.0 && b.layer_thickness == 0.0 &&
+         (b.bridges || b.rule != BeddingRule::zone);
+}
+
 /// Keys of the rock file.
 class RockReader {
  public:
@@ -112,6 +119,12 @@ class RockReader {
     bool good = true;
     if (recipe->bedding.size() > 1)
       good = refuse("at most one set of bedding", "the tables of a rock know one direction of planes");
+    if (!std::all_of(recipe->bedding.begin(), recipe->bedding.end(), is_ideal))
+      good = refuse(
+          "planes that are whole, parallel and equally spaced, with joints of one strength, in one "
+          "matrix",
+          "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, "
+          "persistence, spacing_sd, theta_sd, sigma_n_sd and layer_thickness");
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");

@@ -52,7 +52,9 @@ Json recipe_json(const Recipe& recipe) {
     const std::string key =
         f.dimension == Dimension::none ? f.key : f.key + " [" + inner_unit(f.dimension) + "]";
     if (f.table == "bedding")
-      for (std::size_t i = 0; i < recipe.bedding.size(); ++i) j["bedding"][i][key] = field_json(f, recipe, i);
+      for (std::size_t i = 0; i < recipe.bedding.size(); ++i) {
+        if (is_written(f, recipe, i)) j["bedding"][i][key] = field_json(f, recipe, i);
+      }
     else
       (f.table.empty() ? j : j[f.table])[key] = field_json(f, recipe, 0);
   }
@@ -86,10 +88,13 @@ Json packing_json(const SpecimenRecord& record) {
 Json bedding_json(const std::vector<BeddingRecord>& bedding) {
   Json j = Json::array();
   for (const BeddingRecord& b : bedding)
-    j.push_back({{"theta [deg]", b.theta},
-                 {"overlap_ratio", b.report.overlap_ratio},
-                 {"bridge_fraction", b.report.bridge_fraction},
-                 {"non_crossing_fraction", b.report.non_crossing_fraction}});
+    if (b.report.dispersed)
+      j.push_back({{"theta [deg]", b.theta}, {"joint_fraction", b.report.joint_fraction}});
+    else
+      j.push_back({{"theta [deg]", b.theta},
+                   {"overlap_ratio", b.report.overlap_ratio},
+                   {"bridge_fraction", b.report.bridge_fraction},
+                   {"non_crossing_fraction", b.report.non_crossing_fraction}});
   return j;
 }
 

@@ -55,9 +55,9 @@ void assign(const Field& f, const Document& file, const std::string& path, Recip
 std::string write(const Recipe& recipe, bool comments) {
   std::string text;
   const auto line = [&](const Field& f, std::size_t index) {
-    // A key of one test is left out of other recipes, so that their texts and fingerprints do not change when
-    // a test gets a key (docs/decisions/0010).
-    if (!comments && !f.only_of.empty() && f.only_of != recipe.test.kind->name) return;
+    // A key that says nothing here is left out, so that texts and fingerprints of recipes do not change when
+    // a test gets a key, or bedding one more property (docs/decisions/0010).
+    if (!comments && !is_written(f, recipe, index)) return;
     if (comments) {
       text += "# " + f.meaning + "; " + range_text(f);
       if (!f.pfc_name.empty()) text += "; PFC: " + f.pfc_name;
@@ -98,7 +98,7 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
   double largest = 0.0;
   for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i)
-    if (recipe.bedding[i].spacing < largest)
+    if (recipe.bedding[i].has_planes() && recipe.bedding[i].spacing < largest)
       problems.push_back({where, "bedding[" + std::to_string(i) + "].spacing",
                           length(recipe.bedding[i].spacing),
                           "at least the largest grain diameter, " + length(largest),

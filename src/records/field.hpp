@@ -48,6 +48,8 @@ struct Field {
   // Of a key of the recipe: the one laboratory test that has it (recipes of other tests are written, and told
   // apart, without it; empty: every recipe has it), and its place there.
   std::string only_of;
+  // Of a key that recipes had not from the start: written only where it is not as by default.
+  bool quiet = false;
   std::function<double(const Recipe&, std::size_t)> get;
   std::function<void(Recipe&, std::size_t, double)> set;
   std::function<std::string(const Recipe&)> get_text;

@@ -16,7 +16,7 @@ enum class RadiusDistribution { by_number, by_area };  ///< radii uniform by num
 enum class InitialStress { stress_free, isotropic };
 enum class StiffnessConvention { pfc31, pfc5 };            ///< laws/linear/README.md
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
-enum class BeddingRule { crossing, zone };                 ///< which contacts become smooth joints
+enum class BeddingRule { crossing, zone, oriented };       ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
 /// Sides of a biaxial test: rigid walls, or pressure on side grains.
 enum class Confinement { walls, jacket };
@@ -76,21 +76,45 @@ struct MatrixRecipe {
   double modulus() const { return E_c + radius_multiplier * E_b; }
 };
 
-/// One set of parallel bedding planes (paper Table 2).
+/// One set of parallel bedding planes (paper Table 2), or with the oriented rule of dispersed joints
+/// (genesis/bedding.hpp).
 struct BeddingRecipe {
   double theta = 0.0;              ///< [deg] plane from +x, anticlockwise, load along y; 0 <= theta < 180
-  double spacing = 0.005;          ///< [m]
+  double theta_sd = 0.0;           ///< [deg] standard deviation of theta from plane to plane
+  double spacing = 0.005;          ///< [m] mean
+  double spacing_sd = 0.0;         ///< standard deviation of the spacing, over the spacing
   double zone_thickness = 0.0006;  ///< [m] used by the zone rule
   double offset = 0.0;             ///< [m] distance of one plane from the specimen's centre, along its normal
   BeddingRule rule = BeddingRule::zone;
-  double k_n = 3360e9;     ///< normal stiffness [Pa/m]
-  double k_s = 960e9;      ///< shear stiffness [Pa/m]
-  double mu = 0.4;         ///< friction coefficient of the broken joint
-  double sigma_n = 10e6;   ///< bonded tensile strength [Pa]
-  double cohesion = 30e6;  ///< bonded cohesion [Pa]
-  double phi = 0.0;        ///< bonded friction angle [deg]
-  double psi = 0.0;        ///< dilation angle [deg]; tan psi <= mu
+  bool bridges = true;              ///< zone rule: contacts across a plane but outside the zone stay bonded
+  double orientation_range = 15.0;  ///< [deg] oriented rule: of a contact's normal from that of the set
+  double persistence = 1.0;         ///< share of the planes that is jointed
+  double patch_length = 0.0;        ///< [m] of jointed and bonded patches; 0: every contact for itself
+  double layer_thickness = 0.0;     ///< [m] of a layer about each plane whose matrix is another; 0: none
+  double layer_stiffness = 1.0;     ///< its E_c and E_b over those of the matrix
+  double layer_strength = 1.0;      ///< its sigma_c and tau_c over those of the matrix
+  double k_n = 3360e9;              ///< normal stiffness [Pa/m]
+  double k_s = 960e9;               ///< shear stiffness [Pa/m]
+  double mu = 0.4;                  ///< friction coefficient of the broken joint
+  double sigma_n = 10e6;            ///< bonded tensile strength, mean [Pa]
+  double sigma_n_sd = 0.0;          ///< its standard deviation [Pa]
+  double cohesion = 30e6;           ///< bonded cohesion [Pa]
+  double phi = 0.0;                 ///< bonded friction angle [deg]
+  double psi = 0.0;                 ///< dilation angle [deg]; tan psi <= mu
   double radius_multiplier = 1.0;
+
+  /// It has planes; else its joints are dispersed, and spacing and offset mean nothing.
+  bool has_planes() const { return rule != BeddingRule::oriented; }
+  /// Least distance of two planes [m]: spacings are drawn within three standard deviations.
+  double narrowest() const { return spacing * (1.0 - 3.0 * spacing_sd); }
+  /// Planes differ from each other in distance or direction.
+  bool scatters() const { return has_planes() && (spacing_sd > 0.0 || theta_sd > 0.0); }
+  /// Planes are parallel and equally far from each other.
+  bool is_regular() const { return has_planes() && !scatters(); }
+  /// It has no joints, only layers.
+  bool unjointed() const { return has_planes() && persistence == 0.0; }
+  /// Some of what makes a contact a joint is drawn, with matrix.bond_seed.
+  bool is_drawn() const { return has_planes() && (persistence < 1.0 || scatters()); }
 };
 
 struct TestDescription;

@@ -1,5 +1,6 @@
 // Problems between keys of a recipe that are each in range (cross_checks).
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/exact_math.hpp"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double min_grains_across = 10.0;  // fewer: the walls decide, not the rock
 constexpr double widest_notch = 0.05;       // of the diameter; wider, the formula of a crack is off
+constexpr double most_planes = 200.0;       // that scatter; a contact numbers them in one byte
 constexpr std::int64_t min_grains = 16;     // fewer do not settle into a packing
 
 using Paths = std::vector<std::string>;
@@ -27,6 +29,7 @@ class CrossChecks {
     if (r_.packing.file.empty()) packing();
     matrix();
     for (std::size_t i = 0; i < r_.bedding.size(); ++i) bedding(i);
+    planes_that_scatter();
     test();
     return std::move(problems_);
   }
@@ -117,17 +120,82 @@ class CrossChecks {
     const BeddingRecipe& b = r_.bedding[i];
     const double diameter = 2.0 * r_.packing.radius_max;
     const std::string set = "bedding[" + std::to_string(i) + "].";
+    if (!b.has_planes()) dispersed(b, set);
+    layers(b, set);
     if (b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing)
       report_problem({set + "zone_thickness", set + "spacing", set + "rule"}, length(b.zone_thickness),
                      "below the spacing of " + length(b.spacing), "use a thinner zone or a wider spacing");
-    if (r_.packing.file.empty() && b.spacing < diameter)
+    else if (b.rule == BeddingRule::zone && b.zone_thickness >= b.narrowest())
+      report_problem({set + "spacing_sd", set + "zone_thickness", set + "spacing", set + "rule"},
+                     print_number(b.spacing_sd),
+                     "planes more than zone_thickness = " + length(b.zone_thickness) +
+                         " apart, three standard deviations below the mean spacing, too",
+                     "lower spacing_sd, use a thinner zone or a wider spacing");
+    const bool too_near = b.has_planes() && r_.packing.file.empty() && b.narrowest() < diameter;
+    if (too_near && b.spacing < diameter)
       report_problem({set + "spacing", "packing.radius_max", "packing.file"}, length(b.spacing),
                      "at least the largest grain diameter, " + length(diameter),
                      "use a wider spacing or smaller grains");
+    else if (too_near)
+      report_problem({set + "spacing_sd", set + "spacing", "packing.radius_max", "packing.file"},
+                     print_number(b.spacing_sd),
+                     "planes at least the largest grain diameter, " + length(diameter) +
+                         ", apart, three standard deviations below the mean spacing, too",
+                     "lower spacing_sd, use a wider spacing or smaller grains");
     if (tan_degrees(b.psi) > b.mu)
       report_problem({set + "psi", set + "mu"}, print_quantity(b.psi, Dimension::angle),
                      "tan(psi) <= mu = " + print_number(b.mu),
                      "a joint that dilates more than it rubs would create energy; lower psi or raise mu");
+  }
+
+  /// What an oriented set has not is refused: whoever writes it expects planes.
+  void dispersed(const BeddingRecipe& b, const std::string& set) {
+    const BeddingRecipe usual;
+    const auto refuse = [&](const char* key, const std::string& value) {
+      report_problem({set + key, set + "rule"}, value,
+                     "nothing with rule = \"oriented\", which has no planes",
+                     "leave it out, or use the rule zone or crossing");
+    };
+    if (b.spacing != usual.spacing) refuse("spacing", length(b.spacing));
+    if (b.offset != usual.offset) refuse("offset", length(b.offset));
+    if (b.spacing_sd != usual.spacing_sd) refuse("spacing_sd", print_number(b.spacing_sd));
+    if (b.theta_sd != usual.theta_sd) refuse("theta_sd", print_quantity(b.theta_sd, Dimension::angle));
+    if (b.persistence != usual.persistence) refuse("persistence", print_number(b.persistence));
+    if (b.layer_thickness != usual.layer_thickness) refuse("layer_thickness", length(b.layer_thickness));
+  }
+  void layers(const BeddingRecipe& b, const std::string& set) {
+    if (b.has_planes() && b.layer_thickness >= b.narrowest())
+      report_problem({set + "layer_thickness", set + "spacing", set + "spacing_sd", set + "rule"},
+                     length(b.layer_thickness), "below the least spacing, " + length(b.narrowest()),
+                     "use thinner layers, or make them the matrix and the rest the layers");
+    for (const auto& [key, value] :
+         {std::pair{"layer_stiffness", b.layer_stiffness}, std::pair{"layer_strength", b.layer_strength}})
+      if (value != 1.0 && b.layer_thickness == 0.0)
+        report_problem({set + key, set + "layer_thickness"}, print_number(value), "1 without layers",
+                       "give layer_thickness");
+    if (b.unjointed() && b.layer_thickness == 0.0)
+      report_problem({set + "persistence", set + "layer_thickness"}, "0", "above 0 without layers",
+                     "a set without joints and without layers does nothing: leave the [[bedding]] out");
+  }
+  /// Planes that scatter are numbered in one byte, with the other sets.
+  void planes_that_scatter() {
+    const double diagonal = std::hypot(r_.specimen.width, r_.specimen.height);
+    double n = 0.0;
+    std::string first;
+    Paths paths = {"specimen.width", "specimen.height"};
+    for (std::size_t i = 0; i < r_.bedding.size(); ++i) {
+      const BeddingRecipe& b = r_.bedding[i];
+      n += b.scatters() ? (diagonal / b.spacing + 3.0) / sin_cos_degrees(3.0 * b.theta_sd).cos : 1.0;
+      if (!b.scatters()) continue;
+      const std::string set = "bedding[" + std::to_string(i) + "].";
+      if (first.empty()) first = b.spacing_sd > 0.0 ? set + "spacing_sd" : set + "theta_sd";
+      for (const char* key : {"spacing", "spacing_sd", "theta_sd"}) paths.push_back(set + key);
+    }
+    if (first.empty() || n <= most_planes) return;
+    paths.insert(paths.begin(), first);
+    report_problem(paths, "some " + std::to_string(std::lround(n)) + " planes",
+                   "at most " + std::to_string(std::lround(most_planes)) + " planes where planes scatter",
+                   "use a wider spacing or a smaller specimen, or leave the scatter out");
   }
 
   void test() {

@@ -146,47 +146,109 @@ void add_matrix(List& l) {
   l.number("matrix", "bond_gap", 0, 0.5, "install gap",
            "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
   l.number("matrix", "unbonded_fraction", 0, 0.9, "",
-           "share of these contacts that get no bond (linear contact only)", part, &M::unbonded_fraction);
+           "share of these contacts that get no bond (linear contact only)", part, &M::unbonded_fraction)
+      .quiet = true;
   l.integer("matrix", "bond_seed", 0, 4294967295.0, "seed of the bond strengths", part, &M::bond_seed);
   l.boolean("matrix", "unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", part,
             &M::unbreakable);
-  l.quantity("matrix", "foliation", Dimension::angle, 0, 180, "180 - dip",
-             "inclination of the matrix's own layers, which the ratios below refer to", part, &M::foliation)
-      .below_max = true;
-  l.number("matrix", "stiffness_ratio", 0.05, 20, "",
-           "E_c and E_b of contacts with the normal along the foliation over those across it; the mean stays",
-           part, &M::stiffness_ratio);
-  l.number("matrix", "tension_ratio", 0.05, 20, "", "the same of sigma_c; above 1 the layers part easily",
-           part, &M::tension_ratio);
-  l.number("matrix", "cohesion_ratio", 0.05, 20, "", "the same of tau_c", part, &M::cohesion_ratio);
-  l.number("matrix", "cohesion_oblique", 0.05, 20, "",
-           "tau_c of contacts at 45 deg to the foliation over those along and across it; the mean stays",
-           part, &M::cohesion_oblique);
 }
 
-void add_bedding(List& l) {
+/// Directions of the matrix.
+void add_directions(List& l) {
+  using M = MatrixRecipe;
+  constexpr auto part = &Recipe::matrix;
+  const auto ratio = [&](const char* key, const char* meaning, double M::*member) {
+    l.number("matrix", key, 0.05, 20, "", meaning, part, member).quiet = true;
+  };
+  Field& foliation = l.quantity("matrix", "foliation", Dimension::angle, 0, 180, "180 - dip",
+                                "inclination of the matrix's own layers, which the ratios below refer to",
+                                part, &M::foliation);
+  foliation.below_max = foliation.quiet = true;
+  ratio("stiffness_ratio",
+        "E_c and E_b of contacts with the normal along the foliation over those across it; the mean stays",
+        &M::stiffness_ratio);
+  ratio("tension_ratio", "the same of sigma_c; above 1 the layers part easily", &M::tension_ratio);
+  ratio("cohesion_ratio", "the same of tau_c", &M::cohesion_ratio);
+  ratio("cohesion_oblique",
+        "tau_c of contacts at 45 deg to the foliation over those along and across it; the mean stays",
+        &M::cohesion_oblique);
+}
+
+/// Where the planes of a set are.
+void add_planes(List& l) {
   using B = BeddingRecipe;
   l.quantity("bedding", "theta", Dimension::angle, 0, 180, "180 - dip",
              "plane from +x, anticlockwise; load along y", &B::theta)
       .below_max = true;
-  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "", "distance of the planes of the set",
-             &B::spacing);
+  l.quantity("bedding", "theta_sd", Dimension::angle, 0, 10, "",
+             "standard deviation of theta from plane to plane; not with oriented", &B::theta_sd)
+      .quiet = true;
+  l.quantity("bedding", "spacing", Dimension::length, 1e-6, 10, "",
+             "distance of the planes of the set, mean; not with oriented", &B::spacing);
+  l.number("bedding", "spacing_sd", 0, 0.3, "",
+           "standard deviation of the spacing, over the spacing; not with oriented", &B::spacing_sd)
+      .quiet = true;
   l.quantity("bedding", "zone_thickness", Dimension::length, 0, 1, "",
              "thickness d of the zone, used by the zone rule", &B::zone_thickness)
       .above_min = true;
   l.quantity("bedding", "offset", Dimension::length, -10, 10, "",
-             "distance of one plane from the specimen's centre", &B::offset);
+             "distance of one plane from the specimen's centre; not with oriented", &B::offset);
+}
+
+/// Which contacts are its joints.
+void add_rule(List& l) {
+  using B = BeddingRecipe;
   l.choice(
-      "bedding", "rule", {"crossing", "zone"},
-      "contacts that become joints: centres on opposite sides of a plane, or contact point within the zone",
+      "bedding", "rule", {"crossing", "zone", "oriented"},
+      "contacts that become joints: centres on opposite sides of a plane, contact point within the zone, "
+      "or (no planes) normal near that of the set",
       &B::rule);
+  l.boolean(
+       "bedding", "bridges",
+       "zone rule: contacts that cross a plane outside the zone stay bonded; false: they are joints, too",
+       &B::bridges)
+      .quiet = true;
+  Field& range =
+      l.quantity("bedding", "orientation_range", Dimension::angle, 0, 90, "",
+                 "oriented rule: largest angle between the normals of a joint's contact and of the set",
+                 &B::orientation_range);
+  range.above_min = range.quiet = true;
+  Field& share =
+      l.number("bedding", "persistence", 0, 1, "",
+               "share of the planes that is jointed, the rest stays bonded (rock bridges); 0: layers without "
+               "joints; not with oriented",
+               &B::persistence);
+  share.quiet = true;
+  l.quantity(
+       "bedding", "patch_length", Dimension::length, 0, 10, "",
+       "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact",
+       &B::patch_length)
+      .quiet = true;
+  l.quantity("bedding", "layer_thickness", Dimension::length, 0, 10, "",
+             "thickness of a layer about each plane whose matrix differs; 0: none; not with oriented",
+             &B::layer_thickness)
+      .quiet = true;
+  l.number("bedding", "layer_stiffness", 0.01, 100, "", "E_c and E_b in the layers over those of the matrix",
+           &B::layer_stiffness)
+      .quiet = true;
+  l.number("bedding", "layer_strength", 0.01, 100, "",
+           "sigma_c and tau_c in the layers over those of the matrix", &B::layer_strength)
+      .quiet = true;
+}
+
+/// The joints of a set.
+void add_joints(List& l) {
+  using B = BeddingRecipe;
   l.quantity("bedding", "k_n", Dimension::stiffness, 1e3, 1e18, "sj_kn", "normal stiffness of the joints",
              &B::k_n);
   l.quantity("bedding", "k_s", Dimension::stiffness, 1e3, 1e18, "sj_ks", "shear stiffness of the joints",
              &B::k_s);
   l.number("bedding", "mu", 0, 10, "sj_fric", "friction coefficient of broken joints", &B::mu);
   l.quantity("bedding", "sigma_n", Dimension::pressure, 1, 1e13, "sj_ten",
-             "tensile strength of bonded joints", &B::sigma_n);
+             "tensile strength of bonded joints, mean", &B::sigma_n);
+  l.quantity("bedding", "sigma_n_sd", Dimension::pressure, 0, 1e13, "", "standard deviation of sigma_n",
+             &B::sigma_n_sd)
+      .quiet = true;
   l.quantity("bedding", "cohesion", Dimension::pressure, 1, 1e13, "sj_coh", "cohesion of bonded joints",
              &B::cohesion);
   l.quantity("bedding", "phi", Dimension::angle, 0, 80, "sj_fa", "friction angle of bonded joints", &B::phi);
@@ -302,10 +364,18 @@ const Fields& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_bedding(l), add_test(l), add_engine(l);
+    add_specimen(l), add_packing(l), add_matrix(l), add_directions(l), add_planes(l), add_rule(l),
+        add_joints(l), add_test(l), add_engine(l);
     return with_defaults(std::move(l.fields));
   }();
   return fields;
+}
+
+bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
+  if (!f.only_of.empty() && f.only_of != recipe.test.kind->name) return false;
+  const bool about_planes = f.table == "bedding" && (f.key == "spacing" || f.key == "offset");
+  if (about_planes && !recipe.bedding[index].has_planes()) return false;
+  return !f.quiet || print_field(f, recipe, index) != f.otherwise;
 }
 
 std::string print_field(const Field& f, const Recipe& recipe, std::size_t index) {
@@ -330,11 +400,10 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
 std::string keys_not_by_default(const Recipe& r) {
   std::string text = std::to_string(r.bedding.size()) + " sets of bedding\n";
   for (const Field& f : recipe_fields()) {
-    if (!f.only_of.empty() && f.only_of != r.test.kind->name) continue;
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? r.bedding.size() : 1); ++i) {
       const std::string value = print_field(f, r, i);
-      if (value == f.otherwise) continue;
+      if (value == f.otherwise || !is_written(f, r, i)) continue;
       text += of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path();
       text += " = " + value + "\n";
     }

@@ -16,6 +16,9 @@ constexpr std::int64_t max_recipe_grains = 200000;
 
 const Fields& recipe_fields();
 
+/// Does a recipe that is written hold this key? Not if it is of another test, quiet and as by default, or
+/// about planes that the set has not.
+bool is_written(const Field& field, const Recipe& recipe, std::size_t index);
 /// A value as it is written in a file.
 std::string print_field(const Field& field, const Recipe& recipe, std::size_t index);
 /// The keys that are not as by default, a line each: what fingerprints are taken of, so that a key that comes

@@ -49,19 +49,30 @@ struct Contact {
   std::uint32_t b = 0;
   ContactKind kind = ContactKind::bonded;
   std::int8_t side = 0;  ///< joints: sign of n.n_j at assignment (a -> b); kept for ever
-  std::uint8_t set = 0;  ///< joints: number of the bedding set
+  std::uint8_t set = 0;  ///< joints: number of the set as laid (Specimen::laid)
   double sigma_c = 0.0;  ///< bonded: tensile strength [Pa]
   double tau_c = 0.0;    ///< bonded: shear strength or cohesion [Pa]
   /// Of the matrix: cosine of twice the angle between its normal and that of the foliation at the start. 0
   /// stands for the mean over all directions, which pairs that meet during a test have.
   double cos_2a = 0.0;
+  double layer = 1.0;  ///< bonded: stiffness over that of the matrix, in a layer of the bedding
+  double sigma_n = 1.0;  ///< joints: tensile strength over the mean of the set
 };
 
-/// How bedding sits in this specimen.
+/// How a bedding set sits in this specimen.
 struct BeddingReport {
   double overlap_ratio = 0.0;    ///< sum(A)/L of one plane: joint contact length per length of plane
   double bridge_fraction = 0.0;  ///< contacts that cross a plane but are no joints, of all crossing contacts
   double non_crossing_fraction = 0.0;  ///< joints whose grains lie on the same side, of all joints
+  bool dispersed = false;              ///< joints without planes: what is above means nothing,
+  double joint_fraction = 0.0;         ///< and this is the set's share of all contacts
+};
+
+/// One plane of a set whose planes scatter, laid as a set of its own; or a set that does not scatter.
+struct LaidSet {
+  BeddingRecipe recipe;
+  std::uint8_t set = 0;    ///< in Specimen::bedding
+  std::int32_t plane = 0;  ///< number of the plane within its set
 };
 
 /// A bonded specimen of one packing with its bedding: what the engine and the statics load.
@@ -69,12 +80,23 @@ struct Specimen {
   std::string name;  ///< "theta = 30 deg" or "intact"
   std::shared_ptr<const Packing> packing;
   MatrixRecipe matrix;
-  std::vector<BeddingRecipe> bedding;  ///< sets with their final angles
+  std::vector<BeddingRecipe> bedding;  ///< sets of the recipe, with their final angles
+  std::vector<LaidSet> laid_sets;      ///< empty where no set scatters: then the sets are laid as they are
   std::vector<Contact> contacts;       ///< sorted by (a, b)
-  /// Plane interval of each grain's centre, per set: label[set * n_grains + grain] = floor of the plane count
-  /// below it.
+  /// Plane interval of each grain's centre, per set as laid: label[set * n_grains + grain] = floor of the
+  /// plane count below it. Dispersed joints have no planes, and one label.
   std::vector<std::int32_t> plane_label;
-  std::vector<BeddingReport> bedding_report;  ///< per set
+  std::vector<BeddingReport> bedding_report;  ///< per set of the recipe
+
+  /// Sets as laid: what contacts and labels number.
+  std::size_t n_laid() const { return laid_sets.empty() ? bedding.size() : laid_sets.size(); }
+  const BeddingRecipe& laid(std::size_t number) const {
+    return laid_sets.empty() ? bedding[number] : laid_sets[number].recipe;
+  }
+  /// The set of the recipe that a set as laid belongs to.
+  std::uint8_t set_of(std::uint8_t number) const {
+    return laid_sets.empty() ? number : laid_sets[number].set;
+  }
 };
 
 }  // namespace phy

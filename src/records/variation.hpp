@@ -47,7 +47,7 @@ struct VariedParameter {
 
 struct Variation {
   std::string name;
-  double spacing = 0.0;   ///< of the bedding planes [m]; 0: not known
+  double spacing = 0.0;   ///< of the bedding planes [m]; 0: not known, or no planes
   double E_intact = 0.0;  ///< [Pa]; 0: not known
   std::vector<VariedParameter> parameters;
   std::vector<Regression> regressions;  ///< that the study is held against

@@ -47,18 +47,32 @@ theory::Eq1Options reference_for(const RunRecord& run) {
   return options;
 }
 
+/// Of planes over their spacing; dispersed joints have none.
+std::string macro_stiffness(const theory::JointedRock& rock, const BeddingRecipe& set) {
+  const double K_n = rock.K_n_delta * 1e-9, K_s = rock.K_s_delta * 1e-9;
+  if (!set.has_planes()) return fmt::format("K_n δ = {:.1f} GPa, K_s δ = {:.1f} GPa", K_n, K_s);
+  return fmt::format("K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m", K_n / set.spacing, K_s / set.spacing);
+}
+
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   std::vector<theory::ModulusReading> readings;
-  double nu_90 = nan, spacing = 0.0;
+  double nu_90 = nan;
+  BeddingRecipe set;
+  bool bedded = false;
   for (const SpecimenRecord& t : run.tests) {
     if (t.result.intact) continue;
     if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
     if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
-    if (!t.recipe.bedding.empty()) spacing = t.recipe.bedding[0].spacing;
+    if (!t.recipe.bedding.empty()) set = t.recipe.bedding[0], bedded = true;
+  }
+  if (!run.tests.empty() && run.tests.front().recipe.matrix.directional()) {
+    curves.E.note = curves.nu.note =
+        "No theory curve: it takes the rock between the planes for isotropic, this matrix has directions.";
+    return;
   }
   const theory::Eq1Options options = reference_for(run);
   const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
-  if (!fit.ok() || spacing <= 0.0) {
+  if (!fit.ok() || !bedded) {
     curves.E.note = curves.nu.note = "No theory curve: " + (fit.ok() ? "no bedding" : fit.reason) + ".";
     return;
   }
@@ -68,9 +82,8 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   theory::JointedRock rock = fit.rock;
   curves.E = sampled(
       fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance, {}: E = {:.1f} "
-                  "GPa, K_n = {:.0f} GPa/m, K_s = {:.0f} GPa/m, R² = {:.3f}.",
-                  reference, rock.E * 1e-9, rock.K_n_delta * 1e-9 / spacing, rock.K_s_delta * 1e-9 / spacing,
-                  fit.R2),
+                  "GPa, {}, R² = {:.3f}.",
+                  reference, rock.E * 1e-9, macro_stiffness(rock, set), fit.R2),
       [&](double theta) { return theory::goodman_E(rock, theta); });
   rock.nu = nu_90;
   curves.nu.note = "No theory curve: it starts from ν at 90°.";

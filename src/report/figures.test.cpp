@@ -103,6 +103,9 @@ TEST(Figures, WhatIsNotThereIsRefused) {
   FigureData data;
   data.variation = continuum({0.5, 1.0});
   EXPECT_THROW(script_of("strength", data), InputError);  // a direct solution has no strengths
+  data.variation.spacing = 0.0;                           // joints without planes
+  EXPECT_THROW(script_of("stiffness", data), InputError);
+  EXPECT_NO_THROW(script_of("modulus", data));
   data.run.tests.emplace_back();
   for (const char* kind : {"model", "specimens", "cracks", "stress_strain", "anisotropy"})
     EXPECT_THROW(script_of(kind, data), InputError) << kind;

@@ -68,20 +68,58 @@ std::string matrix_text(const MatrixRecipe& m) {
       departures_text(m));
 }
 
-std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {
-  const auto s = [](double v) { return quantity(v, Dimension::stiffness); };
+std::string layers_text(const BeddingRecipe& b) {
   return fmt::format(
-      "Bedding planes, {} apart, are smooth joints (Mas Ivars et al. 2011), assigned by the {}: k_n = {}, "
-      "k_s = {}, mu = {:g}, "
-      "tensile strength {}, cohesion {}, friction angle of the bonded joint {:g} deg, dilation angle {:g} "
-      "deg. theta is the "
-      "inclination of the planes from the horizontal{}.",
+      "in a layer of {} about each plane contacts and bonds have {:g} times the moduli and bonds {:g} times "
+      "the "
+      "strengths of the matrix",
+      quantity(b.layer_thickness, Dimension::length), b.layer_stiffness, b.layer_strength);
+}
+
+/// Which contacts are joints.
+std::string joints_text(const BeddingRecipe& b) {
+  if (!b.has_planes())
+    return fmt::format(
+        "Bedding is dispersed: every bonded contact whose normal lies within {:g} deg of that of the bedding "
+        "is a "
+        "smooth joint (Mas Ivars et al. 2011) with the normal of the bedding (after Duan & Kwok 2015)",
+        b.orientation_range);
+  std::string text = fmt::format(
+      "Bedding planes, {} apart, are smooth joints (Mas Ivars et al. 2011), assigned by the {}",
       quantity(b.spacing, Dimension::length),
       b.rule == BeddingRule::zone
           ? fmt::format("zone rule with a thickness of {}", quantity(b.zone_thickness, Dimension::length))
-          : std::string("crossing rule"),
-      s(b.k_n), s(b.k_s), b.mu, quantity(b.sigma_n, Dimension::pressure),
-      quantity(b.cohesion, Dimension::pressure), b.phi, b.psi, test.load_on_bedding);
+          : std::string("crossing rule"));
+  if (b.rule == BeddingRule::zone && !b.bridges) text += " and to all contacts that cross a plane";
+  if (b.scatters())
+    text += fmt::format("; the spacing has a standard deviation of {:g} %, the inclination one of {:g} deg",
+                        100.0 * b.spacing_sd, b.theta_sd);
+  if (b.persistence < 1.0)
+    text += fmt::format(
+        "; {:g} % of the planes are jointed, in patches of {}, the rest is bonded as the matrix",
+        100.0 * b.persistence,
+        b.patch_length > 0.0 ? quantity(b.patch_length, Dimension::length) : std::string("single contacts"));
+  if (b.layer_thickness > 0.0) text += "; " + layers_text(b);
+  return text;
+}
+
+std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {
+  const auto s = [](double v) { return quantity(v, Dimension::stiffness); };
+  const auto p = [](double v) { return quantity(v, Dimension::pressure); };
+  if (b.unjointed())
+    return fmt::format(
+        "The rock is layered without joints, planes {} apart: {}. theta is their inclination from the "
+        "horizontal{}.",
+        quantity(b.spacing, Dimension::length), layers_text(b), test.load_on_bedding);
+  return fmt::format(
+      "{}: k_n = {}, "
+      "k_s = {}, mu = {:g}, "
+      "tensile strength {}{}, cohesion {}, friction angle of the bonded joint {:g} deg, dilation angle {:g} "
+      "deg. theta is the "
+      "inclination of the planes from the horizontal{}.",
+      joints_text(b), s(b.k_n), s(b.k_s), b.mu, p(b.sigma_n),
+      b.sigma_n_sd > 0.0 ? fmt::format(" with standard deviation {}", p(b.sigma_n_sd)) : "", p(b.cohesion),
+      b.phi, b.psi, test.load_on_bedding);
 }
 
 /// What ended a test, by its history: a test whose stress has fallen far enough ends first for that.

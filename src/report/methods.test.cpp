@@ -58,6 +58,25 @@ TEST(Methods, EveryTestEndsAsItDid) {
   EXPECT_THAT(text, AllOf(HasSubstr("free sides"), Not(HasSubstr("confining"))));
 }
 
+TEST(Methods, BeddingIsDescribedAsItWasLaid) {
+  Recipe r;
+  r.bedding.resize(1);
+  const auto text = [&] { return methods({test_of(r, "theta = 0 deg", peaked, {{1e-3, 50}})}); };
+  EXPECT_THAT(text(),
+              AllOf(HasSubstr("Bedding planes, 5 mm apart"), Not(HasSubstr("standard deviation of 20")),
+                    Not(HasSubstr("jointed, in patches")), Not(HasSubstr("Duan"))));
+  BeddingRecipe& set = r.bedding[0];
+  set.spacing_sd = 0.2, set.theta_sd = 3.0, set.persistence = 0.7, set.patch_length = 0.004;
+  set.sigma_n_sd = 2e6, set.bridges = false;
+  EXPECT_THAT(text(), AllOf(HasSubstr("a standard deviation of 20 %, the inclination one of 3 deg"),
+                            HasSubstr("70 % of the planes are jointed, in patches of 4 mm"),
+                            HasSubstr("10 MPa with standard deviation 2 MPa"),
+                            HasSubstr("and to all contacts that cross a plane")));
+  set = {};
+  set.rule = BeddingRule::oriented, set.orientation_range = 20.0;
+  EXPECT_THAT(text(), AllOf(HasSubstr("within 20 deg"), HasSubstr("Duan & Kwok"), Not(HasSubstr("apart"))));
+}
+
 TEST(Methods, AConfinedTestNamesStressAndSides) {
   Recipe r;
   r.test.kind = TestKind("biaxial"), r.test.confining_stress = 12e6, r.test.stop_at = 0.8;

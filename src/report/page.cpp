@@ -73,9 +73,10 @@ Json test_json(const SpecimenRecord& t, std::size_t index) {
   const TestCurve& axes = t.recipe.test.kind->curve;
   Json bedding = Json::array();
   for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
-    bedding.push_back({{"theta", t.bedding[i].theta},
-                       {"spacing", t.recipe.bedding[i].spacing},
-                       {"offset", t.recipe.bedding[i].offset}});
+    if (t.recipe.bedding[i].is_regular())  // other planes are not drawn by these numbers
+      bedding.push_back({{"theta", t.bedding[i].theta},
+                         {"spacing", t.recipe.bedding[i].spacing},
+                         {"offset", t.recipe.bedding[i].offset}});
   return {{"result", Json::parse(io::result_json(t))},
           {"label", t.result.intact ? "intact" : print_number(t.result.theta) + "°"},
           {"history", history_json(t.result.history, axes)},

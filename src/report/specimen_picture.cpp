@@ -16,7 +16,8 @@ constexpr double thinnest = 1.2;  // line of a crack [pixels]
 /// Per disc the number of its colour in disc_colors.
 std::vector<std::size_t> tones_of(const SpecimenRecord& t) {
   std::vector<std::size_t> tone(t.scene.discs.size(), 0);
-  if (!t.bedding.empty() && !t.recipe.bedding.empty()) {
+  // Only planes at equal distances can be counted; of others the discs with a joint are seen.
+  if (!t.bedding.empty() && !t.recipe.bedding.empty() && t.recipe.bedding[0].is_regular()) {
     const Vec2 normal = plane_normal(t.bedding[0].theta);
     const BeddingRecipe& set = t.recipe.bedding[0];
     for (std::size_t i = 0; i < tone.size(); ++i) {

@@ -81,6 +81,9 @@ void stiffness_panel(GnuplotScript& s, const Variation& v, std::size_t k) {
     for (const Row& row : rows) low = std::min(low, row[1]), high = std::max(high, row[1]);
     add_regressions(s, found, v, p, k == 0 ? "K_n" : "K_s");
   }
+  if (parts.empty() && v.spacing <= 0.0)
+    throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "", "bedding planes",
+                             "rock without planes has no stiffness per area of them; draw --kind modulus"});
   if (parts.empty())
     throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "",
                              "E at several inclinations for a fit of Eq. 1", "run more angles"});

@@ -26,7 +26,7 @@ Vec2 branch_of(const Specimen& s, const Contact& c, Vec2 shift) {
 
 Link link_of(const Specimen& s, const Contact& c, Vec2 period, const contact::Models& models) {
   PHY_CHECK(c.a < s.packing->discs.size() && c.b < s.packing->discs.size(), "a contact joins two discs");
-  PHY_CHECK(c.kind != ContactKind::joint || c.set < s.bedding.size(), "a joint belongs to a bedding set");
+  PHY_CHECK(c.kind != ContactKind::joint || c.set < s.n_laid(), "a joint belongs to a bedding set");
   const Vec2 straight = branch_of(s, c, {0.0, 0.0});
   Link l;
   l.a = c.a, l.b = c.b;
@@ -96,7 +96,7 @@ std::vector<laws::Tangent<double>> stiffness_rates(const Network& net, const Spe
   std::vector<laws::Tangent<double>> rates(net.links.size(), laws::Tangent<double>{0.0, 0.0, 0.0});
   for (std::size_t i = 0; i < net.n_contacts; ++i) {
     const Contact& c = s.contacts[i];
-    if (p.bedding != nullptr && (c.kind != ContactKind::joint || c.set != set)) continue;
+    if (p.bedding != nullptr && (c.kind != ContactKind::joint || s.set_of(c.set) != set)) continue;
     const double gap = gap_of(s, c, branch_of(s, c, net.links[i].shift));
     const contact::ElasticPart rate = net.models.of(c.kind).elastic_rate(s, c, gap, p);
     rates[i] = active[i] ? rate.unilateral + rate.bilateral : rate.bilateral;

@@ -75,6 +75,32 @@ TEST(Uniaxial, SquareLatticeOfColumnsHasTheClosedForm) {
   EXPECT_EQ(r.n_loose, 0);
 }
 
+// Columns of discs through seams of another stiffness: springs in series.
+TEST(Uniaxial, SeamsAreSpringsInSeries) {
+  constexpr double R = 1e-3;
+  const int n_x = 4, n_y = 10;
+  std::vector<Disc> discs;
+  for (int j = 0; j < n_y; ++j)
+    for (int i = 0; i < n_x; ++i) discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
+  MatrixRecipe m;
+  m.E_c = 31e9, m.E_b = 17e9;
+  Specimen s = assembly(discs, m);
+  bond_touching(s);
+  s.bedding.resize(1);
+  s.bedding[0].layer_thickness = R, s.bedding[0].layer_stiffness = 0.4;
+  int n_soft = 0;
+  for (Contact& c : s.contacts) {
+    const double y = 0.5 * (discs[c.a].y + discs[c.b].y) / R;
+    if (y != 4.0 && y != 10.0 && y != 16.0) continue;
+    c.layer = 0.4, ++n_soft;
+  }
+  ASSERT_EQ(n_soft, 12);
+  const ElasticResult r = solve_uniaxial(s);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
+  const double K = m.E_c + m.E_b, column = 1.0 / (6.0 / K + 3.0 / (0.4 * K) + 2.0 / (2.0 * m.E_c));
+  EXPECT_NEAR(r.E_platen, column * n_y, 1e-9 * K);
+}
+
 TEST(Uniaxial, ContactsThatWouldPullAreOpen) {
   constexpr double R = 1e-3;
   MatrixRecipe m;
@@ -148,6 +174,21 @@ TEST(Uniaxial,
     dE += of(r, name).dE * of(r, name).value, dnu += of(r, name).dnu * of(r, name).value;
   EXPECT_NEAR(dE, r.E_gauge, 1e-8 * r.E_gauge);
   EXPECT_NEAR(dnu, 0.0, 1e-8);
+}
+
+// Of a set that is laid plane by plane: one derivative, for all of its planes.
+TEST(Uniaxial, ASetWhosePlanesScatterIsOneParameter) {
+  Recipe r = small_recipe();
+  r.bedding[0].spacing_sd = 0.2, r.bedding[0].theta_sd = 5.0, r.bedding[0].theta = 35.0;
+  const Specimen s = genesis::make_specimen(small_packing(), r.matrix, r.bedding, "scattered");
+  ASSERT_GT(s.laid_sets.size(), 3U);
+  const ElasticResult answer = solve_uniaxial(s);
+  double dE = 0.0;
+  for (const Sensitivity& d : answer.sensitivities)
+    if (d.parameter != "ks_over_kn" && !d.parameter.ends_with("ks_over_kn")) dE += d.dE * d.value;
+  EXPECT_NEAR(dE, answer.E_gauge, 1e-8 * answer.E_gauge);
+  EXPECT_GT(of(answer, "bedding[0].k_s").dE, 0.0);
+  EXPECT_EQ(answer.sensitivities.back().parameter, "bedding[0].k_s");
 }
 
 TEST(Uniaxial, MirrorImageHasTheSameModuli) {

@@ -1,5 +1,6 @@
 #include "study/direct.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/clock.hpp"
@@ -33,6 +34,8 @@ void add_structure(TestResult& result, const Specimen& specimen) {
   add("coordination", specimen.packing->report.coordination, "contacts per grain");
   if (specimen.bedding_report.empty()) return;
   const BeddingReport& bedding = specimen.bedding_report.front();
+  if (bedding.dispersed)
+    return add("joint_fraction", bedding.joint_fraction, "dispersed joints, of all contacts");
   add("overlap_ratio", bedding.overlap_ratio, "length of joint patches per length of plane, sum(A)/L");
   add("bridge_fraction", bedding.bridge_fraction, "contacts across a plane that are no joints");
   add("non_crossing_fraction", bedding.non_crossing_fraction, "joints that do not cross their plane");
@@ -52,7 +55,9 @@ Recipe elastic_recipe(Recipe single) {
   // Back to defaults, so that recipes that differ only here get one fingerprint.
   single.test = {};
   single.engine = {};
-  single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
+  // The seed of the bonds moves no modulus, unless it says where the joints are.
+  if (std::none_of(single.bedding.begin(), single.bedding.end(), [](auto& b) { return b.is_drawn(); }))
+    single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
   return single;
 }
 

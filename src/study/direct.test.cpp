@@ -75,6 +75,22 @@ TEST_F(DirectStudy, EverySpecimenIsItsDirectSolution) {
   }
 }
 
+// The seed of the bonds moves a modulus only where it says which contacts are joints.
+TEST(ElasticRecipe, KeepsTheSeedThatDrawsTheBedding) {
+  Recipe r;
+  r.matrix.bond_seed = 5;
+  r.bedding.resize(1);
+  r.bedding[0].sigma_n_sd = 1e6;
+  EXPECT_EQ(elastic_recipe(r).matrix.bond_seed, 1);
+  for (const auto key : {&BeddingRecipe::spacing_sd, &BeddingRecipe::theta_sd, &BeddingRecipe::persistence}) {
+    Recipe drawn = r;
+    drawn.bedding[0].*key = 0.1;
+    EXPECT_EQ(elastic_recipe(drawn).matrix.bond_seed, 5);
+    drawn.bedding[0].rule = BeddingRule::oriented;
+    EXPECT_EQ(elastic_recipe(drawn).matrix.bond_seed, 1);
+  }
+}
+
 TEST_F(DirectStudy, ThreadsAndShardsDoNotMatter) {
   const Plan plan = make_plan(study());
   Store one(at("one.sqlite")), four(at("four.sqlite"));

@@ -120,7 +120,8 @@ std::map<std::pair<std::size_t, std::size_t>, Readings> readings_of(const Plan& 
     }
     // Eq. 1 is fitted to complete sets only: with angles missing, replicates could not be compared.
     r.whole = r.whole && std::isfinite(E);
-    r.spacing = recipe.bedding.front().spacing;
+    // Dispersed joints have no spacing, and no K_n and K_s per area.
+    if (recipe.bedding.front().has_planes()) r.spacing = recipe.bedding.front().spacing;
     r.layered.push_back({recipe.bedding.front().theta, E});
   }
   return all;

@@ -150,6 +150,19 @@ TEST(Effects, MacroStiffnessAndItsLineComeBack) {
   EXPECT_THAT(effects_text(plan, rows), HasSubstr("K_n = 1.8000+-0.0000 k_n + 300.0+-0.0 GPa/m"));
 }
 
+// Dispersed joints have no area of planes that a stiffness could be of; the curve of Eq. 1 is there.
+TEST(Effects, WithoutPlanesNoMacroStiffness) {
+  auto [plan, rows] = goodman_study();
+  for (PlannedTest& t : plan.tests)
+    for (BeddingRecipe& set : t.recipe.bedding) set.rule = BeddingRule::oriented;
+  const JointFits fits = fit_joints(plan, rows, {"E_tangent"});
+  EXPECT_EQ(fits.K_n.at(0).n, 0u);
+  EXPECT_EQ(fits.K_s.at(0).n, 0u);
+  EXPECT_NEAR(fits.R2.at(0).mean, 1.0, 1e-12);
+  EXPECT_NEAR(fits.E[3].at(0).mean, 42e9, 1.0);
+  EXPECT_EQ(effects_text(plan, rows).find("macro joint stiffness"), std::string::npos);
+}
+
 TEST(Effects, TextFitsTheTerminalAndExplainsWhatIsThere) {
   auto [plan, rows] = goodman_study();
   for (const int width : {40, 60}) {

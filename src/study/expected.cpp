@@ -66,7 +66,9 @@ double expected_peak_strain(const Recipe& r) {
   const double layer = layer_thickness * (r.packing.radius_min + r.packing.radius_max);
   // Joints in series: a zone of several contact layers is softer by their number.
   const double layers = b.rule == BeddingRule::zone ? b.zone_thickness / layer : 1.0;  // one behind the other
-  const double factor = stiffness_factor * b.spacing / layers;
+  // Dispersed: of the layers of contacts one in 90 deg/orientation_range is a joint.
+  const double spacing = b.has_planes() ? b.spacing : layer * 90.0 / b.orientation_range;
+  const double factor = stiffness_factor * spacing / layers;
   const double cohesion = bridge_factor * m.tau_c + cohesion_factor * b.cohesion;
   // Weak planes in elastic rock: macro stiffness per area and spacing by Goodman, strength by Jaeger.
   const theory::JointedRock rock{E, factor * b.k_n, factor * b.k_s, 0.0};

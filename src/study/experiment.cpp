@@ -16,6 +16,14 @@
 namespace phy::study {
 namespace {
 
+/// Back to defaults what the rule of the set does not read.
+void leave_out_unread(BeddingRecipe& set) {
+  const BeddingRecipe usual;
+  if (set.rule != BeddingRule::zone) set.zone_thickness = usual.zone_thickness, set.bridges = usual.bridges;
+  if (set.rule != BeddingRule::oriented) set.orientation_range = usual.orientation_range;
+  if (!set.has_planes() || set.persistence == 1.0) set.patch_length = usual.patch_length;
+}
+
 /// What all specimens of a recipe have in common.
 Recipe without_angles(Recipe r) {
   r.test.angles.clear();
@@ -53,9 +61,7 @@ std::string specimen_key(const Recipe& single) {
   r.test.intact = false;
   // Of no effect without directions.
   if (!r.matrix.directional()) r.matrix.foliation = MatrixRecipe{}.foliation;
-  // Only the zone rule reads its thickness.
-  for (BeddingRecipe& set : r.bedding)
-    if (set.rule == BeddingRule::crossing) set.zone_thickness = BeddingRecipe{}.zone_thickness;
+  for (BeddingRecipe& set : r.bedding) leave_out_unread(set);
   // A new version of results gives new keys: old rows are not found.
   std::string text = fmt::format("results {}\n", results_version);
   // By content: a disc file may be moved, or changed under the same name.

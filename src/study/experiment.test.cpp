@@ -79,6 +79,27 @@ TEST(SpecimenKey, IgnoresWhatChangesNothing) {
   EXPECT_EQ(specimen_key(a), specimen_key(b));
 }
 
+TEST(SpecimenKey, IgnoresWhatTheRuleDoesNotRead) {
+  const auto change = [](Recipe& r) {
+    r.bedding[0].orientation_range = 40.0, r.bedding[0].patch_length = 0.002;
+  };
+  Recipe a = single_recipes(seven_angles()).front(), b = a;
+  change(b);
+  EXPECT_EQ(specimen_key(a), specimen_key(b));
+  a.bedding[0].persistence = b.bedding[0].persistence = 0.5;
+  EXPECT_NE(specimen_key(a), specimen_key(b)) << "patches";
+  a.bedding[0] = b.bedding[0] = {};
+  b.bedding[0].bridges = false;
+  EXPECT_NE(specimen_key(a), specimen_key(b));
+  a.bedding[0].rule = b.bedding[0].rule = BeddingRule::crossing;
+  EXPECT_EQ(specimen_key(a), specimen_key(b));
+  a.bedding[0].rule = b.bedding[0].rule = BeddingRule::oriented;
+  b.bedding[0].zone_thickness *= 2.0;
+  EXPECT_EQ(specimen_key(a), specimen_key(b));
+  b.bedding[0].orientation_range = 20.0;
+  EXPECT_NE(specimen_key(a), specimen_key(b));
+}
+
 // A key that comes to the recipe later, and is left alone, has its default: the same fingerprint.
 TEST(SpecimenKey, IsTakenOfWhatIsNotByDefault) {
   Recipe r;

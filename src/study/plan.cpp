@@ -31,7 +31,7 @@ BatchName batch_name(const Recipe& r) {
   return {r.packing.file,
           genesis::packing_key(r.specimen, r.packing, r.matrix),
           lab::boundary_name(r),
-          &engine::physics_of(r.matrix),
+          &engine::physics_of(r.matrix, r.bedding),
           r.matrix.stiffness_convention,
           r.engine.precision,
           r.test.history_interval};

@@ -110,7 +110,7 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
   group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, precision, widest);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
-  group.contacts = &engine::physics_of(recipe.matrix);
+  group.contacts = &engine::physics_of(recipe.matrix, recipe.bedding);
   return {group, machine.lanes > 0};
 }
 

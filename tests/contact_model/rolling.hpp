@@ -51,7 +51,7 @@ class RollingModel final : public ContactModel {
 
  public:
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 0}; }
-  bool describes(const MatrixRecipe&) const override { return true; }
+  bool describes(const MatrixRecipe&, const std::vector<BeddingRecipe>&) const override { return true; }
   bool same_geometry(const MatrixRecipe&, const MatrixRecipe&) const override { return true; }
   void geometry(const MatrixRecipe&, double r1, double r2, double* out) const override {
     out[F::inv_r_min] = 1.0 / std::min(r1, r2), out[F::reach] = F::rolling_friction * std::min(r1, r2);

@@ -74,7 +74,8 @@ DirectIntensity direct_intensity(const Specimen& specimen, const BendSpecimen& b
       {cx, flat + bend.notch}, up, std::max(ring_from * R, grains_off * flat), ring_to * R};
   if (tip.nearest > widest * tip.farthest) return {"too few grains around the end of the notch"};
   for (const BeddingRecipe& set : specimen.bedding)
-    if (const double planes = (tip.farthest - tip.nearest) / set.spacing; planes < least_planes)
+    if (const double planes = (tip.farthest - tip.nearest) / set.spacing;
+        set.has_planes() && planes < least_planes)
       return {
           fmt::format("too few planes around the notch to take the rock for homogeneous: {:.1f} within the "
                       "ring that is read, at least {:g} are needed",
