@@ -61,7 +61,8 @@ void Group<T>::check_neighbour(const Specimen& specimen) const {
   // per contact, not per lane.
   PHY_CHECK(specimen.packing->hash == grains_.packing().hash, "lanes of a group share one packing");
   for (const contact::ContactModel* model : {contacts_.models().matrix, contacts_.models().interface}) {
-    PHY_CHECK(model->describes(specimen.matrix, specimen.bedding), "a group has the contact models of its specimens");
+    PHY_CHECK(model->describes(specimen.matrix, specimen.bedding),
+              "a group has the contact models of its specimens");
     for (const Lane& l : lanes_)
       PHY_CHECK(!l.specimen || model->same_geometry(l.specimen->matrix, specimen.matrix),
                 "lanes of a group share the geometry of their contacts");
