@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/small_groups_fixture.hpp"
 
@@ -170,7 +171,7 @@ TEST(Contacts, AcrossAPlaneAreBrokenJoints) {
 }
 
 TEST(Contacts, OnOneSideOfAPlaneAreOfTheMatrix) {
-  Specimen s = across_a_plane(true);
+  Specimen s = across_a_plane(true, false);
   s.plane_label[3] = s.plane_label[2];
   Meeting t(s, 0, Precision::double_precision);
   double overlap = 0.0;

@@ -91,6 +91,18 @@ TEST(ElasticRecipe, KeepsTheSeedThatDrawsTheBedding) {
   }
 }
 
+TEST_F(DirectStudy, SeveralBondSeedsOnlyWhereTheyDrawTheBedding) {
+  const auto read = [&](const std::string& more) {
+    return read_study(
+        write("seeds.toml", "recipe = \"base.toml\"\nsolver = \"direct\"\nbond_seeds = [1, 2]\n" + more));
+  };
+  const std::string persistence = "[[vary]]\nkey = \"bedding.persistence\"\nvalues = [1, 0.5]\n";
+  // 3 angles of the whole planes, 3 with bridges of each seed, and the intact rock.
+  EXPECT_EQ(make_plan(read(persistence)).tests.size(), 3u + 2u * 3u + 1u);
+  EXPECT_NO_THROW(read("[set]\n\"bedding.theta_sd\" = \"2 deg\"\n"));
+  EXPECT_THROW(read("[[vary]]\nkey = \"bedding.k_n\"\ntimes = [1, 2]\n"), InputError);
+}
+
 TEST_F(DirectStudy, ThreadsAndShardsDoNotMatter) {
   const Plan plan = make_plan(study());
   Store one(at("one.sqlite")), four(at("four.sqlite"));

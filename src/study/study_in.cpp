@@ -115,6 +115,7 @@ class Reader {
     if (base_ok_) {
       read_vary();
       read_list();
+      check_bond_seeds();
       // Points are built from factors: with problems left they would only cause messages about consequences.
       if (problems_.empty()) check_points();
     }
@@ -151,10 +152,6 @@ class Reader {
     study_.seed = static_cast<std::int64_t>(file_.number("seed", static_cast<double>(study_.seed)));
     study_.packings = seeds("packings", study_.base.packing.seed);
     study_.bond_seeds = seeds("bond_seeds", study_.base.matrix.bond_seed);
-    if (const io::TomlValue* v = file_.find("bond_seeds");
-        study_.bond_seeds.size() > 1 && study_.solver == Solver::direct)
-      report_problem(*v, "bond_seeds", "one seed with solver = \"direct\"",
-                     "nothing breaks there: leave it out");
     if (const io::TomlValue* v = file_.find("packings"); v != nullptr && !study_.base.packing.file.empty())
       report_problem(*v, "packings", "no seeds with packing.file",
                      "an imported packing has no seed; vary nothing here");
@@ -371,6 +368,20 @@ class Reader {
       case Design::sobol: return samples;
     }
     return samples;
+  }
+
+  /// Without breakage the seed of the bonds counts only where it says which contacts are joints.
+  void check_bond_seeds() {
+    const io::TomlValue* v = file_.find("bond_seeds");
+    if (v == nullptr || study_.bond_seeds.size() < 2 || study_.solver != Solver::direct) return;
+    const std::vector<BeddingRecipe>& sets = study_.base.bedding;
+    bool drawn = std::any_of(sets.begin(), sets.end(), [](const BeddingRecipe& b) { return b.is_drawn(); });
+    for (const Factor& f : study_.vary)
+      for (const char* key : {"bedding.persistence", "bedding.spacing_sd", "bedding.theta_sd"})
+        drawn = drawn || (f.key.field != nullptr && f.key.field->path() == key);
+    if (!drawn)
+      report_problem(*v, "bond_seeds", "one seed with solver = \"direct\"",
+                     "nothing breaks there, and no bedding is drawn: leave it out");
   }
 
   void check_points() {
