@@ -12,7 +12,7 @@
 namespace phy::analysis {
 namespace {
 
-constexpr StressRange elastic_range = {0.1, 0.3};  // of the strength
+constexpr StressRange elastic_range = {0.1, 0.25};  // of the strength
 constexpr std::size_t enough_rows = 3;
 constexpr double errors = 3.0;       // standard errors that noise may reach
 constexpr double resolution = 5e-3;  // of gauges, over strength / E
@@ -79,7 +79,7 @@ void place(const LoadingBranch& branch, double E, double nu, Number& n) {
     return;
   }
   n.value = last_on->axial_stress;
-  if (last_on <= &range.back())
+  if (last_on < &range.back())
     n.note = joined(fmt::format("below {:.4g} MPa: the fall begins where E and nu are read", n.value * 1e-6),
                     n.note);
 }
@@ -90,7 +90,7 @@ Number crack_initiation_by_strain(const LoadingBranch& branch) {
   Number n{
       "sigma_ci_strain", nan, "Pa",
       fmt::format("{} where the crack volumetric strain (axial + 2 lateral strain of the gauge, less (1 - 2 "
-                  "nu)/E times the stress; E, nu between 10 and 30 % of {}) leaves its level for good, "
+                  "nu)/E times the stress; E, nu between 10 and 25 % of {}) leaves its level for good, "
                   "before the {}: falls by more than 3 standard errors and 0.5 % of {}/E",
                   branch.stress, branch.strength, branch.turn(), branch.strength),
       branch_note(branch)};

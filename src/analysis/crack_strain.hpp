@@ -5,12 +5,12 @@
 //
 //   eps_crack = eps_a + 2 eps_l - (1 - 2 nu)/E sigma
 //
-// eps_a, eps_l strains of the gauge, E and nu their slopes between 10 and 30 % of the strength: lower down
+// eps_a, eps_l strains of the gauge, E and nu their slopes between 10 and 25 % of the strength: lower down
 // stress waves have not evened out, higher up cracks may have begun. It is level until cracks open, and falls
 // from then on. The initiation is the last row before the peak that still lies on the level: the higher of
-// the mean between 10 and 30 % and the largest value less its noise. A row lies on the level if it is no
+// the mean between 10 and 25 % and the largest value less its noise. A row lies on the level if it is no
 // further below than the larger of 3 standard errors of a single value predicted from the rows between 10 and
-// 30 % (their noise, and that of E and nu, which grows with the distance), and 0.5 % of strength / E, which
+// 25 % (their noise, and that of E and nu, which grows with the distance), and 0.5 % of strength / E, which
 // gauges resolve. Range, number of standard errors and resolution are choices of this program.
 #pragma once
 #include "analysis/branch.hpp"

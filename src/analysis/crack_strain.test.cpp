@@ -74,9 +74,10 @@ class Noise {
   std::uint32_t state_;
 };
 
-// Stress noisy by 0.5 % of the strength, gauges by 2e-6 (standard deviations): the crack strain by 6.3e-6 and
-// so. Three errors of a value predicted over three times the range are 2.6e-5; noise may put back into the
-// band what has fallen by twice that: 5 MPa later.
+// Stress noisy by 0.5 % of the strength, gauges by 2e-6 (standard deviations): the crack strain by sqrt(4.5^2
+// + 2^2 + 4^2) = 6.3e-6. Three errors of a value predicted at 55 % from 31 rows around 17.5 % are 3.5e-5;
+// noise may put back into the band what has fallen by twice that: 7 MPa later, and one more for what the rows
+// differ.
 TEST(CrackStrain, NoiseOfTheRowsDelaysItByWhatNoiseHides) {
   const double uniform = std::sqrt(3.0);
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
@@ -89,7 +90,7 @@ TEST(CrackStrain, NoiseOfTheRowsDelaysItByWhatNoiseHides) {
     }
     const Number n = onset(h);
     EXPECT_GT(n.value, 55e6) << seed;
-    EXPECT_LT(n.value, 55e6 + 6e6) << seed;
+    EXPECT_LT(n.value, 55e6 + 8e6) << seed;
   }
 }
 
@@ -104,11 +105,11 @@ TEST(CrackStrain, WithoutAPeakThereIsNone) {
   EXPECT_EQ(onset(unfinished()).note, "no peak and no knee: the largest stress is 100 MPa");
 }
 
-// From 10 % on ever more: no line is level, and what is read is a bound.
-TEST(CrackStrain, FromBelowTheRangeItIsAnUpperBound) {
-  const Number n = onset(cracked([](double s) { return -1e-19 * s * s; }));
+// A burst at 24 MPa, below the 25 % up to which E and nu are read: three rows of 31 lie off the level.
+TEST(CrackStrain, FromWithinTheRangeItIsAnUpperBound) {
+  const Number n = onset(cracked([](double s) { return s < 23.9e6 ? 0.0 : -1e-3; }));
   ASSERT_TRUE(n.note.starts_with("below ")) << n.note;
-  EXPECT_LE(n.value, 30e6);
+  EXPECT_LE(n.value, 24e6);
 }
 
 TEST(CrackStrain, AHistoryThatBeginsAboveTheRangeSaysSo) {

@@ -17,9 +17,9 @@ constexpr double calm = 0.2;                          // of the largest stress: 
 constexpr double soft = 0.05;                         // tangent over modulus at the knee
 constexpr double window_lo = 0.95, window_hi = 1.05;  // strains of the tangent, over that of the knee
 constexpr double modulus_lo = 0.2, modulus_hi = 0.6;  // strains of the modulus before
-constexpr std::size_t rows_aside = 2,
-                      modulus_rows = 3;           // fewest, on each side of the knee and of the modulus
-constexpr double beyond = 1.25, dip_rise = 1.05;  // exceeded so far within so much strain: a dip
+constexpr std::size_t rows_aside = 2;                 // of the tangent, at least, before and behind
+constexpr std::size_t modulus_rows = 3;               // at least
+constexpr double beyond = 1.25, dip_rise = 1.05;      // exceeded so far within so much strain: a dip
 
 /// Least-squares slopes over any rows, from sums up to each row.
 class Slopes {
