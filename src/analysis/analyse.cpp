@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "analysis/crack_strain.hpp"
 #include "analysis/cracks.hpp"
 #include "analysis/elastic.hpp"
 #include "analysis/strength.hpp"
@@ -36,10 +37,12 @@ std::vector<Number> common_numbers(const History& history, const LoadingBranch& 
 std::vector<Number> axial_numbers(const History& history, const LoadingBranch& branch,
                                   const std::vector<CrackEvent>& cracks, const AxialOptions& options) {
   std::vector<Number> out = strength(branch);
+  add(out, strength_rule(branch));
   add(out, elastic(branch, options, StrainFrom::gauge, ""));
   add(out, elastic(branch, options, StrainFrom::platen, "_platen"));
   add(out, crack_initiation(branch, cracks, options.pre_strain));
-  out.push_back(crack_damage(branch));
+  out.push_back(crack_initiation_by_strain(branch));
+  out.push_back(crack_damage(branch)), out.push_back(crack_damage_volume(branch));
   add(out, common_numbers(history, branch, cracks, options.path));
   return out;
 }

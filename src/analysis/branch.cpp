@@ -4,16 +4,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/nan.hpp"
 #include "records/test_description.hpp"
 
 namespace phy::analysis {
 
-LoadingBranch loading_branch(const History& history) {
+namespace {
+
+/// Ends the branch at the strength of a test that may harden.
+void apply_rule(LoadingBranch& branch, const History& history, const StopRule& stop) {
+  std::vector<const HistoryRow*> rows;
+  std::vector<double> strain, stress;
+  for (const HistoryRow& r : history.rows) {
+    if (!std::isfinite(r.axial_stress) || !std::isfinite(r.axial_strain)) continue;
+    rows.push_back(&r), strain.push_back(r.axial_strain), stress.push_back(r.axial_stress);
+  }
+  const StrengthPoint point = strength_point(strain, stress, stop);
+  const HistoryRow* const at = rows[point.row];
+  branch.rows = {branch.rows.data(), static_cast<std::size_t>(at - branch.rows.data()) + 1};
+  branch.rule = point.rule, branch.peaked = point.rule != StrengthRule::largest;
+  branch.largest = at->axial_stress, branch.strain = at->axial_strain;
+}
+
+}  // namespace
+
+std::string LoadingBranch::point() const {
+  if (at_knee()) return std::string("the knee of the ") + stress;
+  return std::string(largest < highest ? "the first peak of the " : "the largest ") + stress;
+}
+
+LoadingBranch loading_branch(const History& history, const StopRule& stop) {
   LoadingBranch branch;
   const TestDescription& test = *history.kind;
   branch.strength = test.curve.strength.c_str(), branch.stress = test.stress, branch.body = test.body;
+  branch.may_harden = test.may_harden;
   const auto& rows = history.rows;
   std::size_t first = rows.size();
   double largest = 0.0;
@@ -23,11 +49,12 @@ LoadingBranch loading_branch(const History& history) {
     first = std::min(first, i);
     branch.peaked = !branch.rows.empty();
     if (!(r.axial_stress > largest)) continue;
-    largest = branch.largest = r.axial_stress;
+    largest = branch.largest = branch.highest = r.axial_stress;
     branch.strain = r.axial_strain;
     branch.rows = {rows.data() + first, i + 1 - first};
     branch.peaked = false;
   }
+  if (branch.may_harden && !branch.empty()) apply_rule(branch, history, stop);
   return branch;
 }
 
@@ -61,7 +88,9 @@ double stress_at(const LoadingBranch& branch, double strain) {
 std::string branch_note(const LoadingBranch& branch) {
   if (branch.empty()) return "the stress never rises above zero";
   if (branch.peaked) return "";
-  return fmt::format("no peak: the largest stress, {:.4g} MPa, is in the last row", branch.largest * 1e-6);
+  if (!branch.may_harden)
+    return fmt::format("no peak: the largest stress, {:.4g} MPa, is in the last row", branch.largest * 1e-6);
+  return fmt::format("no peak and no knee: the largest stress is {:.4g} MPa", branch.largest * 1e-6);
 }
 
 std::string joined(std::string a, const std::string& b) {

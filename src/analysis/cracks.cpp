@@ -44,7 +44,7 @@ std::vector<Number> crack_numbers(const LoadingBranch& branch, const std::vector
   for (const Kind& k : kinds)
     out.push_back({std::string(k.name) + "_at_peak",
                    branch.peaked ? static_cast<double>(at_peak.*k.count) : nan, "1",
-                   std::string(k.meaning) + " up to the largest " + branch.stress, branch_note(branch)});
+                   std::string(k.meaning) + " up to " + branch.point(), branch_note(branch)});
   return out;
 }
 

@@ -61,8 +61,8 @@ Number tangent_modulus(const LoadingBranch& branch, StressRange range, StrainFro
       std::move(name), nan, "Pa",
       fmt::format(
           "slope of the least-squares line of {} over axial strain of the {} at the first passage between {} "
-          "of {}, before the peak",
-          branch.stress, place_of(branch, from), range_text(range), branch.strength),
+          "of {}, before the {}",
+          branch.stress, place_of(branch, from), range_text(range), branch.strength, branch.turn()),
       ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::axial_stress, n);
   return n;
@@ -72,8 +72,8 @@ Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom 
   Number n{std::move(name), nan, "1",
            fmt::format("minus the slope of the least-squares line of lateral strain (gauge) over axial "
                        "strain of the {} at "
-                       "the first passage between {} of {}, before the peak",
-                       place_of(branch, from), range_text(range), branch.strength),
+                       "the first passage between {} of {}, before the {}",
+                       place_of(branch, from), range_text(range), branch.strength, branch.turn()),
            ""};
   fit(branch, range, axial_strain_of(from), &HistoryRow::lateral_strain_gauge, n);
   n.value = 0.0 - n.value;  // not -x: a slope of 0 gives 0

@@ -54,10 +54,10 @@ void platen_checks(const LoadingBranch& branch, std::vector<Number>& out) {
     if (std::isfinite(d)) differences.push_back(d);
   }
   const std::string difference = fmt::format("|top - bottom {} stress| / {}", branch.body, branch.strength);
-  Number all{"platen_difference", nan, "1", "largest " + difference + " before the peak",
+  Number all{"platen_difference", nan, "1", "largest " + difference + " before the " + branch.turn(),
              branch_note(branch)};
   Number most{"platen_difference_95", nan, "1",
-              difference + " that 95 % of the rows before the peak do not exceed", all.note};
+              difference + " that 95 % of the rows before the " + branch.turn() + " do not exceed", all.note};
   if (!differences.empty()) {
     all.value = *std::max_element(differences.begin(), differences.end());
     const auto nth = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 95 / 100);
@@ -79,11 +79,13 @@ Number peak_confirmed(const LoadingBranch& branch, const History& history) {
           "strain",
           branch.strength),
       branch_note(branch)};
-  if (!branch.peaked) return n;
+  if (branch.at_knee()) n.note = "a knee, no peak";
+  if (!branch.peaked || branch.at_knee()) return n;
   double least = branch.largest, farthest = branch.strain;
   for (const HistoryRow& r : std::span(history.rows)
                                  .subspan(static_cast<std::size_t>(branch.rows.data() + branch.rows.size() -
                                                                    history.rows.data()))) {
+    if (r.axial_stress > branch.largest) break;  // a first peak, exceeded later
     if (std::isfinite(r.axial_stress)) least = std::min(least, r.axial_stress);
     if (std::isfinite(r.axial_strain)) farthest = std::max(farthest, r.axial_strain);
   }
@@ -130,8 +132,7 @@ std::vector<Number> energy_budget(const LoadingBranch& branch, const History& hi
   for (const HistoryColumn& c : energy_columns())
     out.push_back({std::string("energy_") + c.name + "_at_peak",
                    present && branch.peaked ? branch.rows.back().*c.value : nan, "J/m",
-                   std::string(c.meaning) + ", at the largest " + branch.stress,
-                   joined(branch_note(branch), missing)});
+                   std::string(c.meaning) + ", at " + branch.point(), joined(branch_note(branch), missing)});
   return out;
 }
 
@@ -147,8 +148,8 @@ std::vector<Number> run_checks(const LoadingBranch& branch, const History& histo
       {"energy_error_of_row", present ? largest(history.rows, own) : nan, "1",
        "largest |work not accounted for| / boundary work, both up to the same row", missing},
       {"kinetic_ratio", present && !branch.empty() ? kinetic_ratio(branch) : nan, "1",
-       fmt::format("largest kinetic energy / stored strain energy from 20 % of {} to the peak",
-                   branch.strength),
+       fmt::format("largest kinetic energy / stored strain energy from 20 % of {} to the {}", branch.strength,
+                   branch.turn()),
        joined(branch_note(branch), missing)}};
   platen_checks(branch, out);
   out.push_back({"rows_to_peak", branch.peaked ? static_cast<double>(branch.rows.size()) : nan, "1",

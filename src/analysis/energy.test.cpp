@@ -99,11 +99,15 @@ TEST(RunChecks, APeakIsConfirmedByAFallOrByStrainBehindIt) {
   // it.
   EXPECT_NEAR(value(checked(marble()), "peak_confirmed"), 0.5 / 0.2, 1e-12);
   History h = marble();
-  h.rows.resize(211);  // 11 rows on: 5.5 % lower, 5.5 % more strain
-  EXPECT_NEAR(value(checked(h), "peak_confirmed"), 0.055 / 0.2, 1e-9);
+  h.rows.resize(211);                            // 11 rows on: 5.5 % lower, 5.5 % more strain
+  const auto over = [&](const StopRule& stop) {  // the recipe's idea of a peak
+    return value(run_checks(loading_branch(h, stop), h, {}), "peak_confirmed");
+  };
+  EXPECT_TRUE(std::isnan(over({}))) << "no peak by the usual rule";
+  EXPECT_NEAR(over({.stop_at = 0.95}), 0.055 / 0.2, 1e-9);
   for (std::size_t i = 200; i < h.rows.size(); ++i) h.rows[i].axial_stress = 99e6;
   h.rows.back().axial_strain = 0.0035;  // 75 % more strain, at 99 % of the peak
-  EXPECT_NEAR(value(checked(h), "peak_confirmed"), 0.75 / 0.5, 1e-9);
+  EXPECT_NEAR(over({.post_peak = 0.5}), 0.75 / 0.5, 1e-9);
   EXPECT_TRUE(std::isnan(value(checked(unfinished()), "peak_confirmed")));
 }
 

@@ -44,8 +44,59 @@ TEST(Strength, NoPeakNoStrength) {
   const auto numbers = strength(loading_branch(unfinished()));
   for (const char* name : {"ucs", "peak_strain"}) {
     EXPECT_TRUE(std::isnan(value(numbers, name)));
-    EXPECT_EQ(note(numbers, name), "no peak: the largest stress, 100 MPa, is in the last row");
+    EXPECT_EQ(note(numbers, name), "no peak and no knee: the largest stress is 100 MPa");
   }
+  const auto rule = strength_rule(loading_branch(unfinished()));
+  EXPECT_EQ(value(rule, "strength_rule"), 3.0);
+  EXPECT_DOUBLE_EQ(value(rule, "largest_stress"), 100e6);
+}
+
+/// The marble up to 100 MPa at 0.002, then 2 % of its modulus up to 101 MPa at 0.003.
+History hardening() {
+  History h = unfinished();
+  for (int i = 1; i <= 100; ++i) {
+    HistoryRow r = h.rows[199];
+    r.axial_strain += 1e-5 * i, r.axial_stress += 1e4 * i;
+    h.rows.push_back(r);
+  }
+  return h;
+}
+
+TEST(Strength, OfATestThatHardensIsItsKneeAndSaysSo) {
+  const LoadingBranch branch = loading_branch(hardening());
+  const auto numbers = strength(branch), rule = strength_rule(branch);
+  EXPECT_NEAR(value(numbers, "ucs"), 100e6, 0.2e6);
+  EXPECT_EQ(note(numbers, "ucs"), "a knee, no peak: the axial stress rises to 101 MPa later");
+  EXPECT_NE(find(numbers, "ucs")->definition.find("up to the knee"), std::string::npos);
+  EXPECT_EQ(find(numbers, "peak_strain")->definition,
+            "axial strain of the platens at the knee of the axial stress");
+  EXPECT_EQ(value(rule, "strength_rule"), 2.0);
+  EXPECT_DOUBLE_EQ(value(rule, "largest_stress"), 101e6);
+}
+
+// Only compression hardens behind a knee: a disc that carries more after a bend has its strength at the
+// largest load.
+TEST(Strength, OtherTestsHaveNoKnee) {
+  History h = hardening();
+  h.rows.push_back(h.rows.back());
+  h.kind = TestKind("brazilian");
+  const LoadingBranch branch = loading_branch(h);
+  EXPECT_DOUBLE_EQ(value(strength(branch), "bts"), 101e6);
+  EXPECT_TRUE(strength_rule(branch).empty());
+}
+
+TEST(Strength, OfAFirstPeakThatIsExceededLaterIsThatPeak) {
+  History h = marble();
+  h.rows.resize(220);  // down to 90 MPa
+  for (int i = 1; i <= 200; ++i) {
+    HistoryRow r = h.rows[219];
+    r.axial_strain += 1e-5 * i, r.axial_stress += 1e5 * i;
+    h.rows.push_back(r);
+  }
+  const LoadingBranch branch = loading_branch(h);
+  EXPECT_DOUBLE_EQ(value(strength(branch), "ucs"), 100e6);
+  EXPECT_EQ(note(strength(branch), "ucs"), "the first peak: the axial stress rises to 110 MPa later");
+  EXPECT_EQ(value(strength_rule(branch), "strength_rule"), 1.0);
 }
 
 TEST(Strength, TensionOnlyIsNoCompressionTest) {
@@ -154,7 +205,31 @@ TEST(CrackDamage,
 TEST(CrackDamage, NoTurnBeforeThePeak) {
   const Number n = crack_damage(loading_branch(marble()));
   EXPECT_TRUE(std::isnan(n.value));
-  EXPECT_EQ(n.note, "the volumetric strain does not turn before the largest stress");
+  EXPECT_EQ(n.note, "the volumetric strain does not turn before the largest axial stress");
+}
+
+// From row 120 on the lateral strain grows by 6e-6 a row more: the area still shortens (9 - 2.25 - 6 =
+// 0.75e-6 a row), the volume of a laboratory no longer does (9 - 4.5 - 12).
+TEST(CrackDamage, OfTheVolumeComesBeforeThatOfTheArea) {
+  History h = marble();
+  for (std::size_t i = 120; i < h.rows.size(); ++i)
+    h.rows[i].lateral_strain_gauge -= 6e-6 * static_cast<double>(i - 119);
+  EXPECT_EQ(crack_damage_volume(loading_branch(h)).value, h.rows[119].axial_stress);
+  EXPECT_EQ(crack_damage_volume(loading_branch(h)).note, "");
+  EXPECT_TRUE(std::isnan(crack_damage(loading_branch(h)).value));
+}
+
+TEST(CrackDamage, OfTheVolumeAsksForALowPoissonsRatio) {
+  for (const double nu : {0.45, 0.48, 0.7}) {
+    const Number n = crack_damage_volume(loading_branch(straight(E, nu + 1e-9, 100e6, 200)));
+    EXPECT_TRUE(std::isnan(n.value));
+    EXPECT_TRUE(n.note.starts_with("nu is not below 0.45: ")) << n.note;
+  }
+  EXPECT_EQ(crack_damage_volume(loading_branch(straight(E, 0.44, 100e6, 200))).note,
+            "the volumetric strain does not turn before the largest axial stress");
+  History h = marble();
+  for (HistoryRow& r : h.rows) r.lateral_strain_gauge = std::nan("");
+  EXPECT_TRUE(crack_damage_volume(loading_branch(h)).note.starts_with("nu is not known: "));
 }
 
 TEST(CrackDamage, DilationFromTheStart) {

@@ -68,9 +68,9 @@ bool is_invalid(const TestResult& result) {
   return false;
 }
 
-/// NaN where a test has not come to its peak.
+/// NaN where a test has come to neither peak nor knee.
 double number_of(const TestResult& result, const std::string& name) {
-  if (result.outcome.status != Status::peaked) return std::nan("");
+  if (!has_strength(result.outcome.status)) return std::nan("");
   const Number* n = analysis::find(result.numbers, name);
   return n != nullptr ? n->value : std::nan("");
 }

@@ -87,17 +87,33 @@ Column names_of(const char* head, const study::Envelope& envelope) {
 
 void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& envelope, int width) {
   Columns strengths;
+  bool knees = false;
   for (std::size_t i = 0; i < tests.confining.size(); ++i) {
     Column c{fmt::format("{:g}", tests.confining[i] * 1e-6), "", {}};
     for (const TestResult& r : tests.results[i]) {
-      const Number* n = r.outcome.status == Status::peaked ? analysis::find(r.numbers, "sigma_1") : nullptr;
-      c.cells.push_back(n != nullptr && std::isfinite(n->value) ? fmt::format("{:.2f}", n->value * 1e-6)
-                                                                : "-");
+      const Number* n = has_strength(r.outcome.status) ? analysis::find(r.numbers, "sigma_1") : nullptr;
+      const bool known = n != nullptr && std::isfinite(n->value);
+      const bool knee = known && r.outcome.status == Status::knee;
+      knees = knees || knee;
+      c.cells.push_back(known ? fmt::format("{:.2f}{}", n->value * 1e-6, knee ? "*" : "") : "-");
     }
     strengths.push_back(std::move(c));
   }
-  print_out("\nsigma_1 [MPa] at the peak\n{}",
+  print_out("\nsigma_1 [MPa] at the peak{}\n{}", knees ? "; *: at a knee" : "",
             text_table(names_of("sigma_3 [MPa]", envelope), {strengths}, width));
+}
+
+/// What to think of an envelope with knees in it.
+std::string knees_text(const study::SpecimenEnvelope& s) {
+  std::vector<std::string> stresses;
+  for (const double sigma_3 : s.knees) stresses.push_back(fmt::format("{:g}", sigma_3 * 1e-6));
+  if (s.knees.size() == s.readings.size())
+    return "an envelope of knees: not to be compared with one of peaks";
+  return fmt::format(
+      "knees (at {} MPa) and peaks in one envelope: a knee lies below the peak that more strain may bring, "
+      "and "
+      "phi and m_i mix both; raise test.max_strain, or leave these confining stresses out",
+      fmt::join(stresses, ", "));
 }
 
 void print_fits(const study::Envelope& envelope, int width) {
@@ -123,6 +139,8 @@ void print_fits(const study::Envelope& envelope, int width) {
     if (!s.mohr_coulomb.ok) add_line(findings, s.name, "no Mohr-Coulomb envelope: " + s.mohr_coulomb.reason);
   for (S s : envelope.specimens)
     if (!s.hoek_brown.ok) add_line(findings, s.name, "no Hoek-Brown envelope: " + s.hoek_brown.reason);
+  for (S s : envelope.specimens)
+    if (!s.knees.empty()) add_line(findings, s.name, knees_text(s));
   for (const std::string& line : findings) print_wrapped(width, 2, "{}\n", line);
   if (envelope.plane.ok)
     print_wrapped(
@@ -135,14 +153,14 @@ void print_fits(const study::Envelope& envelope, int width) {
     print_wrapped(width, 2, "one plane of weakness (Jaeger): no fit: {}\n", envelope.plane.reason);
 }
 
-/// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do. Warnings
-/// of the others.
+/// Tests without a peak, or with one not to be trusted, which give no reading: why, and what to do; tests
+/// with a knee; warnings of those that give a reading.
 void print_outcomes(const study::EnvelopeTests& tests, int width) {
   std::vector<std::string> findings;
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i])
       for (const QualityMark& mark : quality_marks(r.numbers))
-        if (r.outcome.status == Status::peaked)
+        if (has_strength(r.outcome.status))
           add_line(findings, fmt::format("{} at {:g} MPa", r.name, tests.confining[i] * 1e-6),
                    fmt::format("warning: {}: {}; {}", mark.name(), mark.limit->says, mark.limit->advice));
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
@@ -156,7 +174,8 @@ void print_outcomes(const study::EnvelopeTests& tests, int width) {
 
 std::string strengths_csv(const study::EnvelopeTests& tests) {
   std::string text =
-      "specimen,theta [deg],sigma_3 [Pa],sigma_1 [Pa],confinement_error,status,quality,result_hash\n";
+      "specimen,theta [deg],sigma_3 [Pa],sigma_1 "
+      "[Pa],confinement_error,status,quality,result_hash,strength_rule\n";
   for (std::size_t i = 0; i < tests.confining.size(); ++i)
     for (const TestResult& r : tests.results[i]) {
       const bool stored = r.outcome.status != Status::interrupted;
@@ -164,10 +183,11 @@ std::string strengths_csv(const study::EnvelopeTests& tests) {
         const Number* n = stored ? analysis::find(r.numbers, name) : nullptr;
         return n == nullptr ? std::string() : study::csv_cell(n->value);
       };
-      text += fmt::format("{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
+      const auto rule = stored ? study::rule_of(r) : std::nullopt;
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", r.name, r.intact ? "" : print_number(r.theta),
                           print_number(tests.confining[i]), value("sigma_1"), value("confinement_error"),
                           to_string(r.outcome.status), stored ? to_string(grade_of(r.numbers)) : "",
-                          stored ? r.hash : "");
+                          stored ? r.hash : "", rule ? to_string(*rule) : "");
     }
   return text;
 }
@@ -261,7 +281,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
                 args.out);
   for (const auto& of_stress : tests.results)
     for (const TestResult& r : of_stress)
-      if (r.outcome.status != Status::peaked) return 1;
+      if (!has_strength(r.outcome.status)) return 1;
   return 0;
 }
 
@@ -278,7 +298,7 @@ void add_envelope_command(CLI::App& app, Session& session) {
       ->capture_default_str();
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
   verb->add_flag("--with-untrusted", args->with_untrusted,
-                 "fit tests that peaked but are not to be trusted (docs/reliability.md)");
+                 "fit tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->callback([args, &session] {
     stop_on_interrupt();
     session.exit_code = envelope_of(*args, session);

@@ -211,7 +211,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
                   job.folder, job.folder);
   else
     print_wrapped(width, 2, "{:.1f} s in all; no test was finished, nothing was written\n", seconds);
-  return has([](Status s) { return s != Status::peaked; }) ? 1 : 0;
+  return has([](Status s) { return !has_strength(s); }) ? 1 : 0;
 }
 
 /// Makes a folder for results; where nothing comes into it, it goes again.

@@ -13,10 +13,10 @@ int show(const std::string& path, const Session& session) {
   const RunRecord run = io::read_run(path);
   const SpecimenRecord& first = run.tests.front();
   std::vector<TestResult> results;
-  bool all_peaked = run.missing.empty();
+  bool all_strong = run.missing.empty();
   for (const SpecimenRecord& t : run.tests) {
     results.push_back(t.result);
-    all_peaked = all_peaked && t.result.outcome.status == Status::peaked;
+    all_strong = all_strong && has_strength(t.result.outcome.status);
   }
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", first.recipe.name, first.program);
@@ -25,7 +25,7 @@ int show(const std::string& path, const Session& session) {
   print_out("{}\n", report::press_table(results, width));
   print_wrapped(width, 2, "{}", report::outcome_lines(results));
   for (const MissingTest& m : run.missing) print_wrapped(width, 2, "{}: missing: {}\n", m.name, m.reason);
-  return all_peaked ? 0 : 1;
+  return all_strong ? 0 : 1;
 }
 
 }  // namespace

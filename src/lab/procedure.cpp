@@ -8,6 +8,7 @@
 #include "analysis/analyse.hpp"
 #include "analysis/specimen_checks.hpp"
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "lab/instability.hpp"
 #include "lab/tests.hpp"
 #include "records/quality.hpp"
@@ -282,15 +283,42 @@ double Procedure::progress() const {
   return phase_ == Phase::load ? std::min(1.0, reading(row_).strain / max_strain()) : 0.0;
 }
 
+void Procedure::accept_strength() {
+  Outcome& outcome = result_.outcome;
+  const std::vector<HistoryRow>& rows = result_.history.rows;
+  if (!test().may_harden || outcome.status != Status::not_peaked || rows.empty() ||
+      rows.back().n_cracks < least_cracks)
+    return;
+  const auto value = [&](const char* name) {
+    const Number* n = analysis::find(result_.numbers, name);
+    return n != nullptr ? n->value : nan;
+  };
+  const double rule = value("strength_rule"), stress = value(test().curve.strength.c_str());
+  const double highest = value("largest_stress"), strain = value("peak_strain");
+  const std::string at = fmt::format("{:.2f} MPa at {}", stress * 1e-6, extent(strain, 4));
+  const std::string end = extent(reading(rows.back()).strain, 3);
+  const std::string later = highest > stress ? fmt::format(" and rises to {:.2f} MPa", highest * 1e-6) : "";
+  if (rule == static_cast<double>(analysis::StrengthRule::peak))
+    outcome = {Status::peaked,
+               fmt::format("peak {} {}, behind which it falls by 10 %{}; no drop to {:.0f} % up to {}",
+                           test().stress, at, later, 100.0 * recipe_.test.stop_at, end),
+               ""};
+  if (rule == static_cast<double>(analysis::StrengthRule::knee))
+    outcome = {Status::knee,
+               fmt::format("the {} bends at {}{}; no fall by 10 % up to {}", test().stress, at, later, end),
+               ""};
+}
+
 void Procedure::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
+  accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;
   if (grade_of(result_.numbers) != Grade::untrusted) return;
   if (outcome.status == Status::unstable || outcome.status == Status::interrupted) return;
-  if (outcome.status == Status::peaked) outcome.status = Status::untrusted;
+  if (has_strength(outcome.status)) outcome.status = Status::untrusted;
   outcome.reason = marks.front().text() + "; it ended with " + outcome.reason;
   outcome.advice = marks.front().limit->advice;
 }

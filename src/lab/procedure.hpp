@@ -10,14 +10,17 @@
 //             user ends it
 // Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
 // test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
-// test.max_strain is reached (not peaked). A peak needs three broken bonds. The test reads rows and decides;
-// the group computes. Strains count from the moment the boundary is in place.
+// test.max_strain is reached. A peak needs three broken bonds. A test that has reached test.max_strain and
+// may harden has peaked all the same, or has a knee, where analysis/strength_rule.hpp finds one; else it has
+// not peaked. The test reads rows and decides; the group computes. Strains count from the moment the boundary
+// is in place.
 #pragma once
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/energy.hpp"
+#include "analysis/strength_rule.hpp"
 #include "engine/lane_group.hpp"
 #include "lab/boundaries.hpp"
 #include "lab/moments.hpp"
@@ -67,6 +70,8 @@ class Procedure {
   /// The numbers of the test, from result_. `path`: of a wave along the height of the specimen.
   virtual std::vector<Number> numbers(const analysis::WavePath& path) const = 0;
 
+  /// What ends this test as peaked, for those who read its history.
+  analysis::StopRule stop_rule() const { return {recipe_.test.stop_at, recipe_.test.post_peak}; }
   void start_loading();
   /// Both platens, bodies 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
   void close_platens(double length);
@@ -103,6 +108,8 @@ class Procedure {
   /// All numbers of the test. What is beyond a limit of quality ends it with another outcome, or explains why
   /// it found no peak.
   void read_numbers();
+  /// A test at its largest strain may have a strength all the same: a first peak, or a knee.
+  void accept_strength();
   bool check_stop();
   bool end_without_peak(const Reading& now);
   bool end_unstable(const engine::LaneHealth& health);

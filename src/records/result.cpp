@@ -61,6 +61,7 @@ const char* to_string(Status status) {
     case Status::untrusted: return "untrusted";
     case Status::solved: return "solved";
     case Status::unsolved: return "unsolved";
+    case Status::knee: return "knee";
   }
   return "unknown";
 }

@@ -80,13 +80,26 @@ HistoryColumns joined(std::initializer_list<HistoryColumns> parts);
 std::string heading(const HistoryColumn& column);
 
 /// `untrusted`: it peaked, but a measure of quality is so bad that its numbers are none of the rock
-/// (quality.hpp). `solved`, `unsolved`: by the direct elastic solution, which knows no peak.
-enum class Status { peaked, not_peaked, not_settled, unstable, interrupted, untrusted, solved, unsolved };
+/// (quality.hpp). `solved`, `unsolved`: by the direct elastic solution, which knows no peak. `knee`: it
+/// hardens behind a knee, where its strength is (analysis/strength_rule.hpp).
+enum class Status {
+  peaked,
+  not_peaked,
+  not_settled,
+  unstable,
+  interrupted,
+  untrusted,
+  solved,
+  unsolved,
+  knee
+};
 constexpr Status all_statuses[] = {Status::peaked,   Status::not_peaked,  Status::not_settled,
                                    Status::unstable, Status::interrupted, Status::untrusted,
-                                   Status::solved,   Status::unsolved};
+                                   Status::solved,   Status::unsolved,    Status::knee};
+/// A test in time that has found a strength.
+constexpr bool has_strength(Status status) { return status == Status::peaked || status == Status::knee; }
 /// Its numbers are those of the rock.
-constexpr bool has_answer(Status status) { return status == Status::peaked || status == Status::solved; }
+constexpr bool has_answer(Status status) { return has_strength(status) || status == Status::solved; }
 const char* to_string(Status status);
 /// The status of that name; nothing: there is none.
 std::optional<Status> status_of(std::string_view name);

@@ -89,6 +89,7 @@ struct TestDescription {
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
+  bool may_harden = false;      ///< by compression: its strength may be a knee (analysis/strength_rule.hpp)
   KeptStress kept_stress = {};
   ExpectedPeak expected = {};
   /// What is cut from the packing; null: the whole rectangle is tested.

@@ -138,7 +138,11 @@ std::string end_of(const SpecimenRecord& test) {
   });
   if (axes.stress_of(rows.back()) < t.stop_at * axes.stress_of(*peak))
     return fmt::format("the {} had fallen below {:g} % of its peak", axes.stress, 100.0 * t.stop_at);
-  return fmt::format("the {} exceeded that of the peak by {:g} %", axes.strain, 100.0 * t.post_peak);
+  const double end = axes.strain_of(rows.back());
+  if (t.post_peak > 0.0 && end > (1.0 + t.post_peak) * axes.strain_of(*peak))
+    return fmt::format("the {} exceeded that of the peak by {:g} %", axes.strain, 100.0 * t.post_peak);
+  return fmt::format("past a peak that the {} fell from by 10 %, at the full {} of {:.3g} {}", axes.stress,
+                     axes.strain, end * axes.strain_factor, axes.strain_unit);
 }
 
 /// How the tests ended, those that ended alike together.
@@ -165,8 +169,8 @@ std::string loading_text(const RunRecord& run) {
 std::string definitions_text(const SpecimenRecord& t) {
   std::string text = "Definitions. ";
   const std::string strength = t.recipe.test.kind->curve.quantity().number;
-  for (const std::string& name : {std::string("E_tangent"), std::string("nu"), strength,
-                                  std::string("sigma_ci"), std::string("sigma_cd")})
+  for (const std::string& name : std::vector<std::string>{"E_tangent", "nu", strength, "sigma_ci",
+                                                          "sigma_ci_strain", "sigma_cd", "sigma_cd_volume"})
     for (const Number& n : t.result.numbers)
       if (n.name == name && !n.definition.empty()) text += fmt::format("{}: {}. ", name, n.definition);
   return text;

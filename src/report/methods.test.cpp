@@ -48,13 +48,17 @@ TEST(Methods, EveryTestEndsAsItDid) {
        test_of(r, "theta = 60 deg",
                {Status::not_peaked, "no drop to 60 % of the largest axial stress", "raise"}, {{1e-2, 50}}),
        test_of(r, "theta = 90 deg", peaked, {{1e-3, 50}, {2e-3, 80}, {2.5e-3, 40}}),
+       test_of(r, "theta = 45 deg", peaked, {{1e-3, 50}, {2e-3, 100}, {3e-3, 85}}),
        test_of(r, "intact", {Status::unstable, "a grain flew off", ""}, {})});
   EXPECT_THAT(
       text,
-      AllOf(HasSubstr("theta = 0 deg, theta = 90 deg: the axial stress had fallen below 60 % of its peak"),
-            HasSubstr("theta = 30 deg: the axial strain exceeded that of the peak by 100 %"),
-            HasSubstr("theta = 60 deg: not peaked, no drop to 60 %"),
-            HasSubstr("intact: unstable, a grain flew off")));
+      AllOf(
+          HasSubstr("theta = 0 deg, theta = 90 deg: the axial stress had fallen below 60 % of its peak"),
+          HasSubstr("theta = 30 deg: the axial strain exceeded that of the peak by 100 %"),
+          HasSubstr("theta = 45 deg: past a peak that the axial stress fell from by 10 %, at the full axial "
+                    "strain of 0.3 %"),
+          HasSubstr("theta = 60 deg: not peaked, no drop to 60 %"),
+          HasSubstr("intact: unstable, a grain flew off")));
   EXPECT_THAT(text, AllOf(HasSubstr("free sides"), Not(HasSubstr("confining"))));
 }
 

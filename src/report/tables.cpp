@@ -80,7 +80,7 @@ Columns run_columns(const Results& results) {
       column_of("CPU", "s", results, [](const TestResult& r) { return fmt::format("{:.1f}", r.seconds); }),
       column_of("outcome", "", results, [](const TestResult& r) { return to_string(r.outcome.status); }),
       column_of("quality", "", results, [](const TestResult& r) {
-        const bool ended = r.outcome.status == Status::peaked || r.outcome.status == Status::not_peaked ||
+        const bool ended = has_strength(r.outcome.status) || r.outcome.status == Status::not_peaked ||
                            r.outcome.status == Status::untrusted;
         if (!ended) return "-";
         return to_string(grade_of(r.numbers));
@@ -108,8 +108,9 @@ std::string missing_numbers(const Results& results) {
   std::vector<std::pair<std::string, std::string>> reported;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
-      const bool missing = (n.name == "sigma_ci" || n.name == "sigma_cd") && !std::isfinite(n.value);
-      if (r.outcome.status != Status::peaked || (!missing && !has_reservation(r, n))) continue;
+      const bool missing =
+          (n.name.starts_with("sigma_ci") || n.name.starts_with("sigma_cd")) && !std::isfinite(n.value);
+      if (!has_strength(r.outcome.status) || (!missing && !has_reservation(r, n))) continue;
       const std::string reason = head_of(r, n) + (missing ? " -: " : " *: ") + n.note;
       const auto it =
           std::find_if(reported.begin(), reported.end(), [&](const auto& t) { return t.first == reason; });
@@ -131,7 +132,7 @@ namespace {
 std::string quality_lines(const Results& results) {
   std::vector<std::pair<QualityMark, std::string>> reported;  // a mark, tests with values
   for (const TestResult& r : results) {
-    if (r.outcome.status != Status::peaked) continue;
+    if (!has_strength(r.outcome.status)) continue;
     for (const QualityMark& mark : quality_marks(r.numbers)) {
       const std::string test = r.name + " " + mark.value_text();
       const auto same = [&](const auto& t) {
@@ -155,7 +156,8 @@ std::string quality_lines(const Results& results) {
 std::string outcome_lines(const Results& results) {
   std::string text = missing_numbers(results) + quality_lines(results);
   for (const TestResult& r : results) {
-    if (r.outcome.status == Status::peaked) continue;
+    if (r.outcome.status == Status::peaked)
+      continue;  // a knee is told: it is not what the laboratory calls UCS
     text += r.name + ": " + to_string(r.outcome.status);
     if (!r.outcome.reason.empty()) text += ": " + r.outcome.reason;
     if (!r.outcome.advice.empty()) text += "; " + r.outcome.advice;

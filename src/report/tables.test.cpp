@@ -26,7 +26,9 @@ std::vector<TestResult> two() {
                     {"nu", 0.2514, "1", "", ""},
                     {"ucs", 111.914e6, "Pa", "", ""},
                     {"sigma_ci", 44.4e6, "Pa", "", "below 44.4 MPa: the crack came early"},
+                    {"sigma_ci_strain", 70e6, "Pa", "", ""},
                     {"sigma_cd", 99.9e6, "Pa", "", ""},
+                    {"sigma_cd_volume", 95e6, "Pa", "", ""},
                     {"energy_error", 0.00066, "1", "", ""},
                     {"porosity", 0.1, "1", "", ""},
                     {"cracks_tension_matrix", 850, "1", "", ""},
@@ -49,16 +51,16 @@ std::size_t widest(const std::string& text) {
 TEST(PressTable, OneTableWithUnits) {
   EXPECT_EQ(
       press_table(two(), 200),
-      " theta  E tan50  E sec50     nu     UCS  sigma_ci  sigma_cd   energy  cracks matrix  cracks bedding  "
-      "steps   CPU   outcome  quality\n"
-      "   deg      GPa      GPa            MPa       MPa       MPa    error  tension/shear   tension/shear  "
-      "          s\n"
-      "------  -------  -------  -----  ------  --------  --------  -------  -------------  --------------  "
-      "-----  ----  --------  -------\n"
-      "    30    23.10    24.00  0.251  111.91    <44.40     99.90  0.00066         850/64            12/7  "
-      "61200  11.0    peaked     good\n"
-      "intact        -        -      -       -         -         -        -            -/-             -/-  "
-      "    0   0.0  unstable        -\n");
+      " theta  E tan50  E sec50     nu     UCS  sigma_ci  ci strain  sigma_cd  cd volume   energy  cracks "
+      "matrix  cracks bedding  steps   CPU   outcome  quality\n"
+      "   deg      GPa      GPa            MPa       MPa        MPa       MPa        MPa    error  "
+      "tension/shear   tension/shear            s\n"
+      "------  -------  -------  -----  ------  --------  ---------  --------  ---------  -------  "
+      "-------------  --------------  -----  ----  --------  -------\n"
+      "    30    23.10    24.00  0.251  111.91    <44.40      70.00     99.90      95.00  0.00066         "
+      "850/64            12/7  61200  11.0    peaked     good\n"
+      "intact        -        -      -       -         -          -         -          -        -            "
+      "-/-             -/-      0   0.0  unstable        -\n");
 }
 
 TEST(PressTable, NoLimitForOutputThatIsNoTerminal) {
@@ -131,6 +133,19 @@ TEST(OutcomeLines, SayWhyADashStandsInTheTable) {
     all[i].numbers = {{"sigma_cd", i == 1 ? 40e6 : std::nan(""), "Pa", "", i == 1 ? "" : "it never turns"}};
   }
   EXPECT_EQ(outcome_lines(all), "sigma_cd -: it never turns (test 0, test 2)\n");
+}
+
+TEST(OutcomeLines, AKneeIsAStrengthWithARemark) {
+  std::vector<TestResult> all(1);
+  all[0].name = "intact", all[0].outcome = {Status::knee, "the axial stress bends at 90.00 MPa", ""};
+  all[0].numbers = {{"ucs", 90e6, "Pa", "", "a knee, no peak"}, {"rattlers", 0.16, "1", "", ""}};
+  EXPECT_THAT(press_table(all, 0), HasSubstr("90.00*"));
+  EXPECT_EQ(
+      outcome_lines(all),
+      "UCS *: a knee, no peak (intact)\n"
+      "warning: rattlers above 0.1: this share of the grains can carry nothing; put more discs into the "
+      "box (packing.n_grains, packing.porosity or the imported file) (intact 0.16)\n"
+      "intact: knee: the axial stress bends at 90.00 MPa\n");
 }
 
 TEST(OutcomeLines, TellARemarkOnceWithTheTestsThatItIsSaidOf) {

@@ -195,6 +195,15 @@ TEST(Effects, TestsThatDidNotPeakAreLeftOutAndCounted) {
               HasSubstr(fmt::format("left out: 2 of {} specimens, which did not peak", rows.size())));
 }
 
+TEST(Effects, TestsWithAKneeCountAndAreNamed) {
+  auto [plan, rows] = goodman_study();
+  rows[0]->result.outcome.status = Status::knee;
+  EXPECT_EQ(responses(plan, rows, "ucs")[0].at(0).n, 2u);
+  EXPECT_THAT(effects_text(plan, rows),
+              testing::AllOf(HasSubstr(fmt::format("strength at a knee: 1 of {} specimens", rows.size())),
+                             testing::Not(HasSubstr("left out"))));
+}
+
 TEST(Effects, IntervalsAreOverPackings) {
   const auto [plan, rows] = goodman_study();
   const Response intact = responses(plan, rows, "ucs").back();

@@ -170,7 +170,7 @@ std::string joints_text(const Plan& plan, const StudyRows& rows, int terminal_wi
 /// How many finished tests the effects do without, and how many of the others carry a warning.
 std::string left_out_text(const StudyRows& rows, Solver solver) {
   // Answers, untrusted results, and what is left over: specimens without a peak or solution.
-  std::size_t n_finished = 0, n_untrusted = 0;
+  std::size_t n_finished = 0, n_untrusted = 0, n_knees = 0;
   QualityTally tally;
   for (const auto& row : rows) {
     // Not yet run: not left out either.
@@ -178,6 +178,7 @@ std::string left_out_text(const StudyRows& rows, Solver solver) {
     ++n_finished;
     if (has_answer(row->result.outcome.status)) tally.add(row->result.numbers);
     if (row->result.outcome.status == Status::untrusted) ++n_untrusted;
+    if (row->result.outcome.status == Status::knee) ++n_knees;
   }
   std::string text;
   if (const std::size_t n = n_finished - tally.n_results - n_untrusted; n > 0)
@@ -186,6 +187,9 @@ std::string left_out_text(const StudyRows& rows, Solver solver) {
   if (n_untrusted > 0)
     text +=
         fmt::format("\nleft out: {} of {} specimens, which are not to be trusted\n", n_untrusted, n_finished);
+  if (n_knees > 0)
+    text += fmt::format("\nstrength at a knee: {} of {} specimens, which harden behind it\n", n_knees,
+                        n_finished);
   return text + (tally.text().empty() ? "" : "\n" + tally.text() + "\n");
 }
 

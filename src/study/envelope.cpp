@@ -22,9 +22,10 @@ std::vector<SpecimenEnvelope> collect(const EnvelopeTests& tests) {
       const TestResult& r = tests.results[i][k];
       all[k].name = r.name, all[k].intact = r.intact, all[k].theta = r.theta;
       const Number* sigma_1 = analysis::find(r.numbers, "sigma_1");
-      // Only peaks are strengths.
-      if (r.outcome.status == Status::peaked && sigma_1 != nullptr && std::isfinite(sigma_1->value))
-        all[k].readings.push_back({tests.confining[i], sigma_1->value});
+      // Only peaks and knees are strengths.
+      if (!has_strength(r.outcome.status) || sigma_1 == nullptr || !std::isfinite(sigma_1->value)) continue;
+      all[k].readings.push_back({tests.confining[i], sigma_1->value});
+      if (rule_of(r) == analysis::StrengthRule::knee) all[k].knees.push_back(tests.confining[i]);
     }
   }
   return all;
@@ -70,6 +71,14 @@ void fit_plane(Envelope& envelope) {
 }
 
 }  // namespace
+
+std::optional<analysis::StrengthRule> rule_of(const TestResult& result) {
+  const Number* rule = analysis::find(result.numbers, "strength_rule");
+  for (const auto known :
+       {analysis::StrengthRule::peak, analysis::StrengthRule::knee, analysis::StrengthRule::largest})
+    if (rule != nullptr && rule->value == static_cast<double>(known)) return known;
+  return std::nullopt;
+}
 
 Recipe confined_recipe(Recipe recipe, double confining_stress) {
   recipe.test.kind = TestKind("biaxial");

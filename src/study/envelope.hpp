@@ -5,11 +5,14 @@
 // Hoek-Brown per specimen (theory/envelope_fit.hpp); over all angles and stresses one plane of weakness
 // (Jaeger, in the strongest specimen's Mohr-Coulomb rock) and k(theta) of Saroglou & Tsiambaos, with m_i of
 // the specimen whose planes lie nearest to across the load, within 15 degrees; without one there is no k. A
-// test that did not peak gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
+// test that hardens is read at its knee (analysis/strength_rule.hpp), and is named. A test with neither peak
+// nor knee gives no reading, nor does an untrusted one (records/quality.hpp) unless asked for.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/strength_rule.hpp"
 #include "base/nan.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
@@ -24,6 +27,9 @@ struct EnvelopeTests {
   std::vector<std::vector<TestResult>> results;
 };
 
+/// What gave the strength of a test; nothing where it does not say.
+std::optional<analysis::StrengthRule> rule_of(const TestResult& result);
+
 /// The recipe of the tests under one confining stress [Pa].
 Recipe confined_recipe(Recipe recipe, double confining_stress);
 
@@ -32,7 +38,8 @@ struct SpecimenEnvelope {
   std::string name;
   bool intact = false;
   double theta = 0.0;                             ///< [deg]
-  std::vector<theory::EnvelopeReading> readings;  ///< of the tests that peaked
+  std::vector<theory::EnvelopeReading> readings;  ///< of the tests with a peak or a knee
+  std::vector<double> knees;                      ///< sigma_3 of those with a knee [Pa]
   theory::MohrCoulombFit mohr_coulomb;
   theory::HoekBrownFit hoek_brown;
   theory::Estimate k;  ///< Saroglou & Tsiambaos; NaN for the intact rock

@@ -42,6 +42,17 @@ TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
   EXPECT_TRUE(e.plane.ok) << e.plane.reason;
 }
 
+TEST(Envelope, ReadsKneesAndNamesThem) {
+  EnvelopeTests tests{{0.0, 10e6, 20e6}, {}};
+  for (const double s : tests.confining) tests.results.push_back({peak(0.0, 100e6 + 4.0 * s)});
+  tests.results[2][0].outcome.status = Status::knee;
+  tests.results[2][0].numbers.push_back({"strength_rule", 2.0, "1", "", ""});
+  const Envelope e = fit_envelope(tests);
+  EXPECT_EQ(e.specimens[0].readings.size(), 3u);
+  EXPECT_EQ(e.specimens[0].knees, std::vector<double>{20e6});
+  EXPECT_NEAR(e.specimens[0].mohr_coulomb.ucs.value, 100e6, 1.0);
+}
+
 TEST(Envelope, ConfinementStrengthensAndOneThreadGivesTheSameBits) {
   Recipe r;
   r.specimen = {0.008, 0.016};

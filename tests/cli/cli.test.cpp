@@ -320,7 +320,7 @@ TEST_F(Cli, InterruptOfAnEnvelopeKeepsWhatIsFinishedToo) {
   for (std::size_t at = 0; (at = tests.find("eaked,", at)) != tests.npos; ++at)
     ++n_reported;  // and not peaked
   EXPECT_EQ(n_reported, n_finished);
-  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,,\n"));
+  EXPECT_THAT(tests, HasSubstr("theta = 174 deg,174,2e+07,,,interrupted,,,\n"));
   EXPECT_TRUE(fs::exists(out() + "/fits.csv"));
 }
 

@@ -104,7 +104,7 @@ bool BiaxialTest::prepare(std::int64_t n_blocks) {
 void BiaxialTest::prescribe_motion() { close_platens(packing().height); }
 
 std::vector<Number> BiaxialTest::numbers(const analysis::WavePath& path) const {
-  return confined_numbers(result_.history, result_.cracks, recipe_.test.confining_stress, path);
+  return confined_numbers(result_.history, result_.cracks, recipe_.test.confining_stress, path, stop_rule());
 }
 
 std::string boundary_name_of(const Recipe& r) {
@@ -151,9 +151,13 @@ TestDescription description() {
              {"nu", "", "nu", 1.0, 3},
              {"sigma_3", "MPa", "sigma_3", 1e-6, 2},
              {"sigma_1", "MPa", "sigma_1", 1e-6, 2},
+             {"q_max", "MPa", "q_max", 1e-6, 2},
              {"sigma_ci", "MPa, q", "sigma_ci", 1e-6, 2},
+             {"ci strain", "MPa, q", "sigma_ci_strain", 1e-6, 2},
              {"sigma_cd", "MPa, q", "sigma_cd", 1e-6, 2},
+             {"cd volume", "MPa, q", "sigma_cd_volume", 1e-6, 2},
              {"confinem.", "error", "confinement_error", 1.0, 4}};
+  d.may_harden = true;
   d.kept_stress = {"confining_stress", &TestRecipe::confining_stress};
   d.loading_text = [](const Recipe& r) { return platens_text(r.test) + ". " + sides_text(r.test); };
   return d;

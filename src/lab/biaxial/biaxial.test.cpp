@@ -148,6 +148,46 @@ TEST(Biaxial, JacketKeepsTheEnergyBalanceWhereGrainsComeLoose) {
   }
 }
 
+Recipe dense(double max_strain) {
+  Recipe r = confined(100e6, Confinement::walls);
+  r.matrix.mu = 0.5;
+  r.test.platen_speed = 0.05, r.test.history_interval = 50;
+  r.test.max_strain = max_strain;
+  return r;
+}
+
+// Between rigid walls under 0.7 of its unconfined strength the rock bends and hardens: its strength is that
+// of the knee, and does not grow with the strain that it is pressed to.
+TEST(Biaxial, BetweenWallsARockThatHardensHasItsStrengthAtTheKnee) {
+  const TestResult r = run_alone(dense(0.012));
+  ASSERT_EQ(r.outcome.status, Status::knee) << r.outcome.reason;
+  EXPECT_EQ(r.outcome.reason.find("the deviatoric stress bends at "), 0u) << r.outcome.reason;
+  EXPECT_EQ(number(r, "strength_rule").value, 2.0);
+  const double q = number(r, "q_max").value, at = number(r, "peak_strain").value;
+  EXPECT_GT(number(r, "largest_stress").value, 1.03 * q);
+  EXPECT_NEAR(number(r, "sigma_1").value, q + 100e6, 1e-3 * q);
+  // Found again by eye: secants of a tenth of the strain before and behind it.
+  const auto stress = [&](double strain) {
+    for (const HistoryRow& row : r.history.rows)
+      if (row.axial_strain >= strain) return row.deviatoric_stress;
+    return std::nan("");
+  };
+  const double E = stress(0.4 * at) / (0.4 * at);
+  EXPECT_GT((stress(at) - stress(0.8 * at)) / (0.2 * at), 0.1 * E);
+  EXPECT_LT((stress(1.1 * at) - stress(at)) / (0.1 * at), 0.05 * E);
+  EXPECT_TRUE(std::isnan(number(r, "peak_confirmed").value));
+  const TestResult longer = run_alone(dense(0.0125));
+  EXPECT_EQ(number(longer, "q_max").value, q);
+}
+
+TEST(Biaxial, ARockThatHardensHasNoStrengthBeforeItsKneeIsPassed) {
+  const TestResult r = run_alone(dense(0.009));
+  EXPECT_EQ(r.outcome.status, Status::not_peaked) << r.outcome.reason;
+  EXPECT_EQ(number(r, "strength_rule").value, 3.0);
+  EXPECT_TRUE(std::isnan(number(r, "q_max").value));
+  EXPECT_GT(number(r, "largest_stress").value, 300e6);
+}
+
 TEST(Biaxial, DefinitionsSpeakOfTheDeviatoricStress) {
   expect_speaks_of("deviatoric stress", confined_numbers(marble_of("biaxial"), {}, 0.0, {}));
 }

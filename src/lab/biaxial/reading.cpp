@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/analyse.hpp"
+#include "analysis/strength.hpp"
 #include "base/nan.hpp"
 
 namespace phy::lab {
@@ -17,13 +18,13 @@ History deviatoric(History history) {
 
 std::vector<Number> confined_strength(const History& history, const analysis::LoadingBranch& branch,
                                       double confining_stress) {
-  Number axial{"sigma_1", nan, "Pa", "axial stress at the largest deviatoric stress",
-               analysis::branch_note(branch)};
-  Number lateral{"sigma_3", nan, "Pa", "lateral stress at the largest deviatoric stress",
-                 analysis::branch_note(branch)};
-  Number error{"confinement_error", nan, "1",
-               "largest |lateral stress / target - 1| from the start of loading to the peak",
-               analysis::branch_note(branch)};
+  const std::string note = analysis::branch_note(branch);
+  Number axial{"sigma_1", nan, "Pa", "axial stress at " + branch.point(), analysis::strength_note(branch)};
+  Number lateral{"sigma_3", nan, "Pa", "lateral stress at " + branch.point(), note};
+  Number error{
+      "confinement_error", nan, "1",
+      std::string("largest |lateral stress / target - 1| from the start of loading to the ") + branch.turn(),
+      note};
   for (const HistoryRow& r : history.rows) {
     if (branch.empty() || r.axial_strain > branch.strain) break;
     if (confining_stress > 0.0)
@@ -36,9 +37,10 @@ std::vector<Number> confined_strength(const History& history, const analysis::Lo
 }
 
 std::vector<Number> confined_numbers(const History& history, const std::vector<CrackEvent>& cracks,
-                                     double confining_stress, const analysis::WavePath& path) {
+                                     double confining_stress, const analysis::WavePath& path,
+                                     const analysis::StopRule& stop) {
   const History q = deviatoric(history);
-  const analysis::LoadingBranch branch = analysis::loading_branch(q);
+  const analysis::LoadingBranch branch = analysis::loading_branch(q, stop);
   std::vector<Number> out = analysis::axial_numbers(q, branch, cracks, {path});
   const std::vector<Number> own = confined_strength(history, branch, confining_stress);
   out.insert(out.begin() + 2, own.begin(), own.end());

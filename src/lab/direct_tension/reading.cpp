@@ -57,7 +57,9 @@ std::vector<Number> tension_numbers(const History& history, const std::vector<Cr
   const History pulled = mirrored(history);
   const analysis::LoadingBranch branch = analysis::loading_branch(pulled);
   std::vector<Number> out = analysis::axial_numbers(pulled, branch, mirrored(cracks), {path});
-  std::erase_if(out, [](const Number& n) { return n.name == "sigma_cd"; });  // a notion of compression
+  std::erase_if(out, [](const Number& n) {  // notions of compression
+    return n.name == "sigma_cd" || n.name == "sigma_cd_volume" || n.name == "sigma_ci_strain";
+  });
   const std::vector<Number> place = place_of_failure(history, cracks, -branch.strain, grip_thickness);
   if (place.back().value > 0.5)
     out.front().note =

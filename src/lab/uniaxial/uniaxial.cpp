@@ -42,7 +42,7 @@ void UniaxialTest::prescribe_motion() { close_platens(packing().height); }
 
 std::vector<Number> UniaxialTest::numbers(const analysis::WavePath& path) const {
   const History& history = result_.history;
-  return analysis::axial_numbers(history, analysis::loading_branch(history), result_.cracks,
+  return analysis::axial_numbers(history, analysis::loading_branch(history, stop_rule()), result_.cracks,
                                  {path, pre_strained_ ? recipe_.test.pre_strain : 0.0});
 }
 
@@ -63,8 +63,11 @@ TestDescription description() {
              {"nu", "", "nu", 1.0, 3},
              {"UCS", "MPa", "ucs", 1e-6, 2},
              {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
-             {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2}};
+             {"ci strain", "MPa", "sigma_ci_strain", 1e-6, 2},
+             {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2},
+             {"cd volume", "MPa", "sigma_cd_volume", 1e-6, 2}};
   d.may_pre_strain = true;
+  d.may_harden = true;
   d.loading_text = [](const Recipe& r) { return platens_text(r.test) + " on specimens with free sides."; };
   return d;
 }
