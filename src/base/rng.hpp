@@ -34,6 +34,7 @@ enum class Stream : std::uint32_t {
   design = 5,
   calibration = 6,
   unbonded = 7,
+  gapped = 8,
   test = 99
 };
 

@@ -46,7 +46,7 @@ class LinearBondModel final : public ContactModel {
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
   bool describes(const MatrixRecipe& matrix) const override {
-    return directional || matrix.stiffness_ratio == 1.0;
+    return matrix.model == MatrixModel::parallel_bond && (directional || matrix.stiffness_ratio == 1.0);
   }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
@@ -166,7 +166,7 @@ class LinearBondModel final : public ContactModel {
     out.F_s = c.fields[F::shear] + c.fields[F::bond_shear];
   }
 
-  void crack(const Standing& c, CrackEvent& out) const override {
+  void crack(const Standing& c, std::size_t, CrackEvent& out) const override {
     out.place = CrackPlace::matrix;
     out.size = 2.0 * c.specimen.matrix.radius_multiplier * c.r_min;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "contact/flat_joint.hpp"
 #include "contact/linear_bond.hpp"
 #include "contact/smooth_joint.hpp"
 
@@ -19,8 +20,9 @@ struct Combination {
   static constexpr std::size_t n_geometry = std::size_t{Matrix::n_geometry} + Interface::n_geometry;
 };
 
-using Combinations = std::tuple<           //
-    Combination<LinearBond, SmoothJoint>,  //
-    Combination<DirectionalBond, SmoothJoint>>;
+using Combinations = std::tuple<                //
+    Combination<LinearBond, SmoothJoint>,       //
+    Combination<DirectionalBond, SmoothJoint>,  //
+    Combination<FlatJoint, SmoothJoint>>;
 
 }  // namespace phy::contact
