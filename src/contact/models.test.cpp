@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "contact/direction.hpp"
 #include "contact/model.hpp"
 #include "contact/wall.hpp"
 #include "records/assembly.hpp"
@@ -99,11 +101,19 @@ void expect_one_model(const Specimen& s, const Contact& c) {
   EXPECT_FALSE(Model::model().unbroken(hot.fields.data()));
 }
 
+/// The bond of the two grains in a matrix that is 2.5 times as stiff along its foliation.
+Specimen directional(Specimen s) {
+  s.matrix.stiffness_ratio = 2.5;
+  s.contacts[0].cos_2a = 0.6;
+  return s;
+}
+
 TEST(Models, LoopAndFilesAgree) {
   for (const auto convention : {StiffnessConvention::pfc31, StiffnessConvention::pfc5}) {
-    const Specimen s = two_grains(convention);
+    const Specimen s = two_grains(convention), d = directional(s);
     Contact c = s.contacts[0];
     expect_one_model<LinearBond>(s, c);
+    expect_one_model<DirectionalBond>(d, d.contacts[0]);
     c.kind = ContactKind::joint, c.side = -1;
     expect_one_model<SmoothJoint>(s, c);
   }
@@ -111,7 +121,7 @@ TEST(Models, LoopAndFilesAgree) {
 
 // A central difference over each parameter of the recipe that the model says its stiffness depends on.
 TEST(Models, RatesAreDerivativesOfTheirStiffness) {
-  const Specimen s = two_grains(StiffnessConvention::pfc5);
+  const Specimen s = directional(two_grains(StiffnessConvention::pfc5));
   const auto total = [](const ElasticPart& p) {
     return p.unilateral.k_n + 3.0 * p.unilateral.k_s + p.bilateral.k_n + 2.0 * p.bilateral.k_s +
            1e7 * p.bilateral.k_m;
@@ -119,7 +129,7 @@ TEST(Models, RatesAreDerivativesOfTheirStiffness) {
   for (const ContactKind kind : {ContactKind::touching, ContactKind::bonded, ContactKind::joint}) {
     Contact c = s.contacts[0];
     c.kind = kind;
-    const ContactModel& model = standard_models().of(kind);
+    const ContactModel& model = models_of(s).of(kind);
     for (const ElasticParameter& p : model.elastic_parameters()) {
       const auto at = [&](double factor) {
         Specimen moved = s;
@@ -128,8 +138,8 @@ TEST(Models, RatesAreDerivativesOfTheirStiffness) {
       };
       const double value = p.matrix != nullptr ? s.matrix.*p.matrix : s.bedding[0].*p.bedding;
       const double rate = total(model.elastic_rate(s, c, 0.0, p)),
-                   slope = (at(1.01) - at(0.99)) / (0.02 * value);
-      EXPECT_NEAR(rate, slope, 1e-9 * std::fabs(slope)) << p.name;
+                   slope = (at(1.0001) - at(0.9999)) / (0.0002 * value);
+      EXPECT_NEAR(rate, slope, 1e-8 * std::fabs(slope)) << p.name;
     }
   }
 }
@@ -147,8 +157,60 @@ TEST(Models, AffineStartIsWhatOneStepGives) {
   };
   Contact c = s.contacts[0];
   check(LinearBond{}, c);
+  const Specimen d = directional(s);
+  Moved<DirectionalBond> stepped(d, d.contacts[0]), placed(d, d.contacts[0]);
+  stepped.step(4e-8, 3e-8, 0.0);
+  std::vector<double> fields = placed.fields;
+  DirectionalBond::model().affine_start(placed.standing(), {-4e-8, 3e-8}, fields.data());
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << i;
   c.kind = ContactKind::joint, c.side = -1;
   check(SmoothJoint{}, c);
+}
+
+// Lanes in which a pair is no contact hold zeros: they have to mean the plain linear contact.
+TEST(Models, APairWithoutMemoryIsTheSameInBoth) {
+  const Specimen s = two_grains(StiffnessConvention::pfc31), d = directional(s);
+  Contact c = s.contacts[0];
+  c.kind = ContactKind::touching, c.cos_2a = 0.0;
+  Moved<LinearBond> plain(s, c);
+  Moved<DirectionalBond> other(d, c);
+  other.fields.assign(DirectionalBond::n_fields, 0.0);
+  for (int i = 0; i < 3; ++i) {
+    const ContactForce<double> one = plain.step(3e-8, 2e-8, 1e-7), two = other.step(3e-8, 2e-8, 1e-7);
+    EXPECT_EQ(one.fx, two.fx);
+    EXPECT_EQ(one.fy, two.fy);
+    EXPECT_EQ(plain.sums.slip, other.sums.slip);
+  }
+}
+
+TEST(Models, OnlyAStiffnessWithDirectionsTakesTheLineThatPaysForIt) {
+  MatrixRecipe m;
+  EXPECT_EQ(models_of(m).matrix, &LinearBond::model());
+  m.tension_ratio = 3.0, m.cohesion_oblique = 2.0;
+  EXPECT_EQ(models_of(m).matrix, &LinearBond::model());
+  m.stiffness_ratio = 2.0;
+  EXPECT_EQ(models_of(m).matrix, &DirectionalBond::model());
+}
+
+// What the two factors promise: ratios, means over all directions, and the specimen turned by 90 degrees.
+TEST(Direction, FactorsHaveTheirRatiosAndTheMeanOne) {
+  for (const double r : {0.3, 1.0, 2.5}) {
+    EXPECT_NEAR(direction_factor(r, -1.0) / direction_factor(r, 1.0), r, 1e-14);
+    EXPECT_NEAR(oblique_factor(r, 0.0) / oblique_factor(r, 1.0), r, 1e-14);
+    EXPECT_EQ(oblique_factor(r, 1.0), oblique_factor(r, -1.0));
+    double sum = 0.0, product = 0.0;
+    for (int i = 0; i < 360; ++i) {
+      const double c = std::cos(2.0 * std::numbers::pi * i / 360.0);
+      sum += direction_factor(r, c) / 360.0;
+      product += direction_factor(r, c) * oblique_factor(1.7, c) / 360.0;
+      EXPECT_NEAR(direction_factor(r, c), direction_factor(1.0 / r, -c), 1e-14);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-13);
+    EXPECT_NEAR(product, 1.0, 1e-13);
+  }
+  EXPECT_EQ(direction_factor(1.0, 0.37), 1.0);
+  EXPECT_EQ(oblique_factor(1.0, 0.37), 1.0);
 }
 
 TEST(Wall, RatesAreDerivativesOfItsStiffness) {

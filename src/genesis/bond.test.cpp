@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace phy::genesis {
 namespace {
@@ -92,6 +93,49 @@ TEST(Bond, StrengthsDoNotDependOnOtherBonds) {
   ASSERT_EQ(few.size(), 2U);
   EXPECT_EQ(few[0].sigma_c, all[1].sigma_c);
   EXPECT_EQ(few[1].tau_c, all[3].tau_c);
+}
+
+// Two discs of which the branch turns through all directions, the foliation lying at 20 degrees.
+TEST(Bond, StrengthsFollowTheAngleToTheFoliation) {
+  MatrixRecipe m;
+  m.foliation = 20.0, m.sigma_c_sd = m.tau_c_sd = 0.0;
+  m.tension_ratio = 3.0, m.cohesion_ratio = 0.5, m.cohesion_oblique = 2.0;
+  const auto at = [&](double degrees) {
+    const double a = degrees * std::numbers::pi / 180.0;
+    Packing p;
+    p.discs = {{5.0, 5.0, 1.0}, {5.0 + 2.0 * std::cos(a), 5.0 + 2.0 * std::sin(a), 1.0}};
+    return bond(p, m).at(0);
+  };
+  // Along, across and oblique, and the means over all directions.
+  EXPECT_NEAR(at(20.0).sigma_c / at(110.0).sigma_c, 3.0, 1e-9);
+  EXPECT_NEAR(at(200.0).tau_c / at(-70.0).tau_c, 0.5, 1e-9);
+  EXPECT_NEAR(0.5 * (at(65.0).tau_c + at(155.0).tau_c) / (0.5 * (at(20.0).tau_c + at(110.0).tau_c)), 2.0,
+              1e-9);
+  double tension = 0.0, shear = 0.0;
+  for (int i = 0; i < 36; ++i) tension += at(10.0 * i).sigma_c / 36.0, shear += at(10.0 * i).tau_c / 36.0;
+  EXPECT_NEAR(tension, m.sigma_c, 1e-9 * m.sigma_c);
+  EXPECT_NEAR(shear, m.tau_c, 1e-9 * m.tau_c);
+  m = MatrixRecipe{};
+  EXPECT_EQ(at(33.0).cos_2a, 0.0) << "without directions there is no angle";
+}
+
+// A binomial share, and the bonds that are left keep their strengths.
+TEST(Bond, AFractionIsLeftUnbonded) {
+  constexpr std::size_t n = 4000;
+  const Packing p = row(std::vector<double>(n, 0.0));
+  MatrixRecipe m;
+  const std::vector<Contact> all = bond(p, m);
+  m.unbonded_fraction = 0.3;
+  const std::vector<Contact> some = bond(p, m);
+  ASSERT_EQ(all.size(), some.size());
+  double left = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    left += some[i].kind == ContactKind::touching ? 1.0 / n : 0.0;
+    if (some[i].kind == ContactKind::bonded) {
+      EXPECT_EQ(some[i].sigma_c, all[i].sigma_c);
+    }
+  }
+  EXPECT_NEAR(left, 0.3, 3.0 * std::sqrt(0.3 * 0.7 / n));
 }
 
 }  // namespace

@@ -61,6 +61,42 @@ std::string joint_properties(const BeddingRecipe& b) {
   return text;
 }
 
+/// FISH that gives the contacts of the matrix what they have by their direction, and takes bonds away.
+std::string pfc_departures(const MatrixRecipe& m) {
+  std::string text;
+  if (m.unbonded_fraction > 0.0)
+    text += fmt::format(
+        "; --- contacts without a bond\n"
+        "fish define leave_unbonded\n"
+        "  loop foreach local c contact.list('ball-ball')\n"
+        "    if math.random.uniform < {:.8g} then\n      contact.method(c,'unbond')\n    endif\n"
+        "  endloop\nend\n@leave_unbonded\n\n",
+        m.unbonded_fraction);
+  if (!m.directional()) return text;
+  const auto W = [](double r) { return (1.0 - r) / (1.0 + r); };
+  return text + fmt::format(
+                    "; --- directions: a is the angle between the normals of contact and foliation\n"
+                    "[foliation = {:.8g}]\n"
+                    "fish define lay_directions\n"
+                    "  local mx = -math.sin(foliation*math.degrad)\n"
+                    "  local my = math.cos(foliation*math.degrad)\n"
+                    "  loop foreach local c contact.list('ball-ball')\n"
+                    "    local h = comp.x(contact.normal(c))*mx + comp.y(contact.normal(c))*my\n"
+                    "    local cos_2a = 2.0*h*h - 1.0\n"
+                    "    local of_k = 1.0 + ({:.8g})*cos_2a\n"
+                    "    local of_ten = 1.0 + ({:.8g})*cos_2a\n"
+                    "    local of_coh = (1.0 + ({:.8g})*cos_2a)*(1.0 + ({:.8g})*(2.0*cos_2a*cos_2a - 1.0))\n"
+                    "    contact.prop(c,'kn') = of_k*contact.prop(c,'kn')\n"
+                    "    contact.prop(c,'ks') = of_k*contact.prop(c,'ks')\n"
+                    "    contact.prop(c,'pb_kn') = of_k*contact.prop(c,'pb_kn')\n"
+                    "    contact.prop(c,'pb_ks') = of_k*contact.prop(c,'pb_ks')\n"
+                    "    contact.prop(c,'pb_ten') = of_ten*contact.prop(c,'pb_ten')\n"
+                    "    contact.prop(c,'pb_coh') = of_coh*contact.prop(c,'pb_coh')\n"
+                    "  endloop\nend\n@lay_directions\n\n",
+                    m.foliation, W(m.stiffness_ratio), W(m.tension_ratio), W(m.cohesion_ratio),
+                    W(m.cohesion_oblique));
+}
+
 /// FISH that turns the contacts of the bedding into smooth joints.
 std::string pfc_joints(const Recipe& r) {
   const BeddingRecipe& b = r.bedding.front();
@@ -155,6 +191,7 @@ std::string pfc_commands(const Recipe& r) {
       "    endif\n  endloop\nend\n@draw_strengths\n\n",
       m.E_b, 1.0 / m.bond_ks_over_kn, m.mu, m.radius_multiplier, m.moment_contribution, m.phi, m.sigma_c,
       m.sigma_c_sd, m.tau_c, m.tau_c_sd);
+  text += pfc_departures(m);
   if (!r.bedding.empty()) text += pfc_joints(r);
   return text;
 }
@@ -171,11 +208,15 @@ std::string yade_script(const Recipe& r) {
              "# inside the shear strength), this calibration discs with parallel bonds. `young` is matched "
              "so that a contact\n"
              "# has the same stiffness per bond area: young = pi/2 (E_c + lambda E_b).\n"
+             "{}"
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
-             comment_text(r.name), m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c,
-             m.tau_c) +
+             comment_text(r.name),
+             m.directional() || m.unbonded_fraction > 0.0
+                 ? "# Directions of the matrix and contacts without a bond are left out: JCFpm has neither.\n"
+                 : "",
+             m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c, m.tau_c) +
          fmt::format(
              "                  jointNormalStiffness={:.8g}, jointShearStiffness={:.8g}, "
              "jointTensileStrength={:.8g},\n"

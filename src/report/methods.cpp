@@ -34,6 +34,23 @@ std::string packing_text(const SpecimenRecord& t) {
           : fmt::format("it carries a locked-in stress of {:.3f} MPa", t.packing.stress_left * 1e-6));
 }
 
+/// Directions and bonds left out, as clauses after the matrix.
+std::string departures_text(const MatrixRecipe& m) {
+  std::string text;
+  if (m.unbonded_fraction > 0.0)
+    text +=
+        fmt::format(" {:g} % of the contacts, drawn at random, have no bond.", 100.0 * m.unbonded_fraction);
+  if (!m.directional()) return text;
+  return text +
+         fmt::format(
+             " Contacts have directions: with a the angle between their normal and that of the foliation, "
+             "stiffness, tensile strength and shear strength are multiplied by 1 + W cos 2a, W = (1 - r)/(1 "
+             "+ "
+             "r), r = {:g}, {:g} and {:g}, the shear strength also by 1 - V cos 4a, V = (q - 1)/(q + 1), q = "
+             "{:g}.",
+             m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
+}
+
 std::string matrix_text(const MatrixRecipe& m) {
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
@@ -41,9 +58,14 @@ std::string matrix_text(const MatrixRecipe& m) {
       "{:g}, mu = {:g}) "
       "and parallel bonds (E_b = {}, k_s/k_n = {:g}, tensile strength {} with standard deviation {}, shear "
       "strength {} with "
-      "standard deviation {}, radius multiplier {:g}, bond seed {}); grain density {}.",
+      "standard deviation {}, {}radius multiplier {:g}, moment contribution {:g}, bond seed {}); grain "
+      "density "
+      "{}.{}",
       p(m.E_c), m.ks_over_kn, m.mu, p(m.E_b), m.bond_ks_over_kn, p(m.sigma_c), p(m.sigma_c_sd), p(m.tau_c),
-      p(m.tau_c_sd), m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density));
+      p(m.tau_c_sd),
+      m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi),
+      m.radius_multiplier, m.moment_contribution, m.bond_seed, quantity(m.density, Dimension::density),
+      departures_text(m));
 }
 
 std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {

@@ -57,6 +57,29 @@ INSTANTIATE_TEST_SUITE_P(Rules, PressCheck, testing::Values(BeddingRule::zone, B
                            return rule.param == BeddingRule::zone ? "zone" : "crossing";
                          });
 
+// A matrix with directions and contacts without bonds, whose grains only push, with a bedding and without.
+TEST(PressCheck, DirectSolutionOfAMatrixWithDirections) {
+  for (const bool bedded : {false, true}) {
+    Recipe r = small_recipe();
+    r.matrix.stiffness_ratio = 2.0;
+    r.test.angles = {0.0, 30.0, 60.0, 90.0};
+    r.test.intact = false;
+    if (!bedded) r.bedding.clear();
+    const auto packing =
+        std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+    const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
+    const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
+    const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+    ASSERT_EQ(press.size(), 4U);
+    for (std::size_t i = 0; i < press.size(); ++i) {
+      ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
+      EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, 0.005) << press[i].name;
+      EXPECT_NEAR(press[i].nu, direct[i].nu_gauge, 0.005) << press[i].name;
+    }
+    EXPECT_GT(direct[3].E_gauge, 1.2 * direct[0].E_gauge) << "stiff along the foliation";
+  }
+}
+
 // The direct solution is that of the uniaxial press, whatever test a recipe names.
 TEST(PressCheckAsTheRecipeHasIt, IsOfTheUniaxialPress) {
   Recipe r = small_recipe();

@@ -2,8 +2,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "base/units.hpp"
 #include "records/assembly.hpp"
 #include "statics/system.hpp"
 #include "verification/cases.hpp"
@@ -62,6 +64,44 @@ std::vector<Check> hexagonal_lattice() {
           {"C66 [Pa]", q * (n + s), C(2, 2), exact},
           {"E [Pa]", 2.0 * root3 * n * (n + s) / (3.0 * n + s), 1.0 / S(1, 1), exact},
           {"nu [-]", (n - s) / (3.0 * n + s), -S(0, 1) / S(1, 1), exact}};
+}
+
+// Three contact directions; their uniform spin against the lattice is the one that costs least energy. Voigt
+// vectors of the normal and the tangential stretch of a contact at the angle phi: N and T.
+std::vector<Check> directional_lattice() {
+  std::vector<Check> checks;
+  for (const double theta : {0.0, 25.0, 90.0}) {
+    Cell cell = hexagonal_cell(4, 4);
+    MatrixRecipe& m = cell.specimen.matrix;
+    m.stiffness_ratio = 2.2, m.foliation = theta;
+    const double turn = theta * std::numbers::pi / 180.0, W = (1.0 - 2.2) / (1.0 + 2.2);
+    Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+    double sum = 0.0;
+    for (const double phi : {0.0, std::numbers::pi / 3.0, 2.0 * std::numbers::pi / 3.0}) {
+      const double c = std::cos(phi), s = std::sin(phi), f = 1.0 - W * std::cos(2.0 * (phi - turn));
+      const Eigen::Vector3d N(c * c, s * s, c * s), T(-c * s, c * s, 0.5 * (c * c - s * s));
+      C += f * (cell.K_n() * N * N.transpose() + cell.K_s() * T * T.transpose());
+      spin += f * T, sum += f;
+    }
+    C = 2.0 / root3 * (C - cell.K_s() * spin * spin.transpose() / sum);
+    for (Contact& c : cell.specimen.contacts) {
+      const auto& d = cell.specimen.packing->discs;
+      double x = d[c.b].x - d[c.a].x, y = d[c.b].y - d[c.a].y;
+      x -= cell.period.x * std::floor(x / cell.period.x + 0.5);
+      y -= cell.period.y * std::floor(y / cell.period.y + 0.5);
+      c.cos_2a = -std::cos(2.0 * (std::atan2(y, x) - turn));
+    }
+    const Eigen::Matrix3d found = cell.stiffness(), S = C.inverse(), S_found = found.inverse();
+    const std::string at = " at " + print_number(theta) + " deg";
+    checks.push_back({"C11" + at + " [Pa]", C(0, 0), found(0, 0), exact});
+    checks.push_back({"C22" + at + " [Pa]", C(1, 1), found(1, 1), exact});
+    checks.push_back({"C12" + at + " [Pa]", C(0, 1), found(0, 1), exact});
+    checks.push_back({"C66" + at + " [Pa]", C(2, 2), found(2, 2), exact});
+    checks.push_back({"C26" + at + " [Pa]", C(1, 2), found(1, 2), exact});
+    checks.push_back({"E" + at + " [Pa]", 1.0 / S(1, 1), 1.0 / S_found(1, 1), exact});
+  }
+  return checks;
 }
 
 std::vector<Check> square_lattice() {
@@ -171,7 +211,8 @@ std::vector<VerificationCase> statics_cases() {
       {"V2", "Square lattice: moduli along the rows and across", source, why, square_lattice},
       {"V3", "Hexagonal lattice with rows of smooth joints", source, why, joint_rows},
       {"V5", "Cantilever of bonded discs", source, why, cantilever},
-      {"V13", "Contact forces of a hexagonal lattice under uniaxial stress", source, why, contact_forces}};
+      {"V13", "Contact forces of a hexagonal lattice under uniaxial stress", source, why, contact_forces},
+      {"V23", "Hexagonal lattice of a matrix with directions", source, why, directional_lattice}};
 }
 
 }  // namespace phy::verification

@@ -67,6 +67,25 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
   }
 }
 
+// A matrix with directions has a force loop of its own; some of its contacts have no bond.
+TEST(OneHashOfEveryModel, ForLanesSetsThreadsAndSkew) {
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    Recipe r = small_recipe(precision);
+    r.matrix.stiffness_ratio = 1.8, r.matrix.tension_ratio = 2.0, r.matrix.unbonded_fraction = 0.1;
+    r.test.intact = false;
+    r.test.max_strain = 0.004;
+    const auto specimens = specimens_of(r);
+    const bool single = precision == Precision::single_precision;
+    study::MachineOptions narrow, wide, shared;
+    narrow.lanes = single ? 4 : 1, narrow.skew = 1;
+    wide.isa = engine::native_isa(), wide.threads = 2, wide.lanes = single ? 16 : 8, wide.skew = 9;
+    shared.threads = 3;
+    const auto reference = hashes(r, specimens, narrow);
+    EXPECT_EQ(reference, hashes(r, specimens, wide));
+    EXPECT_EQ(reference, hashes(r, specimens, shared));
+  }
+}
+
 class OneHash : public testing::TestWithParam<Precision> {};
 
 TEST_P(OneHash, ForLanesSetsThreadsSkewAndNeighbours) {

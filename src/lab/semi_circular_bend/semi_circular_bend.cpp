@@ -114,7 +114,7 @@ std::vector<Number> SemiCircularBendTest::numbers(const analysis::WavePath& path
   }
   const DirectIntensity direct = direct_intensity(*specimen_, bend_, boundary());
   std::string note = "isotropic factor of Kuruppu et al. 2014";
-  if (!specimen_->bedding.empty()) note += " on bedded rock";
+  if (layered(*specimen_)) note += " on layered rock";
   if (!direct.missing.empty()) note += "; no K_I and K_II, " + direct.missing;
   out.front().note = analysis::joined(out.front().note, note);
   analysis::add(out, direct_numbers(direct, peak.value));
