@@ -112,6 +112,9 @@ class RockReader {
     bool good = true;
     if (recipe->bedding.size() > 1)
       good = refuse("at most one set of bedding", "the tables of a rock know one direction of planes");
+    if (recipe->matrix.model != MatrixModel::parallel_bond)
+      good =
+          refuse("matrix.model = \"parallel_bond\"", "a calibration seeks the parameters of parallel bonds");
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");
