@@ -70,9 +70,9 @@ std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
     c.b = p.b;
     // A flat joint without a bond is an interface all the same.
     c.kind = matrix.model == MatrixModel::flat_joint ? ContactKind::bonded : ContactKind::touching;
-    const bool open = gapped(matrix, p.a, p.b);
+    const bool left = left_unbonded(matrix, p.a, p.b), open = !left && gapped(matrix, p.a, p.b);
     if (open) c.gap = matrix.initial_gap;
-    if (!open && !left_unbonded(matrix, p.a, p.b)) {
+    if (!left && !open) {
       if (matrix.directional()) c.cos_2a = cos_2a(a, b, foliation_normal);
       cement(c, matrix);
     }

@@ -52,7 +52,9 @@ Recipe elastic_recipe(Recipe single) {
   // Back to defaults, so that recipes that differ only here get one fingerprint.
   single.test = {};
   single.engine = {};
-  single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
+  const MatrixRecipe& m = single.matrix;  // which contacts have no bond is drawn with the seed
+  if (m.unbonded_fraction == 0.0 && m.gapped_fraction == 0.0)
+    single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
   return single;
 }
 
