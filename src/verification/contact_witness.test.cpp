@@ -86,7 +86,7 @@ TEST(ContactBench, ComesToTheClosedFormWhereContactsOpenAndClose) {
     }
     EXPECT_LE(fine, std::max(coarse / 10.0, 1e-11 * force)) << law.name;
     const bool breaks = std::string_view(law.parameters.back().name) == "capacity";
-    if (breaks) EXPECT_EQ(n_broken, 20) << law.name << ": every path is to break what can break";
+    EXPECT_TRUE(!breaks || n_broken == 20) << law.name << ": every path is to break what can break";
   }
 }
 
