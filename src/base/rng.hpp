@@ -40,6 +40,7 @@ enum class Stream : std::uint32_t {
   bedding_theta = 11,
   joint_tension = 12,
   unbonded = 13,
+  gapped = 14,
   test = 99
 };
 

@@ -46,9 +46,7 @@ class LinearBondModel final : public ContactModel {
   Size size() const override { return {F::n_fields, F::n_parameters, F::n_geometry, 1}; }
 
   bool describes(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) const override {
-    const auto like_the_matrix = [](const BeddingRecipe& set) { return set.layer_stiffness == 1.0; };
-    return uneven ||
-           (matrix.stiffness_ratio == 1.0 && std::all_of(bedding.begin(), bedding.end(), like_the_matrix));
+    return matrix.model == MatrixModel::parallel_bond && (uneven || !uneven_stiffness(matrix, bedding));
   }
 
   bool same_geometry(const MatrixRecipe& one, const MatrixRecipe& other) const override {
@@ -169,7 +167,7 @@ class LinearBondModel final : public ContactModel {
     out.F_s = c.fields[F::shear] + c.fields[F::bond_shear];
   }
 
-  void crack(const Standing& c, CrackEvent& out) const override {
+  void crack(const Standing& c, std::size_t, CrackEvent& out) const override {
     out.place = CrackPlace::matrix;
     out.size = 2.0 * c.specimen.matrix.radius_multiplier * c.r_min;
   }

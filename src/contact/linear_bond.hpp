@@ -68,7 +68,7 @@ struct LinearBondWith {
     memory.store(bond_shear, sb.F_s);
     if (any(phy::laws::broke(rb) & memory.here)) {
       memory.store(capacity, sb.capacity);
-      broke(rb.broke_tension, rb.broke_shear, rb.released);
+      broke(rb.broke_tension, rb.broke_shear, rb.released, 0);
     }
     sums.slip += memory.only_here(rl.dissipated, R(0));
     const R F_n = rl.F_n + rb.F_n;

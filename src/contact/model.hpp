@@ -106,8 +106,9 @@ class ContactModel {
   virtual bool unbroken(const double* fields) const = 0;
   /// Kind, state, normal and forces for pictures.
   virtual void describe(const Standing& contact, ContactState& out) const = 0;
-  /// Place and size of a crack of it, and its normal where that is not the branch, which it comes with.
-  virtual void crack(const Standing& contact, CrackEvent& out) const = 0;
+  /// Place and size of a crack of its part number `part`, and its normal where that is not the branch; it
+  /// comes with the branch as its normal and the contact point as its place.
+  virtual void crack(const Standing& contact, std::size_t part, CrackEvent& out) const = 0;
 };
 
 /// The cold sides of a combination.

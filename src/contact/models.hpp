@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "contact/flat_joint.hpp"
 #include "contact/linear_bond.hpp"
 #include "contact/smooth_joint.hpp"
 
@@ -21,6 +22,7 @@ struct Combination {
 
 using Combinations = std::tuple<           //
     Combination<LinearBond, SmoothJoint>,  //
-    Combination<UnevenBond, SmoothJoint>>;
+    Combination<UnevenBond, SmoothJoint>,  //
+    Combination<FlatJoint, SmoothJoint>>;
 
 }  // namespace phy::contact

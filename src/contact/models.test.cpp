@@ -57,7 +57,7 @@ struct Moved {
     sums = {};
     const double side = contact.kind == ContactKind::joint ? -1.0 : 0.0;
     return Model::template respond<true>(p, g.data(), memory, Step<double>{motion, gap, side, 1.0, 0.0}, sums,
-                                         [&](bool, bool, double) { ++n_broken; });
+                                         [&](bool, bool, double, int) { ++n_broken; });
   }
   Standing standing() const {
     const Vec2 d0{R1 + R2, 0.0};
@@ -76,7 +76,7 @@ struct Moved {
 };
 
 template <class Model>
-void expect_one_model(const Specimen& s, const Contact& c) {
+void expect_one_model(const Specimen& s, const Contact& c, int n_cracks = 1) {
   Moved<Model> hot(s, c);
   const ContactForce<double> f = hot.step(1e-8, 2e-10, 3e-7);
   const laws::Tangent<double> k = Model::model().stiffness(s, c, true);
@@ -97,7 +97,7 @@ void expect_one_model(const Specimen& s, const Contact& c) {
   EXPECT_NEAR(parts.unilateral.k_m + parts.bilateral.k_m, k.k_m, 1e-14 * k.k_m);
   EXPECT_FALSE(Model::model().at_strength(hot.standing()));
   hot.step(-1.0, 0.0, 0.0);
-  EXPECT_EQ(hot.n_broken, 1);
+  EXPECT_EQ(hot.n_broken, n_cracks);
   EXPECT_FALSE(Model::model().unbroken(hot.fields.data()));
 }
 
@@ -105,6 +105,12 @@ void expect_one_model(const Specimen& s, const Contact& c) {
 Specimen directional(Specimen s) {
   s.matrix.stiffness_ratio = 2.5;
   s.contacts[0].cos_2a = 0.6, s.contacts[0].layer = 0.7;
+  return s;
+}
+
+/// The same two grains held by a flat joint of n elements.
+Specimen flat_jointed(Specimen s, int n) {
+  s.matrix.model = MatrixModel::flat_joint, s.matrix.elements = n;
   return s;
 }
 
@@ -116,12 +122,14 @@ TEST(Models, LoopAndFilesAgree) {
     expect_one_model<UnevenBond>(d, d.contacts[0]);
     c.kind = ContactKind::joint, c.side = -1;
     expect_one_model<SmoothJoint>(s, c);
+    for (const int n : {1, 2, 3, 4}) {
+      const Specimen f = flat_jointed(s, n);
+      expect_one_model<FlatJoint>(f, f.contacts[0], n);
+    }
   }
 }
 
-// A central difference over each parameter of the recipe that the model says its stiffness depends on.
-TEST(Models, RatesAreDerivativesOfTheirStiffness) {
-  const Specimen s = directional(two_grains(StiffnessConvention::pfc5));
+void expect_rates_of_the_stiffness(const Specimen& s) {
   const auto total = [](const ElasticPart& p) {
     return p.unilateral.k_n + 3.0 * p.unilateral.k_s + p.bilateral.k_n + 2.0 * p.bilateral.k_s +
            1e7 * p.bilateral.k_m;
@@ -157,6 +165,13 @@ TEST(Models, AJointHasATensileStrengthOfItsOwn) {
   EXPECT_EQ(hot.n_broken, 1);
 }
 
+// A central difference over each parameter of the recipe that the model says its stiffness depends on.
+TEST(Models, RatesAreDerivativesOfTheirStiffness) {
+  for (const Specimen& s : {directional(two_grains(StiffnessConvention::pfc5)),
+                            flat_jointed(two_grains(StiffnessConvention::pfc31), 3)})
+    expect_rates_of_the_stiffness(s);
+}
+
 // The affine start leaves a contact where steps would have brought it.
 TEST(Models, AffineStartIsWhatOneStepGives) {
   const Specimen s = two_grains(StiffnessConvention::pfc31);
@@ -179,6 +194,84 @@ TEST(Models, AffineStartIsWhatOneStepGives) {
     EXPECT_NEAR(fields[i], stepped.fields[i], 1e-12 * std::fabs(fields[i])) << i;
   c.kind = ContactKind::joint, c.side = -1;
   check(SmoothJoint{}, c);
+  for (const double sigma_c : {s.matrix.sigma_c, 0.0}) {  // bonded, and a slit that slips
+    Specimen f = flat_jointed(s, 3);
+    f.contacts[0].sigma_c = sigma_c;
+    Moved<FlatJoint> once(f, f.contacts[0]), start(f, f.contacts[0]);
+    once.step(4e-8, 3e-7, 0.0);
+    std::vector<double> now = start.fields;
+    FlatJoint::model().affine_start(start.standing(), {-4e-8, 3e-7}, now.data());
+    for (std::size_t i = 0; i < now.size(); ++i)
+      EXPECT_NEAR(now[i], once.fields[i], 1e-12 * std::fabs(now[i])) << i;
+  }
+}
+
+// Bent until its first element breaks: one crack, at the place where the interface opens most.
+TEST(FlatJointModel, BreaksInParts) {
+  const Specimen s = flat_jointed(two_grains(StiffnessConvention::pfc31), 4);
+  Moved<FlatJoint> hot(s, s.contacts[0]);
+  const laws::Tangent<double> k = FlatJoint::model().stiffness(s, s.contacts[0], true);
+  const double half = 0.8 * R1, turn = s.matrix.sigma_c * 2.0 * half / (k.k_n * 0.75 * half);
+  hot.step(0.0, 0.0, 0.999 * turn);
+  EXPECT_EQ(hot.n_broken, 0);
+  EXPECT_FALSE(FlatJoint::model().at_strength(hot.standing()));
+  Moved<FlatJoint> held = hot;
+  held.motion.rotation = 1.001 * turn;
+  EXPECT_TRUE(FlatJoint::model().at_strength(held.standing()));
+  const ContactForce<double> f = hot.step(0.0, 0.0, 0.002 * turn);
+  EXPECT_EQ(hot.n_broken, 1);
+  EXPECT_TRUE(FlatJoint::model().unbroken(hot.fields.data())) << "three elements hold";
+  ContactState reported;
+  FlatJoint::model().describe(hot.standing(), reported);
+  EXPECT_NEAR(reported.F_n, f.fx, tiny * f.fx);
+  EXPECT_FALSE(reported.broken);
+  CrackEvent crack;
+  crack.position = {R1, 0.0}, crack.normal = {1.0, 0.0};
+  FlatJoint::model().crack(hot.standing(), 0, crack);
+  EXPECT_NEAR(crack.position.y, -0.75 * half, 1e-12);
+  EXPECT_NEAR(crack.size, 0.5 * half, 1e-12);
+}
+
+// Broken, its faces still press, rub and resist rotation. Slid off each other they are a linear contact.
+TEST(FlatJointModel, EndsAsALinearContact) {
+  const Specimen s = flat_jointed(two_grains(StiffnessConvention::pfc31), 3);
+  Moved<FlatJoint> hot(s, s.contacts[0]);
+  const laws::Tangent<double> k = FlatJoint::model().stiffness(s, s.contacts[0], true);
+  hot.step(-1e-5, 0.0, 0.0);
+  hot.step(1e-5 + 2e-8, 0.0, 0.0);
+  EXPECT_NEAR(hot.step(0.0, 0.0, 1e-5).M, -k.k_m * 1e-5, tiny);
+  const double length = 2.0 * 0.8 * R1;
+  double slip = 0.0;
+  for (int i = 0; i < 99; ++i) hot.step(0.0, 0.01 * length, 0.0), slip += hot.sums.slip;
+  EXPECT_GT(hot.fields[FlatJoint::bonds], 0.0);
+  EXPECT_NEAR(slip, 0.7 * k.k_n * 2e-8 * 0.99 * length, 1e-2 * slip);
+  const double held = hot.sums.bond;
+  const ContactForce<double> f = hot.step(0.0, 0.02 * length, 0.0);
+  EXPECT_EQ(hot.fields[FlatJoint::bonds], 0.0);
+  EXPECT_NEAR(f.fx, k.k_n * 2e-8, tiny * f.fx);
+  EXPECT_NEAR(f.fy, -0.7 * f.fx, tiny * f.fx);
+  EXPECT_EQ(f.M, 0.0);
+  const double work = 0.7 * f.fx * 0.02 * length;
+  EXPECT_NEAR(hot.sums.slip + hot.sums.linear, work + held, 1e-9 * work) << "what it held in bending is lost";
+  EXPECT_EQ(hot.sums.bond, 0.0);
+}
+
+// An interface that starts open presses after its own gap, however far the discs have overlapped by then.
+TEST(FlatJointModel, AGapClosesFirst) {
+  Specimen s = flat_jointed(two_grains(StiffnessConvention::pfc31), 2);
+  s.contacts[0].sigma_c = s.contacts[0].tau_c = 0.0, s.contacts[0].gap = 1e-7;
+  Moved<FlatJoint> hot(s, s.contacts[0]);
+  EXPECT_EQ(hot.step(0.9e-7, 0.0, 0.0).fx, 0.0);
+  const laws::Tangent<double> k = FlatJoint::model().stiffness(s, s.contacts[0], true);
+  EXPECT_NEAR(hot.step(0.2e-7, 0.0, 0.0).fx, k.k_n * 1e-8, 1e-9 * k.k_n * 1e-8);
+  EXPECT_EQ(hot.step(-1e-6, 0.0, 0.0).fx, 0.0);
+  EXPECT_EQ(hot.n_broken, 0);
+  ContactState reported;
+  FlatJoint::model().describe(hot.standing(), reported);
+  EXPECT_EQ(reported.kind, ContactKind::touching);
+  EXPECT_FALSE(reported.broken);
+  const ElasticPart part = FlatJoint::model().elastic(s, s.contacts[0], 0.0);
+  EXPECT_EQ(part.unilateral.k_n + part.bilateral.k_n, 0.0) << "open to the direct solution";
 }
 
 // Lanes in which a pair is no contact hold zeros: they have to mean the plain linear contact.
@@ -209,6 +302,10 @@ TEST(Models, OnlyAnUnevenStiffnessTakesTheLineThatPaysForIt) {
   s.bedding.clear();
   s.matrix.stiffness_ratio = 2.0;
   EXPECT_EQ(models_of(s).matrix, &UnevenBond::model());
+  s.matrix = {};
+  s.matrix.model = MatrixModel::flat_joint;
+  for (s.matrix.elements = 1; s.matrix.elements <= 4; ++s.matrix.elements)
+    EXPECT_EQ(models_of(s).matrix, &FlatJoint::model());
 }
 
 // What the two factors promise: ratios, means over all directions, and the specimen turned by 90 degrees.

@@ -110,7 +110,7 @@ class SmoothJointModel final : public ContactModel {
     out.F_s = c.fields[F::shear];
   }
 
-  void crack(const Standing& c, CrackEvent& out) const override {
+  void crack(const Standing& c, std::size_t, CrackEvent& out) const override {
     const BeddingRecipe& set = c.specimen.laid(c.set);
     out.place = CrackPlace::bedding;
     out.normal = plane_normal(set.theta);

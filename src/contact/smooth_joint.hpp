@@ -43,7 +43,7 @@ struct SmoothJoint {
     memory.store(dilation, st.dilation);
     if (any(phy::laws::broke(r) & memory.here)) {
       memory.store(capacity, st.capacity);
-      broke(r.broke_tension, r.broke_shear, r.released);
+      broke(r.broke_tension, r.broke_shear, r.released, 0);
     }
     sums.slip += memory.only_here(r.dissipated, R(0));
     if constexpr (sample)

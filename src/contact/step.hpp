@@ -15,8 +15,9 @@
 // It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
 // fields have to be zero there. p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a
 // field. `respond` turns the kinematics into the motion of its laws, stores its memory, adds to the sums
-// (energies only where `sample`) and reports what broke: broke(tension, shear, released), at most once per
-// step and ContactModel::Size::cracks times in the life of a contact.
+// (energies only where `sample`) and reports what broke: broke(tension, shear, released, part), at most once
+// per part and ContactModel::Size::cracks times in the life of a contact. A contact that breaks as one has
+// one part, number 0.
 #pragma once
 #include "base/lane_memory.hpp"
 

@@ -168,15 +168,15 @@ class ForceLoop {
     R force = R(0), contacts = R(0);
   };
 
-  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int step,
+  PHY_RARE void record_cracks(MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part, int step,
                               std::int32_t contact) {
     for (int l = 0; l < static_cast<int>(W); ++l) {
       const bool tension = NumberTraits<R>::test(in_tension, l);
       const bool shear = NumberTraits<R>::test(in_shear, l);
       if (!tension && !shear) continue;
       if (v.n_cracks < v.max_cracks)
-        v.cracks[v.n_cracks] = {step, contact, l, shear ? 1 : 0,
-                                static_cast<double>(NumberTraits<R>::get(released, l))};
+        v.cracks[v.n_cracks] = {step, contact,       l,
+                                part, shear ? 1 : 0, static_cast<double>(NumberTraits<R>::get(released, l))};
       ++v.n_cracks;
     }
   }
@@ -188,8 +188,8 @@ class ForceLoop {
     const auto at = static_cast<std::size_t>(i);
     const contact::Memory<R, everywhere> memory{v.contact + (at * n_contact_fields + c_fields) * W, here};
     const contact::Step<R> now{k, v.contact_const[i].gap, side, lane[l_dt], lane[l_extra_strength]};
-    const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released) {
-      record_cracks(in_tension & here, in_shear & here, released, step, i);
+    const auto broke = [&](MaskOf<R> in_tension, MaskOf<R> in_shear, R released, int part) {
+      record_cracks(in_tension & here, in_shear & here, released, part, step, i);
     };
     return Model::template respond<sample>(p, v.geometry + at * Models::n_geometry + first_number, memory,
                                            now, sums, broke);

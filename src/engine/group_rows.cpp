@@ -48,7 +48,7 @@ void Group<T>::zero_strains(int lane) {
   r.axial_strain_gauge = r.lateral_strain_gauge = 0.0;
 }
 
-/// In the order of steps, contacts and lanes, which no skewing of the loop changes.
+/// In the order of steps, contacts, lanes and parts, which no skewing of the loop changes.
 template <class T>
 void Group<T>::sort_cracks(const GroupView<T>& view) {
   PHY_CHECK(view.n_cracks <= view.max_cracks, "a contact gives no more cracks than its model says");
@@ -57,7 +57,8 @@ void Group<T>::sort_cracks(const GroupView<T>& view) {
   std::sort(raw_cracks_.begin(), raw_cracks_.end(), [](const RawCrack& p, const RawCrack& q) {
     return p.step != q.step         ? p.step < q.step
            : p.contact != q.contact ? p.contact < q.contact
-                                    : p.lane < q.lane;
+           : p.lane != q.lane       ? p.lane < q.lane
+                                    : p.part < q.part;
   });
 }
 
@@ -106,7 +107,7 @@ Breakage Group<T>::breakage(const RawCrack& raw, std::size_t l) const {
   e.normal = (1.0 / norm(xb - xa)) * (xb - xa);
   e.position = xa + grains_.radius(a) * e.normal;
   contacts_.with(c, l, *lane.specimen, [&](const contact::ContactModel& model, const contact::Standing& now) {
-    model.crack(now, e);
+    model.crack(now, static_cast<std::size_t>(raw.part), e);
   });
   e.energy = raw.energy;
   return broken;

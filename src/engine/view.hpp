@@ -88,6 +88,7 @@ struct BalancePoint {
 struct RawCrack {
   std::int32_t step;  ///< within the block
   std::int32_t contact, lane;
+  std::int32_t part;   ///< of the contact (contact/step.hpp)
   std::int32_t shear;  ///< 0 tension, 1 shear
   double energy;
 };

@@ -47,6 +47,13 @@ bool left_unbonded(const MatrixRecipe& m, std::uint32_t a, std::uint32_t b) {
          uniform(static_cast<std::uint32_t>(m.bond_seed), Stream::unbonded, a, b) < m.unbonded_fraction;
 }
 
+/// Of those that are not left unbonded: `gapped_fraction` of all.
+bool gapped(const MatrixRecipe& m, std::uint32_t a, std::uint32_t b) {
+  return m.gapped_fraction > 0.0 && uniform(static_cast<std::uint32_t>(m.bond_seed), Stream::gapped, a, b) *
+                                            (1.0 - m.unbonded_fraction) <
+                                        m.gapped_fraction;
+}
+
 }  // namespace
 
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
@@ -61,8 +68,11 @@ std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix) {
     Contact c;
     c.a = p.a;
     c.b = p.b;
-    c.kind = ContactKind::touching;
-    if (!left_unbonded(matrix, p.a, p.b)) {
+    // A flat joint without a bond is an interface all the same.
+    c.kind = matrix.model == MatrixModel::flat_joint ? ContactKind::bonded : ContactKind::touching;
+    const bool left = left_unbonded(matrix, p.a, p.b), open = !left && gapped(matrix, p.a, p.b);
+    if (open) c.gap = matrix.initial_gap;
+    if (!left && !open) {
       if (matrix.directional()) c.cos_2a = cos_2a(a, b, foliation_normal);
       cement(c, matrix);
     }

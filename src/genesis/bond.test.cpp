@@ -138,5 +138,28 @@ TEST(Bond, AFractionIsLeftUnbonded) {
   EXPECT_NEAR(left, 0.3, 3.0 * std::sqrt(0.3 * 0.7 / n));
 }
 
+// Flat joints: an interface at every contact, bonded, a slit or open, in shares that do not overlap.
+TEST(Bond, TypesOfFlatJoints) {
+  constexpr std::size_t n = 4000;
+  const Packing p = row(std::vector<double>(n, 0.0));
+  MatrixRecipe m;
+  const std::vector<Contact> all = bond(p, m);
+  m.model = MatrixModel::flat_joint;
+  m.unbonded_fraction = 0.3, m.gapped_fraction = 0.2, m.initial_gap = 1e-6;
+  double slits = 0.0, open = 0.0;
+  const std::vector<Contact> some = bond(p, m);
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_EQ(some[i].kind, ContactKind::bonded);
+    if (some[i].gap > 0.0)
+      open += 1.0 / n;
+    else if (some[i].sigma_c == 0.0)
+      slits += 1.0 / n;
+    else
+      EXPECT_EQ(some[i].sigma_c, all[i].sigma_c);
+  }
+  EXPECT_NEAR(slits, 0.3, 3.0 * std::sqrt(0.3 * 0.7 / n));
+  EXPECT_NEAR(open, 0.2, 3.0 * std::sqrt(0.2 * 0.8 / n));
+}
+
 }  // namespace
 }  // namespace phy::genesis

@@ -125,6 +125,9 @@ class RockReader {
           "matrix",
           "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, "
           "persistence, spacing_sd, theta_sd, sigma_n_sd and layer_thickness");
+    if (recipe->matrix.model != MatrixModel::parallel_bond)
+      good =
+          refuse("matrix.model = \"parallel_bond\"", "a calibration seeks the parameters of parallel bonds");
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");

@@ -82,7 +82,8 @@ class Suspects {
       add("{} is {:.1e} of {}: bring them closer", key, value, of);
   }
   void stiffnesses() {
-    ratio("matrix.E_b", matrix_.E_b / matrix_.E_c, "matrix.E_c");
+    if (matrix_.model == MatrixModel::parallel_bond)
+      ratio("matrix.E_b", matrix_.E_b / matrix_.E_c, "matrix.E_c");
     double radius = 0.0;
     for (const Disc& d : packing_.discs) radius += d.r / static_cast<double>(packing_.discs.size());
     for (const BeddingRecipe& set : bedding_) {

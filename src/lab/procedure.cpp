@@ -328,9 +328,11 @@ TestResult Procedure::take_result() {
     result_.cracks.push_back(broken.crack);
     result_.cracks.back().strain = broken.travel / boundary_->axial.length - zero_axial_;
   }
-  std::sort(result_.cracks.begin(), result_.cracks.end(), [](const CrackEvent& p, const CrackEvent& q) {
-    return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
-  });
+  // Cracks of one contact in one step stay in the order of its parts.
+  std::stable_sort(result_.cracks.begin(), result_.cracks.end(),
+                   [](const CrackEvent& p, const CrackEvent& q) {
+                     return p.step != q.step ? p.step < q.step : p.a != q.a ? p.a < q.a : p.b < q.b;
+                   });
   result_.snapshots = snapshots_.take(snapshot());
   result_.frames = frames_.take(frame());
   result_.n_steps = static_cast<std::int64_t>(row_.step);

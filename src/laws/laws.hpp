@@ -3,6 +3,7 @@
 #pragma once
 #include <tuple>
 
+#include "laws/flat_joint/flat_joint.hpp"
 #include "laws/linear/dashpot.hpp"
 #include "laws/linear/linear.hpp"
 #include "laws/parallel_bond/parallel_bond.hpp"
@@ -14,6 +15,7 @@ template <class R>
 using Laws = std::tuple<linear::Contact<R>,         //
                         dashpot::Contact<R>,        //
                         parallel_bond::Contact<R>,  //
-                        smooth_joint::Contact<R>>;
+                        smooth_joint::Contact<R>,   //
+                        flat_joint::Contact<R>>;
 
 }  // namespace phy::laws

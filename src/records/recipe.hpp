@@ -4,6 +4,7 @@
 // --explain` and docs/reference.md come from there. Defaults are the paper's specimen (docs/conventions.md,
 // "The paper's specimen").
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ enum class RadiusDistribution { by_number, by_area };  ///< radii uniform by num
 enum class InitialStress { stress_free, isotropic };
 enum class StiffnessConvention { pfc31, pfc5 };            ///< laws/linear/README.md
 enum class ShearStrength { constant, cohesion_friction };  ///< laws/parallel_bond/README.md
+enum class MatrixModel { parallel_bond, flat_joint };      ///< what holds grains of the matrix together
+enum class BreakAt { centroid, edge };                     ///< laws/flat_joint/README.md
 enum class BeddingRule { crossing, zone, oriented };       ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
 /// Sides of a biaxial test: rigid walls, or pressure on side grains.
@@ -38,8 +41,9 @@ struct PackingRecipe {
   std::string file;  ///< CSV of discs to import instead of making a packing
 };
 
-/// Matrix: linear contacts and parallel bonds (paper Table 1).
+/// Matrix: linear contacts and parallel bonds (paper Table 1), or flat joints of the modulus E_c.
 struct MatrixRecipe {
+  MatrixModel model = MatrixModel::parallel_bond;
   double density = 2700.0;  ///< grain density [kg/m^3]
   StiffnessConvention stiffness_convention = StiffnessConvention::pfc31;
   double E_c = 38e9;             ///< contact modulus [Pa]
@@ -56,9 +60,15 @@ struct MatrixRecipe {
   double tau_c_sd = 6.5e6;         ///< its standard deviation [Pa]
   double phi = 0.0;                ///< bond friction angle [deg], only with cohesion_friction
   double bond_gap = 1e-6;          ///< bonds at gaps up to this fraction of the pair's mean radius
-  double unbonded_fraction = 0.0;  ///< of these contacts: no bond, linear contact only
+  double unbonded_fraction = 0.0;  ///< of these contacts: no bond; linear contact only, or a slit
   std::int64_t bond_seed = 1;
   bool unbreakable = false;  ///< bonds and joints never break and nothing slips (elastic comparison runs)
+
+  // Flat joints (contact/flat_joint.hpp).
+  std::int64_t elements = 3;             ///< of an interface, 1 to 4
+  BreakAt break_at = BreakAt::centroid;  ///< where in an element the tensile strength is compared
+  double gapped_fraction = 0.0;          ///< of the contacts: no bond, `initial_gap` apart
+  double initial_gap = 0.0;              ///< [m]
 
   // Directions (contact/direction.hpp): values of contacts whose normal lies along the foliation over those
   // across it, their mean over all directions being the value above.
@@ -72,8 +82,10 @@ struct MatrixRecipe {
   bool directional() const {
     return stiffness_ratio != 1.0 || tension_ratio != 1.0 || cohesion_ratio != 1.0 || cohesion_oblique != 1.0;
   }
-  /// Of contact and bond together [Pa]; rock is nearly as stiff.
-  double modulus() const { return E_c + radius_multiplier * E_b; }
+  /// Of all that a bonded contact has [Pa]; rock is nearly as stiff.
+  double modulus() const {
+    return model == MatrixModel::flat_joint ? radius_multiplier * E_c : E_c + radius_multiplier * E_b;
+  }
 };
 
 /// One set of parallel bedding planes (paper Table 2), or with the oriented rule of dispersed joints
@@ -181,6 +193,12 @@ struct Recipe {
 /// Bedding planes or directions of the matrix: what test.angles turns. Rock without them is intact.
 inline bool layered(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
   return !bedding.empty() || matrix.directional();
+}
+/// The stiffness differs from contact to contact, by directions or layers.
+inline bool uneven_stiffness(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {
+  return matrix.stiffness_ratio != 1.0 ||
+         std::any_of(bedding.begin(), bedding.end(),
+                     [](const BeddingRecipe& b) { return b.layer_stiffness != 1.0; });
 }
 /// Inclination of layered rock [deg]: that of the first set of bedding or, without bedding, of the foliation.
 inline double inclination(const MatrixRecipe& matrix, const std::vector<BeddingRecipe>& bedding) {

@@ -103,8 +103,34 @@ class CrossChecks {
                      "use larger grains or a smaller specimen");
   }
 
+  /// Keys that the model of the matrix does not have; at their defaults they say nothing.
+  void unused(const std::vector<const char*>& keys) {
+    const std::string model = print_field(*find_field(recipe_fields(), "matrix.model"), r_, 0);
+    for (const char* key : keys) {
+      const Field& f = *find_field(recipe_fields(), key);
+      const std::string value = print_field(f, r_, 0);
+      if (value != f.otherwise)
+        report_problem({key, "matrix.model"}, value, "nothing where model = " + model, "leave it out");
+    }
+  }
+
+  void flat_joint() {
+    const MatrixRecipe& m = r_.matrix;
+    if (m.model != MatrixModel::flat_joint)
+      return unused({"matrix.elements", "matrix.break_at", "matrix.gapped_fraction", "matrix.initial_gap"});
+    unused({"matrix.stiffness_convention", "matrix.E_b", "matrix.bond_ks_over_kn",
+            "matrix.moment_contribution", "matrix.stiffness_ratio"});
+    if ((m.gapped_fraction > 0.0) != (m.initial_gap > 0.0))
+      report_problem({"matrix.gapped_fraction", "matrix.initial_gap"}, print_number(m.gapped_fraction),
+                     "above 0 together with initial_gap, or both 0", "give both or none");
+    if (m.gapped_fraction + m.unbonded_fraction > 0.9)
+      report_problem({"matrix.gapped_fraction", "matrix.unbonded_fraction"}, print_number(m.gapped_fraction),
+                     "at most 0.9 together with unbonded_fraction", "lower one of them");
+  }
+
   void matrix() {
     const MatrixRecipe& m = r_.matrix;
+    flat_joint();
     if (m.phi > 0.0 && m.shear_strength == ShearStrength::constant)
       report_problem({"matrix.phi", "matrix.shear_strength"}, print_quantity(m.phi, Dimension::angle),
                      "0 deg with shear_strength = \"constant\"",
@@ -173,6 +199,9 @@ class CrossChecks {
       if (value != 1.0 && b.layer_thickness == 0.0)
         report_problem({set + key, set + "layer_thickness"}, print_number(value), "1 without layers",
                        "give layer_thickness");
+    if (b.layer_stiffness != 1.0 && r_.matrix.model == MatrixModel::flat_joint)
+      report_problem({set + "layer_stiffness", "matrix.model"}, print_number(b.layer_stiffness),
+                     "1 with model = \"flat_joint\"", "layers of flat joints differ by layer_strength only");
     if (b.unjointed() && b.layer_thickness == 0.0)
       report_problem({set + "persistence", set + "layer_thickness"}, "0", "above 0 without layers",
                      "a set without joints and without layers does nothing: leave the [[bedding]] out");

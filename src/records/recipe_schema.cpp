@@ -116,37 +116,43 @@ void add_matrix(List& l) {
   using M = MatrixRecipe;
   constexpr auto part = &Recipe::matrix;
   const auto stress = Dimension::pressure;
+  l.choice("matrix", "model", {"parallel_bond", "flat_joint"},
+           "what holds grains together: linear contact and parallel bond, or an interface of elements", part,
+           &M::model)
+      .quiet = true;
   l.quantity("matrix", "density", Dimension::density, 1, 1e5, "density", "density of the grains", part,
              &M::density);
   l.choice("matrix", "stiffness_convention", {"pfc31", "pfc5"},
            "contact stiffness from E_c: pfc31: k_n = E_c t; pfc5: k_n = 2 r_min t E_c/(R1 + R2)", part,
            &M::stiffness_convention);
-  l.quantity("matrix", "E_c", stress, 1e3, 1e13, "emod, E_c", "contact modulus of the grains", part, &M::E_c);
+  l.quantity("matrix", "E_c", stress, 1e3, 1e13, "emod, E_c, fj_emod",
+             "contact modulus of the grains; of flat joints", part, &M::E_c);
   l.number("matrix", "ks_over_kn", 1e-3, 10, "1/kratio", "shear over normal stiffness of contacts", part,
            &M::ks_over_kn);
-  l.number("matrix", "mu", 0, 10, "fric", "friction coefficient of contacts", part, &M::mu);
+  l.number("matrix", "mu", 0, 10, "fric, fj_fric", "friction coefficient of contacts", part, &M::mu);
   l.quantity("matrix", "E_b", stress, 1e3, 1e13, "pb_emod", "modulus of the parallel bonds", part, &M::E_b);
   l.number("matrix", "bond_ks_over_kn", 1e-3, 10, "1/pb_kratio", "shear over normal stiffness of bonds", part,
            &M::bond_ks_over_kn);
-  l.number("matrix", "radius_multiplier", 0.01, 1, "pb_rmul", "bond radius over the smaller grain radius",
-           part, &M::radius_multiplier);
+  l.number("matrix", "radius_multiplier", 0.01, 1, "pb_rmul, fj_rmul",
+           "bond radius over the smaller grain radius", part, &M::radius_multiplier);
   l.number("matrix", "moment_contribution", 0, 1, "pb_mcf",
            "share of the moment in the bond's largest tension", part, &M::moment_contribution);
   l.choice("matrix", "shear_strength", {"constant", "cohesion_friction"},
            "constant tau_c (Potyondy & Cundall 2004), or tau_c + sigma tan(phi)", part, &M::shear_strength);
-  l.quantity("matrix", "sigma_c", stress, 1, 1e13, "pb_ten", "tensile strength of bonds, mean", part,
+  l.quantity("matrix", "sigma_c", stress, 1, 1e13, "pb_ten, fj_ten", "tensile strength of bonds, mean", part,
              &M::sigma_c);
   l.quantity("matrix", "sigma_c_sd", stress, 0, 1e13, "", "standard deviation of sigma_c", part,
              &M::sigma_c_sd);
-  l.quantity("matrix", "tau_c", stress, 1, 1e13, "pb_coh", "shear strength (cohesion) of bonds, mean", part,
-             &M::tau_c);
+  l.quantity("matrix", "tau_c", stress, 1, 1e13, "pb_coh, fj_coh", "shear strength (cohesion) of bonds, mean",
+             part, &M::tau_c);
   l.quantity("matrix", "tau_c_sd", stress, 0, 1e13, "", "standard deviation of tau_c", part, &M::tau_c_sd);
-  l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa",
+  l.quantity("matrix", "phi", Dimension::angle, 0, 80, "pb_fa, fj_fa",
              "friction angle of bonds, with cohesion_friction", part, &M::phi);
   l.number("matrix", "bond_gap", 0, 0.5, "install gap",
            "bonds at gaps up to this fraction of the pair's mean radius", part, &M::bond_gap);
   l.number("matrix", "unbonded_fraction", 0, 0.9, "",
-           "share of these contacts that get no bond (linear contact only)", part, &M::unbonded_fraction)
+           "share of these contacts that get no bond (linear contact only; of flat joints: a slit)", part,
+           &M::unbonded_fraction)
       .quiet = true;
   l.integer("matrix", "bond_seed", 0, 4294967295.0, "seed of the bond strengths", part, &M::bond_seed);
   l.boolean("matrix", "unbreakable", "true: nothing breaks and nothing slips (elastic comparison)", part,
@@ -172,6 +178,26 @@ void add_directions(List& l) {
   ratio("cohesion_oblique",
         "tau_c of contacts at 45 deg to the foliation over those along and across it; the mean stays",
         &M::cohesion_oblique);
+}
+
+void add_flat_joint(List& l) {
+  using M = MatrixRecipe;
+  constexpr auto part = &Recipe::matrix;
+  Field& elements =
+      l.integer("matrix", "elements", 1, 4,
+                "flat_joint: elements that an interface breaks in; a strength parameter", part, &M::elements);
+  elements.pfc_name = "fj_nr", elements.quiet = true;
+  l.choice("matrix", "break_at", {"centroid", "edge"},
+           "flat_joint: where in an element the tension is compared with sigma_c (PFC: centroid)", part,
+           &M::break_at)
+      .quiet = true;
+  l.number("matrix", "gapped_fraction", 0, 0.9, "",
+           "flat_joint: share of contacts that get no bond and start initial_gap apart", part,
+           &M::gapped_fraction)
+      .quiet = true;
+  l.quantity("matrix", "initial_gap", Dimension::length, 0, 1, "fj_gap0",
+             "flat_joint: gap of these interfaces at the start", part, &M::initial_gap)
+      .quiet = true;
 }
 
 /// Where the planes of a set are.
@@ -364,8 +390,8 @@ const Fields& recipe_fields() {
     name.get_text = [](const Recipe& r) { return r.name; };
     name.set_text = [](Recipe& r, const std::string& s) { r.name = s; };
     l.fields.push_back(name);
-    add_specimen(l), add_packing(l), add_matrix(l), add_directions(l), add_planes(l), add_rule(l),
-        add_joints(l), add_test(l), add_engine(l);
+    add_specimen(l), add_packing(l), add_matrix(l), add_flat_joint(l), add_directions(l), add_planes(l),
+        add_rule(l), add_joints(l), add_test(l), add_engine(l);
     return with_defaults(std::move(l.fields));
   }();
   return fields;

@@ -39,7 +39,7 @@ struct Packing {
 
 enum class ContactKind : std::uint8_t {
   touching,  ///< linear law only (touching or near, not bonded)
-  bonded,    ///< linear law + parallel bond
+  bonded,    ///< linear law + parallel bond, or flat joint (without bond where sigma_c = 0)
   joint      ///< smooth joint, bonded at the start
 };
 
@@ -52,10 +52,11 @@ struct Contact {
   std::uint8_t set = 0;  ///< joints: number of the set as laid (Specimen::laid)
   double sigma_c = 0.0;  ///< bonded: tensile strength [Pa]
   double tau_c = 0.0;    ///< bonded: shear strength or cohesion [Pa]
+  double gap = 0.0;      ///< flat joints that start open: gap of the interface [m]
   /// Of the matrix: cosine of twice the angle between its normal and that of the foliation at the start. 0
   /// stands for the mean over all directions, which pairs that meet during a test have.
   double cos_2a = 0.0;
-  double layer = 1.0;  ///< bonded: stiffness over that of the matrix, in a layer of the bedding
+  double layer = 1.0;    ///< bonded: stiffness over that of the matrix, in a layer of the bedding
   double sigma_n = 1.0;  ///< joints: tensile strength over the mean of the set
 };
 

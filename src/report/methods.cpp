@@ -40,6 +40,9 @@ std::string departures_text(const MatrixRecipe& m) {
   if (m.unbonded_fraction > 0.0)
     text +=
         fmt::format(" {:g} % of the contacts, drawn at random, have no bond.", 100.0 * m.unbonded_fraction);
+  if (m.gapped_fraction > 0.0)
+    text += fmt::format(" {:g} % of the contacts, drawn at random, have no bond and start {} apart.",
+                        100.0 * m.gapped_fraction, quantity(m.initial_gap, Dimension::length));
   if (!m.directional()) return text;
   return text +
          fmt::format(
@@ -51,7 +54,24 @@ std::string departures_text(const MatrixRecipe& m) {
              m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
 }
 
+std::string friction_angle_text(const MatrixRecipe& m) {
+  return m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi);
+}
+
+std::string flat_joint_text(const MatrixRecipe& m) {
+  const auto p = [](double v) { return quantity(v, Dimension::pressure); };
+  return fmt::format(
+      "The matrix is a flat-jointed bonded-particle model (Potyondy 2012): interfaces of {} elements (E_c = "
+      "{}, k_s/k_n = {:g}, mu = {:g}, tensile strength {} with standard deviation {}, compared at the {} of "
+      "an element, cohesion {} with standard deviation {}, {}radius multiplier {:g}, bond seed {}); grain "
+      "density {}.{}",
+      m.elements, p(m.E_c), m.ks_over_kn, m.mu, p(m.sigma_c), p(m.sigma_c_sd),
+      m.break_at == BreakAt::edge ? "edge" : "centre", p(m.tau_c), p(m.tau_c_sd), friction_angle_text(m),
+      m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density), departures_text(m));
+}
+
 std::string matrix_text(const MatrixRecipe& m) {
+  if (m.model == MatrixModel::flat_joint) return flat_joint_text(m);
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
       "The matrix is a bonded-particle model (Potyondy & Cundall 2004): linear contacts (E_c = {}, k_s/k_n = "
@@ -62,10 +82,8 @@ std::string matrix_text(const MatrixRecipe& m) {
       "density "
       "{}.{}",
       p(m.E_c), m.ks_over_kn, m.mu, p(m.E_b), m.bond_ks_over_kn, p(m.sigma_c), p(m.sigma_c_sd), p(m.tau_c),
-      p(m.tau_c_sd),
-      m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi),
-      m.radius_multiplier, m.moment_contribution, m.bond_seed, quantity(m.density, Dimension::density),
-      departures_text(m));
+      p(m.tau_c_sd), friction_angle_text(m), m.radius_multiplier, m.moment_contribution, m.bond_seed,
+      quantity(m.density, Dimension::density), departures_text(m));
 }
 
 std::string layers_text(const BeddingRecipe& b) {

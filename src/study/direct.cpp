@@ -55,9 +55,12 @@ Recipe elastic_recipe(Recipe single) {
   // Back to defaults, so that recipes that differ only here get one fingerprint.
   single.test = {};
   single.engine = {};
-  // The seed of the bonds moves no modulus, unless it says where the joints are.
-  if (std::none_of(single.bedding.begin(), single.bedding.end(), [](auto& b) { return b.is_drawn(); }))
-    single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
+  // The seed of the bonds moves no modulus, unless it says where joints are, or contacts without a bond.
+  const MatrixRecipe& m = single.matrix;
+  const bool drawn =
+      m.unbonded_fraction > 0.0 || m.gapped_fraction > 0.0 ||
+      std::any_of(single.bedding.begin(), single.bedding.end(), [](auto& b) { return b.is_drawn(); });
+  if (!drawn) single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
   return single;
 }
 

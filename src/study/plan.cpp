@@ -25,7 +25,7 @@ std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Rec
 // Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact models
 // and geometry, precision and block.
 using BatchName = std::tuple<std::string, std::string, std::string, const engine::ContactPhysics*,
-                             StiffnessConvention, Precision, std::int64_t>;
+                             StiffnessConvention, std::int64_t, Precision, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
   return {r.packing.file,
@@ -33,6 +33,7 @@ BatchName batch_name(const Recipe& r) {
           lab::boundary_name(r),
           &engine::physics_of(r.matrix, r.bedding),
           r.matrix.stiffness_convention,
+          r.matrix.elements,
           r.engine.precision,
           r.test.history_interval};
 }

@@ -81,6 +81,25 @@ TEST(PressCheck, DirectSolutionOfAMatrixWithDirections) {
   }
 }
 
+// Flat joints hold in tension as they do in compression, whatever their elements; between planes and intact.
+TEST(PressCheck, DirectSolutionOfFlatJoints) {
+  Recipe r = small_recipe();
+  r.matrix.model = MatrixModel::flat_joint, r.matrix.elements = 2;
+  r.matrix.bond_ks_over_kn = MatrixRecipe{}.bond_ks_over_kn;
+  r.test.angles = {0.0, 45.0};
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
+  const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
+  const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+  ASSERT_EQ(press.size(), 3U);
+  for (std::size_t i = 0; i < press.size(); ++i) {
+    ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
+    EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, 0.005) << press[i].name;
+    EXPECT_NEAR(press[i].nu, direct[i].nu_gauge, 0.005) << press[i].name;
+  }
+}
+
 // The direct solution is that of the uniaxial press, whatever test a recipe names.
 TEST(PressCheckAsTheRecipeHasIt, IsOfTheUniaxialPress) {
   Recipe r = small_recipe();

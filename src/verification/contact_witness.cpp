@@ -4,11 +4,12 @@
 #include <variant>
 
 #include "theory/contact_path.hpp"
+#include "theory/flat_path.hpp"
 
 namespace phy::verification {
 namespace {
 
-using Exact = std::variant<theory::ExactLinear, theory::ExactBond, theory::ExactJoint>;
+using Exact = std::variant<theory::ExactLinear, theory::ExactBond, theory::ExactJoint, theory::ExactFlat>;
 
 /// The closed form of a law, and the seconds that one step takes (dashpots).
 std::optional<Exact> exact(std::string_view law, std::span<const double> v, double& dt) {
@@ -34,6 +35,8 @@ std::optional<Exact> exact(std::string_view law, std::span<const double> v, doub
     e.slider = {v[0], v[1], v[2], v[5]};
     return e;
   }
+  if (law == "flat_joint")
+    return theory::ExactFlat({v[0], v[1], v[2], v[3], v[4], v[5], v[6], static_cast<int>(v[7]), v[8]});
   return std::nullopt;
 }
 

@@ -83,7 +83,7 @@ class RollingModel final : public ContactModel {
     out.F_n = c.specimen.matrix.E_c * std::max(norm(c.branch_0) - norm(c.branch) - c.gap, 0.0);
     out.F_s = c.fields[F::shear];
   }
-  void crack(const Standing&, CrackEvent&) const override {}
+  void crack(const Standing&, std::size_t, CrackEvent&) const override {}
 };
 
 inline const ContactModel& Rolling::model() {

@@ -67,11 +67,10 @@ TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
   }
 }
 
-// A matrix with directions has a force loop of its own; some of its contacts have no bond.
-TEST(OneHashOfEveryModel, ForLanesSetsThreadsAndSkew) {
+void expect_one_hash(const MatrixRecipe& matrix) {
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
     Recipe r = small_recipe(precision);
-    r.matrix.stiffness_ratio = 1.8, r.matrix.tension_ratio = 2.0, r.matrix.unbonded_fraction = 0.1;
+    r.matrix = matrix;
     r.test.intact = false;
     r.test.max_strain = 0.004;
     const auto specimens = specimens_of(r);
@@ -84,6 +83,23 @@ TEST(OneHashOfEveryModel, ForLanesSetsThreadsAndSkew) {
     EXPECT_EQ(reference, hashes(r, specimens, wide));
     EXPECT_EQ(reference, hashes(r, specimens, shared));
   }
+}
+
+// A matrix with directions has a force loop of its own; some of its contacts have no bond.
+TEST(OneHashOfEveryModel, Directional) {
+  MatrixRecipe m;
+  m.sigma_c = m.tau_c = 40e6;
+  m.stiffness_ratio = 1.8, m.tension_ratio = 2.0, m.unbonded_fraction = 0.1;
+  expect_one_hash(m);
+}
+
+// So has one of flat joints, with slits and gaps among them.
+TEST(OneHashOfEveryModel, FlatJoint) {
+  MatrixRecipe m;
+  m.model = MatrixModel::flat_joint, m.elements = 3;
+  m.sigma_c = 20e6, m.sigma_c_sd = 2e6, m.tau_c = 40e6, m.tau_c_sd = 4e6;
+  m.unbonded_fraction = 0.1, m.gapped_fraction = 0.05, m.initial_gap = 1e-7;
+  expect_one_hash(m);
 }
 
 class OneHash : public testing::TestWithParam<Precision> {};
