@@ -246,6 +246,7 @@ TEST(Recipe, LaterKeysOfBeddingAreWrittenOnlyWhereTheySaySomething) {
   r.bedding[0].rule = BeddingRule::oriented;
   EXPECT_THAT(write_recipe(r), Not(HasSubstr("spacing")));
   EXPECT_THAT(write_recipe(r), Not(HasSubstr("offset")));
+  EXPECT_THAT(write_recipe(r), HasSubstr("orientation_range = \"15 deg\"\n"));
   EXPECT_EQ(parse_recipe(write_recipe(r), "r.toml").bedding[0].rule, BeddingRule::oriented);
 }
 

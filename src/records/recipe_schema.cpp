@@ -399,8 +399,9 @@ const Fields& recipe_fields() {
 
 bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
   if (!f.only_of.empty() && f.only_of != recipe.test.kind->name) return false;
-  const bool about_planes = f.table == "bedding" && (f.key == "spacing" || f.key == "offset");
-  if (about_planes && !recipe.bedding[index].has_planes()) return false;
+  const bool dispersed = f.table == "bedding" && !recipe.bedding[index].has_planes();
+  if (dispersed && (f.key == "spacing" || f.key == "offset")) return false;
+  if (dispersed && f.key == "orientation_range") return true;  // what its joints are goes by it
   return !f.quiet || print_field(f, recipe, index) != f.otherwise;
 }
 
