@@ -73,15 +73,10 @@ void place(const LoadingBranch& branch, double E, double nu, Number& n) {
     last = &r;
     if (point(r).crack >= largest - level.band(point(r).strain)) last_on = &r;
   }
-  if (last_on == last) {
-    n.note =
-        joined(n.note, fmt::format("the crack volumetric strain does not fall before {}", branch.point()));
-    return;
-  }
-  n.value = last_on->axial_stress;
-  if (last_on < &range.back())
-    n.note = joined(fmt::format("below {:.4g} MPa: the fall begins where E and nu are read", n.value * 1e-6),
-                    n.note);
+  if (last_on == last)
+    n.note = joined(n.note, "the crack volumetric strain does not fall before " + branch.point());
+  else
+    n.value = last_on->axial_stress;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@
 
 namespace phy::analysis {
 
-/// sigma_ci_strain [Pa]. An upper bound where the fall begins within the range of E and nu: the note begins
-/// with "below". NaN with a note: no peak, too few rows in the range, no fall before the peak.
+/// sigma_ci_strain [Pa]. NaN with a note: no peak, too few rows in the range, no fall before the peak. What
+/// begins below 25 % of the strength bends the lines of E and nu, and is read too high.
 Number crack_initiation_by_strain(const LoadingBranch& branch);
 
 }  // namespace phy::analysis

@@ -23,27 +23,26 @@ std::string place_of(const LoadingBranch& branch, StrainFrom from) {
   return from == StrainFrom::gauge ? "gauge (middle 60 %)" : std::string(branch.body) + "s";
 }
 
-/// Says when the history begins too late for a range (affine pre-strain, record switched on late).
-std::string start_note(const LoadingBranch& branch, double fraction) {
-  const double start = branch.rows.front().axial_stress / branch.largest;
-  return start > fraction ? fmt::format("the history starts at {:.3g} % of the largest stress", 100 * start)
-                          : "";
-}
+/// The stress at which the history begins, over the largest: late by an affine pre-strain, or a record
+/// switched on late.
+double start_of(const LoadingBranch& branch) { return branch.rows.front().axial_stress / branch.largest; }
 
 /// Slope of y over x in the range.
 void fit(const LoadingBranch& branch, StressRange range, double HistoryRow::*x, double HistoryRow::*y,
          Number& n) {
   n.note = branch_note(branch);
   if (branch.empty()) return;
-  n.note = joined(n.note, start_note(branch, range.lo));
+  if (const double start = start_of(branch); start > range.lo)
+    n.note = joined(n.note, fmt::format("the history starts at {:.3g} % of the largest stress", 100 * start));
   std::vector<double> xs, ys;
   for (const HistoryRow& r : first_passage(branch, range))
     if (std::isfinite(r.*x) && std::isfinite(r.*y)) xs.push_back(r.*x), ys.push_back(r.*y);
   if (xs.size() < enough_rows) {
-    n.note = joined(n.note,
-                    fmt::format("only {} usable rows between {} of the largest stress, {} are needed: write "
-                                "the history more often",
-                                xs.size(), range_text(range), enough_rows));
+    n.note = joined(n.note, start_of(branch) > range.hi
+                                ? fmt::format("no row between {} of it", range_text(range))
+                                : fmt::format("only {} usable rows between {} of the largest stress, {} are "
+                                              "needed: write the history more often",
+                                              xs.size(), range_text(range), enough_rows));
     return;
   }
   const LineFit line = fit_line(xs, ys);

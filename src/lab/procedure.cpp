@@ -299,10 +299,11 @@ void Procedure::accept_strength() {
   const std::string end = extent(reading(rows.back()).strain, 3);
   const std::string later = highest > stress ? fmt::format(" and rises to {:.2f} MPa", highest * 1e-6) : "";
   if (rule == static_cast<double>(analysis::StrengthRule::peak))
-    outcome = {Status::peaked,
-               fmt::format("peak {} {}, behind which it falls by 10 %{}; no drop to {:.0f} % up to {}",
-                           test().stress, at, later, 100.0 * recipe_.test.stop_at, end),
-               ""};
+    outcome = {
+        Status::peaked,
+        fmt::format("peak {} {}, behind which it falls by at least 10 %{}; no drop to {:.0f} % up to {}",
+                    test().stress, at, later, 100.0 * recipe_.test.stop_at, end),
+        ""};
   if (rule == static_cast<double>(analysis::StrengthRule::knee))
     outcome = {Status::knee,
                fmt::format("the {} bends at {}{}; no fall by 10 % up to {}", test().stress, at, later, end),

@@ -156,8 +156,8 @@ std::string end_of(const SpecimenRecord& test) {
   });
   if (axes.stress_of(rows.back()) < t.stop_at * axes.stress_of(*peak))
     return fmt::format("the {} had fallen below {:g} % of its peak", axes.stress, 100.0 * t.stop_at);
-  const double end = axes.strain_of(rows.back());
-  if (t.post_peak > 0.0 && end > (1.0 + t.post_peak) * axes.strain_of(*peak))
+  const double end = axes.strain_of(rows.back()), far = (1.0 + t.post_peak) * axes.strain_of(*peak);
+  if (!t.kind->may_harden || (t.post_peak > 0.0 && end > far))
     return fmt::format("the {} exceeded that of the peak by {:g} %", axes.strain, 100.0 * t.post_peak);
   return fmt::format("past a peak that the {} fell from by 10 %, at the full {} of {:.3g} {}", axes.stress,
                      axes.strain, end * axes.strain_factor, axes.strain_unit);

@@ -108,8 +108,8 @@ std::string missing_numbers(const Results& results) {
   std::vector<std::pair<std::string, std::string>> reported;  // reason, tests
   for (const TestResult& r : results) {
     for (const Number& n : r.numbers) {
-      const bool missing =
-          (n.name.starts_with("sigma_ci") || n.name.starts_with("sigma_cd")) && !std::isfinite(n.value);
+      const bool missing = (n.name == "sigma_ci" || n.name == "sigma_ci_strain" || n.name == "sigma_cd") &&
+                           !std::isfinite(n.value);
       if (!has_strength(r.outcome.status) || (!missing && !has_reservation(r, n))) continue;
       const std::string reason = head_of(r, n) + (missing ? " -: " : " *: ") + n.note;
       const auto it =

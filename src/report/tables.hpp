@@ -11,10 +11,10 @@ namespace phy::report {
 /// run are the groups of text_table.
 /// "-": could not be determined, or the test was interrupted; "<": an upper bound (the number's note begins
 /// with "below").
-/// "*": a tensile strength with a reservation (missing_numbers tells it).
+/// "*": a strength with a reservation (missing_numbers tells it).
 std::string press_table(const std::vector<TestResult>& results, int terminal_width);
 
-/// Why a "-" stands under sigma_ci or sigma_cd, or a "*" behind a tensile strength, of a test that succeeded,
+/// Why a "-" stands under a stress of damage, or a "*" behind a strength, of a test that succeeded,
 /// once per reason.
 std::string missing_numbers(const std::vector<TestResult>& results);
 

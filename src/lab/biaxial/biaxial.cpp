@@ -155,7 +155,6 @@ TestDescription description() {
              {"sigma_ci", "MPa, q", "sigma_ci", 1e-6, 2},
              {"ci strain", "MPa, q", "sigma_ci_strain", 1e-6, 2},
              {"sigma_cd", "MPa, q", "sigma_cd", 1e-6, 2},
-             {"cd volume", "MPa, q", "sigma_cd_volume", 1e-6, 2},
              {"confinem.", "error", "confinement_error", 1.0, 4}};
   d.may_harden = true;
   d.kept_stress = {"confining_stress", &TestRecipe::confining_stress};

@@ -64,8 +64,7 @@ TestDescription description() {
              {"UCS", "MPa", "ucs", 1e-6, 2},
              {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
              {"ci strain", "MPa", "sigma_ci_strain", 1e-6, 2},
-             {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2},
-             {"cd volume", "MPa", "sigma_cd_volume", 1e-6, 2}};
+             {"sigma_cd", "MPa", "sigma_cd", 1e-6, 2}};
   d.may_pre_strain = true;
   d.may_harden = true;
   d.loading_text = [](const Recipe& r) { return platens_text(r.test) + " on specimens with free sides."; };
