@@ -1,6 +1,7 @@
 // Flat joints in whole tests: a small uniaxial test with every element count.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/analyse.hpp"
@@ -33,11 +34,15 @@ TestResult run(const Recipe& r) {
 
 double number(const TestResult& r, const char* name) { return analysis::find(r.numbers, name)->value; }
 
-// Work of the platens = kinetic + held + slip + damping + released, over the whole test.
+// Work of the platens = kinetic + held + slip + damping + released, over the whole test. A force that drops
+// within a step is counted with its mean, so the error is of first order in the step; it is largest where
+// elements of one interface break one after the other within a few steps, so the step is a third of the
+// usual.
 TEST(FlatJointInThePress, EnergyIsAllAccountedFor) {
   for (const int n : {1, 2, 3, 4}) {
     Recipe r = small_recipe();
     r.matrix.elements = n, r.matrix.unbonded_fraction = 0.05;
+    r.engine.step_safety = 0.3;
     const TestResult result = run(r);
     ASSERT_TRUE(has_answer(result.outcome.status)) << result.outcome.reason;
     const HistoryRow& end = result.history.rows.back();
@@ -45,8 +50,10 @@ TEST(FlatJointInThePress, EnergyIsAllAccountedFor) {
     for (const CrackEvent& c : result.cracks) released += c.energy;
     EXPECT_NEAR(end.released, released, 1e-9 * released);
     EXPECT_GT(end.slip, 0.0);
+    double worst = 0.0;
     for (const HistoryRow& row : result.history.rows)
-      if (row.boundary_work > 0.01 * end.boundary_work) EXPECT_LT(std::fabs(row.energy_error), 1.3e-3) << n;
+      if (row.boundary_work > 0.01 * end.boundary_work) worst = std::max(worst, std::fabs(row.energy_error));
+    EXPECT_LT(worst, 1.3e-3) << n << " elements";
   }
 }
 
