@@ -52,7 +52,7 @@ int rock_check(const std::string& path, int width) {
   print_notes(rock.notes, width);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
-            report::foresight_table({expected.begin(), expected.end()}, width));
+            report::identifiability_table({expected.begin(), expected.end()}, width));
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }

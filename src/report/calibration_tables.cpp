@@ -109,7 +109,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
          (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");
 }
 
-std::string foresight_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
+std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
   Column symbol{"parameter", "", {}, true}, determined{"determined", "", {}, true},
       interval{"expected interval", "", {}, true}, why{"rests on / what would tell more", "", {}, true};
   for (const ParameterEstimate& e : estimates) {

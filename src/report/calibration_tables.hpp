@@ -12,7 +12,7 @@ namespace phy::report {
 std::string target_table(const std::vector<Target>& targets, int terminal_width);
 
 /// What the data determine before anything has run (calibrate/identifiability.hpp).
-std::string foresight_table(const std::vector<ParameterEstimate>& estimates, int terminal_width);
+std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width);
 
 /// Micro-parameters in the order of the paper's Tables 1 and 2, with 95 % intervals.
 std::string parameter_tables(const Calibration& calibration, int terminal_width);

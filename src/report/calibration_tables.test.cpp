@@ -93,7 +93,7 @@ TEST(CalibrationTables, AnEstimateStandsWithItsNumberOfTheRecipeAndOthersAreGive
 }
 
 TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {
-  const std::string text = foresight_table({open("mu", ""), open("k_n", "E at 0 or 15 degrees")}, 0);
+  const std::string text = identifiability_table({open("mu", ""), open("k_n", "E at 0 or 15 degrees")}, 0);
   EXPECT_THAT(text, HasSubstr("no test that a table holds tells much"));
   EXPECT_THAT(text, HasSubstr("would tell more: E at 0 or 15 degrees"));
   EXPECT_THAT(text, Not(HasSubstr("would tell more: \n")));
