@@ -202,6 +202,12 @@ TEST_F(RockFile, OnlyWholeParallelEquallySpacedPlanesAreCalibrated) {
   EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"), IsEmpty());
 }
 
+TEST_F(RockFile, ARecipeOfFlatJointsIsRefused) {
+  write("m.toml", "[matrix]\nmodel = \"flat_joint\"\n[[bedding]]\nspacing = \"5 mm\"\n");
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"),
+              Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("model = \"parallel_bond\""))));
+}
+
 TEST_F(RockFile, PartsOfSpecimensAreRefused) {
   EXPECT_THAT(problems("theta [deg],E [GPa],n\n0,23,2.5\n45,20,3\n90,59,3\n"),
               Contains(AllOf(HasSubstr("r.csv:2: n = 2.5"), HasSubstr("whole number"))));

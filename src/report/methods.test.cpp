@@ -39,6 +39,16 @@ std::string methods(const std::vector<SpecimenRecord>& tests) {
 
 const Outcome peaked{Status::peaked, "", ""};
 
+TEST(Methods, AMatrixOfFlatJoints) {
+  Recipe r;
+  r.matrix.model = MatrixModel::flat_joint, r.matrix.elements = 2, r.matrix.break_at = BreakAt::edge;
+  r.matrix.gapped_fraction = 0.2, r.matrix.initial_gap = 1e-5;
+  const std::string text = methods({test_of(r, "intact", peaked, {{1e-3, 50}, {2e-3, 100}})});
+  EXPECT_THAT(text, AllOf(HasSubstr("Potyondy 2012"), HasSubstr("interfaces of 2 elements"),
+                          HasSubstr("at the edge of an element"), HasSubstr("20 % of the contacts"),
+                          Not(HasSubstr("parallel bonds"))));
+}
+
 TEST(Methods, EveryTestEndsAsItDid) {
   Recipe r;
   r.test.stop_at = 0.6, r.test.post_peak = 1.0;

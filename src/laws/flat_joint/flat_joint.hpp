@@ -256,7 +256,7 @@ Tangent<R> tangent(const Parameters<R>& p, const State<R, N>& s, const Motion<R>
 inline constexpr ParameterInfo schema[] = {
     {"k_n", "N/m", 1e3, 1e15, 38e9, "fj_kn * 2R", "normal stiffness times length"},
     {"k_s", "N/m", 1e3, 1e15, 11.4e9, "fj_ks * 2R", "shear stiffness times length"},
-    {"half_length", "m", 1e-9, 1e3, 3e-4, "fj_radius", "half the length of the interface"},
+    {"R", "m", 1e-9, 1e3, 3e-4, "fj_radius", "half the length of the interface"},
     {"mu", "1", 0.0, 10.0, 0.5, "fj_fric", "friction coefficient of broken elements"},
     {"S_0", "N/m", 1e-3, 1e12, 60e3, "fj_coh * 2R", "cohesion times length"},
     {"tan_phi", "1", 0.0, 5.0, 0.0, "tan(fj_fa)", "slope of the shear strength"},
