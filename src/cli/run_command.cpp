@@ -240,8 +240,8 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)
-    for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe))
-      io::remove_folder(folder);
+    for (const auto& [other, difference] : results_of_others(job.folder, job.recipe))
+      io::remove_folder(other);
   return finish(job, press(job, made, machine), start, width);
 }
 
