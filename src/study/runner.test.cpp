@@ -108,12 +108,8 @@ TEST_F(Runner, ARowIsTheTestOfItsRecipeRunAlone) {
   }
 }
 
-// All lanes of a group have one stiffness convention; so tests of two conventions may not share a batch.
-TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
-  const Plan p = plan("[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n");
-  EXPECT_EQ(p.batches.size(), 2u);
-  Store store(at("s.sqlite"));
-  work(p, store, 1);
+/// Every row of a plan is the test of its recipe run alone.
+void expect_rows_as_alone(const Plan& p, Store& store) {
   for (const PlannedTest& t : p.tests) {
     const auto alone =
         run_tests({specimen_of(packing_of(t.recipe), t.recipe)}, t.recipe, {1, 0, 4, engine::native_isa()});
@@ -121,6 +117,26 @@ TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
     ASSERT_TRUE(row);
     EXPECT_EQ(row->result.hash, alone[0].hash) << alone[0].name;
   }
+}
+
+// All lanes of a group have one stiffness convention; so tests of two conventions may not share a batch.
+TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
+  const Plan p = plan("[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n");
+  EXPECT_EQ(p.batches.size(), 2u);
+  Store store(at("s.sqlite"));
+  work(p, store, 1);
+  expect_rows_as_alone(p, store);
+}
+
+// Nor may flat joints of different numbers of elements; one and the same number shares its lanes.
+TEST_F(Runner, ElementsDoNotMixInTheLanes) {
+  const Plan p = plan(
+      "[set]\n\"matrix.model\" = \"flat_joint\"\n[[vary]]\nkey = \"matrix.elements\"\nvalues = [2, 3]\n"
+      "[[vary]]\nkey = \"matrix.mu\"\nvalues = [0.3, 0.6]\n");
+  EXPECT_EQ(p.batches.size(), 2u);
+  Store store(at("s.sqlite"));
+  work(p, store, 1);
+  expect_rows_as_alone(p, store);
 }
 
 // The file alone does not make the packing: its size and whether its overlaps carry stress are the recipe's.
