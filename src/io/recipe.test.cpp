@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
             "radius_min = \"1 mm\"\nradius_max = \"1.66 mm\"\n" +
                 bedding + "spacing = \"4 mm\"\ntheta_sd = \"1 deg\"\n",
             "bedding[0].theta_sd = some 216 planes: expected at most 200 planes"},
-        Bad{"no_persistence", bedding + "persistence = 0\n", "0 < value <= 1"},
+        Bad{"no_persistence", bedding + "persistence = 0\n", "above 0 without layers"},
         Bad{"negative_patch", bedding + "patch_length = \"-1 mm\"\n", "0 mm <= value"},
         Bad{"no_range", bedding + "rule = \"oriented\"\norientation_range = \"0 deg\"\n",
             "0 deg < value <= 90 deg"},
@@ -219,6 +219,7 @@ TEST(Recipe, EveryKeyRoundTrips) {
         else if (f.kind == FieldKind::boolean)
           f.set(r, set, uniform(i, Stream::test, ++draw) < 0.5 ? 1.0 : 0.0);
     r.test.intact = false;  // its ratios have given the matrix directions
+    for (BeddingRecipe& set : r.bedding) set.layer_thickness = 1e-4;  // or its layers would be of no use
     const Recipe back = parse_recipe(write_recipe(r), "r.toml");
     EXPECT_EQ(back.name, r.name);
     EXPECT_EQ(back.test.angles, r.test.angles);

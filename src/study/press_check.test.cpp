@@ -72,9 +72,11 @@ TEST(PressCheck, DirectSolutionOfAMatrixWithDirections) {
     const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
     const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
     ASSERT_EQ(press.size(), 4U);
+    // With joints single contacts that open on the way count in so small a packing, as above.
+    const double exact = bedded ? 0.01 : 0.002;
     for (std::size_t i = 0; i < press.size(); ++i) {
       ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
-      EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, 0.005) << press[i].name;
+      EXPECT_NEAR(press[i].E / direct[i].E_gauge, 1.0, exact) << press[i].name;
       EXPECT_NEAR(press[i].nu, direct[i].nu_gauge, 0.002) << press[i].name;
     }
     EXPECT_GT(direct[3].E_gauge, 1.2 * direct[0].E_gauge) << "stiff along the foliation";
