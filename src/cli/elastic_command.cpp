@@ -13,6 +13,7 @@
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/toml_in.hpp"
+#include "records/jointed.hpp"
 #include "statics/uniaxial.hpp"
 #include "study/press_check.hpp"
 #include "theory/eq1_fit.hpp"
@@ -148,11 +149,8 @@ std::vector<NamedFit> fit_all(const ElasticStudy& study, bool modulus_loss) {
 
 void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
-  if (!study.has_intact()) {
-    print_wrapped(
-        width, 0,
-        "\nEq. 1 takes the rock between the planes for isotropic; this matrix has directions, so no "
-        "macro joint stiffness is fitted\n");
+  if (!jointed_isotropic(study.recipe)) {
+    print_wrapped(width, 0, "\nno macro joint stiffness by Eq. 1: {}\n", no_weak_planes(study.recipe));
     return;
   }
   // Dispersed joints have no spacing: what Eq. 1 gives is left as it is, K delta.
@@ -207,9 +205,12 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     for (std::size_t i = 0; i < results.size(); ++i)
       columns.push_back(column(i < study.n_angles() ? fmt::format("{:g} deg", study.theta(i)) : "intact", "",
                                n, [&, &r = results[i]](std::size_t row) {
-                                 if (row >= r.sensitivities.size()) return std::string("-");
-                                 const Sensitivity& s = r.sensitivities[row];
-                                 return fixed(modulus ? s.dE * s.value / r.E_gauge : s.dnu * s.value, 4);
+                                 // The intact specimen has another model: found by name, not by place.
+                                 const auto s =
+                                     std::ranges::find(r.sensitivities, longest->sensitivities[row].parameter,
+                                                       &Sensitivity::parameter);
+                                 if (s == r.sensitivities.end()) return std::string("-");
+                                 return fixed(modulus ? s->dE * s->value / r.E_gauge : s->dnu * s->value, 4);
                                }));
     print_out(
         "\n{}\n{}",

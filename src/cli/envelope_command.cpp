@@ -267,7 +267,7 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   flush_out();
   const study::EnvelopeTests tests = run_all(specimens, recipe, confining, out, machine_of(session));
   const study::Envelope envelope =
-      study::fit_envelope(args.with_untrusted ? study::with_untrusted(tests) : tests);
+      study::fit_envelope(args.with_untrusted ? study::with_untrusted(tests) : tests, recipe);
   io::write_output(strengths, strengths_csv(tests));
   io::write_output(fits, fits_csv(envelope));
   print_strengths(tests, envelope, width);

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/clock.hpp"
+#include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
@@ -60,6 +61,10 @@ void print_bedding(const Specimen& s, int width) {
           width, 10,
           "bedding   set {} at {:g} deg: oriented rule, no planes, {:.1f} % of all contacts are joints\n",
           i + 1, theta, 100.0 * b.joint_fraction);
+    else if (s.bedding[i].unjointed())
+      print_wrapped(width, 10, "bedding   set {} at {:g} deg: layers of {} without joints, {} apart\n", i + 1,
+                    theta, print_quantity(s.bedding[i].layer_thickness, Dimension::length),
+                    print_quantity(s.bedding[i].spacing, Dimension::length));
     else
       print_wrapped(
           width, 10,

@@ -111,8 +111,8 @@ void lay_set(Specimen& specimen, std::uint8_t number) {
   const BeddingRecipe& recipe = specimen.laid(number);
   const Layer layer(specimen, number);
   std::int32_t* label = &specimen.plane_label[number * packing.discs.size()];
-  // Dispersed joints keep the label 0: grains that meet later meet in the matrix.
-  if (recipe.has_planes())
+  // Dispersed joints and layers without any keep the label 0: grains that meet later meet in the matrix.
+  if (recipe.has_planes() && !recipe.unjointed())
     for (std::size_t i = 0; i < packing.discs.size(); ++i)
       label[i] = layer.planes().interval(layer.planes().height_of(packing.discs[i].x, packing.discs[i].y));
   for (Contact& c : specimen.contacts) {

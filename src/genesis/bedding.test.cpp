@@ -264,6 +264,7 @@ TEST(Layers, BondsAboutThePlanesHaveTheirMatrix) {
     EXPECT_DOUBLE_EQ(c.tau_c, plain.contacts[i].tau_c * (off < 0.5 ? 1.0 / 3.0 : 1.0));
     n_seam += off < 0.5, n_other += off >= 0.5 && off < 1.45;
   }
+  for (const std::int32_t label : s.plane_label) EXPECT_EQ(label, 0) << "no joint to meet at";
   EXPECT_EQ(n_seam, 3 * 4);
   EXPECT_EQ(n_other, 6 * 3);
 }

@@ -17,6 +17,7 @@
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
 #include "io/toml_tree.hpp"
+#include "records/jointed.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/result.hpp"
 
@@ -188,7 +189,7 @@ Variation read_variation(const std::string& folder) {
   if (table.table().rows.empty()) throw InputError(Problem{table.file(), "", "", "rows", "run the study"});
   Variation v;
   v.name = name_of_study(folder, recipe.name);
-  if (!recipe.bedding.empty() && recipe.bedding[0].has_planes()) v.spacing = recipe.bedding[0].spacing;
+  if (has_weak_planes(recipe)) v.spacing = recipe.bedding[0].spacing;
   const Rows intact = table.rows(
       [&](const TableRow& row) { return table.at(row, "intact") == "1" && has_answer(table, row); });
   v.E_intact = mean_of(intact, modulus_column(table));
@@ -198,6 +199,11 @@ Variation read_variation(const std::string& folder) {
     // A key with a single level was not varied alone.
     if (VariedParameter p = vary_one(table, columns, c, table.table().rows.front()); p.settings.size() > 1)
       v.parameters.push_back(std::move(p));
+  // A ratio that varies away from 1 leaves no isotropic rock between the planes.
+  for (const VariedParameter& p : v.parameters)
+    if (p.key == "matrix.stiffness_ratio" || p.key == "matrix.tension_ratio" ||
+        p.key == "matrix.cohesion_ratio" || p.key == "matrix.cohesion_oblique")
+      v.spacing = 0.0;
   if (const std::string found = (fs::path(folder) / regressions_file).string(); fs::exists(found))
     v.regressions = read_regressions(found);
   return v;

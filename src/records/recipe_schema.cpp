@@ -402,6 +402,10 @@ bool is_written(const Field& f, const Recipe& recipe, std::size_t index) {
   const bool dispersed = f.table == "bedding" && !recipe.bedding[index].has_planes();
   if (dispersed && (f.key == "spacing" || f.key == "offset")) return false;
   if (dispersed && f.key == "orientation_range") return true;  // what its joints are goes by it
+  const bool of_parallel_bonds =
+      f.table == "matrix" && (f.key == "stiffness_convention" || f.key == "E_b" ||
+                              f.key == "bond_ks_over_kn" || f.key == "moment_contribution");
+  if (of_parallel_bonds && recipe.matrix.model != MatrixModel::parallel_bond) return false;
   return !f.quiet || print_field(f, recipe, index) != f.otherwise;
 }
 

@@ -81,6 +81,7 @@ std::string pfc_departures(const MatrixRecipe& m) {
                     "  local mx = -math.sin(foliation*math.degrad)\n"
                     "  local my = math.cos(foliation*math.degrad)\n"
                     "  loop foreach local c contact.list('ball-ball')\n"
+                    "    if contact.prop(c,'pb_state') = 3 then   ; bonded; others have the mean\n"
                     "    local h = comp.x(contact.normal(c))*mx + comp.y(contact.normal(c))*my\n"
                     "    local cos_2a = 2.0*h*h - 1.0\n"
                     "    local of_k = 1.0 + ({:.8g})*cos_2a\n"
@@ -92,6 +93,7 @@ std::string pfc_departures(const MatrixRecipe& m) {
                     "    contact.prop(c,'pb_ks') = of_k*contact.prop(c,'pb_ks')\n"
                     "    contact.prop(c,'pb_ten') = of_ten*contact.prop(c,'pb_ten')\n"
                     "    contact.prop(c,'pb_coh') = of_coh*contact.prop(c,'pb_coh')\n"
+                    "    endif\n"
                     "  endloop\nend\n@lay_directions\n\n",
                     m.foliation, W(m.stiffness_ratio), W(m.tension_ratio), W(m.cohesion_ratio),
                     W(m.cohesion_oblique));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/nan.hpp"
+#include "records/jointed.hpp"
 #include "theory/eq1_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
@@ -65,9 +66,9 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
     if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
     if (!t.recipe.bedding.empty()) set = t.recipe.bedding[0], bedded = true;
   }
-  if (!run.tests.empty() && run.tests.front().recipe.matrix.directional()) {
+  if (!jointed_isotropic(run.tests.front().recipe)) {
     curves.E.note = curves.nu.note =
-        "No theory curve: it takes the rock between the planes for isotropic, this matrix has directions.";
+        fmt::format("No theory curve: {}.", no_weak_planes(run.tests.front().recipe));
     return;
   }
   const theory::Eq1Options options = reference_for(run);
@@ -93,6 +94,10 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
 }
 
 void add_jaeger(const RunRecord& run, TheoryCurves& curves) {
+  if (!has_weak_planes(run.tests.front().recipe)) {
+    curves.ucs.note = fmt::format("No theory curve: {}.", no_weak_planes(run.tests.front().recipe));
+    return;
+  }
   std::vector<theory::StrengthReading> readings;
   double ends = 0.0, n_ends = 0.0, strongest = 0.0;
   for (const SpecimenRecord& t : run.tests) {
@@ -127,6 +132,7 @@ double value_of(const SpecimenRecord& test, const std::string& name) {
 
 TheoryCurves theory_curves(const RunRecord& run) {
   TheoryCurves curves;
+  if (run.tests.empty()) return curves;
   add_goodman(run, curves);
   add_jaeger(run, curves);
   return curves;

@@ -35,15 +35,23 @@ std::string packing_text(const SpecimenRecord& t) {
 }
 
 /// Directions and bonds left out, as clauses after the matrix.
-std::string departures_text(const MatrixRecipe& m) {
+std::string departures_text(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  const char* const contacts = r.bedding.empty() ? "contacts" : "contacts that are no joints";
   std::string text;
   if (m.unbonded_fraction > 0.0)
-    text +=
-        fmt::format(" {:g} % of the contacts, drawn at random, have no bond.", 100.0 * m.unbonded_fraction);
+    text += fmt::format(" {:g} % of the {}, drawn at random, have no bond.", 100.0 * m.unbonded_fraction,
+                        contacts);
   if (m.gapped_fraction > 0.0)
-    text += fmt::format(" {:g} % of the contacts, drawn at random, have no bond and start {} apart.",
-                        100.0 * m.gapped_fraction, quantity(m.initial_gap, Dimension::length));
+    text += fmt::format(" {:g} % of the {}, drawn at random, have no bond and start {} apart.",
+                        100.0 * m.gapped_fraction, contacts, quantity(m.initial_gap, Dimension::length));
   if (!m.directional()) return text;
+  text += r.bedding.empty() ? fmt::format(" theta is the inclination of the foliation from the horizontal{}.",
+                                          r.test.kind->load_on_bedding)
+                            : fmt::format(
+                                  " The foliation of the matrix lies at {:g} deg where the bedding lies at "
+                                  "{:g} deg, and turns with it.",
+                                  m.foliation, r.bedding.front().theta);
   return text +
          fmt::format(
              " Contacts have directions: with a the angle between their normal and that of the foliation, "
@@ -58,7 +66,8 @@ std::string friction_angle_text(const MatrixRecipe& m) {
   return m.shear_strength == ShearStrength::constant ? "" : fmt::format("friction angle {:g} deg, ", m.phi);
 }
 
-std::string flat_joint_text(const MatrixRecipe& m) {
+std::string flat_joint_text(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
       "The matrix is a flat-jointed bonded-particle model (Potyondy 2012): interfaces of {} elements (E_c = "
@@ -67,11 +76,12 @@ std::string flat_joint_text(const MatrixRecipe& m) {
       "density {}.{}",
       m.elements, p(m.E_c), m.ks_over_kn, m.mu, p(m.sigma_c), p(m.sigma_c_sd),
       m.break_at == BreakAt::edge ? "edge" : "centre", p(m.tau_c), p(m.tau_c_sd), friction_angle_text(m),
-      m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density), departures_text(m));
+      m.radius_multiplier, m.bond_seed, quantity(m.density, Dimension::density), departures_text(r));
 }
 
-std::string matrix_text(const MatrixRecipe& m) {
-  if (m.model == MatrixModel::flat_joint) return flat_joint_text(m);
+std::string matrix_text(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  if (m.model == MatrixModel::flat_joint) return flat_joint_text(r);
   const auto p = [](double v) { return quantity(v, Dimension::pressure); };
   return fmt::format(
       "The matrix is a bonded-particle model (Potyondy & Cundall 2004): linear contacts (E_c = {}, k_s/k_n = "
@@ -83,22 +93,25 @@ std::string matrix_text(const MatrixRecipe& m) {
       "{}.{}",
       p(m.E_c), m.ks_over_kn, m.mu, p(m.E_b), m.bond_ks_over_kn, p(m.sigma_c), p(m.sigma_c_sd), p(m.tau_c),
       p(m.tau_c_sd), friction_angle_text(m), m.radius_multiplier, m.moment_contribution, m.bond_seed,
-      quantity(m.density, Dimension::density), departures_text(m));
+      quantity(m.density, Dimension::density), departures_text(r));
 }
 
 std::string layers_text(const BeddingRecipe& b) {
-  return fmt::format(
-      "in a layer of {} about each plane contacts and bonds have {:g} times the moduli and bonds {:g} times "
-      "the "
-      "strengths of the matrix",
-      quantity(b.layer_thickness, Dimension::length), b.layer_stiffness, b.layer_strength);
+  std::vector<std::string> factors;
+  if (b.layer_stiffness != 1.0)
+    factors.push_back(fmt::format("contacts and bonds have {:g} times the moduli", b.layer_stiffness));
+  if (b.layer_strength != 1.0)
+    factors.push_back(fmt::format("bonds have {:g} times the strengths", b.layer_strength));
+  if (factors.empty()) factors.emplace_back("nothing differs from those");
+  return fmt::format("in a layer of {} about each plane {} of the matrix",
+                     quantity(b.layer_thickness, Dimension::length), fmt::join(factors, " and "));
 }
 
 /// Which contacts are joints.
 std::string joints_text(const BeddingRecipe& b) {
   if (!b.has_planes())
     return fmt::format(
-        "Bedding is dispersed: every bonded contact whose normal lies within {:g} deg of that of the bedding "
+        "Bedding is dispersed: every contact whose normal lies within {:g} deg of that of the bedding "
         "is a "
         "smooth joint (Mas Ivars et al. 2011) with the normal of the bedding (after Duan & Kwok 2015)",
         b.orientation_range);
@@ -109,9 +122,11 @@ std::string joints_text(const BeddingRecipe& b) {
           ? fmt::format("zone rule with a thickness of {}", quantity(b.zone_thickness, Dimension::length))
           : std::string("crossing rule"));
   if (b.rule == BeddingRule::zone && !b.bridges) text += " and to all contacts that cross a plane";
-  if (b.scatters())
-    text += fmt::format("; the spacing has a standard deviation of {:g} %, the inclination one of {:g} deg",
-                        100.0 * b.spacing_sd, b.theta_sd);
+  if (b.spacing_sd > 0.0)
+    text += fmt::format("; the spacing has a standard deviation of {:g} %", 100.0 * b.spacing_sd);
+  if (b.theta_sd > 0.0)
+    text +=
+        fmt::format("; the inclination has a standard deviation of {:g} deg from plane to plane", b.theta_sd);
   if (b.persistence < 1.0)
     text += fmt::format(
         "; {:g} % of the planes are jointed, in patches of {}, the rest is bonded as the matrix",
@@ -134,10 +149,10 @@ std::string bedding_text(const BeddingRecipe& b, const TestDescription& test) {
       "k_s = {}, mu = {:g}, "
       "tensile strength {}{}, cohesion {}, friction angle of the bonded joint {:g} deg, dilation angle {:g} "
       "deg. theta is the "
-      "inclination of the planes from the horizontal{}.",
+      "inclination of the {} from the horizontal{}.",
       joints_text(b), s(b.k_n), s(b.k_s), b.mu, p(b.sigma_n),
       b.sigma_n_sd > 0.0 ? fmt::format(" with standard deviation {}", p(b.sigma_n_sd)) : "", p(b.cohesion),
-      b.phi, b.psi, test.load_on_bedding);
+      b.phi, b.psi, b.has_planes() ? "planes" : "bedding", test.load_on_bedding);
 }
 
 /// What ended a test, by its history: a test whose stress has fallen far enough ends first for that.
@@ -184,13 +199,52 @@ std::string loading_text(const RunRecord& run) {
       r.engine.precision == Precision::double_precision ? "double" : "single", ends_text(run));
 }
 
-std::string definitions_text(const SpecimenRecord& t) {
+/// A number of all specimens; where they define it differently, by what gave their strength, each definition
+/// with its specimens.
+std::string definition_text(const RunRecord& run, const std::string& name) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all;
+  for (const SpecimenRecord& t : run.tests)
+    for (const Number& n : t.result.numbers) {
+      if (n.name != name || n.definition.empty()) continue;
+      auto known =
+          std::find_if(all.begin(), all.end(), [&](const auto& d) { return d.first == n.definition; });
+      if (known == all.end()) known = all.insert(all.end(), {n.definition, {}});
+      known->second.push_back(t.result.name);
+    }
+  std::string text;
+  for (const auto& [definition, names] : all)
+    text += all.size() == 1 ? fmt::format("{}: {}. ", name, definition)
+                            : fmt::format("{} of {}: {}. ", name, fmt::join(names, ", "), definition);
+  return text;
+}
+
+std::string definitions_text(const RunRecord& run) {
   std::string text = "Definitions. ";
-  const std::string strength = t.recipe.test.kind->curve.quantity().number;
+  const std::string strength = run.tests.front().recipe.test.kind->curve.quantity().number;
   for (const std::string& name : std::vector<std::string>{"E_tangent", "nu", strength, "sigma_ci",
                                                           "sigma_ci_strain", "sigma_cd", "sigma_cd_volume"})
-    for (const Number& n : t.result.numbers)
-      if (n.name == name && !n.definition.empty()) text += fmt::format("{}: {}. ", name, n.definition);
+    text += definition_text(run, name);
+  return text;
+}
+
+std::string references_text(const Recipe& r) {
+  const auto any = [&](const auto& of) { return std::any_of(r.bedding.begin(), r.bedding.end(), of); };
+  std::string text =
+      r.matrix.model == MatrixModel::flat_joint
+          ? "D.O. Potyondy, A flat-jointed bonded-particle material for hard rock, 46th US Rock "
+            "Mechanics/Geomechanics Symposium (2012) ARMA 12-501."
+          : "D.O. Potyondy & P.A. Cundall, A bonded-particle model for rock, Int. J. Rock Mech. Min. Sci. 41 "
+            "(2004) 1329-1364.";
+  if (any([](const BeddingRecipe& b) { return !b.unjointed(); }))
+    text +=
+        " D. Mas Ivars et al., The synthetic rock mass approach for jointed rock mass modelling, Int. J. "
+        "Rock "
+        "Mech. Min. Sci. 48 (2011) 219-244.";
+  if (any([](const BeddingRecipe& b) { return !b.has_planes(); }))
+    text +=
+        " K. Duan & C.Y. Kwok, Discrete element modeling of anisotropic rock under Brazilian test "
+        "conditions, "
+        "Int. J. Rock Mech. Min. Sci. 78 (2015) 46-56.";
   return text;
 }
 
@@ -199,17 +253,12 @@ std::string definitions_text(const SpecimenRecord& t) {
 std::vector<std::string> methods_text(const RunRecord& run) {
   if (run.tests.empty()) return {};
   const SpecimenRecord& t = run.tests.front();
-  std::vector<std::string> text = {packing_text(t), matrix_text(t.recipe.matrix)};
+  std::vector<std::string> text = {packing_text(t), matrix_text(t.recipe)};
   for (const BeddingRecipe& b : t.recipe.bedding) text.push_back(bedding_text(b, *t.recipe.test.kind));
   text.push_back(loading_text(run));
-  text.push_back(definitions_text(t));
+  text.push_back(definitions_text(run));
   text.push_back(
-      fmt::format("Computed with {} (packing {}). D.O. Potyondy & P.A. Cundall, A bonded-particle model for "
-                  "rock, Int. J. Rock Mech. "
-                  "Min. Sci. 41 (2004) 1329-1364. D. Mas Ivars et al., The synthetic rock mass approach for "
-                  "jointed rock mass modelling, "
-                  "Int. J. Rock Mech. Min. Sci. 48 (2011) 219-244.",
-                  t.program, t.packing_hash));
+      fmt::format("Computed with {} (packing {}). {}", t.program, t.packing_hash, references_text(t.recipe)));
   return text;
 }
 

@@ -73,7 +73,8 @@ Json test_json(const SpecimenRecord& t, std::size_t index) {
   const TestCurve& axes = t.recipe.test.kind->curve;
   Json bedding = Json::array();
   for (std::size_t i = 0; i < t.bedding.size() && i < t.recipe.bedding.size(); ++i)
-    if (t.recipe.bedding[i].is_regular())  // other planes are not drawn by these numbers
+    // Other planes, and layers about planes, are not drawn by these numbers.
+    if (t.recipe.bedding[i].is_regular() && t.recipe.bedding[i].layer_thickness == 0.0)
       bedding.push_back({{"theta", t.bedding[i].theta},
                          {"spacing", t.recipe.bedding[i].spacing},
                          {"offset", t.recipe.bedding[i].offset}});

@@ -23,7 +23,12 @@ std::vector<std::size_t> tones_of(const SpecimenRecord& t) {
     for (std::size_t i = 0; i < tone.size(); ++i) {
       const Disc& d = t.scene.discs[i];
       const double along = dot(normal, {d.x - 0.5 * t.scene.width, d.y - 0.5 * t.scene.height});
-      tone[i] = std::fmod(std::floor((along - set.offset) / set.spacing), 2.0) == 0.0 ? 0 : 1;
+      const double planes = (along - set.offset) / set.spacing;
+      const double distance = std::abs(planes - std::floor(planes + 0.5)) * set.spacing;
+      // Layers with a matrix of their own, else the rock between one plane and the next in turn.
+      const bool other = set.layer_thickness > 0.0 ? distance <= 0.5 * set.layer_thickness
+                                                   : std::fmod(std::floor(planes), 2.0) != 0.0;
+      tone[i] = other ? 1 : 0;
     }
   }
   for (const SceneLink& l : t.scene.links)

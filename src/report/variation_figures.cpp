@@ -82,8 +82,8 @@ void stiffness_panel(GnuplotScript& s, const Variation& v, std::size_t k) {
     add_regressions(s, found, v, p, k == 0 ? "K_n" : "K_s");
   }
   if (parts.empty() && v.spacing <= 0.0)
-    throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "", "bedding planes",
-                             "rock without planes has no stiffness per area of them; draw --kind modulus"});
+    throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "", "jointed planes in isotropic rock",
+                             "other rock has no stiffness of planes by Eq. 1; draw --kind modulus"});
   if (parts.empty())
     throw InputError(Problem{"results", k == 0 ? "K_n" : "K_s", "",
                              "E at several inclinations for a fit of Eq. 1", "run more angles"});
@@ -123,7 +123,7 @@ Color value_color(std::size_t i, std::size_t n) {
 }
 
 /// Values over the inclination: points with intervals, and lines through them or Eq. 1.
-void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, double E_intact) {
+void angle_panel(GnuplotScript& s, const Variation& v, const VariedParameter& p, bool modulus) {
   std::vector<std::string> parts;
   const std::size_t unit = common_unit(p).size();
   for (std::size_t i = 0; i < p.settings.size(); ++i) {
@@ -132,7 +132,9 @@ void angle_panel(GnuplotScript& s, const VariedParameter& p, bool modulus, doubl
     for (const AngleValue& a : modulus ? setting.E : setting.ucs)
       if (a.value.n > 0) rows.push_back(bar(a.theta, a.value, modulus ? 1e-9 : 1e-6));
     if (rows.empty()) continue;
-    const std::vector<Row> line = modulus ? eq1_line(fit_moduli(setting.E, E_intact)) : std::vector<Row>();
+    // Without planes in isotropic rock there is no Eq. 1.
+    const std::vector<Row> line =
+        modulus && v.spacing > 0.0 ? eq1_line(fit_moduli(setting.E, v.E_intact)) : std::vector<Row>();
     const std::string look = fmt::format("lc rgb '{}'", hex_color(value_color(i, p.settings.size())));
     if (!line.empty()) parts.push_back(fmt::format("{} with lines lw 1.2 {} notitle", s.block(line), look));
     const std::string name =
@@ -170,8 +172,8 @@ std::pair<int, int> grid_of(std::size_t n) {
 }
 
 /// Panels side by side; the margins are given in mm. Returns the height of the figure [mm].
-double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>& parameters, bool modulus,
-                    double E_intact, double width) {
+double angle_panels(GnuplotScript& s, const Variation& v,
+                    const std::vector<const VariedParameter*>& parameters, bool modulus, double width) {
   const auto [columns, rows] = grid_of(parameters.size());
   constexpr double left = 12.0, right = 1.5, top = 6.0, bottom = 11.0;
   const double panel = (width - right - columns * left) / columns;  // between the axes
@@ -194,7 +196,7 @@ double angle_panels(GnuplotScript& s, const std::vector<const VariedParameter*>&
     const std::string which = parameters.size() > 1 ? fmt::format("({}) ", letter++) : "";
     const std::string in_unit = unit.empty() ? "" : " [" + gnuplot_plain(unit.substr(1)) + "]";
     s.add("set title {} offset 0,-0.6", gnuplot_string(which + symbol_of(p->key) + in_unit));
-    angle_panel(s, *p, modulus, E_intact);
+    angle_panel(s, v, *p, modulus);
   }
   s.add("unset multiplot");
   return height;
@@ -212,7 +214,7 @@ double draw_stiffness(GnuplotScript& s, const Variation& v, double width) {
 }
 
 double draw_modulus(GnuplotScript& s, const Variation& v, double width) {
-  return angle_panels(s, modulus_parameters(v), true, v.E_intact, width);
+  return angle_panels(s, v, modulus_parameters(v), true, width);
 }
 
 double draw_strength(GnuplotScript& s, const Variation& v, double width) {
@@ -220,7 +222,7 @@ double draw_strength(GnuplotScript& s, const Variation& v, double width) {
   if (parameters.empty())
     throw InputError(
         Problem{"results", "ucs", "", "tests run to the peak", "name a study of solver \"dynamic\""});
-  return angle_panels(s, parameters, false, v.E_intact, width);
+  return angle_panels(s, v, parameters, false, width);
 }
 
 }  // namespace phy::report

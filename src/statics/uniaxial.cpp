@@ -269,6 +269,8 @@ void UniaxialStatics::add_sensitivities(ElasticResult& result, const Reading& re
   const contact::Models& models = network_.models;
   std::vector<Sensitivity> together;
   for (const contact::ElasticParameter& p : models.matrix->elastic_parameters()) {
+    // Layers alone have no foliation that this could refer to.
+    if (p.matrix == &MatrixRecipe::stiffness_ratio && !specimen_->matrix.directional()) continue;
     Sensitivity s = sensitivity(p, 0, specimen_->matrix.*p.matrix);
     if (p.together != nullptr) add_together(p, s, together);
     s.parameter = "matrix." + s.parameter;

@@ -99,6 +99,10 @@ TEST(Uniaxial, SeamsAreSpringsInSeries) {
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
   const double K = m.E_c + m.E_b, column = 1.0 / (6.0 / K + 3.0 / (0.4 * K) + 2.0 / (2.0 * m.E_c));
   EXPECT_NEAR(r.E_platen, column * n_y, 1e-9 * K);
+  ElasticOptions options;
+  options.sensitivities = true;
+  for (const Sensitivity& d : solve_uniaxial(s, options).sensitivities)
+    EXPECT_NE(d.parameter, "matrix.stiffness_ratio") << "there is no foliation";
 }
 
 TEST(Uniaxial, ContactsThatWouldPullAreOpen) {

@@ -51,16 +51,17 @@ std::string hash_of_numbers(const TestResult& result) {
 
 }  // namespace
 
+bool moduli_are_drawn(const Recipe& r) {
+  const auto drawn = [](const BeddingRecipe& b) { return b.scatters() || (b.is_drawn() && !b.unjointed()); };
+  return r.matrix.unbonded_fraction > 0.0 || r.matrix.gapped_fraction > 0.0 ||
+         std::any_of(r.bedding.begin(), r.bedding.end(), drawn);
+}
+
 Recipe elastic_recipe(Recipe single) {
   // Back to defaults, so that recipes that differ only here get one fingerprint.
   single.test = {};
   single.engine = {};
-  // The seed of the bonds moves no modulus, unless it says where joints are, or contacts without a bond.
-  const MatrixRecipe& m = single.matrix;
-  const bool drawn =
-      m.unbonded_fraction > 0.0 || m.gapped_fraction > 0.0 ||
-      std::any_of(single.bedding.begin(), single.bedding.end(), [](auto& b) { return b.is_drawn(); });
-  if (!drawn) single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
+  if (!moduli_are_drawn(single)) single.matrix.bond_seed = MatrixRecipe{}.bond_seed;
   return single;
 }
 

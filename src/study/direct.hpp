@@ -9,6 +9,9 @@
 
 namespace phy::study {
 
+/// The seed of the bonds moves moduli: it says where joints are, or contacts without a bond.
+bool moduli_are_drawn(const Recipe& recipe);
+
 /// What the solution depends on: the specimen, whatever test is done and with what engine; no strength is
 /// drawn. The rest stands at its default.
 Recipe elastic_recipe(Recipe single);

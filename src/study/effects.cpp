@@ -9,6 +9,7 @@
 
 #include "analysis/analyse.hpp"
 #include "base/nan.hpp"
+#include "records/jointed.hpp"
 #include "records/specimen_record.hpp"
 
 namespace phy::study {
@@ -112,12 +113,11 @@ std::map<std::pair<std::size_t, std::size_t>, Readings> readings_of(const Plan& 
     const Recipe& recipe = plan.tests[run.test].recipe;
     const double E = n != nullptr ? n->value : nan;
     // One intact specimen serves as the reference E of all angles of its point.
-    // Eq. 1 takes the rock between the planes for isotropic.
-    if (recipe.matrix.directional()) continue;
-    if (recipe.bedding.empty()) {
+    if (!layered(recipe)) {
       r.intact = E;
       continue;
     }
+    if (!jointed_isotropic(recipe)) continue;
     // Eq. 1 is fitted to complete sets only: with angles missing, replicates could not be compared.
     r.whole = r.whole && std::isfinite(E);
     // Dispersed joints have no spacing, and no K_n and K_s per area.

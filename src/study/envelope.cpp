@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
+#include "records/jointed.hpp"
 
 namespace phy::study {
 namespace {
@@ -94,7 +95,7 @@ EnvelopeTests with_untrusted(EnvelopeTests tests) {
   return tests;
 }
 
-Envelope fit_envelope(const EnvelopeTests& tests) {
+Envelope fit_envelope(const EnvelopeTests& tests, const Recipe& recipe) {
   Envelope envelope;
   envelope.specimens = collect(tests);
   for (SpecimenEnvelope& s : envelope.specimens) {
@@ -102,7 +103,10 @@ Envelope fit_envelope(const EnvelopeTests& tests) {
     s.hoek_brown = theory::fit_hoek_brown(s.readings);
   }
   fit_anisotropy(envelope);
-  fit_plane(envelope);
+  if (has_weak_planes(recipe))
+    fit_plane(envelope);
+  else
+    envelope.plane.reason = no_weak_planes(recipe);
   return envelope;
 }
 

@@ -52,7 +52,8 @@ struct Envelope {
   double m_i = nan;  ///< of the specimen with k = 1
 };
 
-Envelope fit_envelope(const EnvelopeTests& tests);
+/// `recipe`: of the rock; without planes of weakness in it (records/jointed.hpp) none is fitted.
+Envelope fit_envelope(const EnvelopeTests& tests, const Recipe& recipe);
 
 /// Untrusted tests as if they had peaked and nothing more: for those who ask for fits with them.
 EnvelopeTests with_untrusted(EnvelopeTests tests);

@@ -23,6 +23,12 @@ TestResult peak(double theta, double sigma_1) {
   return r;
 }
 
+Recipe bedded_rock() {
+  Recipe r;
+  r.bedding.resize(1);
+  return r;
+}
+
 // Rock made of Saroglou & Tsiambaos: m_i = 10, k = 1 and 0.6.
 TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
   EnvelopeTests tests{{0.0, 5e6, 10e6, 20e6}, {}};
@@ -32,7 +38,7 @@ TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
                              peak(60.0, theory::saroglou_tsiambaos_sigma_1(40e6, 0.6, 10.0, s))});
   tests.results[1][1].outcome.status = Status::unstable;
   tests.results[1][1].numbers[0].value = 1e9;
-  const Envelope e = fit_envelope(tests);
+  const Envelope e = fit_envelope(tests, bedded_rock());
   EXPECT_NEAR(e.m_i, 10.0, 1e-6);
   EXPECT_NEAR(e.specimens[0].k.value, 1.0, 1e-12);
   EXPECT_EQ(e.specimens[1].readings.size(), 3u);
@@ -40,6 +46,11 @@ TEST(Envelope, FindsAnisotropyAndLeavesOutWhatDidNotPeak) {
   EXPECT_NEAR(e.specimens[2].hoek_brown.ucs.value, 40e6, 1.0);
   EXPECT_EQ(e.matrix, "theta = 0 deg");
   EXPECT_TRUE(e.plane.ok) << e.plane.reason;
+  Recipe foliated = bedded_rock();
+  foliated.matrix.tension_ratio = 2.0;
+  const Envelope none = fit_envelope(tests, foliated);
+  EXPECT_FALSE(none.plane.ok);
+  EXPECT_NE(none.plane.reason.find("directions"), std::string::npos);
 }
 
 TEST(Envelope, ReadsKneesAndNamesThem) {
@@ -47,7 +58,7 @@ TEST(Envelope, ReadsKneesAndNamesThem) {
   for (const double s : tests.confining) tests.results.push_back({peak(0.0, 100e6 + 4.0 * s)});
   tests.results[2][0].outcome.status = Status::knee;
   tests.results[2][0].numbers.push_back({"strength_rule", 2.0, "1", "", ""});
-  const Envelope e = fit_envelope(tests);
+  const Envelope e = fit_envelope(tests, bedded_rock());
   EXPECT_EQ(e.specimens[0].readings.size(), 3u);
   EXPECT_EQ(e.specimens[0].knees, std::vector<double>{20e6});
   EXPECT_NEAR(e.specimens[0].mohr_coulomb.ucs.value, 100e6, 1.0);

@@ -22,6 +22,12 @@ void leave_out_unread(BeddingRecipe& set) {
   if (set.rule != BeddingRule::zone) set.zone_thickness = usual.zone_thickness, set.bridges = usual.bridges;
   if (set.rule != BeddingRule::oriented) set.orientation_range = usual.orientation_range;
   if (!set.has_planes() || set.persistence == 1.0) set.patch_length = usual.patch_length;
+  if (!set.unjointed()) return;
+  set.rule = BeddingRule::crossing, set.patch_length = usual.patch_length;
+  set.zone_thickness = usual.zone_thickness, set.bridges = usual.bridges;
+  set.k_n = usual.k_n, set.k_s = usual.k_s, set.mu = usual.mu;
+  set.sigma_n = usual.sigma_n, set.sigma_n_sd = usual.sigma_n_sd, set.cohesion = usual.cohesion;
+  set.phi = usual.phi, set.psi = usual.psi, set.radius_multiplier = usual.radius_multiplier;
 }
 
 /// What all specimens of a recipe have in common.

@@ -9,6 +9,7 @@
 #include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
+#include "study/direct.hpp"
 
 namespace phy::study {
 namespace {
@@ -370,18 +371,19 @@ class Reader {
     return samples;
   }
 
-  /// Without breakage the seed of the bonds counts only where it says which contacts are joints.
+  /// Without breakage the seed of the bonds counts only where it says which contacts are joints, or have no
+  /// bond.
   void check_bond_seeds() {
     const io::TomlValue* v = file_.find("bond_seeds");
     if (v == nullptr || study_.bond_seeds.size() < 2 || study_.solver != Solver::direct) return;
-    const std::vector<BeddingRecipe>& sets = study_.base.bedding;
-    bool drawn = std::any_of(sets.begin(), sets.end(), [](const BeddingRecipe& b) { return b.is_drawn(); });
+    bool drawn = moduli_are_drawn(study_.base);
     for (const Factor& f : study_.vary)
-      for (const char* key : {"bedding.persistence", "bedding.spacing_sd", "bedding.theta_sd"})
+      for (const char* key : {"bedding.persistence", "bedding.spacing_sd", "bedding.theta_sd",
+                              "matrix.unbonded_fraction", "matrix.gapped_fraction"})
         drawn = drawn || (f.key.field != nullptr && f.key.field->path() == key);
     if (!drawn)
       report_problem(*v, "bond_seeds", "one seed with solver = \"direct\"",
-                     "nothing breaks there, and no bedding is drawn: leave it out");
+                     "nothing breaks there, and neither joints nor missing bonds are drawn: leave it out");
   }
 
   void check_points() {
