@@ -82,13 +82,34 @@ TEST(Methods, BeddingIsDescribedAsItWasLaid) {
   BeddingRecipe& set = r.bedding[0];
   set.spacing_sd = 0.2, set.theta_sd = 3.0, set.persistence = 0.7, set.patch_length = 0.004;
   set.sigma_n_sd = 2e6, set.bridges = false;
-  EXPECT_THAT(text(), AllOf(HasSubstr("a standard deviation of 20 %, the inclination one of 3 deg"),
+  EXPECT_THAT(text(), AllOf(HasSubstr("the spacing has a standard deviation of 20 %; the inclination has a "
+                                      "standard deviation of 3 deg"),
                             HasSubstr("70 % of the planes are jointed, in patches of 4 mm"),
                             HasSubstr("10 MPa with standard deviation 2 MPa"),
                             HasSubstr("and to all contacts that cross a plane")));
   set = {};
   set.rule = BeddingRule::oriented, set.orientation_range = 20.0;
   EXPECT_THAT(text(), AllOf(HasSubstr("within 20 deg"), HasSubstr("Duan & Kwok"), Not(HasSubstr("apart"))));
+  set = {};
+  set.persistence = 0.0, set.layer_thickness = 0.002, set.layer_stiffness = 0.5;
+  EXPECT_THAT(text(),
+              AllOf(HasSubstr("layered without joints"), HasSubstr("0.5 times the moduli of the matrix"),
+                    Not(HasSubstr("times the strengths")), Not(HasSubstr("Mas Ivars"))));
+  r.bedding.clear();
+  r.matrix.tension_ratio = 2.0;
+  EXPECT_THAT(text(), HasSubstr("theta is the inclination of the foliation"));
+}
+
+// A test that ended at a knee defines its strength otherwise than one with a peak.
+TEST(Methods, EachDefinitionIsGivenWithItsSpecimens) {
+  const Recipe r;
+  SpecimenRecord one = test_of(r, "theta = 0 deg", peaked, {{1e-3, 50}}),
+                 two = test_of(r, "intact", peaked, {{1e-3, 50}});
+  one.result.numbers = {{"ucs", 5e7, "Pa", "largest stress", ""}, {"nu", 0.2, "1", "slope", ""}};
+  two.result.numbers = {{"ucs", 6e7, "Pa", "stress at the knee", ""}, {"nu", 0.2, "1", "slope", ""}};
+  EXPECT_THAT(methods({one, two}),
+              AllOf(HasSubstr("ucs of theta = 0 deg: largest stress."),
+                    HasSubstr("ucs of intact: stress at the knee."), HasSubstr("nu: slope.")));
 }
 
 TEST(Methods, AConfinedTestNamesStressAndSides) {
