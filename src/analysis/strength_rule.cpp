@@ -20,6 +20,7 @@ constexpr double modulus_lo = 0.2, modulus_hi = 0.6;  // strains of the modulus 
 constexpr std::size_t rows_aside = 2;                 // of the tangent, at least, before and behind
 constexpr std::size_t modulus_rows = 3;               // at least
 constexpr double beyond = 1.25, dip_rise = 1.05;      // exceeded so far within so much strain: a dip
+constexpr std::size_t dip_rows = 5;                   // or within so many rows, where rows are far apart
 
 /// Least-squares slopes over any rows, from sums up to each row.
 class Slopes {
@@ -59,7 +60,8 @@ bool is_over(Values strain, Values stress, std::size_t top, const StopRule& stop
 }
 
 bool is_dip(Values strain, Values stress, std::size_t row) {
-  for (std::size_t i = row + 1; i < strain.size() && strain[i] <= beyond * strain[row]; ++i)
+  for (std::size_t i = row + 1;
+       i < strain.size() && (i <= row + dip_rows || strain[i] <= beyond * strain[row]); ++i)
     if (stress[i] > dip_rise * stress[row]) return true;
   return false;
 }

@@ -12,8 +12,8 @@
 //   largest  Where there is no knee either: no strength.
 //
 // A dip on the rising branch is neither peak nor knee: one that is exceeded by more than 5 % within another
-// quarter of its strain. What lies below 20 % of the largest stress is not looked at: stress waves are not
-// yet even there.
+// quarter of its strain, or within five rows where rows are that far apart. What lies below 20 % of the
+// largest stress is not looked at: stress waves are not yet even there.
 //
 // The numbers are choices of this program. Strengths of different rules are not to be mixed in one envelope:
 // a knee lies below the peak that a test would have shown later.

@@ -138,5 +138,12 @@ TEST(StrengthRule, TheRecipeSaysWhatIsOver) {
   EXPECT_EQ(c.point({.post_peak = 0.0}).rule, StrengthRule::largest);
 }
 
+// A few rows of a specimen in motion: the wave in the first ones is no peak.
+TEST(StrengthRule, AWaveBetweenRowsFarApartIsADip) {
+  const std::vector<double> strain = {6e-5, 1.4e-4, 2.2e-4, 3.0e-4, 3.8e-4, 4.6e-4, 5.4e-4};
+  const std::vector<double> stress = {2.2e6, 1.6e6, 1.9e6, 2.9e6, 3.8e6, 4.6e6, 5.3e6};
+  EXPECT_EQ(strength_point(strain, stress, {}).rule, StrengthRule::largest);
+}
+
 }  // namespace
 }  // namespace phy::analysis

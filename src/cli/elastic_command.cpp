@@ -85,12 +85,15 @@ void print_moduli(const ElasticStudy& study, int width) {
     return 100.0 * static_cast<double>(r.n_open) /
            static_cast<double>(std::max<std::int64_t>(1, r.n_contacts));
   };
-  const Columns pushing = {of("E", "GPa", [](R r, R) { return fixed(r.E_gauge * 1e-9, 3); }),
-                           of("nu", "", [](R r, R) { return fixed(r.nu_gauge, 4); }),
-                           of("E platen", "GPa", [](R r, R) { return fixed(r.E_platen * 1e-9, 3); }),
+  const auto number = [](double v, int digits) {
+    return std::isfinite(v) ? fixed(v, digits) : std::string("-");
+  };
+  const Columns pushing = {of("E", "GPa", [&](R r, R) { return number(r.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [&](R r, R) { return number(r.nu_gauge, 4); }),
+                           of("E platen", "GPa", [&](R r, R) { return number(r.E_platen * 1e-9, 3); }),
                            of("open", "%", [&](R r, R) { return fixed(open(r), 1); })};
-  const Columns pulling = {of("E pulling", "GPa", [](R, R b) { return fixed(b.E_gauge * 1e-9, 3); }),
-                           of("nu", "", [](R, R b) { return fixed(b.nu_gauge, 4); })};
+  const Columns pulling = {of("E pulling", "GPa", [&](R, R b) { return number(b.E_gauge * 1e-9, 3); }),
+                           of("nu", "", [&](R, R b) { return number(b.nu_gauge, 4); })};
   const Columns solution = {of("undec.", "", [](R r, R) { return std::to_string(r.n_alternating); }),
                             of("loose", "", [](R r, R) { return std::to_string(r.n_loose); }),
                             of("solut.", "", [](R r, R) { return std::to_string(r.n_iterations); }),
@@ -100,6 +103,10 @@ void print_moduli(const ElasticStudy& study, int width) {
                 "E, nu: gauge of the middle 60 %, contacts push only; pulling: contacts also pull; "
                 "open: contacts that carry nothing beside their bond;\nundec.: contacts without a "
                 "consistent state; loose: grains without load; solut.: factorisations\n");
+  if (study.recipe.matrix.gapped_fraction > 0.0)
+    print_wrapped(
+        width, 0,
+        "interfaces that start open are taken as absent: the press, which closes some of them, is stiffer\n");
 }
 
 /// Reasons and advice of all results without an answer. Returns whether all were solved.
@@ -195,6 +202,7 @@ void print_sensitivities(const ElasticStudy& study, int width) {
     return a.sensitivities.size() < b.sensitivities.size();
   });
   const std::size_t n = longest->sensitivities.size();
+  if (n == 0) return;
   Column label = column("", "", n, [&](std::size_t row) {
     const std::string& name = longest->sensitivities[row].parameter;
     return name == "ks_over_kn" ? "both ks_over_kn" : name;

@@ -26,7 +26,10 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
     std::string text;
     for (const io::Schema* schema : schemas)
       for (const Field& f : schema->fields)
-        if (in_pfc ? has_pfc_name(f, word) : f.path() == word || f.key == word) text += explanation(f);
+        if (in_pfc ? has_pfc_name(f, word)
+                   : f.path() == word || f.key == word ||
+                         (!f.former.empty() && (f.former == word || f.path_of(f.former) == word)))
+          text += explanation(f);
     if (!text.empty()) return text;
   }
   for (const io::Schema* schema : schemas)

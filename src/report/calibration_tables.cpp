@@ -126,6 +126,19 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
                  symbol.width() + 2);
 }
 
+/// What the matrix has beside parallel bonds everywhere and alike, as the recipe gives it.
+std::vector<std::pair<const char*, std::string>> given_departures(const MatrixRecipe& m) {
+  const auto given = [](double v) { return fmt::format("{:g} (given)", v); };
+  std::vector<std::pair<const char*, std::string>> rows;
+  if (m.unbonded_fraction > 0.0) rows.emplace_back("Share without a bond", given(m.unbonded_fraction));
+  if (m.directional())
+    rows.insert(rows.end(), {{"Stiffness along/across", given(m.stiffness_ratio)},
+                             {"Normal strength along/across", given(m.tension_ratio)},
+                             {"Shear strength along/across", given(m.cohesion_ratio)},
+                             {"Shear strength oblique", given(m.cohesion_oblique)}});
+  return rows;
+}
+
 std::string parameter_tables(const Calibration& c, int terminal_width) {
   const MatrixRecipe& m = c.recipe.matrix;
   const double GPa = 1e9, MPa = 1e6;
@@ -148,6 +161,7 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
                             {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
                             {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
                             {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}});
+  if (const Rows given = given_departures(m); !given.empty()) text += "\n" + table("contacts", given);
   if (c.recipe.bedding.empty()) return text;
   const BeddingRecipe& b = c.recipe.bedding.front();
   return text + "\nTable 2. Bedding\n" +
