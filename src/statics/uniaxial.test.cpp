@@ -54,23 +54,28 @@ const Sensitivity& of(const ElasticResult& r, const std::string& parameter) {
                        [&](const Sensitivity& s) { return s.parameter == parameter; });
 }
 
-TEST(Uniaxial, SquareLatticeOfColumnsHasTheClosedForm) {
-  constexpr double R = 1e-3;
-  const int n_x = 4, n_y = 10;
+/// Four columns of ten equal discs, bonded.
+Specimen columns(double R) {
   std::vector<Disc> discs;
-  for (int j = 0; j < n_y; ++j)
-    for (int i = 0; i < n_x; ++i) discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
+  for (int j = 0; j < 10; ++j)
+    for (int i = 0; i < 4; ++i) discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
   MatrixRecipe m;
   m.E_c = 31e9, m.E_b = 17e9;
   Specimen s = assembly(discs, m);
   bond_touching(s);
+  return s;
+}
+
+TEST(Uniaxial, SquareLatticeOfColumnsHasTheClosedForm) {
+  const Specimen s = columns(1e-3);
+  const MatrixRecipe& m = s.matrix;
   const ElasticResult r = solve_uniaxial(s);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
   const double K = m.E_c + m.E_b, wall = 2.0 * m.E_c;
   EXPECT_NEAR(r.E_gauge, K, 1e-9 * K);
   EXPECT_NEAR(r.nu_gauge, 0.0, 1e-9);
-  const double column = 1.0 / ((n_y - 1) / K + 2.0 / wall);  // contacts in series
-  EXPECT_NEAR(r.E_platen, column * n_y, 1e-9 * K);
+  const double column = 1.0 / (9.0 / K + 2.0 / wall);  // contacts in series
+  EXPECT_NEAR(r.E_platen, column * 10.0, 1e-9 * K);
   EXPECT_EQ(r.n_open, 0);
   EXPECT_EQ(r.n_loose, 0);
 }
@@ -78,14 +83,9 @@ TEST(Uniaxial, SquareLatticeOfColumnsHasTheClosedForm) {
 // Columns of discs through seams of another stiffness: springs in series.
 TEST(Uniaxial, SeamsAreSpringsInSeries) {
   constexpr double R = 1e-3;
-  const int n_x = 4, n_y = 10;
-  std::vector<Disc> discs;
-  for (int j = 0; j < n_y; ++j)
-    for (int i = 0; i < n_x; ++i) discs.push_back({R * (1.0 + 2.0 * i), R * (1.0 + 2.0 * j), R});
-  MatrixRecipe m;
-  m.E_c = 31e9, m.E_b = 17e9;
-  Specimen s = assembly(discs, m);
-  bond_touching(s);
+  Specimen s = columns(R);
+  const MatrixRecipe& m = s.matrix;
+  const std::vector<Disc>& discs = s.packing->discs;
   s.bedding.resize(1);
   s.bedding[0].layer_thickness = R, s.bedding[0].layer_stiffness = 0.4;
   int n_soft = 0;
@@ -98,7 +98,7 @@ TEST(Uniaxial, SeamsAreSpringsInSeries) {
   const ElasticResult r = solve_uniaxial(s);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.reason;
   const double K = m.E_c + m.E_b, column = 1.0 / (6.0 / K + 3.0 / (0.4 * K) + 2.0 / (2.0 * m.E_c));
-  EXPECT_NEAR(r.E_platen, column * n_y, 1e-9 * K);
+  EXPECT_NEAR(r.E_platen, column * 10.0, 1e-9 * K);
   ElasticOptions options;
   options.sensitivities = true;
   for (const Sensitivity& d : solve_uniaxial(s, options).sensitivities)

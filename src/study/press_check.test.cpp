@@ -32,16 +32,27 @@ MachineOptions machine() {
   return m;
 }
 
+std::vector<Specimen> specimens_of(const Recipe& r) {
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
+  return genesis::make_specimens(packing, r);
+}
+
+struct Both {
+  std::vector<ElasticResult> direct;
+  std::vector<PressModuli> press;  ///< nothing breaks and nothing slips
+};
+Both solve_both(const Recipe& r) {
+  const std::vector<Specimen> specimens = specimens_of(r);
+  return {statics::solve_all(specimens, {}, 2), press_moduli(specimens, r, machine(), true)};
+}
+
 class PressCheck : public testing::TestWithParam<BeddingRule> {};
 
 TEST_P(PressCheck, DirectSolutionIsTheSlopeOfThePress) {
   Recipe r = small_recipe();
   r.bedding[0].rule = GetParam();
-  const auto packing =
-      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
-  const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
-  const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+  const auto& [direct, press] = solve_both(r);
   ASSERT_EQ(press.size(), 8U);
   for (std::size_t i = 0; i < press.size(); ++i) {
     ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
@@ -66,11 +77,7 @@ TEST(PressCheck, DirectSolutionOfAMatrixWithDirections) {
     r.test.angles = {0.0, 30.0, 60.0, 90.0};
     r.test.intact = false;
     if (!bedded) r.bedding.clear();
-    const auto packing =
-        std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
-    const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
-    const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
-    const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+    const auto& [direct, press] = solve_both(r);
     ASSERT_EQ(press.size(), 4U);
     // With joints single contacts that open on the way count in so small a packing, as above.
     const double exact = bedded ? 0.01 : 0.002;
@@ -89,11 +96,7 @@ TEST(PressCheck, DirectSolutionOfFlatJoints) {
   r.matrix.model = MatrixModel::flat_joint, r.matrix.elements = 2;
   r.matrix.bond_ks_over_kn = MatrixRecipe{}.bond_ks_over_kn;
   r.test.angles = {0.0, 45.0};
-  const auto packing =
-      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
-  const std::vector<ElasticResult> direct = statics::solve_all(specimens, {}, 2);
-  const std::vector<PressModuli> press = press_moduli(specimens, r, machine(), true);
+  const auto& [direct, press] = solve_both(r);
   ASSERT_EQ(press.size(), 3U);
   for (std::size_t i = 0; i < press.size(); ++i) {
     ASSERT_TRUE(press[i].outcome.empty()) << press[i].outcome;
@@ -107,9 +110,7 @@ TEST(PressCheckAsTheRecipeHasIt, IsOfTheUniaxialPress) {
   Recipe r = small_recipe();
   r.test.angles = {0.0};
   r.test.intact = false;
-  const auto packing =
-      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
+  const std::vector<Specimen> specimens = specimens_of(r);
   const std::vector<PressModuli> uniaxial = press_moduli(specimens, r, machine(), true);
   r.test.kind = TestKind("direct_tension");
   const std::vector<PressModuli> other = press_moduli(specimens, r, machine(), true);
@@ -123,9 +124,7 @@ TEST(PressCheckAsTheRecipeHasIt, WeakJointsBreakAndSoften) {
   r.test.intact = false;
   r.bedding[0].sigma_n = r.bedding[0].cohesion = 0.5e6;
   r.bedding[0].mu = 0.1;
-  const auto packing =
-      std::make_shared<const Packing>(genesis::make_packing(r.specimen, r.packing, r.matrix));
-  const std::vector<Specimen> specimens = genesis::make_specimens(packing, r);
+  const std::vector<Specimen> specimens = specimens_of(r);
   const std::vector<PressModuli> held = press_moduli(specimens, r, machine(), true);
   const std::vector<PressModuli> free = press_moduli(specimens, r, machine(), false);
   EXPECT_EQ(held[1].n_cracks, 0);
