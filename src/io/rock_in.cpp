@@ -259,8 +259,9 @@ class RockReader {
       rock_.notes.emplace_back("a rock without bedding");
     } else if (!has_bedding_) {
       rock_.notes.push_back(
-          fmt::format("the recipe has no [[bedding]]: planes are the paper's, every {:g} mm",
-                      rock_.model.bedding[0].spacing * 1e3));
+          fmt::format("the recipe has no [[bedding]]: planes are the paper's, every {:g} mm{}",
+                      rock_.model.bedding[0].spacing * 1e3,
+                      rock_.model.matrix.directional() ? "; directions of its matrix stay as they are" : ""));
     }
     // Statements about the whole table need all of it.
     if (problems_.size() == n_before) check_content(where);

@@ -138,18 +138,20 @@ double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
   for (const Panel& p : all)
     if (auto parts = panel_parts(s, data, p); !parts.empty()) panels.emplace_back(p.label, std::move(parts));
   if (panels.empty())
-    throw InputError(Problem{"result", "theta", "", "specimens with bedding and with numbers",
-                             "run a recipe with [[bedding]] and test.angles"});
+    throw InputError(Problem{"result", "theta", "", "specimens with layers and with numbers",
+                             "run a recipe with [[bedding]] or a foliated matrix, and test.angles"});
   const double height = std::min(0.62, 1.02 / static_cast<double>(panels.size()));  // over the width
   s.add("set multiplot layout 1,{} margins 0.06,0.99,{:.4f},0.96 spacing 0.075,0", panels.size(),
         0.068 / height);
-  s.add(
-      "set xrange [-3:93]; set xtics 15; set yrange [0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'; set "
-      "key top center reverse Left");
+  s.add("set xrange [-3:93]; set xtics 15; set yrange [0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'");
+  // Points alone need no key; beside others it stands above them.
+  const bool alone =
+      std::all_of(panels.begin(), panels.end(), [](const auto& p) { return p.second.size() == 1; });
+  s.add("{}", alone ? "unset key" : "set key top center reverse Left; set offsets 0,0,graph 0.2,0");
   for (const auto& [label, parts] : panels) {
     s.add("set ylabel '{}' offset 1", label);
     s.plot(parts);
-    s.add("unset key");
+    s.add("unset key; set offsets 0,0,0,0");
   }
   s.add("unset multiplot");
   return height * width;
