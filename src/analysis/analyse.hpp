@@ -1,8 +1,9 @@
 // The numbers of a test, read from its history alone: so the same code reads a PFC history or a
 // laboratory curve. Every number carries its SI value, its unit and the definition used; what cannot be
 // determined is NaN with a note. A value with a note is to be read with that note ("below ...": an upper
-// bound; "no peak": the percentages refer to the largest stress so far; "a knee": it is no peak). All reading
-// is linear in the number of rows and cracks.
+// bound; "no peak": the percentages refer to the largest stress so far; "a knee": it is no peak). Reading
+// is linear in the number of rows and cracks, but for the strength of tests that may harden
+// (strength_rule.hpp).
 //
 //   elastic.hpp    E_tangent E_secant E_small nu, and the same with _platen
 //   strength.hpp   ucs (or what the strength of the test is called) peak_strain strength_rule largest_stress

@@ -161,7 +161,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
   verb->add_flag("--with-untrusted", args->with_untrusted,
-                 "count tests that peaked but are not to be trusted (docs/reliability.md)");
+                 "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->add_option("--max-tests", args->max_tests, "budget: tests of UCS, verification included")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -105,14 +105,13 @@ void print_strengths(const study::EnvelopeTests& tests, const study::Envelope& e
 
 /// What to think of an envelope with knees in it.
 std::string knees_text(const study::SpecimenEnvelope& s) {
-  std::vector<std::string> stresses;
-  for (const double sigma_3 : s.knees) stresses.push_back(fmt::format("{:g}", sigma_3 * 1e-6));
   if (s.knees.size() == s.readings.size())
     return "an envelope of knees: not to be compared with one of peaks";
+  std::vector<std::string> stresses;
+  for (const double sigma_3 : s.knees) stresses.push_back(fmt::format("{:g}", sigma_3 * 1e-6));
   return fmt::format(
       "knees (at {} MPa) and peaks in one envelope: a knee lies below the peak that more strain may bring, "
-      "and "
-      "phi and m_i mix both; raise test.max_strain, or leave these confining stresses out",
+      "and phi and m_i mix both; raise test.max_strain, or leave these confining stresses out",
       fmt::join(stresses, ", "));
 }
 

@@ -60,6 +60,7 @@ int rock_check(const std::string& path, int width) {
 int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
   check_free("rock twin", name, {".csv"});
   Recipe truth = io::read_recipe(recipe_file);
+  print_notes(truth.notes, session.terminal_width);
   calibrate::TwinOptions options;
   if (truth.bedding.empty())
     options.angles = {0.0};

@@ -291,6 +291,7 @@ void add_specimen_command(CLI::App& app, Session& session) {
       io::check_outputs(files);
       io::check_writable(*out);
     }
+    print_notes(recipe.notes, session.terminal_width);
     const Made made = make_all(recipe, false, session.terminal_width);
     for (std::size_t i = 1; i < made.specimens.size(); ++i)
       print_bedding(*made.specimens[i], session.terminal_width);

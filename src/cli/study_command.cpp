@@ -410,7 +410,7 @@ void add_study_command(CLI::App& app, Session& session) {
   CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of what is finished");
   effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's");
   effects->add_flag("--with-untrusted", args->with_untrusted,
-                    "count tests that peaked but are not to be trusted (docs/reliability.md)");
+                    "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   CLI::App* merge = verb("merge", "join the stores of shards");
   merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
   study->callback([=, &session] {

@@ -32,7 +32,7 @@ class FlatJointModel final : public ContactModel {
   }
 
   void geometry(const MatrixRecipe& m, double r1, double r2, double* out) const override {
-    const double r_min = std::min(r1, r2), factor = 2.0 * r_min / (r1 + r2);
+    const double r_min = std::min(r1, r2), factor = laws::linear::stiffness_factor(true, r1, r2);
     out[F::factor] = factor, out[F::inv_factor] = 1.0 / factor;
     out[F::r_min] = r_min, out[F::inv_r_min] = 1.0 / r_min;
     out[F::elements] = static_cast<double>(m.elements);
@@ -137,8 +137,7 @@ class FlatJointModel final : public ContactModel {
   }
   /// k_n 2R over E_c lambda.
   static double factor(const Specimen& s, const Contact& c) {
-    const double r1 = radius(s, c.a), r2 = radius(s, c.b);
-    return 2.0 * std::min(r1, r2) / (r1 + r2);
+    return laws::linear::stiffness_factor(true, radius(s, c.a), radius(s, c.b));
   }
 
   /// `bonds` of a whole interface, as the law counts them.

@@ -290,6 +290,34 @@ TEST(Models, APairWithoutMemoryIsTheSameInBoth) {
   }
 }
 
+// A lane in which an interface has left, so that its grains rub as linear contacts, beside a lane whose
+// interface is a slit: what it loses by slip is what it loses alone.
+TEST(Models, ALinearContactBesideASlitKeepsItsSlip) {
+  using R = Pack<double, 2>;
+  const Specimen s = flat_jointed(two_grains(StiffnessConvention::pfc31), 3);
+  Moved<FlatJoint> alone(s, s.contacts[0]);
+  alone.fields.assign(FlatJoint::n_fields, 0.0);
+  std::vector<double> p, fields(2 * FlatJoint::n_fields, 0.0);
+  for (const double v : alone.p) p.insert(p.end(), {v, v});
+  fields[2 * FlatJoint::bonds + 1] = 1.0;  // a slit in lane 1
+  Kinematics<R> motion{R(1), R(0), R(0), R(0), R(0), R(R1), R(R2), R(0)};
+  const auto nothing_breaks = [](auto&&...) { ADD_FAILURE(); };
+  double slip = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    alone.step(3e-8, 2e-7, 0.0);
+    motion.stretch -= R(3e-8), motion.vx = R(-3e-8), motion.vy = R(2e-7);
+    const MaskOf<R> both = R(0) < R(1);
+    const Memory<R, true> memory{fields.data(), both};
+    const R side(0), dt(1), extra(0);
+    Sums<R> sums;
+    FlatJoint::respond<true>(Row<R>{p.data()}, alone.g.data(), memory, Step<R>{motion, 0.0, side, dt, extra},
+                             sums, nothing_breaks);
+    EXPECT_EQ(sums.slip[0], alone.sums.slip);
+    slip += alone.sums.slip;
+  }
+  EXPECT_GT(slip, 0.0);
+}
+
 TEST(Models, OnlyAnUnevenStiffnessTakesTheLineThatPaysForIt) {
   Specimen s;
   EXPECT_EQ(models_of(s).matrix, &LinearBond::model());

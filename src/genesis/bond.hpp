@@ -6,7 +6,8 @@
 // SD = 0 gives the mean to the last bit. In a matrix with directions (contact/direction.hpp) a draw is
 // multiplied by the factor of its contact: the scatter is a share of what the direction has, and is the same
 // share in all. Contacts that are left without a bond (matrix.unbonded_fraction) are linear contacts of mean
-// stiffness from the start.
+// stiffness from the start; of flat joints they are interfaces without bonds, closed or (gapped_fraction)
+// open.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -23,8 +24,8 @@ constexpr double strength_cut = 3.0;
 double draw_strength(double mean, double sd, std::int64_t seed, Stream stream, std::uint32_t a,
                      std::uint32_t b);
 
-/// All pairs with gap <= bond_gap times their mean radius, bonded but for the unbonded fraction, sorted by
-/// (a, b).
+/// All pairs with gap <= bond_gap times their mean radius, bonded but for the unbonded and gapped fractions,
+/// sorted by (a, b).
 std::vector<Contact> bond(const Packing& packing, const MatrixRecipe& matrix);
 
 }  // namespace phy::genesis

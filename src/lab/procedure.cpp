@@ -306,8 +306,7 @@ void Procedure::accept_strength() {
         ""};
   if (rule == static_cast<double>(analysis::StrengthRule::knee))
     outcome = {Status::knee,
-               fmt::format("the {} bends at {}{}; no fall by 10 % up to {}", test().stress, at, later, end),
-               ""};
+               fmt::format("the {} bends at {}{}; no peak up to {}", test().stress, at, later, end), ""};
 }
 
 void Procedure::read_numbers() {

@@ -79,9 +79,9 @@ HistoryColumns joined(std::initializer_list<HistoryColumns> parts);
 /// "axial_strain [1]": a column in the head of a table.
 std::string heading(const HistoryColumn& column);
 
-/// `untrusted`: it peaked, but a measure of quality is so bad that its numbers are none of the rock
+/// `untrusted`: it has a strength, but a measure of quality is so bad that its numbers are none of the rock
 /// (quality.hpp). `solved`, `unsolved`: by the direct elastic solution, which knows no peak. `knee`: it
-/// hardens behind a knee, where its strength is (analysis/strength_rule.hpp).
+/// shows a knee and no peak; its strength is there (analysis/strength_rule.hpp).
 enum class Status {
   peaked,
   not_peaked,

@@ -56,25 +56,22 @@ std::string macro_stiffness(const theory::JointedRock& rock, const BeddingRecipe
 }
 
 void add_goodman(const RunRecord& run, TheoryCurves& curves) {
+  const Recipe& recipe = run.tests.front().recipe;  // all have the same
+  if (!jointed_isotropic(recipe)) {
+    curves.E.note = curves.nu.note = fmt::format("No theory curve: {}.", no_weak_planes(recipe));
+    return;
+  }
   std::vector<theory::ModulusReading> readings;
   double nu_90 = nan;
-  BeddingRecipe set;
-  bool bedded = false;
   for (const SpecimenRecord& t : run.tests) {
     if (t.result.intact) continue;
     if (value_of(t, "E_tangent") > 0.0) readings.push_back({t.result.theta, value_of(t, "E_tangent")});
     if (t.result.theta == 90.0) nu_90 = value_of(t, "nu");
-    if (!t.recipe.bedding.empty()) set = t.recipe.bedding[0], bedded = true;
-  }
-  if (!jointed_isotropic(run.tests.front().recipe)) {
-    curves.E.note = curves.nu.note =
-        fmt::format("No theory curve: {}.", no_weak_planes(run.tests.front().recipe));
-    return;
   }
   const theory::Eq1Options options = reference_for(run);
   const theory::Eq1Fit fit = theory::fit_eq1(readings, options);
-  if (!fit.ok() || !bedded) {
-    curves.E.note = curves.nu.note = "No theory curve: " + (fit.ok() ? "no bedding" : fit.reason) + ".";
+  if (!fit.ok()) {
+    curves.E.note = curves.nu.note = "No theory curve: " + fit.reason + ".";
     return;
   }
   const char* reference = options.reference == theory::Eq1Reference::measured_90 ? "E taken at 90°"
@@ -84,7 +81,7 @@ void add_goodman(const RunRecord& run, TheoryCurves& curves) {
   curves.E = sampled(
       fmt::format("Dashed: equivalent continuum (Goodman 1976), least squares in compliance, {}: E = {:.1f} "
                   "GPa, {}, R² = {:.3f}.",
-                  reference, rock.E * 1e-9, macro_stiffness(rock, set), fit.R2),
+                  reference, rock.E * 1e-9, macro_stiffness(rock, recipe.bedding.front()), fit.R2),
       [&](double theta) { return theory::goodman_E(rock, theta); });
   rock.nu = nu_90;
   curves.nu.note = "No theory curve: it starts from ν at 90°.";

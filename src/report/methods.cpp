@@ -56,8 +56,8 @@ std::string departures_text(const Recipe& r) {
          fmt::format(
              " Contacts have directions: with a the angle between their normal and that of the foliation, "
              "stiffness, tensile strength and shear strength are multiplied by 1 + W cos 2a, W = (1 - r)/(1 "
-             "+ "
-             "r), r = {:g}, {:g} and {:g}, the shear strength also by 1 - V cos 4a, V = (q - 1)/(q + 1), q = "
+             "+ r), r = {:g}, {:g} and {:g}, the shear strength also by 1 - V cos 4a, V = (q - 1)/(q + 1), q "
+             "= "
              "{:g}.",
              m.stiffness_ratio, m.tension_ratio, m.cohesion_ratio, m.cohesion_oblique);
 }

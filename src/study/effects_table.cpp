@@ -9,6 +9,7 @@
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "study/effects.hpp"
+#include "study/envelope.hpp"
 #include "study/table.hpp"
 
 namespace phy::study {
@@ -178,7 +179,11 @@ std::string left_out_text(const StudyRows& rows, Solver solver) {
     ++n_finished;
     if (has_answer(row->result.outcome.status)) tally.add(row->result.numbers);
     if (row->result.outcome.status == Status::untrusted) ++n_untrusted;
-    if (row->result.outcome.status == Status::knee) ++n_knees;
+    // Untrusted ones that are counted all the same stand as peaked.
+    const Status status = row->result.outcome.status;
+    if (status == Status::knee ||
+        (status == Status::peaked && rule_of(row->result) == analysis::StrengthRule::knee))
+      ++n_knees;
   }
   std::string text;
   if (const std::size_t n = n_finished - tally.n_results - n_untrusted; n > 0)
@@ -188,8 +193,8 @@ std::string left_out_text(const StudyRows& rows, Solver solver) {
     text +=
         fmt::format("\nleft out: {} of {} specimens, which are not to be trusted\n", n_untrusted, n_finished);
   if (n_knees > 0)
-    text += fmt::format("\nstrength at a knee: {} of {} specimens, which harden behind it\n", n_knees,
-                        n_finished);
+    text +=
+        fmt::format("\nstrength at a knee: {} of {} specimens, which show no peak\n", n_knees, n_finished);
   return text + (tally.text().empty() ? "" : "\n" + tally.text() + "\n");
 }
 

@@ -44,7 +44,7 @@ double expected_cost(const Recipe& r) {
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
   const double dt =
       step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
-  // At least a tenth of the way to the peak, for tests whose jump leaves almost nothing.
+  // At least a tenth of the way to the peak, for tests whose pre-strain leaves almost nothing.
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.pre_strain);

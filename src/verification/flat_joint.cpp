@@ -26,7 +26,6 @@ struct Interface {
     const laws::Reaction<double> r =
         laws::flat_joint::respond<N, double>(p, s, {closure, 0.0, slide, rotation}, cracks);
     for (int e = 0; cracks.some && e < N; ++e) n_cracks += cracks.tension[e] || cracks.shear[e] ? 1 : 0;
-    cracks.some = false;
     return r;
   }
   /// Turned at the normal force P, where the bonds that hold balance it.

@@ -2,7 +2,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "base/units.hpp"
@@ -74,11 +73,11 @@ std::vector<Check> directional_lattice() {
     Cell cell = hexagonal_cell(4, 4);
     MatrixRecipe& m = cell.specimen.matrix;
     m.stiffness_ratio = 2.2, m.foliation = theta;
-    const double turn = theta * std::numbers::pi / 180.0, W = (1.0 - 2.2) / (1.0 + 2.2);
+    const double turn = theta * pi / 180.0, W = (1.0 - 2.2) / (1.0 + 2.2);
     Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
     Eigen::Vector3d spin = Eigen::Vector3d::Zero();
     double sum = 0.0;
-    for (const double phi : {0.0, std::numbers::pi / 3.0, 2.0 * std::numbers::pi / 3.0}) {
+    for (const double phi : {0.0, pi / 3.0, 2.0 * pi / 3.0}) {
       const double c = std::cos(phi), s = std::sin(phi), f = 1.0 - W * std::cos(2.0 * (phi - turn));
       const Eigen::Vector3d N(c * c, s * s, c * s), T(-c * s, c * s, 0.5 * (c * c - s * s));
       C += f * (cell.K_n() * N * N.transpose() + cell.K_s() * T * T.transpose());

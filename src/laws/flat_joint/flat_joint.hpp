@@ -51,7 +51,7 @@ struct State {
 template <int N>
 constexpr double whole = static_cast<double>((1 << N) - 1);
 
-/// What breaks in a step, by element. Filled only where `some`.
+/// What breaks in a step, by element; to be read only where `some`.
 template <class R, int N>
 struct Cracks {
   bool some = false;
@@ -131,9 +131,8 @@ R bonded_energy(R a, R b) {
 
 /// Which of the bonded elements break in this step, in the lanes that are not `at_rest`.
 template <int N, class R>
-void find_cracks(const Parameters<R>& p, R shear, const Motion<R>& m, const MaskOf<R> (&bonded)[N],
-                 MaskOf<R> at_rest, Cracks<R, N>& cracks) {
-  const Division<N, R> of(p, m.rotation);
+void find_cracks(const Parameters<R>& p, const Division<N, R>& of, R shear, const Motion<R>& m,
+                 const MaskOf<R> (&bonded)[N], MaskOf<R> at_rest, Cracks<R, N>& cracks) {
   for (int e = 0; e < N; ++e) {
     const R a = m.closure + m.rotation * of.centre(e);
     cracks.tension[e] = bonded[e] & (!at_rest) & fails_in_tension(p, a, of.b);
@@ -169,7 +168,7 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
           S_bonded = s.shear * detail::number<R>(1.0 / N);
   MaskOf<R> bonded[N];
   detail::read_bonds<N, R>(s.bonds, bonded);
-  detail::find_cracks<N, R>(p, s.shear, m, bonded, at_rest, cracks);
+  detail::find_cracks<N, R>(p, of, s.shear, m, bonded, at_rest, cracks);
   R F[N], S[N], M[N], slip[N], left[N];
   for (int e = 0; e < N; ++e) {
     const R x = of.centre(e), a = m.closure + m.rotation * x;
@@ -192,7 +191,7 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
   r.F_n = select(at_rest, r.F_n, detail::sum(F));
   r.F_s = select(at_rest, r.F_s, detail::sum(S));
   r.M = select(at_rest, r.M, detail::sum(M));
-  r.dissipated = select(at_rest, R(0), detail::sum(slip));
+  r.dissipated = select(at_rest, r.dissipated, detail::sum(slip));
   for (int e = 0; e < N; ++e) r.broke_tension = r.broke_tension | cracks.tension[e];
   for (int e = 0; e < N; ++e) r.broke_shear = r.broke_shear | (cracks.shear[e] & (!r.broke_tension));
   cracks.some = any(r.broke_tension | r.broke_shear);
@@ -204,6 +203,7 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
 template <int N, class R>
 PHY_HOT inline Reaction<R> respond(const Parameters<R>& p, State<R, N>& s, const Motion<R>& m,
                                    Cracks<R, N>& cracks) {
+  cracks.some = false;
   s.shear = s.shear - p.k_s * m.d_slide;
   Reaction<R> r = respond_whole(p, s.shear, m);
   const R h = p.half_length * detail::number<R>(1.0 / N);

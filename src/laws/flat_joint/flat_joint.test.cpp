@@ -43,7 +43,6 @@ struct Interface {
     dissipated += r.dissipated, released += r.released;
     if (!cracks.some) return;
     for (int e = 0; e < N; ++e) n_cracks += cracks.tension[e] || cracks.shear[e] ? 1 : 0;
-    cracks.some = false;
   }
   double energy() const { return flat_joint::strain_energy<N, double>(p, s, at); }
   bool bonded(int e) const { return (static_cast<int>(s.bonds) >> e & 1) != 0; }
