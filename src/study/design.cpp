@@ -77,17 +77,6 @@ std::vector<Point> latin_hypercube(const Study& study) {
   return points;
 }
 
-/// The first n points of Sobol's sequence in [0, 1)^dimensions; Boost begins behind the origin.
-std::vector<std::vector<double>> sobol_sequence(std::size_t dimensions, std::size_t n) {
-  boost::random::sobol engine(dimensions);
-  // Boost returns whole numbers up to `range`, included; + 1 keeps u below 1.
-  const auto range = static_cast<double>(boost::random::sobol::max());
-  std::vector<std::vector<double>> u(n, std::vector<double>(dimensions));
-  for (auto& x : u)
-    for (double& v : x) v = static_cast<double>(engine()) / (range + 1.0);
-  return u;
-}
-
 std::vector<Point> sobol(const Study& study) {
   std::vector<Point> points;
   for (const auto& u : sobol_sequence(study.vary.size(), static_cast<std::size_t>(study.samples)))
@@ -142,6 +131,16 @@ std::vector<Point> morris(const Study& study) {
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> sobol_sequence(std::size_t dimensions, std::size_t n) {
+  boost::random::sobol engine(dimensions);
+  // Boost begins behind the origin and returns whole numbers up to `range`, included; + 1 keeps u below 1.
+  const auto range = static_cast<double>(boost::random::sobol::max());
+  std::vector<std::vector<double>> u(n, std::vector<double>(dimensions));
+  for (auto& x : u)
+    for (double& v : x) v = static_cast<double>(engine()) / (range + 1.0);
+  return u;
+}
 
 const char* to_string(Solver solver) { return solver == Solver::direct ? "direct" : "dynamic"; }
 

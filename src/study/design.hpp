@@ -81,6 +81,9 @@ struct Point {
 
 std::vector<Point> points_of(const Study& study);
 
+/// The first n points of Sobol's sequence in [0, 1)^dimensions without its origin.
+std::vector<std::vector<double>> sobol_sequence(std::size_t dimensions, std::size_t n);
+
 /// Packings times bond seeds.
 inline std::size_t n_replicates(const Study& study) {
   return study.packings.size() * study.bond_seeds.size();

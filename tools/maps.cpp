@@ -1,0 +1,212 @@
+// What each family of models reaches: runs the tests of data/maps and writes its tables (`make maps`).
+//
+//   maps FOLDER STORE [FAMILY ...]
+//
+// Layered families: every point of the Sobol sequence on one packing, five packings in turn, UCS at seven
+// inclinations, Brazilian strength at three. Isotropic ones: every point on five packings of two densities,
+// UCS, direct tension, Brazilian strength and two confined strengths. Finished tests stay in STORE.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "analysis/analyse.hpp"
+#include "base/check.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/family.hpp"
+#include "calibrate/strength_tests.hpp"
+#include "io/file.hpp"
+#include "lab/brazilian/reading.hpp"
+#include "study/design.hpp"
+
+namespace phy {
+namespace {
+
+using calibrate::Lever;
+using calibrate::ModelFamily;
+
+constexpr std::int64_t first_packing = 401, n_packings = 5;
+constexpr std::int64_t loose_grains = 1227;             // porosity 0.15
+constexpr double disc_angles[] = {0, 45, 90};           // [deg]
+constexpr double quicker = 2.0;                         // than the tests of a verification
+constexpr double confinement[] = {0.1, 0.3};            // of the UCS that is expected
+
+
+/// One test, and the columns that it fills.
+struct Column {
+  std::string name;
+  double (*of)(const Recipe&, const TestResult&);
+};
+struct MapTest {
+  Recipe recipe;
+  std::vector<Column> columns;
+};
+struct MapRow {
+  std::int64_t point, packing, n_grains;
+  std::vector<double> levers;
+  std::vector<MapTest> tests;
+};
+
+double number(const TestResult& r, const std::string& name) {
+  const Number* n = has_strength(r.outcome.status) ? analysis::find(r.numbers, name) : nullptr;
+  return n != nullptr ? n->value : std::nan("");
+}
+template <const char* const& name>
+double over_sigma_c(const Recipe& r, const TestResult& t) {
+  return number(t, name) / r.matrix.sigma_c;
+}
+constexpr const char* ucs = "ucs";
+constexpr const char* bts = "bts";
+constexpr const char* dts = "sigma_t";
+constexpr const char* q_max = "q_max";
+
+double broken_share(const Recipe& r, const TestResult& t) {
+  double n = 0.0;
+  for (const char* kind : {"tension_matrix", "shear_matrix", "tension_bedding", "shear_bedding"})
+    n += number(t, fmt::format("cracks_{}_at_peak", kind));
+  const double elements = r.matrix.model == MatrixModel::flat_joint ? static_cast<double>(r.matrix.elements) : 1.0;
+  return n / elements / static_cast<double>(t.n_contacts);
+}
+/// 1: the first crack lies in the central third of the disc.
+double is_central(const Recipe&, const TestResult& t) {
+  const double x = number(t, "first_crack_x"), y = number(t, "first_crack_y");
+  return std::isfinite(x) ? std::fmax(std::fabs(x), std::fabs(y)) <= lab::central_third : std::nan("");
+}
+double E_small(const Recipe& r, const TestResult& t) { return number(t, "E_small") / r.matrix.E_c; }
+
+std::vector<Column> compression_columns(const std::string& at) {
+  return {{"E_small/E_c" + at, E_small},
+          {"E50/E_c" + at, [](const Recipe& r, const TestResult& t) { return number(t, "E_tangent") / r.matrix.E_c; }},
+          {"nu50" + at, [](const Recipe&, const TestResult& t) { return number(t, "nu"); }},
+          {"UCS/sigma_c" + at, over_sigma_c<ucs>},
+          {"sigma_ci/UCS" + at, [](const Recipe&, const TestResult& t) { return number(t, "sigma_ci") / number(t, "ucs"); }},
+          {"broken" + at, broken_share}};
+}
+std::vector<Column> disc_columns(const std::string& at) {
+  return {{"BTS/sigma_c" + at, over_sigma_c<bts>}, {"central" + at, is_central}};
+}
+
+/// UCS that a recipe may have [Pa], for the speed of the platens: of the matrix, or of its planes.
+double expected_ucs(const Recipe& r, double theta) {
+  const MatrixRecipe& m = r.matrix;
+  const double ratio = m.tau_c / m.sigma_c;
+  const double sound = m.model == MatrixModel::flat_joint ? 1.4 * m.sigma_c * std::pow(ratio, 0.85)
+                                                          : 2.2 * m.sigma_c * std::sqrt(std::fmin(ratio, 2.0));
+  const bool oblique = !r.bedding.empty() && theta > 15.0 && theta < 80.0;
+  return oblique ? std::fmin(sound, 4.0 * r.bedding[0].cohesion) : sound;
+}
+
+std::vector<Target> expected(const Recipe& r, bool layered) {
+  std::vector<Target> list;
+  for (const double theta : calibrate::mapped_angles)
+    if (layered || theta == 0.0) list.push_back({Property::ucs, theta, expected_ucs(r, theta), 1.0, 1, true});
+  if (!layered) list.push_back({Property::direct_tension, 0.0, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
+  for (const double theta : disc_angles)
+    if (layered || theta == 0.0) list.push_back({Property::brazilian, theta, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
+  return list;
+}
+
+std::vector<Column> columns_of(const Target& t, bool layered) {
+  const std::string at = layered ? fmt::format("({:g})", t.theta) : "";
+  if (t.property == Property::ucs) return compression_columns(at);
+  if (t.property == Property::brazilian) return disc_columns(at);
+  return {{"DTS/sigma_c" + at, over_sigma_c<dts>}, {"E_t/E_c" + at, E_small}};
+}
+
+/// The test of one strength, at a speed at which a wave crosses the specimen fifty times until its own peak.
+Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, calibrate::Simulator& simulator) {
+  const std::vector<Target> alone = {target};
+  const Recipe ready = calibrate::test_settings(point, alone, packing, simulator);
+  Recipe r = calibrate::StrengthTests(ready, alone, packing, simulator).of(ready, 0, packing);
+  r.test.platen_speed *= quicker;
+  return r;
+}
+
+std::vector<MapTest> tests_of(const Recipe& point, bool layered, std::int64_t packing, calibrate::Simulator& simulator) {
+  std::vector<MapTest> tests;
+  for (const Target& t : expected(point, layered))
+    tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
+  for (std::size_t i = 0; i < std::size(confinement) && !layered; ++i) {
+    MapTest t{tests.front().recipe, {}};
+    t.recipe.test.kind = TestKind("biaxial");
+    t.recipe.test.confining_stress = confinement[i] * expected_ucs(point, 0.0);
+    t.columns = {{fmt::format("sigma_3/sigma_c #{}", i + 1), [](const Recipe& r, const TestResult&) { return r.test.confining_stress / r.matrix.sigma_c; }},
+                 {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
+    tests.push_back(t);
+  }
+  return tests;
+}
+
+Recipe at_point(const ModelFamily& family, const std::vector<double>& u, std::vector<double>& values) {
+  Recipe r = family.base;
+  for (std::size_t i = 0; i < family.levers.size(); ++i) {
+    const double place = 2.0 * u[i] - 1.0;
+    values.push_back(family.levers[i].at_place(place));
+    family.levers[i].set(r, values.back());
+  }
+  return r;
+}
+
+std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& simulator) {
+  std::vector<MapRow> rows;
+  const auto points = study::sobol_sequence(family.levers.size(), static_cast<std::size_t>(family.n_points));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto point = static_cast<std::int64_t>(i);
+    std::vector<double> values;
+    Recipe r = at_point(family, points[i], values);
+    for (std::int64_t k = 0; k < (family.layered ? 1 : 2 * n_packings); ++k) {
+      const std::int64_t packing = first_packing + (family.layered ? point : k) % n_packings;
+      if (k >= n_packings) r.packing.n_grains = loose_grains;
+      rows.push_back({point, packing, r.packing.n_grains, values, tests_of(r, family.layered, packing, simulator)});
+    }
+  }
+  return rows;
+}
+
+std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
+
+std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows, const std::vector<TestResult>& results) {
+  std::string text = "point,packing,n_grains";
+  for (const Lever& l : family.levers) text += fmt::format(",{}", l.name);
+  for (const MapTest& t : rows.front().tests)
+    for (const Column& c : t.columns) text += "," + c.name;
+  text += "\n";
+  std::size_t next = 0;
+  for (const MapRow& row : rows) {
+    text += fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
+    for (const double v : row.levers) text += cell(v);
+    for (const MapTest& t : row.tests) {
+      for (const Column& c : t.columns) text += cell(c.of(t.recipe, results[next]));
+      ++next;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void make_map(const ModelFamily& family, const std::string& folder, calibrate::Simulator& simulator) {
+  std::printf("%s: preparing\n", family.name);
+  std::fflush(stdout);
+  const std::vector<MapRow> rows = rows_of(family, simulator);
+  std::vector<Recipe> recipes;
+  for (const MapRow& row : rows)
+    for (const MapTest& t : row.tests) recipes.push_back(t.recipe);
+  std::printf("%s: %zu tests\n", family.name, recipes.size());
+  std::fflush(stdout);
+  const std::vector<TestResult> results = simulator.test(recipes);
+  io::write_file(fmt::format("{}/{}.csv", folder, family.name), table_of(family, rows, results));
+}
+
+}  // namespace
+}  // namespace phy
+
+int main(int argc, char** argv) {
+  if (argc < 3) return std::fprintf(stderr, "usage: maps FOLDER STORE [FAMILY ...]\n"), 2;
+  const std::vector<std::string> names(argv + 3, argv + argc);
+  const auto simulator = phy::calibrate::make_simulator(
+      {static_cast<int>(std::thread::hardware_concurrency()), argv[2], nullptr, nullptr});
+  for (const phy::calibrate::ModelFamily& f : phy::calibrate::model_families())
+    if (names.empty() || std::find(names.begin(), names.end(), f.name) != names.end())
+      phy::make_map(f, argv[1], *simulator);
+}
