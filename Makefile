@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper bench-peers mpi lint tidy record docs web browser clean
+.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper maps bench-peers mpi lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -61,6 +61,12 @@ paper: build
 	for k in 4:stiffness 5:modulus 6:strength; do $(BUILD)/phyllite figure results/paper/study --kind fig$${k%%:*} \
 	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
 	python3 tools/paper.py results/paper docs
+
+# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. Some two hours of CPU.
+maps: build
+	@cmake --build $(BUILD) --target maps && mkdir -p results
+	$(BUILD)/maps data/maps results/maps.sqlite
+	python3 tools/maps.py data/maps docs/theory/reach.md
 
 # The paper's specimen here and in Yade (Debian: yade), one core each; takes some minutes, never part of CI.
 bench-peers: build

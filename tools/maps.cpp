@@ -7,6 +7,7 @@
 // UCS, direct tension, Brazilian strength and two confined strengths. Finished tests stay in STORE.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <thread>
@@ -27,11 +28,9 @@ using calibrate::Lever;
 using calibrate::ModelFamily;
 
 constexpr std::int64_t first_packing = 401, n_packings = 5;
-constexpr std::int64_t loose_grains = 1227;             // porosity 0.15
-constexpr double disc_angles[] = {0, 45, 90};           // [deg]
-constexpr double quicker = 2.0;                         // than the tests of a verification
-constexpr double confinement[] = {0.1, 0.3};            // of the UCS that is expected
-
+constexpr std::int64_t loose_grains = 1227;   // porosity 0.15
+constexpr double quicker = 2.0;               // than the tests of a verification
+constexpr double confinement[] = {0.1, 0.3};  // of the UCS that is expected
 
 /// One test, and the columns that it fills.
 struct Column {
@@ -65,7 +64,8 @@ double broken_share(const Recipe& r, const TestResult& t) {
   double n = 0.0;
   for (const char* kind : {"tension_matrix", "shear_matrix", "tension_bedding", "shear_bedding"})
     n += number(t, fmt::format("cracks_{}_at_peak", kind));
-  const double elements = r.matrix.model == MatrixModel::flat_joint ? static_cast<double>(r.matrix.elements) : 1.0;
+  const double elements =
+      r.matrix.model == MatrixModel::flat_joint ? static_cast<double>(r.matrix.elements) : 1.0;
   return n / elements / static_cast<double>(t.n_contacts);
 }
 /// 1: the first crack lies in the central third of the disc.
@@ -77,10 +77,12 @@ double E_small(const Recipe& r, const TestResult& t) { return number(t, "E_small
 
 std::vector<Column> compression_columns(const std::string& at) {
   return {{"E_small/E_c" + at, E_small},
-          {"E50/E_c" + at, [](const Recipe& r, const TestResult& t) { return number(t, "E_tangent") / r.matrix.E_c; }},
+          {"E50/E_c" + at,
+           [](const Recipe& r, const TestResult& t) { return number(t, "E_tangent") / r.matrix.E_c; }},
           {"nu50" + at, [](const Recipe&, const TestResult& t) { return number(t, "nu"); }},
           {"UCS/sigma_c" + at, over_sigma_c<ucs>},
-          {"sigma_ci/UCS" + at, [](const Recipe&, const TestResult& t) { return number(t, "sigma_ci") / number(t, "ucs"); }},
+          {"sigma_ci/UCS" + at,
+           [](const Recipe&, const TestResult& t) { return number(t, "sigma_ci") / number(t, "ucs"); }},
           {"broken" + at, broken_share}};
 }
 std::vector<Column> disc_columns(const std::string& at) {
@@ -91,8 +93,9 @@ std::vector<Column> disc_columns(const std::string& at) {
 double expected_ucs(const Recipe& r, double theta) {
   const MatrixRecipe& m = r.matrix;
   const double ratio = m.tau_c / m.sigma_c;
-  const double sound = m.model == MatrixModel::flat_joint ? 1.4 * m.sigma_c * std::pow(ratio, 0.85)
-                                                          : 2.2 * m.sigma_c * std::sqrt(std::fmin(ratio, 2.0));
+  const double sound = m.model == MatrixModel::flat_joint
+                           ? 1.4 * m.sigma_c * std::pow(ratio, 0.85)
+                           : 2.2 * m.sigma_c * std::sqrt(std::fmin(ratio, 2.0));
   const bool oblique = !r.bedding.empty() && theta > 15.0 && theta < 80.0;
   return oblique ? std::fmin(sound, 4.0 * r.bedding[0].cohesion) : sound;
 }
@@ -102,8 +105,9 @@ std::vector<Target> expected(const Recipe& r, bool layered) {
   for (const double theta : calibrate::mapped_angles)
     if (layered || theta == 0.0) list.push_back({Property::ucs, theta, expected_ucs(r, theta), 1.0, 1, true});
   if (!layered) list.push_back({Property::direct_tension, 0.0, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
-  for (const double theta : disc_angles)
-    if (layered || theta == 0.0) list.push_back({Property::brazilian, theta, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
+  for (const double theta : calibrate::mapped_disc_angles)
+    if (layered || theta == 0.0)
+      list.push_back({Property::brazilian, theta, 0.6 * r.matrix.sigma_c, 1.0, 1, true});
   return list;
 }
 
@@ -115,7 +119,8 @@ std::vector<Column> columns_of(const Target& t, bool layered) {
 }
 
 /// The test of one strength, at a speed at which a wave crosses the specimen fifty times until its own peak.
-Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, calibrate::Simulator& simulator) {
+Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing,
+               calibrate::Simulator& simulator) {
   const std::vector<Target> alone = {target};
   const Recipe ready = calibrate::test_settings(point, alone, packing, simulator);
   Recipe r = calibrate::StrengthTests(ready, alone, packing, simulator).of(ready, 0, packing);
@@ -123,42 +128,59 @@ Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, 
   return r;
 }
 
-std::vector<MapTest> tests_of(const Recipe& point, bool layered, std::int64_t packing, calibrate::Simulator& simulator) {
+std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool ucs_only, std::int64_t packing,
+                              calibrate::Simulator& simulator) {
   std::vector<MapTest> tests;
   for (const Target& t : expected(point, layered))
-    tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
-  for (std::size_t i = 0; i < std::size(confinement) && !layered; ++i) {
+    if (!ucs_only || t.property == Property::ucs)
+      tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
+  for (std::size_t i = 0; i < std::size(confinement) && !layered && !ucs_only; ++i) {
     MapTest t{tests.front().recipe, {}};
     t.recipe.test.kind = TestKind("biaxial");
     t.recipe.test.confining_stress = confinement[i] * expected_ucs(point, 0.0);
-    t.columns = {{fmt::format("sigma_3/sigma_c #{}", i + 1), [](const Recipe& r, const TestResult&) { return r.test.confining_stress / r.matrix.sigma_c; }},
-                 {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
+    t.columns = {
+        {fmt::format("sigma_3/sigma_c #{}", i + 1),
+         [](const Recipe& r, const TestResult&) { return r.test.confining_stress / r.matrix.sigma_c; }},
+        {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
     tests.push_back(t);
   }
   return tests;
 }
 
-Recipe at_point(const ModelFamily& family, const std::vector<double>& u, std::vector<double>& values) {
-  Recipe r = family.base;
-  for (std::size_t i = 0; i < family.levers.size(); ++i) {
-    const double place = 2.0 * u[i] - 1.0;
-    values.push_back(family.levers[i].at_place(place));
-    family.levers[i].set(r, values.back());
+struct Place {
+  std::int64_t number;
+  bool at_base;
+  std::vector<double> levers;
+};
+
+/// The sequence over all levers, then the one over those that do not stay at the base.
+std::vector<Place> places_of(const ModelFamily& family) {
+  std::vector<Place> places;
+  for (const bool at_base : {false, true}) {
+    const auto moves = [&](const Lever& l) { return !(at_base && l.at_base); };
+    const auto d = static_cast<std::size_t>(std::count_if(family.levers.begin(), family.levers.end(), moves));
+    const int n = at_base ? family.n_at_base : family.n_points;
+    for (const auto& u : study::sobol_sequence(d, static_cast<std::size_t>(n))) {
+      Place place{static_cast<std::int64_t>(places.size()), at_base, {}};
+      auto next = u.begin();
+      for (const Lever& l : family.levers)
+        place.levers.push_back(moves(l) ? l.at_place(2.0 * *next++ - 1.0) : l.get(family.base));
+      places.push_back(place);
+    }
   }
-  return r;
+  return places;
 }
 
 std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& simulator) {
   std::vector<MapRow> rows;
-  const auto points = study::sobol_sequence(family.levers.size(), static_cast<std::size_t>(family.n_points));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto point = static_cast<std::int64_t>(i);
-    std::vector<double> values;
-    Recipe r = at_point(family, points[i], values);
+  for (const Place& place : places_of(family)) {
+    Recipe r = family.base;
+    for (std::size_t i = 0; i < family.levers.size(); ++i) family.levers[i].set(r, place.levers[i]);
     for (std::int64_t k = 0; k < (family.layered ? 1 : 2 * n_packings); ++k) {
-      const std::int64_t packing = first_packing + (family.layered ? point : k) % n_packings;
+      const std::int64_t packing = first_packing + (family.layered ? place.number : k) % n_packings;
       if (k >= n_packings) r.packing.n_grains = loose_grains;
-      rows.push_back({point, packing, r.packing.n_grains, values, tests_of(r, family.layered, packing, simulator)});
+      rows.push_back({place.number, packing, r.packing.n_grains, place.levers,
+                      tests_of(r, family.layered, place.at_base, packing, simulator)});
     }
   }
   return rows;
@@ -166,21 +188,24 @@ std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& sim
 
 std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
 
-std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows, const std::vector<TestResult>& results) {
+/// Rows of the second sequence have no tests behind those of UCS, which come first.
+std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
+                     const std::vector<TestResult>& results) {
   std::string text = "point,packing,n_grains";
   for (const Lever& l : family.levers) text += fmt::format(",{}", l.name);
+  std::size_t n_columns = 0, next = 0;
   for (const MapTest& t : rows.front().tests)
-    for (const Column& c : t.columns) text += "," + c.name;
+    for (const Column& c : t.columns) text += "," + c.name, ++n_columns;
   text += "\n";
-  std::size_t next = 0;
   for (const MapRow& row : rows) {
     text += fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
     for (const double v : row.levers) text += cell(v);
+    std::size_t n = 0;
     for (const MapTest& t : row.tests) {
-      for (const Column& c : t.columns) text += cell(c.of(t.recipe, results[next]));
+      for (const Column& c : t.columns) text += cell(c.of(t.recipe, results[next])), ++n;
       ++next;
     }
-    text += "\n";
+    text += std::string(n_columns - n, ',') + "\n";
   }
   return text;
 }

@@ -14,6 +14,7 @@
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
 #include "calibrate/identifiability.hpp"
+#include "calibrate/model_choice.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
@@ -21,9 +22,10 @@ namespace {
 
 constexpr int n_fit = 5;  // packings of the elastic fit
 constexpr int n_unseen = verification_packings;
-constexpr int n_spare = 15;   // more for the elastic fit, where packings differ much
-constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
-constexpr double strength_tolerance = 0.06;
+constexpr int n_spare = 15;    // more for the elastic fit, where packings differ much
+constexpr int n_softened = 5;  // on which softening is measured at the estimate
+constexpr int n_search = 12;   // of the search of the strengths: those of the fit and some of the spare ones
+constexpr double ucs_tolerance = 0.06, tension_tolerance = 0.10;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
 constexpr double hopeless = 0.20;        // the same whatever the scatter
@@ -135,7 +137,8 @@ void judge_strength(Calibration& result, bool short_search) {
     const double excused = std::hypot(excusing_error(c.target) / c.target.mean, packing),
                  noise = std::hypot(laboratory, packing);
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    if (std::fabs(c.error()) <= std::max(strength_tolerance, z_seven * excused)) continue;
+    const double tolerance = c.target.property == Property::ucs ? ucs_tolerance : tension_tolerance;
+    if (std::fabs(c.error()) <= std::max(tolerance, z_seven * excused)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
@@ -178,9 +181,12 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
   }
 }
 
-void judge(Calibration& result, const ElasticFit& elastic, const Evidence& evidence, bool short_search) {
+/// `table`: with the moduli that the elastic stage went by.
+void judge(Calibration& result, ElasticFit elastic, const Evidence& table, bool short_search) {
   Verdict& v = result.verdict;
-  const ElasticVerdict moduli = judge_elastic(elastic, evidence);
+  // as the laboratory reads them
+  std::copy_n(result.fitted.begin(), elastic.comparisons.size(), elastic.comparisons.begin());
+  const ElasticVerdict moduli = judge_elastic(elastic, table);
   v.findings.insert(v.findings.begin(), moduli.findings.begin(), moduli.findings.end());
   judge_moduli(result, elastic);
   judge_strength(result, short_search);
@@ -198,27 +204,33 @@ bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_o
                 elastic_only ? "values of E" : "values of E, or of UCS without confining pressure",
                 "there is nothing to fit; `phyllite rock check` tells what the table holds"});
   if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
+  if (moduli && !strength && evidence.rock.E_is != ModulusReading::small_strain)
+    result.notes.push_back(fmt::format(
+        "E_is = \"{}\": without strengths nothing tells how far a test softens until then; E and nu "
+        "are compared at small strain",
+        to_string(evidence.rock.E_is)));
   if (!strength)
     result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
                                        elastic_only ? "the elastic part only" : "no UCS in the table"));
   return strength;
 }
 
-/// Throws InputError where the budget is too small for any search. `n`: angles with UCS.
-void check_budget(std::int64_t n, std::int64_t max_tests) {
-  const std::int64_t least = n * (n_unseen + least_points);
+/// Throws InputError where the budget is too small for any search. `n`: angles with UCS, each tested on
+/// `n_packings` beside the search.
+void check_budget(std::int64_t n, int n_packings, std::int64_t max_tests) {
+  const std::int64_t least = n * (n_packings + least_points);
   if (max_tests < least)
     throw InputError(Problem{
         "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
-        fmt::format("{} angles with UCS, each on {} unseen packings and at {} points of the search", n,
-                    n_unseen, least_points)});
+        fmt::format("{} angles with UCS, each on {} packings at the estimate and at {} points of the search",
+                    n, n_packings, least_points)});
 }
 
-/// E and nu of the press beside the table's, where it has them. Where they differ much from those at small
-/// strain, the user must know which of the two the laboratory means.
-void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& tangent_from_test) {
+/// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
+/// much, the user must know which of the two the laboratory means.
+void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& from_test) {
   double worst = 0.0, theta = 0.0;
-  for (const Comparison& p : tangent_from_test) {
+  for (const Comparison& p : from_test) {
     const Comparison* small_strain = row_of(result.verification, p.target);
     if (small_strain == nullptr) continue;
     result.tangent_from_test.push_back(p);
@@ -229,38 +241,101 @@ void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& 
   }
   if (std::fabs(worst) > modulus_change)
     result.notes.push_back(fmt::format(
-        "E and nu of the table are read as those at small strain. At 40 - 60 % of UCS the press measures "
-        "other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} %. Where the laboratory's E is such a "
-        "tangent, the model is too {} by that much",
-        theta, 100.0 * worst, worst < 0.0 ? "soft" : "stiff"));
+        "E and nu of the table are read as those at small strain (E_is). At 40 - 60 % of UCS the press "
+        "measures other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} %",
+        theta, 100.0 * worst));
+}
+
+/// What stages hand on.
+struct Work {
+  const Evidence& evidence;
+  const CalibrationOptions& options;
+  Simulator& simulator;
+  std::vector<std::int64_t> fit, spare, search, unseen;  ///< packings
+  ElasticFit elastic;
+  StrengthFit strength;
+
+  Work(const Evidence& of, const CalibrationOptions& with, Simulator& by)
+      : evidence(of), options(with), simulator(by) {
+    const std::int64_t first = evidence.rock.model.packing.seed;
+    fit = seeds_from(first, n_fit), unseen = seeds_from(first + n_fit, n_unseen);
+    spare = seeds_from(first + n_fit + n_unseen, n_spare);
+    search = fit;
+    search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
+  }
+  /// The table's moduli are those of tests, softened by what breaks and slips until they are read.
+  bool softens() const {
+    return evidence.rock.E_is != ModulusReading::small_strain && !evidence.moduli.empty() &&
+           !options.elastic_only && evidence.has(Property::ucs);
+  }
+  void fit_moduli(const Evidence& table) { elastic = fit_elastic(table, fit, spare, simulator, options.say); }
+};
+
+/// Moduli as the laboratory reads them, fitted and on unseen packings, in place of those at small strain.
+void take_as_measured(Calibration& result, const Work& work, const std::vector<Comparison>& from_test) {
+  for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
+    Comparison& c = result.fitted[i];
+    c = work.elastic.comparisons[i];
+    const auto s = work.strength.softenings.find(c.target.theta);
+    c.target = work.evidence.moduli[i];
+    if (s == work.strength.softenings.end()) continue;
+    const bool modulus = c.target.property == Property::E;
+    for (double* v : {&c.mean, &c.low, &c.high})
+      *v = modulus ? *v * s->second.factor : *v + s->second.addition;
+    if (modulus) c.sd *= s->second.factor;
+  }
+  for (Comparison& c : result.verification)
+    if (const Comparison* p = row_of(from_test, c.target); p != nullptr) {
+      const Target target = c.target;
+      c = *p, c.target = target;
+    }
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
-bool calibrate_strength(Calibration& result, std::vector<Estimate>& estimates, const Evidence& evidence,
-                        const CalibrationOptions& options, const std::vector<std::int64_t>& seeds,
-                        const std::vector<std::int64_t>& unseen, Simulator& simulator, bool& short_search) {
-  const std::int64_t n = evidence.n_ucs(), reserved = n * n_unseen;
-  StrengthFit fit =
-      fit_strength(evidence, result.recipe, seeds, options.max_tests - reserved, simulator, options.say);
+bool calibrate_strength(Calibration& result, Work& work) {
+  const Evidence& evidence = work.evidence;
+  const std::int64_t n = evidence.n_ucs(), reserved = n * (n_unseen + (work.softens() ? n_softened : 0));
+  Remodel remodel;
+  if (work.softens())
+    remodel = [&](const Softenings& s) {
+      work.fit_moduli(at_small_strain(evidence, s));
+      result.n_elastic += work.elastic.n_solutions;
+      return work.elastic.recipe;
+    };
+  StrengthFit& fit = work.strength;
+  fit = fit_strength(evidence, result.recipe, work.search, work.options.max_tests - reserved, work.simulator,
+                     work.options.say, remodel);
   result.recipe = fit.recipe;
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
   result.n_tension_tests = fit.n_tension;
-  estimates.insert(estimates.end(), fit.parameters.begin(), fit.parameters.end());
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
-  result.verdict.findings = fit.findings, short_search = fit.short_search;
+  result.verdict.findings = fit.findings;
   result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
   if (fit.interrupted) return false;
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
-  options.say("verification of the strengths on unseen packings");
-  std::vector<Comparison> tangent_from_test;
+  if (work.softens()) {
+    work.options.say("moduli as the laboratory reads them, at the estimate");
+    const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
+    fit.softenings =
+        softenings_of(result.recipe, evidence.strengths, some, evidence.rock.E_is, work.simulator);
+    if (work.simulator.stopped()) return false;
+    result.recipe = with_moduli(result.recipe, remodel(fit.softenings));
+    result.n_strength_tests += n * n_softened;
+  }
+  work.options.say("verification of the strengths on unseen packings");
+  std::vector<Comparison> from_test;
+  const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
   const std::vector<Comparison> rows =
-      strength_response(result.recipe, evidence.strengths, unseen, simulator, &tangent_from_test);
-  add_tangents_from_test(result, tangent_from_test);
+      strength_response(result.recipe, evidence.strengths, work.unseen, work.simulator, reading, &from_test);
+  if (work.softens())
+    take_as_measured(result, work, from_test);
+  else
+    add_tangents_from_test(result, from_test);
   const auto n_all = static_cast<std::int64_t>(evidence.strengths.size());
   result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
-  return !simulator.stopped();
+  return !work.simulator.stopped();
 }
 
 /// A recipe for `phyllite run`: all angles of the table, pictures and curve beyond the peak.
@@ -288,36 +363,45 @@ std::string name_of(const Calibration& result, bool moduli, bool strength) {
 bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evidence& evidence,
                 const CalibrationOptions& options, Simulator& simulator) {
   bool strength = fits_strength(result, evidence, options.elastic_only);
+  Work work(evidence, options, simulator);
   if (strength) {
-    for (const StrengthParameter* p : strength_parameters(evidence.rock.bedded))
+    for (const StrengthParameter* p : strength_parameters(evidence))
       if (p->check != nullptr) p->check(evidence.rock);
-    check_budget(evidence.n_ucs(), options.max_tests);
+    check_budget(evidence.n_ucs(), n_unseen + (work.softens() ? n_softened : 0), options.max_tests);
   }
-  const std::int64_t first_seed = evidence.rock.model.packing.seed;
-  const std::vector<std::int64_t> fit_seeds = seeds_from(first_seed, n_fit);
-  const std::vector<std::int64_t> unseen = seeds_from(first_seed + n_fit, n_unseen);
-  const std::vector<std::int64_t> spare = seeds_from(first_seed + n_fit + n_unseen, n_spare);
-  const ElasticFit elastic = fit_elastic(evidence, fit_seeds, spare, simulator, options.say);
-  estimates = elastic.parameters;
-  result.recipe = elastic.recipe;
-  result.fitted = elastic.comparisons;
-  result.n_elastic = elastic.n_solutions;
+  work.fit_moduli(evidence);
+  estimates = work.elastic.parameters;
+  result.recipe = work.elastic.recipe;
+  result.fitted = work.elastic.comparisons;
+  result.n_elastic += work.elastic.n_solutions;
   options.say("verification of the moduli on unseen packings");
-  result.verification = elastic_response(result.recipe, evidence.moduli, unseen, simulator);
-  result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * unseen.size());
-  bool short_search = false;
-  strength = strength && all_answered(elastic.comparisons);
-  std::vector<std::int64_t> search = fit_seeds;
-  search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
-  if (strength &&
-      !calibrate_strength(result, estimates, evidence, options, search, unseen, simulator, short_search))
-    return false;
+  result.verification = elastic_response(result.recipe, evidence.moduli, work.unseen, simulator);
+  result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
+  strength = strength && all_answered(work.elastic.comparisons);
+  if (strength && !calibrate_strength(result, work)) return false;
+  estimates = work.elastic.parameters;
+  estimates.insert(estimates.end(), work.strength.parameters.begin(), work.strength.parameters.end());
   make_ready(result.recipe, evidence);
   report_validity(result), report_quality(result), report_missing(result);
-  judge(result, elastic, evidence, short_search);
+  judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
+        work.strength.short_search);
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
-  result.recipe.name = name_of(result, !elastic.parameters.empty(), strength);
+  result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
   return true;
+}
+
+/// The rock with the model of its layers, which is chosen here where nobody has said it.
+Evidence with_model(const Evidence& evidence, Calibration& result, const CalibrationOptions& options,
+                    Simulator& simulator) {
+  const Rock& rock = evidence.rock;
+  if (!rock.bedded || rock.layers == LayerModel::planes) return evidence;
+  LayerModel layers = rock.layers;
+  if (layers == LayerModel::choose) {
+    const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
+    layers = choice.layers;
+    if (!choice.rivals.empty()) result.notes.push_back(choice.text());
+  }
+  return Evidence(with_layers(rock, layers), evidence.targets);
 }
 
 }  // namespace
@@ -329,7 +413,8 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   std::vector<Estimate> estimates;
   bool done = false;
   try {
-    done = run_stages(result, estimates, evidence, options, simulator);
+    done =
+        run_stages(result, estimates, with_model(evidence, result, options, simulator), options, simulator);
   } catch (const Stopped&) {  // in the middle of elastic solutions
   }
   result.parameters.assign(estimates.begin(), estimates.end());

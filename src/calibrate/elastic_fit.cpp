@@ -19,7 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Point = ElasticProblem::Point;
 
-constexpr double nu_after_conflict = 0.1;      // weight
+// Weights of nu where it contradicts E, and how much worse than best E may be fitted for the sake of it.
+constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
+constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
 
@@ -129,6 +131,29 @@ double worst_E(const std::vector<Comparison>& rows) {
   return worst;
 }
 
+double rms_E(const std::vector<Comparison>& rows) {
+  double squares = 0.0;
+  int n = 0;
+  for (const Comparison& c : rows)
+    if (c.target.property == Property::E) squares += c.error() * c.error(), ++n;
+  return std::sqrt(squares / std::max(1, n));
+}
+
+/// E as well as it can be had, then as much weight for nu as costs E no more than a fifth of its misfit.
+void find_nearest_nu(ElasticProblem& problem, Point& x) {
+  double least = 0.0, kept = 0.0;
+  for (const double weight : nu_weights) {
+    Point moved = x;
+    problem.weigh_nu(weight);
+    minimise(problem, moved, 6, 1e-3);
+    const double misfit = rms_E(problem.comparisons(moved));
+    if (weight == nu_weights[0]) least = misfit;
+    if (misfit > std::max(worse_for_nu * least, least + least_misfit)) break;
+    x = moved, kept = weight;
+  }
+  problem.weigh_nu(kept);
+}
+
 }  // namespace
 
 ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
@@ -150,8 +175,7 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
     fit.E_before = worst_E(rows);
     const ElasticProblem with_nu = problem;
     const Point x_with_nu = x;
-    problem.weigh_nu(nu_after_conflict);
-    minimise(problem, x, 6, 1e-3);
+    find_nearest_nu(problem, x);
     refine(problem, x, seeds.size());
     fit.nu_gave_way = worst_E(problem.comparisons(x)) < 0.9 * fit.E_before;
     if (!fit.nu_gave_way) x = x_with_nu, problem.go_back_to(with_nu);

@@ -27,7 +27,7 @@ theory::JointedRock macro_of(const Evidence& evidence) {
 }  // namespace
 
 ElasticProblem::ElasticProblem(const Evidence& evidence, Simulator& simulator)
-    : evidence_(evidence), simulator_(simulator), parameters_(elastic_parameters(evidence.rock.bedded)) {
+    : evidence_(evidence), simulator_(simulator), parameters_(elastic_parameters(evidence.rock.model)) {
   for (const ElasticParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const Target& t : evidence.moduli) {
     const bool modulus = t.property == Property::E;
@@ -45,7 +45,7 @@ ElasticProblem::Point ElasticProblem::first_guess(std::int64_t seed) {
   intact.bedding.clear();
   sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, true).front().E_gauge;
   ++n_solutions_;
-  if (evidence_.rock.bedded) sight.joint_length = usual_overlap * model.bedding.front().spacing;
+  if (!model.bedding.empty()) sight.joint_length = usual_overlap * model.bedding.front().spacing;
   Point x;
   for (std::size_t j = 0; j < n_parameters(); ++j) {
     auto* const guess = parameter(j).first_guess;

@@ -39,7 +39,11 @@ bool report_modulus(ElasticVerdict& verdict, const Comparison& c) {
 void report_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool nu_missed) {
   if (evidence.rock.bedded)
     if (const std::string limit = elastic_limit(evidence.moduli); !limit.empty())
-      verdict.findings.push_back(limit);
+      verdict.findings.push_back(
+          evidence.rock.E_is == ModulusReading::small_strain
+              ? limit
+              : fmt::format("the moduli at small strain that the readings (E_is = \"{}\") stand for: {}",
+                            to_string(evidence.rock.E_is), limit));
   if (fit.nu_gave_way && nu_missed)
     verdict.findings.push_back(
         fmt::format("nu gave way to E: with full weight on both, E missed the table by up to {:.1f} %",

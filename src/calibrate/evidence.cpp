@@ -10,13 +10,13 @@ namespace phy::calibrate {
 Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
 
 Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), targets(std::move(read)) {
+  if (!rock.bedded) rock.model.bedding.clear();
   for (const Target& t : targets) {
     if (!is_strength(t.property)) moduli.push_back(t);
     if (can_test(t.property)) strengths.push_back(t), scales.strength = std::max(scales.strength, t.mean);
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
   }
-  if (rock.bedded && !rock.model.bedding.empty())
-    scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;
+  if (!rock.model.bedding.empty()) scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;
 }
 
 bool Evidence::has(Property property, double from, double to) const {

@@ -24,55 +24,80 @@ Lever lever_of(const char* name) {
           parameter};
 }
 
-const Lever contact_ratio = {"k_s/k_n", 0.15, 0.7, true,
+const Lever contact_ratio = {"k_s/k_n",
+                             0.15,
+                             0.7,
+                             true,
                              [](const Recipe& r) { return r.matrix.ks_over_kn; },
                              [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }};
-const Lever moment = {"moment contribution", 0.0, 1.0, false,
+const Lever moment = {"moment contribution",
+                      0.0,
+                      1.0,
+                      false,
                       [](const Recipe& r) { return r.matrix.moment_contribution; },
-                      [](Recipe& r, double v) { r.matrix.moment_contribution = v; }};
+                      [](Recipe& r, double v) { r.matrix.moment_contribution = v; },
+                      &matrix_moment,
+                      true};
 /// Of cohesion_friction bonds; a constant strength is friction angle 0.
-const Lever bond_friction = {"phi [deg]", 0.0, 45.0, false,
-                             [](const Recipe& r) {
-                               return r.matrix.shear_strength == ShearStrength::constant ? 0.0 : r.matrix.phi;
-                             },
-                             [](Recipe& r, double v) {
-                               r.matrix.shear_strength = ShearStrength::cohesion_friction, r.matrix.phi = v;
-                             }};
-const Lever strength_scatter = {"SD/sigma_c", 0.05, 0.4, true,
-                                [](const Recipe& r) {
-                                  return std::max(1e-3, r.matrix.sigma_c_sd / r.matrix.sigma_c);
-                                },
-                                [](Recipe& r, double v) {
-                                  r.matrix.sigma_c_sd = v * r.matrix.sigma_c;
-                                  r.matrix.tau_c_sd = v * r.matrix.tau_c;
-                                }};
-const Lever slits = {"unbonded fraction", 0.0, 0.3, false,
+const Lever bond_friction = {
+    "phi [deg]",
+    0.0,
+    45.0,
+    false,
+    [](const Recipe& r) { return r.matrix.shear_strength == ShearStrength::constant ? 0.0 : r.matrix.phi; },
+    [](Recipe& r, double v) { r.matrix.shear_strength = ShearStrength::cohesion_friction, r.matrix.phi = v; },
+    &matrix_phi,
+    true};
+const Lever strength_scatter = {
+    "SD/sigma_c",
+    0.05,
+    0.4,
+    true,
+    [](const Recipe& r) { return std::max(1e-3, r.matrix.sigma_c_sd / r.matrix.sigma_c); },
+    [](Recipe& r, double v) {
+      r.matrix.sigma_c_sd = v * r.matrix.sigma_c;
+      r.matrix.tau_c_sd = v * r.matrix.tau_c;
+    },
+    nullptr,
+    true};
+const Lever slits = {"unbonded fraction",
+                     0.0,
+                     0.3,
+                     false,
                      [](const Recipe& r) { return r.matrix.unbonded_fraction; },
-                     [](Recipe& r, double v) { r.matrix.unbonded_fraction = v; }};
+                     [](Recipe& r, double v) { r.matrix.unbonded_fraction = v; },
+                     nullptr,
+                     true};
 
-const Lever plane_spacing = {"spacing/diameter", 4.0, 12.0, true,
+const Lever plane_spacing = {"spacing/diameter",
+                             4.0,
+                             12.0,
+                             true,
                              [](const Recipe& r) { return bedding(r).spacing / mean_diameter(r); },
-                             [](Recipe& r, double v) { bedding(r).spacing = v * mean_diameter(r); }};
-const Lever joint_normal = {"k_n spacing/E_c", 0.1, 4.0, true,
-                            [](const Recipe& r) { return bedding(r).k_n * bedding(r).spacing / r.matrix.E_c; },
-                            [](Recipe& r, double v) { bedding(r).k_n = v * r.matrix.E_c / bedding(r).spacing; }};
-const Lever joint_shear = {"k_s spacing/E_c", 0.03, 1.5, true,
-                           [](const Recipe& r) { return bedding(r).k_s * bedding(r).spacing / r.matrix.E_c; },
-                           [](Recipe& r, double v) { bedding(r).k_s = v * r.matrix.E_c / bedding(r).spacing; }};
+                             [](Recipe& r, double v) { bedding(r).spacing = v * mean_diameter(r); },
+                             nullptr,
+                             true};
+const Lever joint_normal = {
+    "k_n spacing/E_c",
+    0.1,
+    4.0,
+    true,
+    [](const Recipe& r) { return bedding(r).k_n * bedding(r).spacing / r.matrix.E_c; },
+    [](Recipe& r, double v) { bedding(r).k_n = v * r.matrix.E_c / bedding(r).spacing; }};
+const Lever joint_shear = {
+    "k_s spacing/E_c",
+    0.03,
+    1.5,
+    true,
+    [](const Recipe& r) { return bedding(r).k_s * bedding(r).spacing / r.matrix.E_c; },
+    [](Recipe& r, double v) { bedding(r).k_s = v * r.matrix.E_c / bedding(r).spacing; }};
 
-const Lever stiffness_ratio = {"stiffness ratio", 1.0, 4.0, true,
+const Lever stiffness_along = {"stiffness ratio",
+                               1.0,
+                               4.0,
+                               true,
                                [](const Recipe& r) { return r.matrix.stiffness_ratio; },
                                [](Recipe& r, double v) { r.matrix.stiffness_ratio = v; }};
-const Lever tension_ratio = {"tension ratio", 1.0 / 3.0, 3.0, true,
-                             [](const Recipe& r) { return r.matrix.tension_ratio; },
-                             [](Recipe& r, double v) { r.matrix.tension_ratio = v; }};
-const Lever cohesion_ratio = {"cohesion ratio", 0.2, 5.0, true,
-                              [](const Recipe& r) { return r.matrix.cohesion_ratio; },
-                              [](Recipe& r, double v) { r.matrix.cohesion_ratio = v; }};
-const Lever cohesion_oblique = {"cohesion oblique", 1.0, 3.0, true,
-                                [](const Recipe& r) { return r.matrix.cohesion_oblique; },
-                                [](Recipe& r, double v) { r.matrix.cohesion_oblique = v; }};
-
 std::vector<Lever> operator+(std::vector<Lever> list, const std::vector<Lever>& more) {
   list.insert(list.end(), more.begin(), more.end());
   return list;
@@ -83,11 +108,16 @@ std::vector<Lever> matrix_strength() {
 std::vector<Lever> parallel_bond() { return {contact_ratio, moment, bond_friction, strength_scatter}; }
 std::vector<Lever> flat_joint() { return {contact_ratio, bond_friction, strength_scatter, slits}; }
 std::vector<Lever> planes() {
-  return {lever_of<&joint_cohesion>("C/tau_c"), lever_of<&joint_sigma_n>("sigma_n/C"),
-          lever_of<&joint_mu>("mu_sj"), plane_spacing, joint_normal, joint_shear};
+  return {lever_of<&joint_cohesion>("C/tau_c"),
+          lever_of<&joint_sigma_n>("sigma_n/C"),
+          lever_of<&joint_mu>("mu_sj"),
+          plane_spacing,
+          joint_normal,
+          joint_shear};
 }
 std::vector<Lever> directions() {
-  return {stiffness_ratio, tension_ratio, cohesion_ratio, cohesion_oblique};
+  return {stiffness_along, lever_of<&tension_ratio>("tension ratio"),
+          lever_of<&cohesion_ratio>("cohesion ratio"), lever_of<&cohesion_oblique>("cohesion oblique")};
 }
 
 /// 16 x 32 mm of 1,321 discs: porosity 0.08, the density of the paper's packing.
@@ -111,7 +141,8 @@ Recipe bedded_rock(MatrixModel model, BeddingRule rule) {
 }  // namespace
 
 double Lever::place_of(double value) const {
-  const double share = logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  const double share =
+      logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
   return 2.0 * share - 1.0;
 }
 
@@ -130,22 +161,22 @@ const std::vector<ModelFamily>& model_families() {
   static const std::vector<ModelFamily> all = {
       {"parallel-bond-crossing", "parallel bonds, planes by crossing",
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::crossing),
-       matrix_strength() + parallel_bond() + planes(), 320, true},
+       matrix_strength() + parallel_bond() + planes(), 320, 320, true},
       {"parallel-bond", "parallel bonds", sound_rock(MatrixModel::parallel_bond),
-       matrix_strength() + parallel_bond(), 64, false},
+       matrix_strength() + parallel_bond(), 48, 48, false},
       {"parallel-bond-directions", "parallel bonds with directions", sound_rock(MatrixModel::parallel_bond),
-       matrix_strength() + parallel_bond() + directions(), 256, true},
-      {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 48,
-       false},
+       matrix_strength() + parallel_bond() + directions(), 384, 0, true},
+      {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 32,
+       0, false},
       {"parallel-bond-zone", "parallel bonds, planes by zone",
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::zone),
-       matrix_strength() + parallel_bond() + planes(), 208, true},
+       matrix_strength() + parallel_bond() + planes(), 208, 320, true},
       {"flat-joint-crossing", "flat joints, planes by crossing",
        bedded_rock(MatrixModel::flat_joint, BeddingRule::crossing),
-       matrix_strength() + flat_joint() + planes(), 208, true},
+       matrix_strength() + flat_joint() + planes(), 208, 0, true},
       {"flat-joint-zone", "flat joints, planes by zone",
        bedded_rock(MatrixModel::flat_joint, BeddingRule::zone), matrix_strength() + flat_joint() + planes(),
-       208, true}};
+       208, 0, true}};
   return all;
 }
 

@@ -3,8 +3,9 @@
 //
 // UCS/sigma_c, E/E_c and their course over the inclination are functions of dimensionless numbers alone:
 // ratios of strengths and of moduli, frictions, scatter, spacing over grain size. A family names those that
-// were mapped, each with its range, on a small specimen of some 1,300 discs. `make maps` runs a Sobol sequence
-// over them and writes what came out into data/maps; the program holds those tables (calibrate/reach.hpp).
+// were mapped, each with its range, on a small specimen of some 1,300 discs. `make maps` runs a Sobol
+// sequence over them and writes what came out into data/maps; the program holds those tables
+// (calibrate/reach.hpp).
 #pragma once
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Lever {
   void (*set)(Recipe&, double);
   /// The parameter of a calibration that it is; nullptr: none.
   const StrengthParameter* parameter = nullptr;
+  bool at_base = false;  ///< keeps the value of the base recipe in the second sequence
 
   /// Place of a value in the range, -1 at the lower end, 1 at the upper one, and back.
   double place_of(double value) const;
@@ -34,7 +36,8 @@ struct ModelFamily {
   const char* label;  ///< "parallel bonds, planes by crossing"
   Recipe base;
   std::vector<Lever> levers;  ///< in the order in which they are set
-  int n_points;               ///< of the Sobol sequence
+  int n_points;               ///< of the Sobol sequence over all levers
+  int n_at_base;              ///< of a second one, over those that a rock without much data needs
   bool layered;               ///< seven inclinations; else the same at every one
 
   bool has(const Recipe& recipe) const;  ///< Is a recipe of this family?
@@ -44,7 +47,8 @@ const std::vector<ModelFamily>& model_families();
 /// The family of a recipe; nullptr: it was not mapped.
 const ModelFamily* family_of(const Recipe& recipe);
 
-/// Inclinations of the layered families [deg].
+/// Inclinations of the layered families [deg]: of UCS, and of Brazilian strength.
 inline constexpr double mapped_angles[] = {0, 15, 30, 45, 60, 75, 90};
+inline constexpr double mapped_disc_angles[] = {0, 45, 90};
 
 }  // namespace phy::calibrate

@@ -41,7 +41,7 @@ double moved(theory::JointedRock rock, const ElasticParameter& p, double step, c
 }
 
 /// Standard deviations that the table can give, of what the parameters act on; without E that of the prior
-/// alone. Of joints too: without bedding they are stiff and change nothing.
+/// alone.
 std::vector<double> expected_sd(const Evidence& evidence, const std::vector<const ElasticParameter*>& list) {
   constexpr double h = 1e-4;
   const auto n = static_cast<Eigen::Index>(list.size());
@@ -121,14 +121,12 @@ std::string assumed_scatter(const std::vector<Target>& targets, Property propert
 }  // namespace
 
 std::vector<Estimate> identifiability(const Evidence& evidence) {
-  const bool bedded = evidence.rock.bedded;
   std::vector<Estimate> estimates;
-  const std::vector<const ElasticParameter*> elastic = elastic_parameters(true);
+  const std::vector<const ElasticParameter*> elastic = elastic_parameters(evidence.rock.model);
   const std::vector<double> sd = expected_sd(evidence, elastic);
   for (std::size_t i = 0; i < elastic.size(); ++i)
-    if (bedded || !elastic[i]->of_joint())
-      estimates.push_back(identified_modulus(*elastic[i], sd[i], evidence));
-  for (const StrengthParameter* p : strength_parameters(bedded))
+    estimates.push_back(identified_modulus(*elastic[i], sd[i], evidence));
+  for (const StrengthParameter* p : strength_parameters(evidence))
     estimates.push_back(identified_strength(*p, evidence));
   return estimates;
 }

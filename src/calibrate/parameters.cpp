@@ -13,6 +13,10 @@ namespace {
 
 const BeddingRecipe& joint(const Recipe& r) { return r.bedding.front(); }
 
+bool has_joints(const Recipe& r) { return !r.bedding.empty(); }
+bool has_directions(const Recipe& r) { return r.bedding.empty() && r.matrix.directional(); }
+bool has_moment(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
+
 // ---- elastic
 
 const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
@@ -49,7 +53,8 @@ const ElasticParameter joint_k_n{{.key = "bedding[0].k_n",
                                   .unit = "Pa/m",
                                   .number = [](const Recipe& r) -> const double& { return joint(r).k_n; },
                                   .range = {0.02, 50.0, 0.5, &Scales::stiffness},
-                                  .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; }},
+                                  .set = [](Recipe& r, double v) { r.bedding.front().k_n = v; },
+                                  .belongs = has_joints},
                                  {"bedding[0].k_n"},
                                  &theory::JointedRock::K_n_delta,
                                  [](const FirstSight& s) { return s.macro.K_n_delta / s.joint_length; },
@@ -60,11 +65,26 @@ const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                   .unit = "Pa/m",
                                   .number = [](const Recipe& r) -> const double& { return joint(r).k_s; },
                                   .range = {0.005, 50.0, 0.2, &Scales::stiffness},
-                                  .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; }},
+                                  .set = [](Recipe& r, double v) { r.bedding.front().k_s = v; },
+                                  .belongs = has_joints},
                                  {"bedding[0].k_s"},
                                  &theory::JointedRock::K_s_delta,
                                  [](const FirstSight& s) { return s.macro.K_s_delta / s.joint_length; },
                                  {"E between 30 and 60 degrees", Property::E, 30.0, 60.0}};
+
+/// Acts on E(90)/E(0) as planes' normal stiffness does in Eq. 1.
+const ElasticParameter stiffness_ratio{
+    {.key = "matrix.stiffness_ratio",
+     .symbol = "r_E",
+     .unit = "1",
+     .number = [](const Recipe& r) -> const double& { return r.matrix.stiffness_ratio; },
+     .range = {0.5, 6.0, 1.5},
+     .set = [](Recipe& r, double v) { r.matrix.stiffness_ratio = v; },
+     .belongs = has_directions},
+    {"matrix.stiffness_ratio"},
+    &theory::JointedRock::K_n_delta,
+    nullptr,
+    {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
 
 // ---- strengths
 
@@ -109,8 +129,8 @@ void check_dilation(const Rock& rock) {
 }
 
 template <class P>
-std::vector<const P*> those_of(std::vector<const P*> list, bool bedded) {
-  std::erase_if(list, [&](const P* p) { return p->of_joint() && !bedded; });
+std::vector<const P*> those_of(std::vector<const P*> list, const Recipe& model) {
+  std::erase_if(list, [&](const P* p) { return p->belongs != nullptr && !p->belongs(model); });
   return list;
 }
 
@@ -163,6 +183,80 @@ const StrengthParameter matrix_mu{{.key = "matrix.mu",
                                    .set = [](Recipe& r, double v) { r.matrix.mu = v; }},
                                   friction_rule};
 
+/// A bond that bends breaks at its rim; the less the moment counts, the more UCS exceeds tension
+/// (docs/theory/reach.md).
+const StrengthParameter matrix_moment{
+    {.key = "matrix.moment_contribution",
+     .symbol = "beta",
+     .unit = "1",
+     .number = [](const Recipe& r) -> const double& { return r.matrix.moment_contribution; },
+     .range = {0.05, 1.0, 0.3},
+     .set = [](Recipe& r, double v) { r.matrix.moment_contribution = v; },
+     .belongs = has_moment},
+    [](const Evidence& e) -> Rule {
+      return {e.has(Property::ucs) && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
+              "UCS against tension", "direct tension, or Brazilian"};
+    },
+    true};
+
+/// With phi shear strength grows under pressure, which UCS feels and tension does not.
+const StrengthParameter matrix_phi{{.key = "matrix.phi",
+                                    .symbol = "phi",
+                                    .unit = "deg",
+                                    .number = [](const Recipe& r) -> const double& { return r.matrix.phi; },
+                                    .range = {4.0, 45.0, 15.0},
+                                    .set =
+                                        [](Recipe& r, double v) {
+                                          r.matrix.shear_strength = ShearStrength::cohesion_friction;
+                                          r.matrix.phi = v;
+                                        },
+                                    .belongs = has_directions},
+                                   matrix_moment.rule,
+                                   true};
+
+// ---- directions
+
+const StrengthParameter tension_ratio{
+    {.key = "matrix.tension_ratio",
+     .symbol = "r_t",
+     .unit = "1",
+     .number = [](const Recipe& r) -> const double& { return r.matrix.tension_ratio; },
+     .range = {1.0 / 3.0, 3.0, 1.2},
+     .set = [](Recipe& r, double v) { r.matrix.tension_ratio = v; },
+     .belongs = has_directions},
+    [](const Evidence& e) -> Rule {
+      return {pulled_across(e) && pulled_along(e), "tension along and across the foliation",
+              "direct tension, or Brazilian, at 0 and 90 degrees"};
+    },
+    true};
+
+const StrengthParameter cohesion_ratio{
+    {.key = "matrix.cohesion_ratio",
+     .symbol = "r_c",
+     .unit = "1",
+     .number = [](const Recipe& r) -> const double& { return r.matrix.cohesion_ratio; },
+     .range = {0.2, 5.0, 1.2},
+     .set = [](Recipe& r, double v) { r.matrix.cohesion_ratio = v; },
+     .belongs = has_directions},
+    [](const Evidence& e) -> Rule {
+      return {e.has(Property::ucs, 0.0, 15.0) && e.has(Property::ucs, 75.0, 90.0), "UCS at both ends",
+              "UCS at 0 and 90 degrees"};
+    }};
+
+const StrengthParameter cohesion_oblique{
+    {.key = "matrix.cohesion_oblique",
+     .symbol = "q_c",
+     .unit = "1",
+     .number = [](const Recipe& r) -> const double& { return r.matrix.cohesion_oblique; },
+     .range = {1.0, 3.0, 1.4},
+     .set = [](Recipe& r, double v) { r.matrix.cohesion_oblique = v; },
+     .belongs = has_directions},
+    [](const Evidence& e) -> Rule {
+      return {e.has(Property::ucs, 30.0, 60.0), "UCS between 30 and 60 degrees", "UCS at 30 and 60 degrees"};
+    }};
+
+// ---- joints
+
 const StrengthParameter joint_cohesion{
     {.key = "bedding[0].cohesion",
      .symbol = "C_sj",
@@ -177,7 +271,8 @@ const StrengthParameter joint_cohesion{
              b.cohesion = v * r.matrix.tau_c;
              b.sigma_n *= b.cohesion / before;
            }
-         }},
+         },
+     .belongs = has_joints},
     [](const Evidence& e) -> Rule {
       return {e.has(Property::ucs, 30.0, 75.0), "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees"};
     }};
@@ -192,7 +287,8 @@ const StrengthParameter joint_sigma_n{
      .set =
          [](Recipe& r, double v) {
            for (BeddingRecipe& b : r.bedding) b.sigma_n = v * b.cohesion;
-         }},
+         },
+     .belongs = has_joints},
     [](const Evidence& e) -> Rule {
       return {pulled_across(e), "tension across the bedding",
               "direct tension at 0 degrees, or Brazilian at 90"};
@@ -203,27 +299,36 @@ const StrengthParameter joint_mu{{.key = "bedding[0].mu",
                                   .unit = "1",
                                   .number = [](const Recipe& r) -> const double& { return joint(r).mu; },
                                   .range = {0.15, 1.0, 0.4},
-                                  .set = [](Recipe& r, double v) { r.bedding.front().mu = v; }},
+                                  .set = [](Recipe& r, double v) { r.bedding.front().mu = v; },
+                                  .belongs = has_joints},
                                  friction_rule,
+                                 false,
                                  [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
                                  check_dilation};
 
-std::vector<const ElasticParameter*> elastic_parameters(bool bedded) {
-  return those_of<ElasticParameter>({&matrix_E_c, &matrix_ks_over_kn, &joint_k_n, &joint_k_s}, bedded);
+std::vector<const ElasticParameter*> elastic_parameters(const Recipe& model) {
+  return those_of<ElasticParameter>(
+      {&matrix_E_c, &matrix_ks_over_kn, &joint_k_n, &joint_k_s, &stiffness_ratio}, model);
 }
 
-std::vector<const StrengthParameter*> strength_parameters(bool bedded) {
+std::vector<const StrengthParameter*> strength_parameters(const Recipe& model) {
   return those_of<StrengthParameter>(
-      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &joint_cohesion, &joint_sigma_n, &joint_mu}, bedded);
+      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &joint_cohesion,
+       &joint_sigma_n, &joint_mu, &tension_ratio, &cohesion_ratio, &cohesion_oblique},
+      model);
 }
 
-std::vector<const StrengthParameter*> strength_ratios(bool bedded) {
-  std::vector<const StrengthParameter*> list = strength_parameters(bedded);
-  std::erase(list, &matrix_sigma_c);
+std::vector<const StrengthParameter*> strength_parameters(const Evidence& evidence) {
+  std::vector<const StrengthParameter*> list = strength_parameters(evidence.rock.model);
+  std::erase_if(list, [&](const StrengthParameter* p) { return p->if_held && !p->rule(evidence).held; });
   return list;
 }
 
-bool CalibratedParameter::of_joint() const { return std::string_view(key).starts_with("bedding"); }
+std::vector<const StrengthParameter*> strength_ratios(const Evidence& evidence) {
+  std::vector<const StrengthParameter*> list = strength_parameters(evidence);
+  std::erase(list, &matrix_sigma_c);
+  return list;
+}
 
 double CalibratedParameter::get(const Recipe& recipe) const {
   return over == nullptr ? number(recipe) : number(recipe) / over->number(recipe);

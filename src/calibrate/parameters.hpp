@@ -32,7 +32,7 @@ struct Range {
 struct CalibratedParameter {
   const char* key;       ///< of the recipe: "matrix.tau_c"
   const char* symbol;    ///< "tau_c"
-  const char* unit;      ///< SI
+  const char* unit;      ///< SI; of angles "deg"
   RecipeNumber* number;  ///< the number of the recipe; of several sets of bedding, the first one's
   /// What is sought is the ratio to this one; nullptr: the number itself.
   const CalibratedParameter* over = nullptr;
@@ -40,8 +40,8 @@ struct CalibratedParameter {
   /// Takes what is sought. Leaves what stands below in the chain of ratios alone and moves what stands above:
   /// set parameters in the order of their list.
   void (*set)(Recipe&, double);
+  bool (*belongs)(const Recipe&) = nullptr;  ///< to a model; nullptr: to every one
 
-  bool of_joint() const;                   ///< needs bedding
   double get(const Recipe& recipe) const;  ///< what is sought
   LogBox box(const Scales& scales) const;
   /// Of pure numbers: place in the box by the logarithm, -1 at the lower end, 1 at the upper.
@@ -93,19 +93,22 @@ struct Rule {
 /// A parameter that strengths show.
 struct StrengthParameter : CalibratedParameter {
   Rule (*rule)(const Evidence&);
+  bool if_held = false;  ///< sought only where the table tells it, else left as the recipe has it
   /// Least value that goes with the rest of the recipe; nullptr: the box alone decides.
   double (*least)(const Recipe&) = nullptr;
   /// Throws InputError where a rock leaves no value of the box.
   void (*check)(const Rock&) = nullptr;
 };
 
-/// Those that a rock has, in the order in which they are set. `bedded`: those of the joints too.
-std::vector<const ElasticParameter*> elastic_parameters(bool bedded);
-/// sigma_c, by which all strengths are measured, and the others.
-std::vector<const StrengthParameter*> strength_parameters(bool bedded);
-std::vector<const StrengthParameter*> strength_ratios(bool bedded);
+/// Those that a model has, in the order in which they are set.
+std::vector<const ElasticParameter*> elastic_parameters(const Recipe& model);
+/// sigma_c, by which all strengths are measured, and the others that a rock's table is asked for.
+std::vector<const StrengthParameter*> strength_parameters(const Evidence& evidence);
+std::vector<const StrengthParameter*> strength_ratios(const Evidence& evidence);
+/// All that there are of one kind of model, whatever a table holds.
+std::vector<const StrengthParameter*> strength_parameters(const Recipe& model);
 
-extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, joint_cohesion, joint_sigma_n,
-    joint_mu;
+extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, matrix_moment, matrix_phi,
+    joint_cohesion, joint_sigma_n, joint_mu, tension_ratio, cohesion_ratio, cohesion_oblique;
 
 }  // namespace phy::calibrate

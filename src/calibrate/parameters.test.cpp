@@ -15,18 +15,24 @@
 namespace phy::calibrate {
 namespace {
 
-std::vector<const CalibratedParameter*> all() {
-  std::vector<const CalibratedParameter*> list;
-  for (const ElasticParameter* p : elastic_parameters(true)) list.push_back(p);
-  for (const StrengthParameter* p : strength_parameters(true)) list.push_back(p);
-  return list;
-}
-
 Recipe bedded() {
   Recipe r;
   r.bedding.resize(2);
   r.bedding[1].cohesion *= 0.5, r.bedding[1].sigma_n *= 0.25;
   return r;
+}
+Recipe foliated() {
+  Recipe r;
+  r.matrix.stiffness_ratio = 1.5, r.matrix.tension_ratio = 1.2, r.matrix.cohesion_ratio = 0.8,
+  r.matrix.cohesion_oblique = 1.3;
+  return r;
+}
+
+std::vector<const CalibratedParameter*> all(const Recipe& model = bedded()) {
+  std::vector<const CalibratedParameter*> list;
+  for (const ElasticParameter* p : elastic_parameters(model)) list.push_back(p);
+  for (const StrengthParameter* p : strength_parameters(model)) list.push_back(p);
+  return list;
 }
 
 /// The field of the recipe under a key; "bedding[0].k_n" is "bedding.k_n" of the first set.
@@ -38,37 +44,42 @@ const Field* field_of(std::string key) {
 }
 
 TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
-  const Recipe r = bedded();
-  std::set<std::string> keys;
-  for (const CalibratedParameter* p : all()) {
-    EXPECT_TRUE(keys.insert(p->key).second) << p->key;
-    const Field* f = field_of(p->key);
-    ASSERT_NE(f, nullptr) << p->key;
-    EXPECT_EQ(p->number(r), f->get(r, 0)) << p->key;
-    EXPECT_EQ(p->of_joint(), f->table == "bedding") << p->key;
-    EXPECT_STREQ(p->unit, f->dimension == Dimension::pressure    ? "Pa"
-                          : f->dimension == Dimension::stiffness ? "Pa/m"
-                                                                 : "1")
-        << p->key;
+  for (const Recipe& r : {bedded(), foliated()}) {
+    std::set<std::string> keys;
+    for (const CalibratedParameter* p : all(r)) {
+      EXPECT_TRUE(keys.insert(p->key).second) << p->key;
+      const Field* f = field_of(p->key);
+      ASSERT_NE(f, nullptr) << p->key;
+      EXPECT_EQ(p->number(r), f->get(r, 0)) << p->key;
+      if (r.bedding.empty()) {
+        EXPECT_NE(f->table, "bedding") << p->key;
+      }
+      EXPECT_STREQ(p->unit, f->dimension == Dimension::pressure    ? "Pa"
+                            : f->dimension == Dimension::stiffness ? "Pa/m"
+                            : f->dimension == Dimension::angle     ? "deg"
+                                                                   : "1")
+          << p->key;
+    }
   }
 }
 
 TEST(CalibratedParameters, ReadWhatTheySetAndMoveNothingElseThatIsSought) {
-  for (const CalibratedParameter* p : all()) {
-    Recipe r = bedded();
-    const double wanted = 1.3 * p->get(r);
-    std::vector<double> before;
-    for (const CalibratedParameter* other : all()) before.push_back(other->get(r));
-    p->set(r, wanted);
-    EXPECT_NEAR(p->get(r) / wanted, 1.0, 1e-14) << p->key;
-    std::size_t i = 0;
-    for (const CalibratedParameter* other : all()) {
-      if (other != p) {
-        EXPECT_NEAR(other->get(r) / before[i], 1.0, 1e-14) << p->key << " moves " << other->key;
+  for (const Recipe& model : {bedded(), foliated()})
+    for (const CalibratedParameter* p : all(model)) {
+      Recipe r = model;
+      const double wanted = 1.3 * p->get(r);
+      std::vector<double> before;
+      for (const CalibratedParameter* other : all(model)) before.push_back(other->get(r));
+      p->set(r, wanted);
+      EXPECT_NEAR(p->get(r) / wanted, 1.0, 1e-14) << p->key;
+      std::size_t i = 0;
+      for (const CalibratedParameter* other : all(model)) {
+        if (other != p) {
+          EXPECT_NEAR(other->get(r) / before[i], 1.0, 1e-14) << p->key << " moves " << other->key;
+        }
+        ++i;
       }
-      ++i;
     }
-  }
 }
 
 TEST(CalibratedParameters, BondsKeepTheShareOfTheirScatterAndFollowTheContacts) {
@@ -78,7 +89,7 @@ TEST(CalibratedParameters, BondsKeepTheShareOfTheirScatterAndFollowTheContacts) 
   EXPECT_NEAR(r.matrix.sigma_c_sd / r.matrix.sigma_c, before.matrix.sigma_c_sd / before.matrix.sigma_c,
               1e-14);
   EXPECT_NEAR(r.matrix.tau_c_sd / r.matrix.tau_c, before.matrix.tau_c_sd / before.matrix.tau_c, 1e-14);
-  for (const ElasticParameter* p : elastic_parameters(false)) p->set(r, 1.5 * p->get(r));
+  for (const ElasticParameter* p : elastic_parameters(Recipe())) p->set(r, 1.5 * p->get(r));
   EXPECT_EQ(r.matrix.E_b, r.matrix.E_c);
   EXPECT_EQ(r.matrix.bond_ks_over_kn, r.matrix.ks_over_kn);
 }
@@ -89,7 +100,8 @@ TEST(CalibratedParameters, RatiosAreNamedByTheirTwoNumbers) {
   for (const CalibratedParameter* p : all()) names.push_back(sought(*p).key);
   EXPECT_EQ(names, (std::vector<std::string>{"matrix.E_c", "matrix.ks_over_kn", "bedding[0].k_n",
                                              "bedding[0].k_s", "matrix.sigma_c", "tau_c/sigma_c", "matrix.mu",
-                                             "C_sj/tau_c", "sigma_n,sj/C_sj", "bedding[0].mu"}));
+                                             "matrix.moment_contribution", "C_sj/tau_c", "sigma_n,sj/C_sj",
+                                             "bedding[0].mu"}));
   EXPECT_EQ(sought(joint_sigma_n).unit, "1");
   EXPECT_EQ(sought(joint_sigma_n).number, nullptr);
   EXPECT_EQ(number_of_recipe(joint_sigma_n).key, "bedding[0].sigma_n");
@@ -99,9 +111,26 @@ TEST(CalibratedParameters, RatiosAreNamedByTheirTwoNumbers) {
 TEST(CalibratedParameters, WithoutBeddingNoneIsOfTheJoints) {
   Recipe r;
   r.bedding.clear();
-  for (const ElasticParameter* p : elastic_parameters(false)) EXPECT_GT(p->get(r), 0.0);
-  for (const StrengthParameter* p : strength_parameters(false)) EXPECT_GT(p->get(r), 0.0);
-  EXPECT_EQ(elastic_parameters(false).size() + strength_parameters(false).size(), 5U);
+  for (const CalibratedParameter* p : all(r)) EXPECT_GT(p->get(r), 0.0);
+  EXPECT_EQ(all(r).size(), 6U);
+}
+
+TEST(CalibratedParameters, OnlyATableThatTellsThemIsAskedForSome) {
+  Rock rock;
+  rock.model.bedding.resize(1);
+  rock.readings = {reading(Property::ucs, 0.0, 100e6), reading(Property::ucs, 90.0, 100e6)};
+  const auto seeks = [&](const StrengthParameter& p) {
+    const std::vector<const StrengthParameter*> list = strength_parameters(Evidence(rock));
+    return std::find(list.begin(), list.end(), &p) != list.end();
+  };
+  EXPECT_FALSE(seeks(matrix_moment)) << "no tension in the table";
+  rock.readings.push_back(reading(Property::brazilian, 0.0, 8e6));
+  EXPECT_TRUE(seeks(matrix_moment));
+  rock.model = foliated();
+  EXPECT_FALSE(seeks(tension_ratio)) << "tension at one angle";
+  EXPECT_TRUE(seeks(cohesion_ratio) && !seeks(joint_cohesion));
+  rock.readings.push_back(reading(Property::brazilian, 90.0, 6e6));
+  EXPECT_TRUE(seeks(tension_ratio));
 }
 
 TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
@@ -124,7 +153,8 @@ TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
 }
 
 TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
-  for (const StrengthParameter* p : strength_ratios(true)) {
+  for (const StrengthParameter* p : strength_parameters(bedded())) {
+    if (p == &matrix_sigma_c) continue;
     EXPECT_DOUBLE_EQ(p->place_of(p->range.low), -1.0);
     EXPECT_DOUBLE_EQ(p->place_of(p->range.high), 1.0);
     EXPECT_NEAR(p->at_place(0.0), std::sqrt(p->range.low * p->range.high), 1e-14);
@@ -132,12 +162,17 @@ TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
   }
 }
 
-// The posterior is free to add ratios; the prior regression speaks of those that it has learnt.
-TEST(CalibratedParameters, ThePriorSpeaksOfRatiosThatAreSought) {
-  for (const bool joints : {false, true}) {
-    const std::vector<const StrengthParameter*> ratios = strength_ratios(joints);
-    for (const StrengthParameter* p : regressed_ratios(joints))
-      EXPECT_NE(std::find(ratios.begin(), ratios.end(), p), ratios.end()) << p->key;
+// A parameter that no map varies would begin its search without any expectation.
+TEST(CalibratedParameters, AllRatiosAreLeversOfTheirFamily) {
+  Recipe crossing = bedded(), intact;
+  crossing.bedding.resize(1), crossing.bedding[0].rule = BeddingRule::crossing;
+  for (const Recipe& model : {crossing, foliated(), intact}) {
+    const ModelFamily* family = family_of(model);
+    ASSERT_NE(family, nullptr);
+    for (const StrengthParameter* p : strength_parameters(model))
+      EXPECT_TRUE(p == &matrix_sigma_c || std::any_of(family->levers.begin(), family->levers.end(),
+                                                      [&](const Lever& l) { return l.parameter == p; }))
+          << family->name << ' ' << p->key;
   }
 }
 

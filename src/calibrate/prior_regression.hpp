@@ -1,55 +1,46 @@
-// What other rocks have taught about UCS before a rock's own first test.
+// What other rocks have taught about a strength before a rock's own first test.
 //
-// log(UCS/sigma_c) is a function of dimensionless numbers alone: five ratios of strengths and frictions
-// (places in their boxes) and three of moduli, k_s/k_n, k_n spacing/E_c, k_s spacing/E_c. A
-// quadratic in all eight per angle, fitted by ridge regression to tests of 48 synthetic rocks of the
-// paper's geometry (1,197 discs, nine points of the box each on twelve packings, seven angles and intact),
-// predicts UCS of rocks that took no part to 10-18 %, of which some 10 % is the scatter of single runs
-// (docs/calibration.md, "Prior mean"). It is a beginning, not an answer: the surrogate learns how far this
-// rock, with its own bedding and grains, lies from it.
+// log(strength/sigma_c) is a function of dimensionless numbers alone. The family of a rock's model was mapped
+// over them (reach.hpp); a quadratic through its rows, per inclination and kind of test, predicts UCS of
+// points that took no part to 10-20 %, of which some 10 % is the scatter of single runs (docs/calibration.md,
+// "Prior mean"). It is a beginning, not an answer: the surrogate learns how far this rock, with its own
+// bedding and grains, lies from it.
 //
-// Of tension a closed form is enough to begin with. Across a set of planes under the pull s the normal stress
-// is s cos^2(theta), the shear stress s sin(theta) cos(theta) (bonded joints have no friction); the planes
-// part where sigma_n or C are reached, the matrix at 0.55 sigma_c (measured: docs/theory/ucs-to-tension.md).
-// A disc is pulled a quarter turn from its load.
+// Direct tension of layered rock was not mapped: a disc is pulled a quarter turn from its load, so its
+// strength at 90 degrees less stands in, and is believed less.
 #pragma once
 #include <span>
 #include <vector>
 
 #include "calibrate/parameters.hpp"
+#include "calibrate/reach.hpp"
 #include "calibrate/surrogate.hpp"
-#include "records/calibration.hpp"
-#include "records/recipe.hpp"
 
 namespace phy::calibrate {
 
-/// The ratios that were learnt, in the order of the regression, with bedding and without.
-std::vector<const StrengthParameter*> regressed_ratios(bool bedded);
-
-/// The eight numbers of a point, two and one without bedding, as the regression takes them: places of
-/// regressed_ratios() in their boxes, and regression_moduli().
-std::vector<double> regression_features(std::span<const double> places, std::span<const double> moduli);
-
-/// k_s/k_n, k_n spacing/E_c, k_s spacing/E_c of a recipe, the first alone without bedding: logarithms,
-/// scaled to [-1, 1] over the range that was learnt, and held at 1.2 beyond it.
-std::vector<double> regression_moduli(const Recipe& recipe);
-
-/// Expected log(UCS/sigma_c) of a rock with the moduli of a recipe at one angle.
+/// Expected log(strength/sigma_c) of a rock with the moduli of a recipe at one angle.
 class PriorRegression {
  public:
-  /// `theta` in degrees, bedding against the horizontal; between the angles that were learnt linear.
-  /// Without bedding the same at every angle.
-  PriorRegression(const Recipe& recipe, double theta);
-  /// `z`: places of strength_ratios() in their boxes. A ratio that was not learnt is taken to change nothing.
+  /// `ratios`: those of the points that at() takes. `theta` in degrees, layers against the horizontal;
+  /// between the angles that were mapped linear. The family of the recipe must have been mapped.
+  PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe, Property property,
+                  double theta);
+  /// `z`: places of the ratios in their boxes. A ratio that was not mapped changes nothing.
   double at(std::span<const double> z) const;
 
  private:
-  std::vector<std::size_t> learnt_;  // which of the ratios
-  std::vector<double> moduli_, coefficients_;
+  struct Link {
+    std::size_t ratio, lever;
+  };
+  std::vector<const StrengthParameter*> ratios_;
+  std::vector<Lever> levers_;
+  std::vector<Link> links_;
+  std::vector<double> places_;              // of the recipe
+  std::vector<const ReachRegression*> at_;  // at the mapped angles about theta
+  double share_ = 0.0;                      // of the second one
 };
 
-/// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe: of UCS, direct
-/// tension and Brazilian tests.
-PriorMean prior_strength(const Recipe& recipe, Property property, double theta);
+/// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe.
+PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, Property property, double theta);
 
 }  // namespace phy::calibrate

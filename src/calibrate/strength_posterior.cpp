@@ -34,11 +34,11 @@ Point mean_of(const std::vector<Point>& points) {
 StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe)
     : runs_(evidence.strengths.size()),
       targets_(evidence.strengths),
-      parameters_(strength_parameters(evidence.rock.bedded)),
+      parameters_(strength_parameters(evidence)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
-  for (const Target& t : targets_) prior_.push_back(prior_strength(recipe, t.property, t.theta));
+  for (const Target& t : targets_) prior_.push_back(prior_strength(evidence, recipe, t.property, t.theta));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
-  for (const StrengthParameter* p : strength_ratios(evidence.rock.bedded))
+  for (const StrengthParameter* p : strength_ratios(evidence))
     least_.push_back(
         p->place_of(p->least == nullptr ? p->range.low : std::max(p->range.low, p->least(recipe))));
 }
@@ -63,6 +63,14 @@ double StrengthPosterior::log_value(const Point& x, const CalibratedParameter& p
 Recipe StrengthPosterior::recipe_at(Recipe recipe, const Point& x) const {
   for (const StrengthParameter* p : parameters_) p->set(recipe, std::exp(log_value(x, *p)));
   return recipe;
+}
+
+void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& recipe) {
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    PriorMean now = prior_strength(evidence, recipe, targets_[i].property, targets_[i].theta);
+    for (SurrogateRun& run : runs_[i]) run.y += now.value(run.z) - prior_[i].value(run.z);
+    prior_[i] = std::move(now);
+  }
 }
 
 bool StrengthPosterior::has_runs() const {

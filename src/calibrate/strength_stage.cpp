@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
+#include <utility>
 
 #include "base/rng.hpp"
+#include "calibrate/elastic_response.hpp"
 #include "calibrate/strength_posterior.hpp"
 
 namespace phy::calibrate {
@@ -49,14 +52,38 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
   return recipes;
 }
 
+/// Solutions of the specimens behind tests of UCS, one of those that lie on the same packing at the same
+/// inclination: they differ in strengths alone.
+void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior,
+                     const std::vector<Point>& points, const std::vector<Recipe>& recipes,
+                     const std::vector<TestResult>& results, Simulator& simulator) {
+  std::map<std::pair<std::int64_t, double>, std::size_t> solved;
+  std::vector<Recipe> specimens;
+  const auto name_of = [&](std::size_t k) {
+    return std::pair{recipes[k].packing.seed, posterior.targets()[k % posterior.n_targets()].theta};
+  };
+  const auto is_ucs = [&](std::size_t k) {
+    return posterior.targets()[k % posterior.n_targets()].property == Property::ucs;
+  };
+  for (std::size_t k = 0; k < recipes.size(); ++k)
+    if (is_ucs(k) && solved.emplace(name_of(k), specimens.size()).second) specimens.push_back(recipes[k]);
+  const std::vector<ElasticResult> solutions = simulator.elastic(specimens, false);
+  for (std::size_t k = 0; k < recipes.size(); ++k) {
+    if (!is_ucs(k)) continue;
+    const std::span<const double> z = StrengthPosterior::ratios(points[k / posterior.n_targets()]);
+    record.add(name_of(k).second, {z.begin(), z.end()}, results[k], solutions[solved.at(name_of(k))]);
+  }
+}
+
 /// Runs a batch, whose points are number `first` and on of the search, and hands its answers to the
 /// surrogates. False: stopped.
 bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const std::vector<Point>& points,
                bool is_coarse, const std::vector<std::int64_t>& seeds, std::size_t first,
-               Simulator& simulator, StrengthFit& fit) {
+               Simulator& simulator, StrengthFit& fit, SofteningRecord* softening) {
   const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
+  if (softening != nullptr) learn_softening(*softening, posterior, points, recipes, results, simulator);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const std::span<const double> z = StrengthPosterior::ratios(points[p]);
@@ -198,9 +225,14 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
 
 }  // namespace
 
+Recipe with_moduli(Recipe recipe, const Recipe& moduli) {
+  for (const ElasticParameter* p : elastic_parameters(recipe)) p->set(recipe, p->get(moduli));
+  return recipe;
+}
+
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
-                         const std::function<void(const std::string&)>& say) {
+                         const std::function<void(const std::string&)>& say, const Remodel& remodel) {
   StrengthFit fit;
   const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
@@ -218,13 +250,15 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     if (posterior.find_discrepancy(draws)) draws = posterior.draws(StrengthPosterior::none, seed);
   };
   draw(0);  // from the prior mean alone
+  SofteningRecord softening(evidence.rock.E_is);
   std::size_t n_points = 0;
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
     const std::vector<Point> points = spread_draws(posterior, draws, batch.n_points);
     say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
                     targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, fit) ||
+    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, fit,
+                   remodel ? &softening : nullptr) ||
         !posterior.has_runs()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
@@ -233,6 +267,13 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       return fit;
     }
     n_points += points.size();
+    draw(b + 1);
+    if (!remodel) continue;
+    const Point& best = draws[middle(posterior, draws)];
+    const std::span<const double> z = StrengthPosterior::ratios(best);
+    fit.softenings = softening.at({z.begin(), z.end()});
+    fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
+    posterior.take_moduli(evidence, fit.recipe);
     draw(b + 1);
   }
   report(posterior, draws, packings_behind(n_points, seeds.size()), fit);

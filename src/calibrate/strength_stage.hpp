@@ -18,6 +18,7 @@
 
 #include "calibrate/evidence.hpp"
 #include "calibrate/parameters.hpp"
+#include "calibrate/softening.hpp"
 #include "calibrate/strength_tests.hpp"
 
 namespace phy::calibrate {
@@ -37,12 +38,20 @@ struct StrengthFit {
   bool short_search = false;          ///< the budget did not allow all points
   std::vector<std::string> findings;  ///< what speaks against the fit
   std::vector<std::string> notes;
+  Softenings softenings;  ///< at the estimate; empty: the moduli were not asked for again
 };
 
+/// The moduli anew, for a table whose E the press has softened so far: a recipe with them.
+using Remodel = std::function<Recipe(const Softenings&)>;
+
+/// The settings of the tests stay, the elastic parameters are those of another recipe.
+Recipe with_moduli(Recipe recipe, const Recipe& moduli);
+
 /// Against the strengths of the evidence. `recipe`: from the elastic stage. `max_tests`: budget of this
-/// stage, tests of UCS. Seeds: packings, of which the points of the search take turns.
+/// stage, tests of UCS. Seeds: packings, of which the points of the search take turns. `remodel`: called
+/// after every batch; empty: the moduli are those of small strain and stay.
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
-                         const std::function<void(const std::string&)>& say);
+                         const std::function<void(const std::string&)>& say, const Remodel& remodel = {});
 
 }  // namespace phy::calibrate

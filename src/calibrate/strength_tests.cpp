@@ -76,12 +76,12 @@ double number_of(const TestResult& result, const std::string& name) {
 }
 
 /// A number of the same test on several packings.
-Comparison over_packings(const Target& target, const std::string& number,
-                         std::span<const TestResult> results) {
+template <class Value>
+Comparison over_packings(const Target& target, std::span<const TestResult> results, const Value& value_of) {
   std::vector<double> values;
   Comparison c;
   for (const TestResult& result : results) {
-    const double value = number_of(result, number);
+    const double value = value_of(result);
     if (std::isfinite(value)) {
       values.push_back(value);
       c.quality.add(result.numbers);
@@ -127,6 +127,17 @@ double strength_of(const TestResult& result, Property property) {
   return number_of(result, test_of(property)->curve.strength);
 }
 
+double modulus_of(const TestResult& result, ModulusReading reading) {
+  switch (reading) {
+    case ModulusReading::tangent_50:
+    case ModulusReading::average: return number_of(result, "E_tangent");
+    case ModulusReading::secant_50: return number_of(result, "E_secant");
+    case ModulusReading::secant_at_peak: return number_of(result, "ucs") / number_of(result, "peak_strain");
+    case ModulusReading::small_strain: return number_of(result, "E_small");
+  }
+  return std::nan("");
+}
+
 Recipe coarse(Recipe r) {
   r.packing.radius_min *= coarse_factor, r.packing.radius_max *= coarse_factor;
   r.packing.n_grains =
@@ -159,7 +170,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                                          std::vector<Comparison>* tangent_from_test) {
+                                          ModulusReading reading, std::vector<Comparison>* moduli) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -169,12 +180,17 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
                                            seeds.size());
-    rows.push_back(over_packings(targets[i], test_of(targets[i].property)->curve.strength, some));
-    if (tangent_from_test == nullptr || targets[i].property != Property::ucs) continue;
-    for (const auto& [property, number] : {std::pair{Property::E, "E_tangent"}, {Property::nu, "nu"}}) {
-      const Target target{property, targets[i].theta, std::nan(""), std::nan("")};
-      tangent_from_test->push_back(over_packings(target, number, some));
-    }
+    const Property property = targets[i].property;
+    rows.push_back(
+        over_packings(targets[i], some, [&](const TestResult& r) { return strength_of(r, property); }));
+    if (moduli == nullptr || property != Property::ucs) continue;
+    const auto without_value = [&](Property p) {
+      return Target{p, targets[i].theta, std::nan(""), std::nan("")};
+    };
+    moduli->push_back(over_packings(without_value(Property::E), some,
+                                    [&](const TestResult& r) { return modulus_of(r, reading); }));
+    moduli->push_back(over_packings(without_value(Property::nu), some,
+                                    [](const TestResult& r) { return number_of(r, "nu"); }));
   }
   return rows;
 }

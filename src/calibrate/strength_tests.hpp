@@ -33,11 +33,16 @@ class StrengthTests {
 /// Strength of a test [Pa]; NaN if it has none.
 double strength_of(const TestResult& result, Property property);
 
-/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `tangent_from_test`
-/// gains E (tangent at 40 - 60 % of the strength) and nu of the tests of UCS; their targets have no values.
+/// E [Pa] of a test of UCS as the laboratory reads it; NaN without a strength.
+double modulus_of(const TestResult& result, ModulusReading reading);
+
+/// Mean strengths of a recipe at the targets over packings, by the tests themselves. `moduli` gains E as
+/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests of UCS; their targets have no
+/// values.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                                          std::vector<Comparison>* tangent_from_test = nullptr);
+                                          ModulusReading reading = ModulusReading::tangent_50,
+                                          std::vector<Comparison>* moduli = nullptr);
 
 /// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
 /// wave crosses the specimen a hundred times until the earliest peak. `all`: their UCS over the modulus

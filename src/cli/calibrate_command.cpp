@@ -24,7 +24,7 @@ namespace {
 struct Arguments {
   std::string rock, out = "results/calibration";
   bool elastic = false, resume = false, with_untrusted = false;
-  std::int64_t max_tests = 300;
+  std::int64_t max_tests = 330;
 };
 
 /// Everything that the answer follows from.
@@ -33,7 +33,8 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   Hash hash;
   hash.add(rock.name);
   hash.add(keys_not_by_default(rock.model));
-  hash.add(rock.bedded), hash.add(args.elastic), hash.add(args.max_tests);
+  hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
+  hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);

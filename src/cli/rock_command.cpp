@@ -6,6 +6,7 @@
 
 #include "base/quote.hpp"
 #include "calibrate/identifiability.hpp"
+#include "calibrate/reach_check.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/keys.hpp"
 #include "cli/machine.hpp"
@@ -54,6 +55,7 @@ int rock_check(const std::string& path, int width) {
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
             report::identifiability_table({expected.begin(), expected.end()}, width));
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
+  for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;
 }
 

@@ -320,13 +320,41 @@ TEST_F(RockFile, WhatARunWouldRefuseIsRefusedHere) {
   EXPECT_THAT(problems("UCS [MPa]\n100\n", "recipe = \"m.toml\"\n"), IsEmpty());
 }
 
-TEST_F(RockFile, ARecipeWithoutBeddingGetsThePapersAndThatIsSaid) {
+TEST_F(RockFile, PlanesAreByCrossingUnlessTheRecipeSaysOtherwise) {
   const std::string size = "[specimen]\nwidth = \"38 mm\"\nheight = \"76 mm\"\n";
   write("m.toml", size);
-  EXPECT_THAT(rock(good, "recipe = \"m.toml\"\n").notes,
-              Contains(HasSubstr("no [[bedding]]: planes are the paper's")));
+  for (const std::string& keys : {std::string(), std::string("recipe = \"m.toml\"\n")}) {
+    const Rock assumed = rock(good, keys);
+    EXPECT_EQ(assumed.model.bedding.at(0).rule, BeddingRule::crossing);
+    EXPECT_EQ(assumed.layers, LayerModel::choose);
+    EXPECT_THAT(assumed.notes, Contains(HasSubstr("the distance of the layers is not given: 5 mm is taken")));
+    const Rock given = rock(good, keys + "layers = \"directions\"\n[bedding]\nspacing = \"8 mm\"\n");
+    EXPECT_DOUBLE_EQ(given.model.bedding.at(0).spacing, 8e-3);
+    EXPECT_EQ(given.layers, LayerModel::directions);
+    EXPECT_THAT(given.notes, Each(testing::Not(HasSubstr("distance of the layers"))));
+  }
   write("m.toml", size + "[[bedding]]\n");
-  EXPECT_THAT(rock(good, "recipe = \"m.toml\"\n").notes, Each(testing::Not(HasSubstr("[[bedding]]"))));
+  const Rock zone = rock(good, "recipe = \"m.toml\"\n");
+  EXPECT_EQ(zone.model.bedding.at(0).rule, BeddingRule::zone);
+  EXPECT_EQ(zone.layers, LayerModel::planes);
+  EXPECT_THAT(zone.notes, Each(testing::Not(HasSubstr("distance of the layers"))));
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\nlayers = \"planes\"\n[bedding]\nspacing = \"8 mm\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:3: layers"), HasSubstr("the recipe says it")),
+                                   HasSubstr("r.toml:5: bedding.spacing")));
+}
+
+TEST_F(RockFile, ARecipeWithDirectionsAloneGetsNoPlanes) {
+  write("m.toml", "[matrix]\nstiffness_ratio = 1.5\nmoment_contribution = 0.1\n");
+  const Rock r = rock(good, "recipe = \"m.toml\"\n");
+  EXPECT_TRUE(r.model.bedding.empty());
+  EXPECT_EQ(r.layers, LayerModel::directions);
+}
+
+TEST_F(RockFile, WhatEIsHasToBeOneOfItsWords) {
+  EXPECT_EQ(rock(good).E_is, ModulusReading::tangent_50);
+  EXPECT_EQ(rock(good, "E_is = \"secant at peak\"\n").E_is, ModulusReading::secant_at_peak);
+  EXPECT_THAT(problems(good, "E_is = \"secant\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:2: E_is"), HasSubstr("\"secant 50 %\""))));
 }
 
 TEST_F(RockFile, OneMistakeIsToldOnce) {

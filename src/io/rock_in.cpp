@@ -40,6 +40,15 @@ const Fields& rock_fields() {
     Field reading = entry(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
     reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
+    Field E_is = entry(K::choice, "E_is",
+                       "what the table's E is; without UCS it is compared at small strain whatever it is");
+    E_is.choices = {"tangent 50 %", "average", "secant 50 %", "secant at peak", "small strain"};
+    E_is.otherwise = "\"tangent 50 %\"";
+    Field layers = entry(K::choice, "layers",
+                         "what makes the model's layers: joints on planes, directions of the bonds, or what "
+                         "predicts better; with a recipe what that has");
+    layers.choices = {"choose", "planes", "directions"};
+    layers.otherwise = "\"choose\"";
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "of a table with several confining pressures, the one to use");
     confining.otherwise.clear();
@@ -50,10 +59,14 @@ const Fields& rock_fields() {
               "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
               "[specimen]"),
         reading,
+        E_is,
+        layers,
         confining,
         entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
+        as_in_recipe("bedding.spacing", "bedding", "spacing",
+                     "distance of the planes of bedding or foliation; with a recipe what that has"),
         as_in_recipe(
             "test.disc_diameter", "brazilian", "diameter",
             "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
@@ -78,9 +91,10 @@ class RockReader {
     // One set of bedding to magnify and complete; a rock without bedding has it removed with its table.
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
-    const bool has_model = read_recipe_file() && read_size();
+    const bool has_model = read_recipe_file() && read_size() && read_layers();
     read_disc();
     if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
+    rock_.E_is = static_cast<ModulusReading>(static_cast<int>(file_.number("E_is", 0.0)));
     read_table();
     // After everything is read: the checks compare model, size, discs and table.
     if (has_model) check_model(), check_discs();
@@ -95,8 +109,8 @@ class RockReader {
   Document file_;
   Rock& rock_;
   std::vector<Problem>& problems_;
-  std::string table_;        // its path
-  bool has_bedding_ = true;  // the recipe says where the planes are
+  std::string table_;       // its path
+  bool has_layers_ = true;  // the recipe says what they are
 
   bool is_given(const std::string& key) const { return file_.find(key) != nullptr; }
 
@@ -131,10 +145,27 @@ class RockReader {
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");
-    has_bedding_ = !recipe->bedding.empty();
+    has_layers_ = layered(*recipe);
     // Planes are where the paper has them, unless the recipe says it; read_table() notes that.
-    rock_.model.bedding.resize(1);
+    if (!has_layers_) rock_.model.bedding.resize(1), rock_.model.bedding[0].rule = BeddingRule::crossing;
     return good;
+  }
+  /// Which layers, and how far apart. Joints on the contacts that cross a plane: no thickness to guess.
+  bool read_layers() {
+    if (!file_.is_known("bedding.spacing") || !file_.is_known("layers")) return false;
+    if (is_given("recipe") && has_layers_) {
+      rock_.layers = rock_.model.bedding.empty() ? LayerModel::directions : LayerModel::planes;
+      for (const char* key : {"bedding.spacing", "layers"})
+        if (is_given(key))
+          problems_.push_back(
+              {file_.place(key), key, "", "the layers of the recipe", "leave it out: the recipe says it"});
+      return true;
+    }
+    rock_.layers = static_cast<LayerModel>(static_cast<int>(file_.number("layers", 0.0)));
+    BeddingRecipe& b = rock_.model.bedding[0];
+    b.rule = BeddingRule::crossing;
+    b.spacing = file_.number("bedding.spacing", b.spacing);
+    return true;
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
   bool read_size() {
@@ -159,9 +190,8 @@ class RockReader {
     b.spacing *= scale, b.zone_thickness *= scale;
     size = {width, height};
     rock_.notes.push_back(
-        fmt::format("the model is the paper's specimen magnified to {:g} x {:g} mm: {} grains, "
-                    "bedding every {:g} mm",
-                    width * 1e3, height * 1e3, p.n_grains, b.spacing * 1e3));
+        fmt::format("the model is the paper's specimen magnified to {:g} x {:g} mm: {} grains", width * 1e3,
+                    height * 1e3, p.n_grains));
     return true;
   }
   /// Discs of the Brazilian tests: those of the recipe unless said here.
@@ -257,11 +287,10 @@ class RockReader {
       rock_.model.bedding.clear(), rock_.model.test.angles.clear();
       for (RockReading& r : rock_.readings) r.theta = 0.0;
       rock_.notes.emplace_back("a rock without bedding");
-    } else if (!has_bedding_) {
+    } else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_)) {
       rock_.notes.push_back(
-          fmt::format("the recipe has no [[bedding]]: planes are the paper's, every {:g} mm{}",
-                      rock_.model.bedding[0].spacing * 1e3,
-                      rock_.model.matrix.directional() ? "; directions of its matrix stay as they are" : ""));
+          fmt::format("the distance of the layers is not given: {:g} mm is taken ([bedding] spacing says it)",
+                      rock_.model.bedding[0].spacing * 1e3));
     }
     // Statements about the whole table need all of it.
     if (problems_.size() == n_before) check_content(where);
@@ -329,14 +358,23 @@ std::string rock_template(const std::string& name) {
          name +
          ".csv\"        # the table of tests, beside this file\n"
          "\n"
+         "# What E is: \"tangent 50 %\", \"average\", \"secant 50 %\", \"secant at peak\"; \"small strain\" "
+         "of "
+         "waves.\n"
+         "E_is = \"tangent 50 %\"\n"
          "# Moduli of cylinders are read as plane stress; \"plane strain\" converts them (needs nu).\n"
          "elastic_reading = \"plane stress\"\n"
          "\n"
          "# confining = \"10 MPa\"          # of a table with several confining pressures, the one to use\n"
          "# bedded = false                # a rock without bedding needs no column of angles\n"
-         "# recipe = \"model.toml\"         # grain size, bedding rule, spacing, press (`phyllite recipe "
-         "--template`);\n"
-         "#                               # without it: the paper's specimen, magnified to the size below\n"
+         "# recipe = \"model.toml\"         # grain size, bedding rule, press (`phyllite recipe "
+         "--template`); "
+         "without\n"
+         "#                               # it: the paper's specimen, magnified to the size below\n"
+         "# layers = \"choose\"             # or \"planes\" (smooth joints), \"directions\" (of the bonds)\n"
+         "\n"
+         "[bedding]\n"
+         "spacing = \"5 mm\"               # of bedding or foliation, as seen on the specimens\n"
          "\n"
          "[specimen]                      # of the compression tests\n"
          "width = \"38 mm\"\n"
@@ -358,7 +396,7 @@ std::string rock_table_template() {
          "with "
          "_sd;\n"
          "# confining [MPa]. The load, or the pull of DTS, is along y in every test.\n"
-         "# E and nu are compared with those of the model at small strain, before anything breaks.\n"
+         "# E and nu are what E_is of the rock file says.\n"
          "# _sd: standard deviation of single specimens; n: specimens. Other columns without a unit are "
          "passed over.\n"
          "theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n\n"

@@ -94,6 +94,26 @@ const char* to_string(Property property) {
   return names[static_cast<std::size_t>(property)];
 }
 
+const char* to_string(ModulusReading reading) {
+  switch (reading) {
+    case ModulusReading::tangent_50: return "tangent 50 %";
+    case ModulusReading::average: return "average";
+    case ModulusReading::secant_50: return "secant 50 %";
+    case ModulusReading::secant_at_peak: return "secant at peak";
+    case ModulusReading::small_strain: return "small strain";
+  }
+  return "";
+}
+
+const char* to_string(LayerModel model) {
+  switch (model) {
+    case LayerModel::choose: return "choose";
+    case LayerModel::planes: return "planes";
+    case LayerModel::directions: return "directions";
+  }
+  return "";
+}
+
 bool is_strength(Property property) { return property != Property::E && property != Property::nu; }
 
 double Target::standard_error() const { return sd / std::sqrt(static_cast<double>(n)); }

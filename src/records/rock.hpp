@@ -25,6 +25,15 @@ bool is_strength(Property property);
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };
 
+/// What the laboratory calls E; nu is taken over the same part of the curve (docs/calibration.md, "Which E").
+enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, small_strain };
+const char* to_string(ModulusReading reading);
+
+/// What makes the model's layers: smooth joints on planes, directions of the bonds, or whichever predicts
+/// values of the table better that it was not shown.
+enum class LayerModel { choose, planes, directions };
+const char* to_string(LayerModel model);
+
 /// One cell of the table.
 struct RockReading {
   Property property = Property::E;
@@ -53,6 +62,8 @@ struct Rock {
   std::string name;
   bool bedded = true;
   ElasticReading reading = ElasticReading::plane_stress;
+  ModulusReading E_is = ModulusReading::small_strain;
+  LayerModel layers = LayerModel::planes;
   Recipe model;  ///< everything that is not calibrated: specimen, packing, bedding geometry, test, engine
   std::vector<RockReading> readings;  ///< in the order of the table
   std::vector<std::string> notes;     ///< how the files were understood, for the user to see

@@ -126,16 +126,21 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
                  symbol.width() + 2);
 }
 
-/// What the matrix has beside parallel bonds everywhere and alike, as the recipe gives it.
-std::vector<std::pair<const char*, std::string>> given_departures(const MatrixRecipe& m) {
-  const auto given = [](double v) { return fmt::format("{:g} (given)", v); };
+/// What the matrix has beside the bonds of the paper: the same everywhere and in every direction, the moment
+/// counting in full, no friction.
+std::vector<std::pair<const char*, std::string>> departures(const Calibration& c) {
+  const MatrixRecipe& m = c.recipe.matrix;
   std::vector<std::pair<const char*, std::string>> rows;
-  if (m.unbonded_fraction > 0.0) rows.emplace_back("Share without a bond", given(m.unbonded_fraction));
+  if (m.moment_contribution < 1.0)
+    rows.emplace_back("Moment contribution beta", cell(c, m.moment_contribution, 1.0));
+  if (m.shear_strength == ShearStrength::cohesion_friction)
+    rows.emplace_back("Friction angle phi [deg]", cell(c, m.phi, 1.0));
+  if (m.unbonded_fraction > 0.0) rows.emplace_back("Share without a bond", cell(c, m.unbonded_fraction, 1.0));
   if (m.directional())
-    rows.insert(rows.end(), {{"Stiffness along/across", given(m.stiffness_ratio)},
-                             {"Normal strength along/across", given(m.tension_ratio)},
-                             {"Shear strength along/across", given(m.cohesion_ratio)},
-                             {"Shear strength oblique", given(m.cohesion_oblique)}});
+    rows.insert(rows.end(), {{"Stiffness along/across r_E", cell(c, m.stiffness_ratio, 1.0)},
+                             {"Normal strength along/across r_t", cell(c, m.tension_ratio, 1.0)},
+                             {"Shear strength along/across r_c", cell(c, m.cohesion_ratio, 1.0)},
+                             {"Shear strength oblique q_c", cell(c, m.cohesion_oblique, 1.0)}});
   return rows;
 }
 
@@ -161,17 +166,19 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
                             {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
                             {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
                             {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}});
-  if (const Rows given = given_departures(m); !given.empty()) text += "\n" + table("contacts", given);
+  if (const Rows more = departures(c); !more.empty()) text += "\n" + table("bonds, more", more);
   if (c.recipe.bedding.empty()) return text;
   const BeddingRecipe& b = c.recipe.bedding.front();
+  Rows joints = {{"Normal stiffness k_n,sj [GPa/m]", cell(c, b.k_n, GPa)},
+                 {"Shear stiffness k_s,sj [GPa/m]", cell(c, b.k_s, GPa)},
+                 {"Friction coefficient mu_sj", cell(c, b.mu, 1.0)},
+                 {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
+                 {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}};
+  if (b.rule == BeddingRule::zone)
+    joints.emplace_back("Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3));
+  joints.emplace_back("Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3));
   return text + "\nTable 2. Bedding\n" +
-         table("smooth joints", {{"Normal stiffness k_n,sj [GPa/m]", cell(c, b.k_n, GPa)},
-                                 {"Shear stiffness k_s,sj [GPa/m]", cell(c, b.k_s, GPa)},
-                                 {"Friction coefficient mu_sj", cell(c, b.mu, 1.0)},
-                                 {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
-                                 {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)},
-                                 {"Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3)},
-                                 {"Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3)}});
+         table(b.rule == BeddingRule::crossing ? "joints on contacts that cross" : "smooth joints", joints);
 }
 
 std::string macro_table(const Calibration& c, int terminal_width) {

@@ -62,12 +62,21 @@ class Laboratory {
   std::vector<Recipe> best_;
 };
 
+/// Those that a table of UCS is asked for.
+std::vector<const calibrate::StrengthParameter*> sought_by_ucs() {
+  Recipe bedded;
+  bedded.bedding.resize(1);
+  std::vector<const calibrate::StrengthParameter*> list = calibrate::strength_parameters(bedded);
+  std::erase_if(list, [](const calibrate::StrengthParameter* p) { return p->if_held; });
+  return list;
+}
+
 /// Strengths from numbers in [0, 1] across the box.
 Recipe strengths_at(Recipe recipe, const std::vector<double>& x, double largest) {
   calibrate::Scales scales;
   scales.strength = largest;
   std::size_t i = 0;
-  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(true)) {
+  for (const calibrate::StrengthParameter* p : sought_by_ucs()) {
     const calibrate::LogBox box = p->box(scales);
     p->set(recipe, std::exp(box.low + x[i++] * (box.high - box.low)));
   }
@@ -83,7 +92,7 @@ double largest_of(const std::vector<Target>& ucs) {
 /// Where a user without knowledge would begin.
 std::vector<double> usual_start() {
   std::vector<double> x;
-  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(true))
+  for (const calibrate::StrengthParameter* p : sought_by_ucs())
     x.push_back(0.5 * (p->place_of(p->range.usual) + 1.0));
   return x;
 }

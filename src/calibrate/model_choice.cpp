@@ -1,0 +1,92 @@
+#include "calibrate/model_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibrate/elastic_fit.hpp"
+#include "calibrate/strength_posterior.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr std::size_t least_strengths = 4;
+constexpr std::uint32_t sampler_seed = 20261122;
+
+const char* in_words(LayerModel layers) {
+  return layers == LayerModel::directions ? "directions of the bonds" : "joints on planes";
+}
+
+/// Sum of squared relative errors, and how many.
+struct Squares {
+  double sum = 0.0;
+  int n = 0;
+  void add(double error) { sum += error * error, ++n; }
+  double root() const { return n > 0 ? std::sqrt(sum / n) : 0.0; }
+};
+
+Squares modulus_squares(const ElasticFit& fit) {
+  Squares squares;
+  for (const Comparison& c : fit.comparisons)
+    if (c.target.property == Property::E && c.answered()) squares.add(c.error());
+  return squares;
+}
+
+/// Every strength predicted from the others by what is expected of this model, before any test.
+Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
+  StrengthPosterior posterior(evidence, recipe);
+  posterior.learn();
+  Squares squares;
+  for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
+    const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
+    double mean = 0.0;
+    for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
+    squares.add(std::log(posterior.targets()[i].mean) - mean);
+  }
+  return squares;
+}
+
+Rival tried(const Evidence& evidence, LayerModel layers, std::int64_t seed, Simulator& simulator) {
+  const Evidence with(with_layers(evidence.rock, layers), evidence.targets);
+  const ElasticFit fit = fit_elastic(with, {seed}, {}, simulator, [](const std::string&) {});
+  const Squares E = modulus_squares(fit), strengths = strength_squares(with, fit.recipe);
+  return {layers, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n))};
+}
+
+}  // namespace
+
+Rock with_layers(Rock rock, LayerModel layers) {
+  rock.layers = layers;
+  if (layers != LayerModel::directions || rock.model.bedding.empty()) return rock;
+  MatrixRecipe& m = rock.model.matrix;
+  rock.model.bedding.clear();
+  m.moment_contribution = 0.1;
+  m.stiffness_ratio = 1.5, m.cohesion_ratio = 1.2, m.cohesion_oblique = 1.4;
+  return rock;
+}
+
+std::string ModelChoice::text() const {
+  if (rivals.empty()) return "";
+  std::string text = fmt::format("layers are modelled by {}", in_words(layers));
+  for (const Rival& r : rivals)
+    text += fmt::format("; {}: E fitted to {:.1f} %, strengths left out predicted to {:.0f} %",
+                        in_words(r.layers), 100.0 * r.modulus_error, 100.0 * r.strength_error);
+  return text + " (before any test, from the maps of what models reach)";
+}
+
+ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator& simulator,
+                          const std::function<void(const std::string&)>& say) {
+  ModelChoice choice;
+  if (evidence.strengths.size() < least_strengths) return choice;
+  say("which model of the layers predicts what it has not seen");
+  for (const LayerModel layers : {LayerModel::planes, LayerModel::directions})
+    choice.rivals.push_back(tried(evidence, layers, seed, simulator));
+  choice.layers =
+      std::min_element(choice.rivals.begin(), choice.rivals.end(), [](const Rival& a, const Rival& b) {
+        return a.error < b.error;
+      })->layers;
+  return choice;
+}
+
+}  // namespace phy::calibrate

@@ -1,0 +1,198 @@
+#include "calibrate/reach.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "base/check.hpp"
+#include "base/nan.hpp"
+
+// The tables, taken into the program by the assembler.
+#define PHY_TAKE(name, file)                                                         \
+  asm(".section .rodata\n" #name "_begin: .incbin \"" PHY_MAPS "/" file "\"\n" #name \
+      "_end: .byte 0\n.previous\n");                                                 \
+  extern "C" const char name##_begin[], name##_end[]
+PHY_TAKE(phy_parallel_bond, "parallel-bond.csv");
+PHY_TAKE(phy_parallel_bond_crossing, "parallel-bond-crossing.csv");
+PHY_TAKE(phy_parallel_bond_zone, "parallel-bond-zone.csv");
+PHY_TAKE(phy_parallel_bond_directions, "parallel-bond-directions.csv");
+PHY_TAKE(phy_flat_joint, "flat-joint.csv");
+PHY_TAKE(phy_flat_joint_crossing, "flat-joint-crossing.csv");
+PHY_TAKE(phy_flat_joint_zone, "flat-joint-zone.csv");
+#undef PHY_TAKE
+
+namespace phy::calibrate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double held = 1.2;  // farthest a lever is believed, in half ranges
+constexpr int n_folds = 5;
+// Usual sizes of coefficients, in units of the logarithm, and the scatter of one run: how far each is
+// believed.
+constexpr double noise = 0.11, slope = 0.4, second = 0.1;
+// What makes a point sensible.
+constexpr double most_broken = 0.2, largest_nu = 0.6, least_initiation = 0.3;
+
+std::string_view text_of(const ModelFamily& family) {
+  const std::map<std::string_view, std::string_view> texts = {
+      {"parallel-bond", {phy_parallel_bond_begin, phy_parallel_bond_end}},
+      {"parallel-bond-crossing", {phy_parallel_bond_crossing_begin, phy_parallel_bond_crossing_end}},
+      {"parallel-bond-zone", {phy_parallel_bond_zone_begin, phy_parallel_bond_zone_end}},
+      {"parallel-bond-directions", {phy_parallel_bond_directions_begin, phy_parallel_bond_directions_end}},
+      {"flat-joint", {phy_flat_joint_begin, phy_flat_joint_end}},
+      {"flat-joint-crossing", {phy_flat_joint_crossing_begin, phy_flat_joint_crossing_end}},
+      {"flat-joint-zone", {phy_flat_joint_zone_begin, phy_flat_joint_zone_end}}};
+  const auto it = texts.find(family.name);
+  PHY_CHECK(it != texts.end(), "a table of every family");
+  return it->second;
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t at = 0;;) {
+    const std::size_t comma = line.find(',', at);
+    cells.push_back(line.substr(at, comma - at));
+    if (comma == line.npos) return cells;
+    at = comma + 1;
+  }
+}
+
+double number_in(std::string_view cell) {
+  double v = nan;
+  if (!cell.empty()) std::from_chars(cell.data(), cell.data() + cell.size(), v);
+  return v;
+}
+
+/// 1, the places, and the products of all pairs.
+VectorXd features_of(const std::vector<double>& places) {
+  const std::size_t n = places.size();
+  VectorXd f(static_cast<Eigen::Index>(1 + n + n * (n + 1) / 2));
+  Eigen::Index next = 0;
+  f[next++] = 1.0;
+  const auto at = [&](std::size_t i) { return std::clamp(places[i], -held, held); };
+  for (std::size_t i = 0; i < n; ++i) f[next++] = at(i);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) f[next++] = at(i) * at(j);
+  return f;
+}
+
+int fold_of(const ReachTable& table, std::size_t row) {
+  return static_cast<int>(table.at(row, "point")) % n_folds;
+}
+
+/// The inclinations of a column that a table has.
+std::vector<std::string> columns_named(const ReachTable& table, const char* stem) {
+  std::vector<std::string> names;
+  if (!table.family().layered) return {stem};
+  for (const double theta : mapped_angles) names.push_back(fmt::format("{}({:g})", stem, theta));
+  return names;
+}
+
+}  // namespace
+
+ReachTable::ReachTable(const ModelFamily& family, std::string_view csv) : family_(&family) {
+  while (!csv.empty()) {
+    const std::size_t end = std::min(csv.find('\n'), csv.size());
+    const std::vector<std::string_view> cells = cells_of(csv.substr(0, end));
+    csv.remove_prefix(std::min(end + 1, csv.size()));
+    if (columns_.empty()) {
+      columns_.assign(cells.begin(), cells.end());
+      continue;
+    }
+    PHY_CHECK(cells.size() == columns_.size(), fmt::format("{}.csv: as many cells as columns", family.name));
+    std::vector<double> row;
+    for (const std::string_view c : cells) row.push_back(number_in(c));
+    rows_.push_back(row);
+    std::vector<double> places;
+    for (const Lever& l : family.levers) places.push_back(l.place_of(at(rows_.size() - 1, l.name)));
+    places_.push_back(places);
+  }
+}
+
+bool ReachTable::has(const std::string& column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
+double ReachTable::at(std::size_t row, const std::string& column) const {
+  const auto it = std::find(columns_.begin(), columns_.end(), column);
+  PHY_CHECK(it != columns_.end(), fmt::format("{}.csv: a column {}", family_->name, column));
+  return rows_[row][static_cast<std::size_t>(it - columns_.begin())];
+}
+
+bool ReachTable::is_dense(std::size_t row) const {
+  return at(row, "n_grains") == static_cast<double>(family_->base.packing.n_grains);
+}
+
+bool ReachTable::is_sensible(std::size_t row) const {
+  const auto all = [&](const char* stem, const auto& good) {
+    const std::vector<std::string> names = columns_named(*this, stem);
+    return std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return good(at(row, name)); });
+  };
+  return all("broken", [](double v) { return v < most_broken; }) &&
+         all("nu50", [](double v) { return v < largest_nu; }) &&
+         all("sigma_ci/UCS", [](double v) { return v > least_initiation; });
+}
+
+const ReachTable& reach_of(const ModelFamily& family) {
+  static const std::map<std::string_view, ReachTable> tables = [] {
+    std::map<std::string_view, ReachTable> all;
+    for (const ModelFamily& f : model_families()) all.emplace(f.name, ReachTable(f, text_of(f)));
+    return all;
+  }();
+  return tables.at(family.name);
+}
+
+std::string strength_column(const ModelFamily& family, Property property, double theta) {
+  const std::string stem = fmt::format("{}/sigma_c", to_string(property));
+  return family.layered ? fmt::format("{}({:g})", stem, theta) : stem;
+}
+
+ReachRegression::ReachRegression(const ReachTable& table, const std::string& column, int fold) {
+  MatrixXd A;
+  VectorXd b;
+  for (std::size_t row = 0; row < table.n_rows(); ++row) {
+    const double y = std::log(table.at(row, column));
+    if (!std::isfinite(y) || !table.is_dense(row) || (fold >= 0 && fold_of(table, row) == fold)) continue;
+    const VectorXd f = features_of(table.places(row));
+    if (A.size() == 0) {
+      VectorXd size = VectorXd::Constant(f.size(), second);
+      size[0] = 1.0, size.segment(1, static_cast<Eigen::Index>(table.places(row).size())).setConstant(slope);
+      A = (noise * size.cwiseInverse()).cwiseAbs2().asDiagonal();
+      b = VectorXd::Zero(f.size());
+    }
+    A.selfadjointView<Eigen::Lower>().rankUpdate(f);
+    b += f * y;
+  }
+  PHY_CHECK(A.size() > 0, fmt::format("{}.csv: answers in column {}", table.family().name, column));
+  const VectorXd c = A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
+  coefficients_.assign(c.begin(), c.end());
+}
+
+double ReachRegression::at(const std::vector<double>& places) const {
+  return features_of(places).dot(
+      Eigen::Map<const VectorXd>(coefficients_.data(), static_cast<Eigen::Index>(coefficients_.size())));
+}
+
+double ReachRegression::left_out_error(const ReachTable& table, const std::string& column) {
+  double squares = 0.0;
+  int n = 0;
+  for (int fold = 0; fold < n_folds; ++fold) {
+    const ReachRegression others(table, column, fold);
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+      const double y = std::log(table.at(row, column));
+      if (!std::isfinite(y) || !table.is_dense(row) || fold_of(table, row) != fold) continue;
+      const double e = y - others.at(table.places(row));
+      squares += e * e, ++n;
+    }
+  }
+  return std::sqrt(squares / n);
+}
+
+}  // namespace phy::calibrate

@@ -1,0 +1,61 @@
+// What families of models reach: the tables of data/maps, which `make maps` writes and the program holds.
+//
+// A row is one point of a family on one packing: its levers and what its tests gave, strengths over sigma_c,
+// moduli over E_c. "(30)" in a column is the inclination. An empty cell is a test without a usable strength.
+// Between the points a quadratic in the places of the levers, by ridge regression to the rows, says what a
+// family may answer; it is the expectation with which a calibration begins (prior_regression.hpp).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/family.hpp"
+#include "records/rock.hpp"
+
+namespace phy::calibrate {
+
+class ReachTable {
+ public:
+  /// Text of a table of data/maps. Broken text is a broken program: it was taken in when that was built.
+  ReachTable(const ModelFamily& family, std::string_view csv);
+
+  const ModelFamily& family() const { return *family_; }
+  std::size_t n_rows() const { return rows_.size(); }
+  bool has(const std::string& column) const;
+  /// NaN where the cell is empty.
+  double at(std::size_t row, const std::string& column) const;
+  /// Places of the levers of a row.
+  const std::vector<double>& places(std::size_t row) const { return places_[row]; }
+  /// Of the packing of the family's base recipe, not of the loose one.
+  bool is_dense(std::size_t row) const;
+  /// Few bonds broken before the peak (below 20 %), nu at half the strength below 0.6, sigma_ci above 0.3
+  /// UCS, at every inclination that was mapped.
+  bool is_sensible(std::size_t row) const;
+
+ private:
+  const ModelFamily* family_;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<double>> rows_, places_;
+};
+
+/// The table of a family.
+const ReachTable& reach_of(const ModelFamily& family);
+
+/// "UCS/sigma_c(30)", "BTS/sigma_c": the column of a strength at a mapped inclination.
+std::string strength_column(const ModelFamily& family, Property property, double theta);
+
+/// log(strength/sigma_c) of a family over its levers.
+class ReachRegression {
+ public:
+  /// `column`: of the table. `fold`: one fifth of the points to leave out; negative: none.
+  ReachRegression(const ReachTable& table, const std::string& column, int fold = -1);
+  /// At places of the levers; held at 1.2 half ranges.
+  double at(const std::vector<double>& places) const;
+  /// Root mean square of what regressions without a fifth of the points miss there.
+  static double left_out_error(const ReachTable& table, const std::string& column);
+
+ private:
+  std::vector<double> coefficients_;
+};
+
+}  // namespace phy::calibrate

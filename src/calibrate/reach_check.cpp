@@ -1,0 +1,132 @@
+#include "calibrate/reach_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/nan.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+std::span<const double> angles_of(Property property) {
+  return property == Property::brazilian ? std::span<const double>(mapped_disc_angles) : mapped_angles;
+}
+
+/// log of a cell between the mapped inclinations, linear. `stem`: "UCS/sigma_c".
+double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
+              std::span<const double> angles, double theta) {
+  if (!table.family().layered) return std::log(table.at(row, stem));
+  std::size_t i = 0;
+  while (i + 2 < angles.size() && angles[i + 1] < theta) ++i;
+  const double share = (theta - angles[i]) / (angles[i + 1] - angles[i]);
+  const auto at = [&](double angle) { return std::log(table.at(row, fmt::format("{}({:g})", stem, angle))); };
+  return (share < 1.0 ? (1.0 - share) * at(angles[i]) : 0.0) +
+         (share > 0.0 ? share * at(angles[i + 1]) : 0.0);
+}
+
+/// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.
+double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
+  const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
+  switch (t.property) {
+    case Property::E:
+      return log_at(table, row, small_strain ? "E_small/E_c" : "E50/E_c", mapped_angles, t.theta);
+    case Property::ucs: return log_at(table, row, "UCS/sigma_c", mapped_angles, t.theta);
+    case Property::brazilian: return log_at(table, row, "BTS/sigma_c", mapped_disc_angles, t.theta);
+    case Property::direct_tension:
+      return table.family().layered ? nan : std::log(table.at(row, "DTS/sigma_c"));
+    default: return nan;
+  }
+}
+
+/// Sum of squares of differences of logarithms about their mean: one scale is free.
+struct Spread {
+  double sum = 0.0, squares = 0.0;
+  int n = 0;
+  void add(double difference) { sum += difference, squares += difference * difference, ++n; }
+  double about_mean() const { return n > 0 ? squares - sum * sum / n : 0.0; }
+};
+
+double error_of(const ReachTable& table, std::size_t row, const Evidence& evidence) {
+  Spread moduli, strengths;
+  for (const Target& t : evidence.targets) {
+    if (t.property == Property::nu || (t.property == Property::direct_tension && table.family().layered))
+      continue;
+    (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - answer(table, row, evidence, t));
+  }
+  const int n = moduli.n + strengths.n;
+  return n > 0 ? std::sqrt((moduli.about_mean() + strengths.about_mean()) / n) : nan;
+}
+
+/// UCS over tension of sensible points where the table has both at one inclination that was mapped.
+std::string ratio_line(const Evidence& evidence, const ModelFamily& family, const Target& tension) {
+  const ReachTable& table = reach_of(family);
+  double low = 1e300, high = 0.0;
+  for (std::size_t row = 0; row < table.n_rows(); ++row) {
+    if (!table.is_dense(row) || !table.is_sensible(row)) continue;
+    const Target ucs{Property::ucs, tension.theta, 1.0, 1.0};
+    const double ratio = std::exp(answer(table, row, evidence, ucs) - answer(table, row, evidence, tension));
+    if (std::isfinite(ratio)) low = std::min(low, ratio), high = std::max(high, ratio);
+  }
+  return high > 0.0 ? fmt::format("{:.1f} ... {:.1f} by {}", low, high, family.label) : "";
+}
+
+bool is_mapped(double theta, Property property) {
+  const std::span<const double> angles = angles_of(property);
+  return std::find(angles.begin(), angles.end(), theta) != angles.end();
+}
+
+void add_ratios(const Evidence& evidence, std::vector<std::string>& lines) {
+  for (const Target& t : evidence.strengths)
+    for (const Target& u : evidence.strengths) {
+      if (t.property == Property::ucs || u.property != Property::ucs || u.theta != t.theta ||
+          (evidence.rock.bedded && !is_mapped(t.theta, t.property)))
+        continue;
+      std::string reached;
+      for (const NearestPoint& p : nearest_points(evidence))
+        if (const std::string one = ratio_line(evidence, *p.family, t); !one.empty())
+          reached += (reached.empty() ? "" : "; ") + one;
+      if (!reached.empty())
+        lines.push_back(
+            fmt::format("UCS/{} = {:.1f} in the table; {}", cell_name(t), u.mean / t.mean, reached));
+    }
+}
+
+}  // namespace
+
+std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
+  std::vector<NearestPoint> list;
+  for (const ModelFamily& family : model_families()) {
+    if (family.layered != evidence.rock.bedded) continue;
+    const ReachTable& table = reach_of(family);
+    NearestPoint nearest{&family, 0, nan};
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+      if (!table.is_dense(row) || !table.is_sensible(row)) continue;
+      ++nearest.n_sensible;
+      if (const double error = error_of(table, row, evidence);
+          std::isfinite(error) && !(error >= nearest.error))
+        nearest.error = error;
+    }
+    list.push_back(nearest);
+  }
+  return list;
+}
+
+std::vector<std::string> place_in_maps(const Evidence& evidence) {
+  std::vector<std::string> lines;
+  if (evidence.strengths.empty()) return lines;
+  std::string text;
+  for (const NearestPoint& p : nearest_points(evidence))
+    if (std::isfinite(p.error))
+      text += fmt::format("{}{:.0f} % by {} ({} points)", text.empty() ? "" : ", ", 100.0 * p.error,
+                          p.family->label, p.n_sensible);
+  if (!text.empty())
+    lines.push_back("in the maps of what models reach, the nearest sensible point misses this table by " +
+                    text + " (root mean square over E and strengths, scales free; a search comes nearer)");
+  add_ratios(evidence, lines);
+  return lines;
+}
+
+}  // namespace phy::calibrate

@@ -1,0 +1,25 @@
+// Where a table lies in the maps of what models reach, before anything runs.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "calibrate/evidence.hpp"
+#include "calibrate/reach.hpp"
+
+namespace phy::calibrate {
+
+/// The sensible point of a family that is nearest to a table, both scales (of moduli and of strengths) free.
+struct NearestPoint {
+  const ModelFamily* family = nullptr;
+  int n_sensible = 0;
+  double error = 0.0;  ///< root mean square over all E and strengths, relative; NaN: no point has them all
+};
+
+/// One per family that may model the rock: isotropic ones without bedding, else the layered ones. Moduli by
+/// E at small strain or as tangents, whichever the table holds.
+std::vector<NearestPoint> nearest_points(const Evidence& evidence);
+
+/// The same in sentences, with UCS over tension of the table and of the maps where the table has both.
+std::vector<std::string> place_in_maps(const Evidence& evidence);
+
+}  // namespace phy::calibrate

@@ -1,0 +1,86 @@
+#include "calibrate/softening.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/analyse.hpp"
+#include "base/nan.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/strength_tests.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+// Of one run, and how far the place in the box is believed to matter, in units of log E and of nu.
+constexpr double run_scatter = 0.03, slope = 0.1;
+constexpr double most_nu = 0.9;  // share of nu that an addition may take away
+
+double number(const TestResult& result, const char* name) {
+  const Number* n = analysis::find(result.numbers, name);
+  return n != nullptr ? n->value : nan;
+}
+
+/// Value at z of a ridge regression linear in z.
+template <class Pairs, class Value>
+double regressed(const Pairs& pairs, const std::vector<double>& z, const Value& value) {
+  const auto n = static_cast<Eigen::Index>(z.size() + 1);
+  const auto features = [&](const std::vector<double>& at) {
+    Eigen::VectorXd f(n);
+    f[0] = 1.0;
+    for (Eigen::Index i = 1; i < n; ++i) f[i] = at[static_cast<std::size_t>(i - 1)];
+    return f;
+  };
+  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) * (run_scatter * run_scatter / (slope * slope));
+  A(0, 0) = 1e-6;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
+  for (const auto& p : pairs) A += features(p.z) * features(p.z).transpose(), b += features(p.z) * value(p);
+  return features(z).dot(A.ldlt().solve(b));
+}
+
+}  // namespace
+
+void SofteningRecord::add(double theta, std::vector<double> z, const TestResult& test,
+                          const ElasticResult& solution) {
+  const Pair pair{std::move(z), std::log(modulus_of(test, reading_) / reading_of(solution, Property::E)),
+                  number(test, "nu") - reading_of(solution, Property::nu)};
+  if (std::isfinite(pair.log_factor) && std::isfinite(pair.addition)) pairs_[theta].push_back(pair);
+}
+
+Softenings SofteningRecord::at(const std::vector<double>& z) const {
+  Softenings all;
+  for (const auto& [theta, pairs] : pairs_)
+    all[theta] = {std::exp(regressed(pairs, z, [](const Pair& p) { return p.log_factor; })),
+                  regressed(pairs, z, [](const Pair& p) { return p.addition; })};
+  return all;
+}
+
+Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& strengths,
+                         const std::vector<std::int64_t>& seeds, ModulusReading reading,
+                         Simulator& simulator) {
+  const std::vector<Target> ucs = of_property(strengths, Property::ucs);
+  const StrengthTests tests(recipe, ucs, seeds.front(), simulator);
+  std::vector<Recipe> recipes;
+  for (std::size_t i = 0; i < ucs.size(); ++i)
+    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed));
+  const std::vector<TestResult> results = simulator.test(recipes);
+  const std::vector<ElasticResult> solutions = simulator.elastic(recipes, false);
+  SofteningRecord record(reading);
+  for (std::size_t k = 0; k < recipes.size(); ++k)
+    record.add(ucs[k / seeds.size()].theta, {}, results[k], solutions[k]);
+  return record.at({});
+}
+
+Evidence at_small_strain(const Evidence& evidence, const Softenings& softenings) {
+  std::vector<Target> targets = evidence.targets;
+  for (Target& t : targets) {
+    const auto s = softenings.find(t.theta);
+    if (s == softenings.end()) continue;
+    if (t.property == Property::E) t.mean /= s->second.factor, t.sd /= s->second.factor;
+    if (t.property == Property::nu) t.mean -= std::min(s->second.addition, most_nu * t.mean);
+  }
+  return Evidence(evidence.rock, std::move(targets));
+}
+
+}  // namespace phy::calibrate
