@@ -25,6 +25,7 @@ struct Motion {
   R d_closure;  ///< its increment in this step [m]
   R d_slide;    ///< increment of the shear displacement of grain 2 along t [m]
   R rotation;   ///< rotation of grain 2 relative to grain 1 since the reference state [rad]
+  R d_rotation = R(0);  ///< its increment in this step [rad]; for laws that break partly
 };
 
 template <class R>

@@ -38,7 +38,7 @@ struct Interface {
     to(at.closure + d_closure, d_slide, at.rotation + d_rotation);
   }
   void to(double closure, double d_slide, double rotation) {
-    at = {closure, closure - at.closure, d_slide, rotation};
+    at = {closure, closure - at.closure, d_slide, rotation, rotation - at.rotation};
     r = flat_joint::respond<N, double>(p, s, at, cracks);
     dissipated += r.dissipated, released += r.released;
     if (!cracks.some) return;
