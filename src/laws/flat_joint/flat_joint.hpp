@@ -186,13 +186,16 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
     S[e] = select(keeps, S_bonded, rubbing);
     M[e] = -(F[e] * x) - own * select(keeps, detail::number<R>(1.0 / 3.0), closed.bending());
     slip[e] = select(bonded[e], R(0), R(0.5) * (s.S[e] + rubbing) * (trial - rubbing) * inv_k_s);
-    const R held = of.k_n * (detail::bonded_energy(a, of.b) - closed.energy(of.b)) +
-                   R(0.5) * (trial * trial - rubbing * rubbing) * inv_k_s;
-    // Half of the drop times the motion has not gone into it: the mean of the forces before and after did.
-    const R unfelt = (of.k_n * a - pressing) * (m.d_closure + m.d_rotation * x) -
-                     (trial - rubbing) * m.d_slide +
-                     own * (detail::number<R>(1.0 / 3.0) - closed.bending()) * m.d_rotation;
-    cracks.released[e] = select(broken, held - R(0.5) * unfelt, R(0));
+    cracks.released[e] = R(0);
+    if (any(broken)) {
+      const R held = of.k_n * (detail::bonded_energy(a, of.b) - closed.energy(of.b)) +
+                     R(0.5) * (trial * trial - rubbing * rubbing) * inv_k_s;
+      // Half of the drop times the motion has not gone into it: the mean of the forces before and after did.
+      const R unfelt = (of.k_n * a - pressing) * (m.d_closure + m.d_rotation * x) -
+                       (trial - rubbing) * m.d_slide +
+                       own * (detail::number<R>(1.0 / 3.0) - closed.bending()) * m.d_rotation;
+      cracks.released[e] = select(broken, held - R(0.5) * unfelt, R(0));
+    }
     left[e] = select(keeps, detail::number<R>(1 << e), R(0));
     s.S[e] = select(at_rest | keeps, R(0), rubbing);
   }
