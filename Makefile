@@ -49,6 +49,7 @@ soak: build
 bench: build
 	PHY_BENCH_TESTS=1 $(BUILD)/bench_engine
 	$(BUILD)/bench_statics
+	$(BUILD)/bench_flat_joint
 
 # The paper's studies into results/paper (resumed if they are there) and docs/paper.md from their stores. A study that holds
 # a test without a peak ends with 1, which is a finding.

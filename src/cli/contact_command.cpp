@@ -72,9 +72,11 @@ void set_parameter(const lab::LawInfo& law, const std::string& text, std::vector
     if (ok && !bare)
       number = split(number.substr(0, number.size() - std::string_view(p.unit).size()), ',').front();
     ok = ok && read_number(number, v[i]) && v[i] >= p.min && v[i] <= p.max;
+    ok = ok && (!p.whole || v[i] == std::floor(v[i]));
     if (!ok)
       problems.push_back({"command line", "--set " + name, std::string(rest),
-                          fmt::format("{:g} to {:g}{}{}", p.min, p.max, bare ? "" : " ", bare ? "" : p.unit),
+                          fmt::format("{}{:g} to {:g}{}{}", p.whole ? "a whole number, " : "", p.min, p.max,
+                                      bare ? "" : " ", bare ? "" : p.unit),
                           fmt::format("for example --set \"{}={:g}{}{}\"", name, p.typical, bare ? "" : " ",
                                       bare ? "" : p.unit)});
     return;

@@ -91,7 +91,8 @@ struct FlatJoint {
     const laws::linear::Parameters<R> pl{pf.k_n, pf.k_s, pf.inv_k_s, pf.mu};
     laws::linear::State<R> sl{before};
     const laws::Motion<R> touching{-(k.stretch + R(step.gap)), R(0), d_slide, R(0)};
-    const laws::Motion<R> joined{-k.stretch, R(0), d_slide, k.rotation};
+    const laws::Motion<R> joined{-k.stretch, -(k.vx * k.nx + k.vy * k.ny) * step.dt, d_slide, k.rotation,
+                                 k.spin * step.dt};
     laws::Reaction<R> r = laws::linear::respond(pl, sl, touching);
     const R code = memory.load(bonds), slid = before - pf.k_s * d_slide;
     const MaskOf<R> interface = memory.here & (code > R(0));

@@ -38,7 +38,7 @@ struct Moved {
   Contact contact;
   double gap = 0.0;
   std::vector<double> p, g, fields;
-  Kinematics<double> motion{1.0, 0.0, 0.0, 0.0, 0.0, R1, R2, 0.0};
+  Kinematics<double> motion{1.0, 0.0, 0.0, 0.0, 0.0, R1, R2, 0.0, 0.0};
   Sums<double> sums;
   int n_broken = 0;
 
@@ -300,7 +300,7 @@ TEST(Models, ALinearContactBesideASlitKeepsItsSlip) {
   std::vector<double> p, fields(2 * FlatJoint::n_fields, 0.0);
   for (const double v : alone.p) p.insert(p.end(), {v, v});
   fields[2 * FlatJoint::bonds + 1] = 1.0;  // a slit in lane 1
-  Kinematics<R> motion{R(1), R(0), R(0), R(0), R(0), R(R1), R(R2), R(0)};
+  Kinematics<R> motion{R(1), R(0), R(0), R(0), R(0), R(R1), R(R2), R(0), R(0)};
   const auto nothing_breaks = [](auto&&...) { ADD_FAILURE(); };
   double slip = 0.0;
   for (int i = 0; i < 3; ++i) {

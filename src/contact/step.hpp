@@ -32,6 +32,7 @@ struct Kinematics {
   R vx, vy;            ///< velocity of 2 against 1 at the contact point [m/s]
   R lever_1, lever_2;  ///< from the centres to the contact point [m]
   R rotation;          ///< of 2 against 1 since the start [rad]
+  R spin;              ///< its rate [rad/s]
 };
 
 template <class R>

@@ -156,10 +156,12 @@ class ForceLoop {
     k.ny = (R(c.Y) + duy) * inv_d;
     k.lever_1 = R(c.lever_a) + R(T(0.5)) * k.stretch;
     k.lever_2 = R(c.lever_b) + R(T(0.5)) * k.stretch;
-    const R roll = load<R>(a, g_w) * k.lever_1 + load<R>(b, g_w) * k.lever_2;
+    const R w_1 = load<R>(a, g_w), w_2 = load<R>(b, g_w);
+    const R roll = w_1 * k.lever_1 + w_2 * k.lever_2;
     k.vx = load<R>(b, g_vx) - load<R>(a, g_vx) + roll * k.ny;
     k.vy = load<R>(b, g_vy) - load<R>(a, g_vy) - roll * k.nx;
     k.rotation = load<R>(b, g_rot) - load<R>(a, g_rot);
+    k.spin = w_2 - w_1;
     return k;
   }
 

@@ -157,7 +157,10 @@ std::vector<Disc> read_discs(const std::string& path) { return parse_discs(read_
 std::string contacts_csv(const Specimen& s) {
   std::string text =
       "grain_a,grain_b,kind,set,normal_x,normal_y,gap [m],k_n [N/m per m],k_s [N/m per m],"
-      "sigma_c [Pa],tau_c [Pa],k_m [N],x [m],y [m]\n";
+      "sigma_c [Pa],tau_c [Pa],k_m [N],x [m],y [m]";
+  const bool drawn = std::any_of(s.bedding.begin(), s.bedding.end(),
+                                 [](const BeddingRecipe& set) { return set.sigma_n_sd > 0.0; });
+  text += drawn ? ",sigma_n [Pa]\n" : "\n";
   const contact::Models& models = contact::models_of(s);
   for (const Contact& c : s.contacts) {
     const Disc &a = s.packing->discs[c.a], &b = s.packing->discs[c.b];
@@ -174,6 +177,8 @@ std::string contacts_csv(const Specimen& s) {
     for (const double v :
          {normal.x, normal.y, gap, k.k_n, k.k_s, c.sigma_c, c.tau_c, k.k_m, point.x, point.y})
       text += "," + print_number(v);
+    if (drawn)
+      text += "," + print_number(c.kind == ContactKind::joint ? s.laid(c.set).sigma_n * c.sigma_n : 0.0);
     text += "\n";
   }
   return text;

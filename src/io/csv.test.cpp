@@ -128,6 +128,19 @@ TEST(ContactFiles, GiveKindNormalGapAndStiffness) {
                                                 testing::_, testing::_, "0", "1", "0"));
 }
 
+// Where joints have strengths of their own, each has a column for it.
+TEST(ContactFiles, GiveTheDrawnStrengthOfJoints) {
+  Specimen s = pair();
+  s.bedding.resize(1);
+  EXPECT_THAT(contacts_csv(s), Not(HasSubstr("sigma_n")));
+  s.bedding[0].sigma_n = 4e6, s.bedding[0].sigma_n_sd = 1e6;
+  EXPECT_THAT(contacts_csv(s), HasSubstr(",y [m],sigma_n [Pa]\n"));
+  EXPECT_EQ(cells_of(s).back(), "0") << "a bond has none";
+  s.contacts[0].kind = ContactKind::joint, s.contacts[0].side = -1, s.contacts[0].sigma_n = 1.25;
+  EXPECT_EQ(cells_of(s).size(), 15U);
+  EXPECT_EQ(cells_of(s).back(), "5e+06");
+}
+
 TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {
   const auto reported = [](const std::string& rows) { return problems_of(header + rows); };
   const std::string two = reported("0.01,0.01,1e-3\n0.02,0.01,1e-3\n0.01,0.01,5e-4\n");

@@ -11,7 +11,7 @@ class Bench final : public BenchContact {
   explicit Bench(std::span<const double> parameters) : law_(parameters) {}
   laws::Reaction<double> step(ContactPoint d) override {
     at_ = at_ + d;
-    motion_ = {at_.closure, d.closure, d.slide, at_.rotation};
+    motion_ = {at_.closure, d.closure, d.slide, at_.rotation, d.rotation};
     return last_ = law_.step(motion_);
   }
   double energy() const override { return law_.energy(motion_, last_); }

@@ -31,7 +31,7 @@ struct Probe {
   }
   Reaction<R> step(R dc, R ds, R dr) {
     closure += dc, rotation += dr;
-    motion = {closure, dc, ds, rotation};
+    motion = {closure, dc, ds, rotation, dr};
     return law.step(motion);
   }
   R energy(const Reaction<R>& r) const { return law.energy(motion, r); }

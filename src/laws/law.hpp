@@ -21,10 +21,11 @@ namespace phy::laws {
 
 template <class R>
 struct Motion {
-  R closure;    ///< approach since the law's reference state, positive = closer [m]
-  R d_closure;  ///< its increment in this step [m]
-  R d_slide;    ///< increment of the shear displacement of grain 2 along t [m]
-  R rotation;   ///< rotation of grain 2 relative to grain 1 since the reference state [rad]
+  R closure;            ///< approach since the law's reference state, positive = closer [m]
+  R d_closure;          ///< its increment in this step [m]
+  R d_slide;            ///< increment of the shear displacement of grain 2 along t [m]
+  R rotation;           ///< rotation of grain 2 relative to grain 1 since the reference state [rad]
+  R d_rotation = R(0);  ///< its increment in this step [rad]; asked for where a moment works while it drops
 };
 
 template <class R>
@@ -67,6 +68,7 @@ struct ParameterInfo {
   double min, max, typical;
   const char* pfc_name;
   const char* meaning;
+  bool whole = false;  ///< a whole number
 };
 
 }  // namespace phy::laws

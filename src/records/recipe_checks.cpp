@@ -110,7 +110,8 @@ class CrossChecks {
       const Field& f = *find_field(recipe_fields(), key);
       const std::string value = print_field(f, r_, 0);
       if (value != f.otherwise)
-        report_problem({key, "matrix.model"}, value, "nothing where model = " + model, "leave it out");
+        report_problem({key, "matrix.model"}, value, "nothing where model = " + model,
+                       "leave it out, or at its default of " + f.otherwise);
     }
   }
 
@@ -187,6 +188,8 @@ class CrossChecks {
     if (b.spacing_sd != usual.spacing_sd) refuse("spacing_sd", print_number(b.spacing_sd));
     if (b.theta_sd != usual.theta_sd) refuse("theta_sd", print_quantity(b.theta_sd, Dimension::angle));
     if (b.persistence != usual.persistence) refuse("persistence", print_number(b.persistence));
+    if (b.patch_length != usual.patch_length) refuse("patch_length", length(b.patch_length));
+    if (b.bridges != usual.bridges) refuse("bridges", "false");
     if (b.layer_thickness != usual.layer_thickness) refuse("layer_thickness", length(b.layer_thickness));
   }
   void layers(const BeddingRecipe& b, const std::string& set) {

@@ -247,7 +247,8 @@ void add_rule(List& l) {
   share.quiet = true;
   l.quantity(
        "bedding", "patch_length", Dimension::length, 0, 10, "",
-       "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact",
+       "with persistence below 1: length of the patches that are jointed or bonded; 0: contact by contact; "
+       "not with oriented",
        &B::patch_length)
       .quiet = true;
   l.quantity("bedding", "layer_thickness", Dimension::length, 0, 10, "",

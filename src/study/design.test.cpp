@@ -169,6 +169,19 @@ TEST_F(StudyFile, ListsMayBeWrittenByASpreadsheet) {
   EXPECT_THAT(s.rows[1], ElementsAre(200.25e9, 0.0));
 }
 
+// A key of parallel bonds alone says at which point it is out of place, and how a list gives it to the
+// others.
+TEST_F(StudyFile, MayVaryTheModelOfTheMatrix) {
+  const std::string models =
+      "[[vary]]\nkey = \"matrix.model\"\nvalues = [\"parallel_bond\", \"flat_joint\"]\n";
+  EXPECT_THAT(
+      problems_of("[set]\n\"matrix.E_b\" = \"30 GPa\"\n" + models),
+      HasSubstr("at matrix.model = flat_joint: matrix.E_b = \"30 GPa\": expected nothing where model = "
+                "\"flat_joint\"; leave it out, or at its default of \"38 GPa\""));
+  io::write_file(at("points.csv"), "matrix.model,matrix.E_b [GPa]\nparallel_bond,30\nflat_joint,38\n");
+  EXPECT_EQ(read("design = \"list\"\nfile = \"points.csv\"\n").rows.size(), 2u);
+}
+
 TEST_F(StudyFile, EveryProblemIsToldWithItsLine) {
   const std::string reported = problems_of(
       "design = \"sobl\"\nsamples = 0\nbedding.k_n = 3\npackings = [1, 1]\n[[vary]]\nkey = \"bedding.kn\"\n"

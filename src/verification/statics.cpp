@@ -16,19 +16,34 @@ constexpr double R = 1e-3;
 constexpr double exact = 1e-10;
 const double root3 = std::sqrt(3.0);
 
+MatrixRecipe parallel_bonds() {
+  MatrixRecipe m;
+  m.E_c = 31e9, m.ks_over_kn = 0.25, m.E_b = 17e9, m.bond_ks_over_kn = 0.6;
+  return m;
+}
+
+/// Its E_c is k_n 2R of equal discs, as that of a linear contact; nothing lies beside it.
+MatrixRecipe flat_joints() {
+  MatrixRecipe m;
+  m.model = MatrixModel::flat_joint;
+  m.E_c = 43e9, m.ks_over_kn = 0.35;
+  return m;
+}
+
 /// Periodic cell of equal discs; all pairs that touch across the borders too are bonded.
 struct Cell {
   Specimen specimen;
   Vec2 period;
-  double K_n() const { return specimen.matrix.E_c + specimen.matrix.E_b; }
+  double bond_modulus() const {
+    return specimen.matrix.model == MatrixModel::flat_joint ? 0.0 : specimen.matrix.E_b;
+  }
+  double K_n() const { return specimen.matrix.E_c + bond_modulus(); }
   double K_s() const {
     const MatrixRecipe& m = specimen.matrix;
-    return m.E_c * m.ks_over_kn + m.E_b * m.bond_ks_over_kn;
+    return m.E_c * m.ks_over_kn + bond_modulus() * m.bond_ks_over_kn;
   }
 
-  Cell(const std::vector<Disc>& discs, Vec2 size) : period(size) {
-    MatrixRecipe m;
-    m.E_c = 31e9, m.ks_over_kn = 0.25, m.E_b = 17e9, m.bond_ks_over_kn = 0.6;
+  Cell(const std::vector<Disc>& discs, Vec2 size, const MatrixRecipe& m) : period(size) {
     specimen = assembly(discs, m);
     const auto nearest = [](double x, double p) { return x - p * std::floor(x / p + 0.5); };
     for (std::uint32_t a = 0; a < discs.size(); ++a) {
@@ -36,7 +51,7 @@ struct Cell {
         const Vec2 d{nearest(discs[b].x - discs[a].x, period.x), nearest(discs[b].y - discs[a].y, period.y)};
         if (norm(d) > 2.0 * R * (1.0 + 1e-6)) continue;
         Contact c;
-        c.a = a, c.b = b;
+        c.a = a, c.b = b, c.sigma_c = m.sigma_c, c.tau_c = m.tau_c;
         specimen.contacts.push_back(c);
       }
     }
@@ -51,10 +66,11 @@ struct Cell {
   }
 };
 
-Cell hexagonal_cell(int n_x, int n_y) { return {hexagonal(n_x, n_y, R), {2.0 * R * n_x, root3 * R * n_y}}; }
+Cell hexagonal_cell(int n_x, int n_y, const MatrixRecipe& m = parallel_bonds()) {
+  return {hexagonal(n_x, n_y, R), {2.0 * R * n_x, root3 * R * n_y}, m};
+}
 
-std::vector<Check> hexagonal_lattice() {
-  const Cell cell = hexagonal_cell(4, 4);
+std::vector<Check> moduli_of(const Cell& cell) {
   const double n = cell.K_n(), s = cell.K_s(), q = root3 / 4.0;
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
   return {{"C11 [Pa]", q * (3.0 * n + s), C(0, 0), exact},
@@ -64,6 +80,8 @@ std::vector<Check> hexagonal_lattice() {
           {"E [Pa]", 2.0 * root3 * n * (n + s) / (3.0 * n + s), 1.0 / S(1, 1), exact},
           {"nu [-]", (n - s) / (3.0 * n + s), -S(0, 1) / S(1, 1), exact}};
 }
+
+std::vector<Check> hexagonal_lattice() { return moduli_of(hexagonal_cell(4, 4)); }
 
 // Three contact directions; their uniform spin against the lattice is the one that costs least energy. Voigt
 // vectors of the normal and the tangential stretch of a contact at the angle phi: N and T.
@@ -108,7 +126,7 @@ std::vector<Check> square_lattice() {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       discs.push_back({R * (1.0 + 2.0 * column), R * (1.0 + 2.0 * row), R});
-  const Cell cell(discs, {8.0 * R, 8.0 * R});
+  const Cell cell(discs, {8.0 * R, 8.0 * R}, parallel_bonds());
   const double n = cell.K_n(), s = cell.K_s();
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
   const Eigen::Vector3d along_diagonal = S * Eigen::Vector3d(0.5, 0.5, 0.5);
@@ -151,15 +169,15 @@ std::vector<Check> joint_rows() {
   return checks;
 }
 
-std::vector<Check> cantilever() {
+/// k_s, k_m: of a contact.
+std::vector<Check> cantilever_of(const MatrixRecipe& matrix, double k_s, double k_m) {
   constexpr std::uint32_t n = 12;
   const double N = n, P = 5.0;
   std::vector<Disc> discs;
   for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R + 2.0 * R * i, R, R});
-  Specimen s = assembly(discs, MatrixRecipe{});
+  Specimen s = assembly(discs, matrix);
   bond_touching(s);
   const statics::Network net = statics::make_network(s);
-  const laws::Tangent<double> bond = statics::stiffness(net.links[0], false);
   const std::vector<char> bonds_only(net.links.size(), 0);
   statics::Boundary boundary;
   statics::move_with(boundary, net, 0, {});
@@ -167,15 +185,20 @@ std::vector<Check> cantilever() {
   const statics::Movements force = statics::solve_once(net, boundary, bonds_only).u;
   boundary.loads = {{{n, 2}, P}};
   const statics::Movements moment = statics::solve_once(net, boundary, bonds_only).u;
-  const double sag = P * (N * (4.0 * N * N - 1.0) * R * R / (3.0 * bond.k_m) + N / bond.k_s);
+  const double sag = P * (N * (4.0 * N * N - 1.0) * R * R / (3.0 * k_m) + N / k_s);
   return {{"deflection under a tip force [m]", sag, force[3 * n + 1], exact},
-          {"rotation under a tip force [rad]", P * N * N * R / bond.k_m, force[3 * n + 2], exact},
-          {"deflection under an end moment [m]", P * N * N * R / bond.k_m, moment[3 * n + 1], exact},
-          {"rotation under an end moment [rad]", N * P / bond.k_m, moment[3 * n + 2], exact}};
+          {"rotation under a tip force [rad]", P * N * N * R / k_m, force[3 * n + 2], exact},
+          {"deflection under an end moment [m]", P * N * N * R / k_m, moment[3 * n + 1], exact},
+          {"rotation under an end moment [rad]", N * P / k_m, moment[3 * n + 2], exact}};
 }
 
-std::vector<Check> contact_forces() {
-  const Cell cell = hexagonal_cell(4, 4);
+/// k_m of a bond of length 2R between equal discs: E_b/(2R) (2/3) R^3.
+std::vector<Check> cantilever() {
+  const MatrixRecipe m;
+  return cantilever_of(m, m.bond_ks_over_kn * m.E_b, m.E_b * R * R / 3.0);
+}
+
+std::vector<Check> forces_of(const Cell& cell) {
   const statics::Network net = cell.network();
   const double n = cell.K_n(), s = cell.K_s(), stress = 1e6;
   const Eigen::Vector3d e = cell.stiffness().inverse() * Eigen::Vector3d(0.0, -stress, 0.0);
@@ -200,6 +223,21 @@ std::vector<Check> contact_forces() {
           {"largest couple / (stress R^2) [-]", 0.0, couple, exact}};
 }
 
+std::vector<Check> contact_forces() { return forces_of(hexagonal_cell(4, 4)); }
+
+/// V1, V5 and V13 over again; no contact only pushes, so they hold in tension as in compression.
+std::vector<Check> lattice_of_flat_joints() {
+  const Cell cell = hexagonal_cell(4, 4, flat_joints());
+  const auto& links = cell.network().links;
+  const auto n = std::count_if(links.begin(), links.end(), [](const auto& l) { return l.unilateral; });
+  std::vector<Check> checks = {{"contacts that only push", 0.0, static_cast<double>(n), 0.0}};
+  const MatrixRecipe& m = cell.specimen.matrix;
+  for (const auto& part :
+       {moduli_of(cell), forces_of(cell), cantilever_of(m, m.ks_over_kn * m.E_c, m.E_c * R * R / 3.0)})
+    checks.insert(checks.end(), part.begin(), part.end());
+  return checks;
+}
+
 }  // namespace
 
 std::vector<VerificationCase> statics_cases() {
@@ -213,7 +251,8 @@ std::vector<VerificationCase> statics_cases() {
       {"V13", "Contact forces of a hexagonal lattice under uniaxial stress", source, why, contact_forces},
       {"V23", "Hexagonal lattice of a matrix with directions",
        "derived by hand: three contact directions, spin of least energy; docs/theory/directions.md", why,
-       directional_lattice}};
+       directional_lattice},
+      {"V24", "FJ9. Flat joints: hexagonal lattice and cantilever", source, why, lattice_of_flat_joints}};
 }
 
 }  // namespace phy::verification

@@ -364,6 +364,10 @@ TEST_F(Cli, ContactShowsALawBesideItsClosedForm) {
   EXPECT_EQ(run("contact linear --set k_n=5 --to \"1, 2 um\""), 2);
   EXPECT_THAT(output, HasSubstr("--set k_n = 5: expected 1000 to 1e+15 N/m"));
   EXPECT_THAT(output, HasSubstr("1 has no unit"));
+  EXPECT_EQ(run("contact flat_joint --set elements=2.5"), 2);
+  EXPECT_THAT(output, HasSubstr("--set elements = 2.5: expected a whole number, 1 to 4"));
+  EXPECT_EQ(run("contact dashpot --set mode=0.5"), 2);
+  EXPECT_EQ(run("contact flat_joint --set elements=2 --out " + out()), 0) << output;
   write("bad.csv", "closure [m],slide [m],rotation [rad]\n1e-6;0;0\n");
   EXPECT_EQ(run("contact linear --path " + (folder / "bad.csv").string()), 2);
   EXPECT_THAT(output, HasSubstr("bad.csv:2"));

@@ -10,6 +10,11 @@
 //   breaks   in tension where -k_n (a - edge b) >= sigma_c     (tested first; edge = 0: at its centre)
 //            in shear where   |S_e|/(2 h) >= c + k_n a tan(phi);   unbonded from that step on
 //   F_n = sum F_e,  F_s = sum S_e,  M = sum (m_e - F_e x_e)
+// An element that breaks releases what it held at the start of the step and what went into it in the step,
+// by the mean of its forces before and after as the leap-frog has it, less what it holds afterwards. (What it
+// would hold at the end of the step, had it not broken, is more by half the drop of its forces times the
+// motion: an account of first order in the step.)
+//
 // Closure and rotation count from where the interface is free of force, slide since it was made. Whole, it is
 // a parallel bond of length 2R for any N (beta = 0 for N = 1); only breakage knows the elements.
 //
@@ -181,9 +186,16 @@ PHY_RARE void by_elements(const Parameters<R>& p, State<R, N>& s, const Motion<R
     S[e] = select(keeps, S_bonded, rubbing);
     M[e] = -(F[e] * x) - own * select(keeps, detail::number<R>(1.0 / 3.0), closed.bending());
     slip[e] = select(bonded[e], R(0), R(0.5) * (s.S[e] + rubbing) * (trial - rubbing) * inv_k_s);
-    const R lost = of.k_n * (detail::bonded_energy(a, of.b) - closed.energy(of.b)) +
-                   R(0.5) * (trial * trial - rubbing * rubbing) * inv_k_s;
-    cracks.released[e] = select(broken, lost, R(0));
+    cracks.released[e] = R(0);
+    if (any(broken)) {
+      const R held = of.k_n * (detail::bonded_energy(a, of.b) - closed.energy(of.b)) +
+                     R(0.5) * (trial * trial - rubbing * rubbing) * inv_k_s;
+      // Half of the drop times the motion has not gone into it: the mean of the forces before and after did.
+      const R unfelt = (of.k_n * a - pressing) * (m.d_closure + m.d_rotation * x) -
+                       (trial - rubbing) * m.d_slide +
+                       own * (detail::number<R>(1.0 / 3.0) - closed.bending()) * m.d_rotation;
+      cracks.released[e] = select(broken, held - R(0.5) * unfelt, R(0));
+    }
     left[e] = select(keeps, detail::number<R>(1 << e), R(0));
     s.S[e] = select(at_rest | keeps, R(0), rubbing);
   }
@@ -261,7 +273,7 @@ inline constexpr ParameterInfo schema[] = {
     {"S_0", "N/m", 1e-3, 1e12, 60e3, "fj_coh * 2R", "cohesion times length"},
     {"tan_phi", "1", 0.0, 5.0, 0.0, "tan(fj_fa)", "slope of the shear strength"},
     {"edge", "1", 0.0, 1.0, 0.0, "0", "where tension breaks: 0 centre of an element, 1 its edge"},
-    {"elements", "1", 1.0, 4.0, 3.0, "fj_nr", "elements (a whole number)"},
+    {"elements", "1", 1.0, 4.0, 3.0, "fj_nr", "elements", true},
     {"capacity", "N/m", 1e-3, 1e12, 12e3, "fj_ten * 2R", "tensile capacity"},
 };
 

@@ -60,7 +60,7 @@ inline constexpr ParameterInfo schema[] = {
     {"c_n", "N s/m", 0.0, 1e12, 1e3, "dp_nratio * 2 sqrt(m kn)", "normal dashpot"},
     {"c_s", "N s/m", 0.0, 1e12, 500.0, "dp_sratio * 2 sqrt(m ks)", "shear dashpot"},
     {"inv_dt", "1/s", 1e-6, 1e12, 1e6, "1/timestep", "steps per second"},
-    {"mode", "1", 0.0, 3.0, 0.0, "dp_mode", "0 full, 1 no tension, 2 shear cut while slipping, 3 both"},
+    {"mode", "1", 0.0, 3.0, 0.0, "dp_mode", "0 full, 1 no tension, 2 shear cut while slipping, 3 both", true},
 };
 
 /// The law as the list sees it: one contact with its parameters in the order of the schema.
