@@ -128,13 +128,12 @@ Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing,
   return r;
 }
 
-std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool ucs_only, std::int64_t packing,
+std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, std::int64_t packing,
                               calibrate::Simulator& simulator) {
   std::vector<MapTest> tests;
   for (const Target& t : expected(point, layered))
-    if (!ucs_only || t.property == Property::ucs)
-      tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
-  for (std::size_t i = 0; i < std::size(confinement) && !layered && !ucs_only; ++i) {
+    tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
+  for (std::size_t i = 0; i < std::size(confinement) && !layered && confined; ++i) {
     MapTest t{tests.front().recipe, {}};
     t.recipe.test.kind = TestKind("biaxial");
     t.recipe.test.confining_stress = confinement[i] * expected_ucs(point, 0.0);
@@ -180,7 +179,7 @@ std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& sim
       const std::int64_t packing = first_packing + (family.layered ? place.number : k) % n_packings;
       if (k >= n_packings) r.packing.n_grains = loose_grains;
       rows.push_back({place.number, packing, r.packing.n_grains, place.levers,
-                      tests_of(r, family.layered, place.at_base, packing, simulator)});
+                      tests_of(r, family.layered, !place.at_base, packing, simulator)});
     }
   }
   return rows;
@@ -188,7 +187,7 @@ std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& sim
 
 std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
 
-/// Rows of the second sequence have no tests behind those of UCS, which come first.
+/// Rows of the second sequence have no confined tests, which come last.
 std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
                      const std::vector<TestResult>& results) {
   std::string text = "point,packing,n_grains";

@@ -256,7 +256,8 @@ numbers of the paper's Table 3 are not in our text.
 """
 EQ2_TEXT = """
 Under the press (E tangent), and by the direct elastic solution (five packings; mean of K over them, line through the means;
-all readings in [eq2.md](theory/eq2.md)). The paper does not say which E its fit refers to.
+all readings in [eq2.md](theory/eq2.md)). The paper does not say which E its fit refers to. The paper's slopes are
+those of contacts that cross the plane; its text describes a zone. No reading meets both its slopes and its intercepts.
 
 """
 FIG5_TEXT = """

@@ -163,7 +163,7 @@ const std::vector<ModelFamily>& model_families() {
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::crossing),
        matrix_strength() + parallel_bond() + planes(), 320, 320, true},
       {"parallel-bond", "parallel bonds", sound_rock(MatrixModel::parallel_bond),
-       matrix_strength() + parallel_bond(), 48, 48, false},
+       matrix_strength() + parallel_bond(), 48, 32, false},
       {"parallel-bond-directions", "parallel bonds with directions", sound_rock(MatrixModel::parallel_bond),
        matrix_strength() + parallel_bond() + directions(), 384, 0, true},
       {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 32,

@@ -25,6 +25,7 @@ Recipe foliated() {
   Recipe r;
   r.matrix.stiffness_ratio = 1.5, r.matrix.tension_ratio = 1.2, r.matrix.cohesion_ratio = 0.8,
   r.matrix.cohesion_oblique = 1.3;
+  r.matrix.shear_strength = ShearStrength::cohesion_friction, r.matrix.phi = 10.0;
   return r;
 }
 

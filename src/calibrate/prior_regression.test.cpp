@@ -64,7 +64,8 @@ TEST(PriorRegression, DependsOnNoUnitAndNoSizeOfGrains) {
   MatrixRecipe& m = other.matrix;
   BeddingRecipe& b = other.bedding[0];
   for (double* stress : {&m.E_c, &m.E_b, &m.sigma_c, &m.tau_c, &b.cohesion, &b.sigma_n}) *stress *= 3.0;
-  b.spacing *= 2.0, b.k_n *= 1.5, b.k_s *= 1.5;
+  for (double* length : {&other.packing.radius_min, &other.packing.radius_max, &b.spacing}) *length *= 2.0;
+  b.k_n *= 1.5, b.k_s *= 1.5;
   EXPECT_NEAR(prior(other, 45.0) / prior(paper_rock(), 45.0), 3.0, 1e-9);
 }
 

@@ -130,7 +130,7 @@ inline double rmse_against(const std::vector<Comparison>& rows, const std::vecto
 /// sought.
 inline double true_value(const Recipe& r, const ParameterEstimate& e) {
   if (e.number != nullptr) return e.number(r);
-  for (const calibrate::StrengthParameter* p : calibrate::strength_ratios(true))
+  for (const calibrate::StrengthParameter* p : calibrate::strength_parameters(r))
     if (e.key == calibrate::sought(*p).key) return p->get(r);
   return std::nan("");
 }

@@ -1,0 +1,124 @@
+// The tables of what models reach: that they are whole, that a table of the laboratory finds its place in
+// them, and that the regression knows a quadratic when it sees one.
+#include "calibrate/reach.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibrate/reach_check.hpp"
+#include "calibrate/reading_fixture.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+TEST(Reach, EveryFamilyHasItsPointsWithinItsRanges) {
+  for (const ModelFamily& family : model_families()) {
+    const ReachTable& table = reach_of(family);
+    const int per_point = family.layered ? 1 : 10;
+    EXPECT_EQ(table.n_rows(), static_cast<std::size_t>(per_point * (family.n_points + family.n_at_base)))
+        << family.name;
+    int sensible = 0;
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+      for (std::size_t i = 0; i < family.levers.size(); ++i)
+        EXPECT_LE(std::fabs(table.places(row)[i]), 1.001) << family.name << ' ' << family.levers[i].name;
+      sensible += table.is_sensible(row) ? 1 : 0;
+    }
+    EXPECT_GT(sensible, 20) << family.name;
+  }
+}
+
+// Whoever changes a lever has to run the maps again.
+TEST(Reach, ARecipeReadsTheLeversThatItWasGiven) {
+  for (const ModelFamily& family : model_families()) {
+    Recipe r = family.base;
+    double place = -0.9;
+    for (const Lever& l : family.levers) l.set(r, l.at_place(place += 0.1));
+    place = -0.9;
+    for (const Lever& l : family.levers) EXPECT_NEAR(l.place_of(l.get(r)), place += 0.1, 1e-12) << l.name;
+    EXPECT_EQ(family_of(r), &family) << family.name;
+  }
+}
+
+/// What a laboratory would have of the rock of one row, in other units of stress.
+Rock rock_of(const ReachTable& table, std::size_t row) {
+  Rock rock;
+  rock.E_is = ModulusReading::tangent_50;
+  rock.model.bedding.resize(1), rock.model.bedding[0].rule = BeddingRule::crossing;
+  for (const double theta : mapped_angles) {
+    rock.readings.push_back(
+        reading(Property::E, theta, 31e9 * table.at(row, fmt::format("E50/E_c({:g})", theta))));
+    rock.readings.push_back(
+        reading(Property::ucs, theta, 23e6 * table.at(row, fmt::format("UCS/sigma_c({:g})", theta))));
+  }
+  for (const double theta : mapped_disc_angles)
+    rock.readings.push_back(
+        reading(Property::brazilian, theta, 23e6 * table.at(row, fmt::format("BTS/sigma_c({:g})", theta))));
+  return rock;
+}
+
+/// The first sensible row with all answers.
+std::size_t whole_row(const ReachTable& table) {
+  std::size_t row = 0;
+  const auto has_discs = [&] {
+    for (const double theta : mapped_disc_angles)
+      if (std::isnan(table.at(row, fmt::format("BTS/sigma_c({:g})", theta)))) return false;
+    return true;
+  };
+  while (!table.is_sensible(row) || !has_discs()) ++row;
+  return row;
+}
+
+TEST(Reach, ARockOfTheMapIsFoundThereAndNowhereElse) {
+  for (const ModelFamily& family : model_families()) {
+    if (!family.layered) continue;
+    const ReachTable& table = reach_of(family);
+    const Evidence evidence(rock_of(table, whole_row(table)));
+    for (const NearestPoint& p : nearest_points(evidence)) {
+      if (p.family == &family)
+        EXPECT_LT(p.error, 1e-6) << family.name;
+      else
+        EXPECT_GT(p.error, 0.01) << family.name << " in " << p.family->name;
+    }
+    EXPECT_THAT(place_in_maps(evidence), testing::Contains(testing::HasSubstr("UCS/BTS(45) = ")));
+  }
+}
+
+TEST(Reach, WithoutStrengthsATableHasNoPlace) {
+  Rock rock;
+  rock.readings = {reading(Property::E, 0.0, 20e9), reading(Property::E, 90.0, 40e9)};
+  EXPECT_TRUE(place_in_maps(Evidence(rock)).empty());
+}
+
+TEST(Reach, TheRegressionMeetsAQuadraticAndHoldsItsEdges) {
+  const ModelFamily& family = model_families().front();
+  std::string csv = "point,n_grains";
+  for (const Lever& l : family.levers) csv += fmt::format(",{}", l.name);
+  csv += ",answer\n";
+  const auto truth = [](const std::vector<double>& z) {
+    return 0.4 + 0.5 * z[0] - 0.2 * z[1] + 0.1 * z[0] * z[3];
+  };
+  std::vector<double> z(family.levers.size());
+  for (int point = 1; point <= 600; ++point) {
+    csv += fmt::format("{},{}", point, family.base.packing.n_grains);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      z[i] = std::sin(1.0 + point * (1.7 + 0.61 * static_cast<double>(i)));
+      csv += fmt::format(",{:.9g}", family.levers[i].at_place(z[i]));
+    }
+    csv += fmt::format(",{:.9g}\n", std::exp(truth(z)));
+  }
+  const ReachTable table(family, csv);
+  const ReachRegression fitted(table, "answer");
+  for (double& v : z) v = 0.3;
+  EXPECT_NEAR(fitted.at(z), truth(z), 5e-3);
+  EXPECT_LT(ReachRegression::left_out_error(table, "answer"), 0.01);
+  z[0] = 5.0;
+  const double beyond = fitted.at(z);
+  z[0] = 50.0;
+  EXPECT_EQ(fitted.at(z), beyond);
+}
+
+}  // namespace
+}  // namespace phy::calibrate
