@@ -118,21 +118,25 @@ std::vector<Column> columns_of(const Target& t, bool layered) {
   return {{"DTS/sigma_c" + at, over_sigma_c<dts>}, {"E_t/E_c" + at, E_small}};
 }
 
-/// The test of one strength, at a speed at which a wave crosses the specimen fifty times until its own peak.
-Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing,
-               calibrate::Simulator& simulator) {
+/// The test of one strength, of compression at a speed at which a wave crosses the specimen fifty times until
+/// its own peak, of tension a hundred times. `modulus`: of the point at that inclination.
+Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, double modulus) {
   const std::vector<Target> alone = {target};
-  const Recipe ready = calibrate::test_settings(point, alone, packing, simulator);
-  Recipe r = calibrate::StrengthTests(ready, alone, packing, simulator).of(ready, 0, packing);
-  r.test.platen_speed *= quicker;
+  const bool compression = target.property == Property::ucs;
+  const Recipe ready = compression ? calibrate::test_settings(point, alone, {modulus})
+                                   : calibrate::test_settings(point, {}, std::vector<double>());
+  Recipe r = calibrate::StrengthTests(ready, alone, {modulus}).of(ready, 0, packing);
+  if (compression) r.test.platen_speed *= quicker;
   return r;
 }
 
+/// `moduli`: of the targets that expected() names.
 std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, std::int64_t packing,
-                              calibrate::Simulator& simulator) {
+                              const std::vector<double>& moduli) {
   std::vector<MapTest> tests;
-  for (const Target& t : expected(point, layered))
-    tests.push_back({test_of(point, t, packing, simulator), columns_of(t, layered)});
+  const std::vector<Target> targets = expected(point, layered);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    tests.push_back({test_of(point, targets[i], packing, moduli[i]), columns_of(targets[i], layered)});
   for (std::size_t i = 0; i < std::size(confinement) && !layered && confined; ++i) {
     MapTest t{tests.front().recipe, {}};
     t.recipe.test.kind = TestKind("biaxial");
@@ -170,17 +174,36 @@ std::vector<Place> places_of(const ModelFamily& family) {
   return places;
 }
 
+/// A row without its tests, and the recipe of its point.
+struct Begun {
+  MapRow row;
+  Recipe recipe;
+  bool confined;
+};
+
 std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& simulator) {
-  std::vector<MapRow> rows;
+  std::vector<Begun> begun;
+  std::vector<Recipe> specimens;  // of all targets of all rows, to be solved together
   for (const Place& place : places_of(family)) {
     Recipe r = family.base;
     for (std::size_t i = 0; i < family.levers.size(); ++i) family.levers[i].set(r, place.levers[i]);
     for (std::int64_t k = 0; k < (family.layered ? 1 : 2 * n_packings); ++k) {
       const std::int64_t packing = first_packing + (family.layered ? place.number : k) % n_packings;
       if (k >= n_packings) r.packing.n_grains = loose_grains;
-      rows.push_back({place.number, packing, r.packing.n_grains, place.levers,
-                      tests_of(r, family.layered, !place.at_base, packing, simulator)});
+      begun.push_back({{place.number, packing, r.packing.n_grains, place.levers, {}}, r, !place.at_base});
+      for (const Target& t : expected(r, family.layered))
+        specimens.push_back(calibrate::single_at(r, t.theta, packing));
     }
+  }
+  const std::vector<ElasticResult> solved = simulator.elastic(specimens, true);
+  std::vector<MapRow> rows;
+  auto next = solved.begin();
+  for (Begun& b : begun) {
+    std::vector<double> moduli;
+    for (std::size_t i = 0; i < expected(b.recipe, family.layered).size(); ++i)
+      moduli.push_back(next++->E_gauge);
+    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row.packing, moduli);
+    rows.push_back(std::move(b.row));
   }
   return rows;
 }

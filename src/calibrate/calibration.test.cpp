@@ -70,7 +70,9 @@ TEST(Calibrate, ATangentIsMetByStifferContacts) {
   EXPECT_NEAR(c.recipe.bedding[0].k_n / small_strain.recipe.bedding[0].k_n, 1.25, 0.02);
   for (const std::vector<Comparison>* rows : {&c.fitted, &c.verification})
     for (const Comparison& row : *rows)
-      if (row.target.property == Property::E) EXPECT_NEAR(row.error(), 0.0, 0.02) << row.target.theta;
+      if (row.target.property == Property::E) {
+        EXPECT_NEAR(row.error(), 0.0, 0.02) << row.target.theta;
+      }
 }
 
 TEST(Calibrate, WithoutStrengthsTangentsAreComparedAtSmallStrainAndThatIsSaid) {

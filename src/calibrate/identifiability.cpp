@@ -145,8 +145,12 @@ std::vector<std::string> advice(const Evidence& evidence) {
   if (!evidence.has(Property::ucs))
     lines.emplace_back("no UCS: no strength is fitted, they stay those of the recipe");
   if (!evidence.rock.bedded) return lines;
-  for (const std::string& line : {elastic_limit(evidence.targets), exchanged_angles(evidence.targets)})
-    if (!line.empty()) lines.push_back(line);
+  if (const std::string limit = elastic_limit(evidence.targets); !limit.empty())
+    lines.push_back(evidence.rock.E_is == ModulusReading::small_strain
+                        ? limit
+                        : fmt::format("{}. As {} (E_is) E and nu need not be those of an elastic body", limit,
+                                      to_string(evidence.rock.E_is)));
+  if (const std::string line = exchanged_angles(evidence.targets); !line.empty()) lines.push_back(line);
   return lines;
 }
 

@@ -78,14 +78,15 @@ bool is_mapped(double theta, Property property) {
   return std::find(angles.begin(), angles.end(), theta) != angles.end();
 }
 
-void add_ratios(const Evidence& evidence, std::vector<std::string>& lines) {
+void add_ratios(const Evidence& evidence, const std::vector<NearestPoint>& families,
+                std::vector<std::string>& lines) {
   for (const Target& t : evidence.strengths)
     for (const Target& u : evidence.strengths) {
       if (t.property == Property::ucs || u.property != Property::ucs || u.theta != t.theta ||
           (evidence.rock.bedded && !is_mapped(t.theta, t.property)))
         continue;
       std::string reached;
-      for (const NearestPoint& p : nearest_points(evidence))
+      for (const NearestPoint& p : families)
         if (const std::string one = ratio_line(evidence, *p.family, t); !one.empty())
           reached += (reached.empty() ? "" : "; ") + one;
       if (!reached.empty())
@@ -118,14 +119,15 @@ std::vector<std::string> place_in_maps(const Evidence& evidence) {
   std::vector<std::string> lines;
   if (evidence.strengths.empty()) return lines;
   std::string text;
-  for (const NearestPoint& p : nearest_points(evidence))
+  const std::vector<NearestPoint> families = nearest_points(evidence);
+  for (const NearestPoint& p : families)
     if (std::isfinite(p.error))
       text += fmt::format("{}{:.0f} % by {} ({} points)", text.empty() ? "" : ", ", 100.0 * p.error,
                           p.family->label, p.n_sensible);
   if (!text.empty())
     lines.push_back("in the maps of what models reach, the nearest sensible point misses this table by " +
                     text + " (root mean square over E and strengths, scales free; a search comes nearer)");
-  add_ratios(evidence, lines);
+  add_ratios(evidence, families, lines);
   return lines;
 }
 

@@ -24,17 +24,23 @@ constexpr double search_speed = 2.0;
 constexpr double pre_strain_share = 0.35;   // of the expected peak strain
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
-/// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
-/// disc, the approach over the diameter.
-std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
-                                 Simulator& simulator) {
+/// Moduli of the recipe at the angles of the targets.
+std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
+                              Simulator& simulator) {
   std::vector<Recipe> recipes;
   for (const Target& t : targets) recipes.push_back(single_at(recipe, t.theta, seed));
-  const std::vector<ElasticResult> elastic = simulator.elastic(recipes, true);
+  std::vector<double> moduli;
+  for (const ElasticResult& r : simulator.elastic(recipes, true)) moduli.push_back(r.E_gauge);
+  return moduli;
+}
+
+/// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
+/// disc, the approach over the diameter.
+std::vector<double> peak_strains(const std::vector<Target>& targets, const std::vector<double>& moduli) {
   std::vector<double> strains;
   for (std::size_t i = 0; i < targets.size(); ++i)
     strains.push_back((targets[i].property == Property::brazilian ? lab::disc_approach : 1.0) *
-                      targets[i].mean / elastic[i].E_gauge);
+                      targets[i].mean / moduli[i]);
   return strains;
 }
 
@@ -99,7 +105,11 @@ Comparison over_packings(const Target& target, std::span<const TestResult> resul
 
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                              Simulator& simulator)
-    : targets_(targets), strains_(peak_strains(recipe, targets, seed, simulator)) {
+    : StrengthTests(recipe, targets, moduli_at(recipe, targets, seed, simulator)) {}
+
+StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets,
+                             const std::vector<double>& moduli)
+    : targets_(targets), strains_(peak_strains(targets, moduli)) {
   for (const Target& t : targets_)
     speeds_.push_back(t.property == Property::ucs ? recipe.test.platen_speed
                                                   : slow_speed(recipe, targets_, strains_, t.property));
@@ -156,7 +166,11 @@ bool can_test(Property property) { return test_of(property) != nullptr; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
   const std::vector<Target> targets = of_property(all, Property::ucs);
-  const std::vector<double> strains = peak_strains(recipe, targets, seed, simulator);
+  return test_settings(recipe, targets, moduli_at(recipe, targets, seed, simulator));
+}
+
+Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const std::vector<double>& moduli) {
+  const std::vector<double> strains = peak_strains(targets, moduli);
   const double speed = slow_speed(recipe, targets, strains, Property::ucs);
   const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;

@@ -20,6 +20,8 @@ class StrengthTests {
   /// `recipe`: with test_settings(); the moduli on the packing `seed` say at which strain each target peaks.
   StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                 Simulator& simulator);
+  /// The same with the moduli [Pa] at the angles of the targets, where they are known.
+  StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, const std::vector<double>& moduli);
   Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
   /// For the search: affine pre-strain and twice the speed halve the steps of a compression test and move UCS
   /// by +0.7 +- 0.4 %.
@@ -48,6 +50,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
 /// wave crosses the specimen a hundred times until the earliest peak. `all`: their UCS over the modulus
 /// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
+/// The same for targets of UCS alone, with the moduli [Pa] at their angles.
+Recipe test_settings(Recipe recipe, const std::vector<Target>& ucs, const std::vector<double>& moduli);
 
 /// The same specimen with fewer, larger grains: planes, zone and joint stiffness in proportion, so that all
 /// dimensionless numbers stay.
