@@ -1,6 +1,7 @@
 #include "calibrate/calibration.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -182,11 +183,11 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
 }
 
 /// `table`: with the moduli that the elastic stage went by.
-void judge(Calibration& result, ElasticFit elastic, const Evidence& table, bool short_search) {
+void judge(Calibration& result, ElasticFit elastic, const Evidence& table, bool softened, bool short_search) {
   Verdict& v = result.verdict;
   // as the laboratory reads them
   std::copy_n(result.fitted.begin(), elastic.comparisons.size(), elastic.comparisons.begin());
-  const ElasticVerdict moduli = judge_elastic(elastic, table);
+  const ElasticVerdict moduli = judge_elastic(elastic, table, softened);
   v.findings.insert(v.findings.begin(), moduli.findings.begin(), moduli.findings.end());
   judge_moduli(result, elastic);
   judge_strength(result, short_search);
@@ -271,24 +272,48 @@ struct Work {
   void fit_moduli(const Evidence& table) { elastic = fit_elastic(table, fit, spare, simulator, options.say); }
 };
 
+/// A modulus at small strain as the laboratory would read it.
+void soften(Comparison& c, const Softening& s) {
+  const bool modulus = c.target.property == Property::E;
+  for (double* v : {&c.mean, &c.low, &c.high}) *v = modulus ? *v * s.factor : *v + s.addition;
+  if (modulus) c.sd *= s.factor;
+}
+
 /// Moduli as the laboratory reads them, fitted and on unseen packings, in place of those at small strain.
 void take_as_measured(Calibration& result, const Work& work, const std::vector<Comparison>& from_test) {
   for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
     Comparison& c = result.fitted[i];
-    c = work.elastic.comparisons[i];
-    const auto s = work.strength.softenings.find(c.target.theta);
-    c.target = work.evidence.moduli[i];
-    if (s == work.strength.softenings.end()) continue;
-    const bool modulus = c.target.property == Property::E;
-    for (double* v : {&c.mean, &c.low, &c.high})
-      *v = modulus ? *v * s->second.factor : *v + s->second.addition;
-    if (modulus) c.sd *= s->second.factor;
+    c = work.elastic.comparisons[i], c.target = work.evidence.moduli[i];
+    soften(c, softening_at(work.strength.softenings, c.target.theta));
   }
-  for (Comparison& c : result.verification)
-    if (const Comparison* p = row_of(from_test, c.target); p != nullptr) {
-      const Target target = c.target;
+  std::vector<std::string> without;  // a test of their own
+  for (Comparison& c : result.verification) {
+    const Target target = c.target;
+    const Comparison* p = row_of(from_test, target);
+    if (p == nullptr || !p->answered())
+      soften(c, softening_at(work.strength.softenings, target.theta)), without.push_back(cell_name(target));
+    else
       c = *p, c.target = target;
-    }
+  }
+  if (!without.empty())
+    result.notes.push_back(fmt::format(
+        "{}: no test of UCS to read them from; the direct solution with what tests at other angles "
+        "have shown",
+        fmt::join(without, ", ")));
+}
+
+/// What tests make of the moduli, measured at the estimate, and the moduli once more. False: stopped.
+bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
+  work.options.say("moduli as the laboratory reads them, at the estimate");
+  const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
+  const Softenings measured =
+      softenings_of(result.recipe, work.evidence.strengths, some, work.evidence.rock.E_is, work.simulator);
+  if (work.simulator.stopped()) return false;
+  if (!measured.empty()) work.strength.softenings = measured;
+  result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
+  result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
+  result.n_strength_tests += work.evidence.n_ucs() * n_softened;
+  return true;
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
@@ -314,15 +339,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
   result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
   if (fit.interrupted) return false;
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
-  if (work.softens()) {
-    work.options.say("moduli as the laboratory reads them, at the estimate");
-    const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
-    fit.softenings =
-        softenings_of(result.recipe, evidence.strengths, some, evidence.rock.E_is, work.simulator);
-    if (work.simulator.stopped()) return false;
-    result.recipe = with_moduli(result.recipe, remodel(fit.softenings));
-    result.n_strength_tests += n * n_softened;
-  }
+  if (work.softens() && !measure_softening(result, work, remodel)) return false;
   work.options.say("verification of the strengths on unseen packings");
   std::vector<Comparison> from_test;
   const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
@@ -384,7 +401,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   make_ready(result.recipe, evidence);
   report_validity(result), report_quality(result), report_missing(result);
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
-        work.strength.short_search);
+        !work.strength.softenings.empty(), work.strength.short_search);
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
   return true;
@@ -400,7 +417,9 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
     const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
     layers = choice.layers;
     if (!choice.rivals.empty()) result.notes.push_back(choice.text());
+    result.n_elastic += choice.n_solutions;
   }
+  result.layers = layers;
   return Evidence(with_layers(rock, layers), evidence.targets);
 }
 
@@ -409,7 +428,7 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
   const auto start = std::chrono::steady_clock::now();
   Calibration result;
-  result.rock = evidence.rock.name;
+  result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is;
   std::vector<Estimate> estimates;
   bool done = false;
   try {

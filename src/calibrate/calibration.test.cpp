@@ -8,6 +8,7 @@
 
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"
+#include "calibrate/softening.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::calibrate {
@@ -35,7 +36,8 @@ Rock rock(double nu_factor = 1.0) {
 
 Calibration calibrated(const Rock& rock, PaperPress& press, bool elastic_only = false) {
   CalibrationOptions options;
-  options.elastic_only = elastic_only, options.max_tests = 4 * (8 + 5);
+  options.elastic_only = elastic_only,
+  options.max_tests = 4 * (8 + 5 + (rock.E_is == ModulusReading::small_strain ? 0 : 5));
   return calibrate(Evidence(rock), options, press);
 }
 
@@ -73,6 +75,26 @@ TEST(Calibrate, ATangentIsMetByStifferContacts) {
       if (row.target.property == Property::E) {
         EXPECT_NEAR(row.error(), 0.0, 0.02) << row.target.theta;
       }
+}
+
+TEST(Calibrate, AnglesWithoutUcsAreSoftenedAsTheirNeighbours) {
+  PaperPress press;
+  press.tangent = 0.8;
+  Rock tangents = rock();
+  tangents.E_is = ModulusReading::tangent_50;
+  const double theta = 30.0;
+  std::erase_if(tangents.readings,
+                [&](const RockReading& r) { return r.property == Property::ucs && r.theta == theta; });
+  const Calibration c = calibrated(tangents, press);
+  for (const std::vector<Comparison>* rows : {&c.fitted, &c.verification})
+    for (const Comparison& row : *rows)
+      if (row.target.property == Property::E) {
+        EXPECT_NEAR(row.error(), 0.0, 0.03) << row.target.theta;
+      }
+  EXPECT_THAT(c.notes, Contains(HasSubstr("no test of UCS to read them from")));
+  EXPECT_DOUBLE_EQ(softening_at({{0.0, {0.8, 0.1}}, {60.0, {0.6, 0.0}}}, 15.0).factor, 0.75);
+  EXPECT_DOUBLE_EQ(softening_at({{0.0, {0.8, 0.1}}, {60.0, {0.6, 0.0}}}, 90.0).factor, 0.6);
+  EXPECT_DOUBLE_EQ(softening_at({}, 15.0).factor, 1.0);
 }
 
 TEST(Calibrate, WithoutStrengthsTangentsAreComparedAtSmallStrainAndThatIsSaid) {

@@ -36,11 +36,12 @@ bool report_modulus(ElasticVerdict& verdict, const Comparison& c) {
 }
 
 /// Why: what the table asks of any body of its kind; what nu had to give for E.
-void report_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool nu_missed) {
+void report_limit(ElasticVerdict& verdict, const ElasticFit& fit, const Evidence& evidence, bool softened,
+                  bool nu_missed) {
   if (evidence.rock.bedded)
     if (const std::string limit = elastic_limit(evidence.moduli); !limit.empty())
       verdict.findings.push_back(
-          evidence.rock.E_is == ModulusReading::small_strain
+          !softened
               ? limit
               : fmt::format("the moduli at small strain that the readings (E_is = \"{}\") stand for: {}",
                             to_string(evidence.rock.E_is), limit));
@@ -64,7 +65,7 @@ bool misses(const Comparison& modulus) {
   return std::fabs(error) > modulus_limit(t);
 }
 
-ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
+ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence, bool softened) {
   ElasticVerdict verdict;
   report_edges(verdict, fit.parameters);
   double worst = 0.0;
@@ -82,7 +83,7 @@ ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence) {
       verdict.findings.push_back(fmt::format("nu({:g}) = {:.3f} instead of {:.3f}", t.theta, c.mean, t.mean));
     }
   }
-  if (worst > 0.0 || nu_missed) report_limit(verdict, fit, evidence, nu_missed);
+  if (worst > 0.0 || nu_missed) report_limit(verdict, fit, evidence, softened, nu_missed);
   verdict.out_of_reach = verdict.out_of_reach || worst > 2.0 * elastic_tolerance;
   return verdict;
 }

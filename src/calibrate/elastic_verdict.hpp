@@ -22,6 +22,6 @@ struct ElasticVerdict {
   std::vector<std::string> findings;  ///< limits that the fit ran into; empty: within tolerance
   bool out_of_reach = false;
 };
-ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence);
+ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence, bool softened = false);
 
 }  // namespace phy::calibrate

@@ -10,7 +10,7 @@ namespace phy::calibrate {
 Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
 
 Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), targets(std::move(read)) {
-  if (!rock.bedded) rock.model.bedding.clear();
+  if (!rock.bedded) remove_layers(rock.model);
   for (const Target& t : targets) {
     if (!is_strength(t.property)) moduli.push_back(t);
     if (can_test(t.property)) strengths.push_back(t), scales.strength = std::max(scales.strength, t.mean);

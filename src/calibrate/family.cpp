@@ -166,17 +166,12 @@ const std::vector<ModelFamily>& model_families() {
        matrix_strength() + parallel_bond(), 48, 32, false},
       {"parallel-bond-directions", "parallel bonds with directions", sound_rock(MatrixModel::parallel_bond),
        matrix_strength() + parallel_bond() + directions(), 384, 0, true},
-      {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 32,
-       0, false},
       {"parallel-bond-zone", "parallel bonds, planes by zone",
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::zone),
        matrix_strength() + parallel_bond() + planes(), 208, 320, true},
       {"flat-joint-crossing", "flat joints, planes by crossing",
        bedded_rock(MatrixModel::flat_joint, BeddingRule::crossing),
-       matrix_strength() + flat_joint() + planes(), 208, 0, true},
-      {"flat-joint-zone", "flat joints, planes by zone",
-       bedded_rock(MatrixModel::flat_joint, BeddingRule::zone), matrix_strength() + flat_joint() + planes(),
-       208, 0, true}};
+       matrix_strength() + flat_joint() + planes(), 208, 0, true}};
   return all;
 }
 

@@ -92,9 +92,9 @@ Estimate identified_strength(const StrengthParameter& p, const Evidence& evidenc
   e.low = e.high = std::nan("");
   const Rule rule = p.rule(evidence);
   const bool fitted = evidence.has(Property::ucs);
-  e.determined = fitted && rule.held;
+  e.determined = fitted && rule.held && !rule.shared;
   if (fitted) e.rests_on = rule.held ? rule.tests : "UCS";
-  if (!rule.held) e.next_test = rule.next_test;
+  if (!e.determined) e.next_test = rule.next_test;
   if (!fitted && e.next_test.find("UCS") == std::string::npos)
     e.next_test = e.next_test.empty() ? "UCS" : "UCS, and " + e.next_test;
   return e;

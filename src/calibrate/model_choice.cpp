@@ -29,7 +29,7 @@ struct Squares {
 Squares modulus_squares(const ElasticFit& fit) {
   Squares squares;
   for (const Comparison& c : fit.comparisons)
-    if (c.target.property == Property::E && c.answered()) squares.add(c.error());
+    if (c.target.property == Property::E) squares.add(c.answered() ? c.error() : 1.0);
   return squares;
 }
 
@@ -51,7 +51,8 @@ Rival tried(const Evidence& evidence, LayerModel layers, std::int64_t seed, Simu
   const Evidence with(with_layers(evidence.rock, layers), evidence.targets);
   const ElasticFit fit = fit_elastic(with, {seed}, {}, simulator, [](const std::string&) {});
   const Squares E = modulus_squares(fit), strengths = strength_squares(with, fit.recipe);
-  return {layers, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n))};
+  return {layers, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n)),
+          fit.n_solutions};
 }
 
 }  // namespace
@@ -61,8 +62,8 @@ Rock with_layers(Rock rock, LayerModel layers) {
   if (layers != LayerModel::directions || rock.model.bedding.empty()) return rock;
   MatrixRecipe& m = rock.model.matrix;
   rock.model.bedding.clear();
-  m.moment_contribution = 0.1;
-  m.stiffness_ratio = 1.5, m.cohesion_ratio = 1.2, m.cohesion_oblique = 1.4;
+  if (m.moment_contribution == MatrixRecipe().moment_contribution) m.moment_contribution = 0.1;
+  for (const StrengthParameter* p : {&cohesion_ratio, &cohesion_oblique}) p->set(rock.model, p->range.usual);
   return rock;
 }
 
@@ -81,7 +82,8 @@ ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator
   if (evidence.strengths.size() < least_strengths) return choice;
   say("which model of the layers predicts what it has not seen");
   for (const LayerModel layers : {LayerModel::planes, LayerModel::directions})
-    choice.rivals.push_back(tried(evidence, layers, seed, simulator));
+    choice.rivals.push_back(tried(evidence, layers, seed, simulator)),
+        choice.n_solutions += choice.rivals.back().n_solutions;
   choice.layers =
       std::min_element(choice.rivals.begin(), choice.rivals.end(), [](const Rival& a, const Rival& b) {
         return a.error < b.error;

@@ -20,12 +20,14 @@ struct Rival {
   double modulus_error = 0.0;   ///< of E, as fitted on one packing, root mean square
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
+  std::int64_t n_solutions = 0;
 };
 
 struct ModelChoice {
   LayerModel layers = LayerModel::planes;
-  std::vector<Rival> rivals;  ///< empty: nothing was compared
-  std::string text() const;   ///< one sentence with all errors; "" where nothing was compared
+  std::vector<Rival> rivals;     ///< empty: nothing was compared
+  std::int64_t n_solutions = 0;  ///< of the direct solution
+  std::string text() const;      ///< one sentence with all errors; "" where nothing was compared
 };
 
 /// Planes where the table holds too little (fewer than four strengths) to leave anything out.

@@ -195,7 +195,7 @@ const StrengthParameter matrix_moment{
      .belongs = has_moment},
     [](const Evidence& e) -> Rule {
       return {e.has(Property::ucs) && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
-              "UCS against tension", "direct tension, or Brazilian"};
+              "UCS against tension", "", true};
     },
     true};
 

@@ -88,6 +88,7 @@ struct Rule {
   bool held = false;
   const char* tests = "";      ///< that pin it
   const char* next_test = "";  ///< that would; empty: no test that a table holds tells much
+  bool shared = false;         ///< these tests speak as much about others: it is sought, not determined
 };
 
 /// A parameter that strengths show.

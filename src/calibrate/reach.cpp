@@ -20,9 +20,7 @@ PHY_TAKE(phy_parallel_bond, "parallel-bond.csv");
 PHY_TAKE(phy_parallel_bond_crossing, "parallel-bond-crossing.csv");
 PHY_TAKE(phy_parallel_bond_zone, "parallel-bond-zone.csv");
 PHY_TAKE(phy_parallel_bond_directions, "parallel-bond-directions.csv");
-PHY_TAKE(phy_flat_joint, "flat-joint.csv");
 PHY_TAKE(phy_flat_joint_crossing, "flat-joint-crossing.csv");
-PHY_TAKE(phy_flat_joint_zone, "flat-joint-zone.csv");
 #undef PHY_TAKE
 
 namespace phy::calibrate {
@@ -45,9 +43,7 @@ std::string_view text_of(const ModelFamily& family) {
       {"parallel-bond-crossing", {phy_parallel_bond_crossing_begin, phy_parallel_bond_crossing_end}},
       {"parallel-bond-zone", {phy_parallel_bond_zone_begin, phy_parallel_bond_zone_end}},
       {"parallel-bond-directions", {phy_parallel_bond_directions_begin, phy_parallel_bond_directions_end}},
-      {"flat-joint", {phy_flat_joint_begin, phy_flat_joint_end}},
-      {"flat-joint-crossing", {phy_flat_joint_crossing_begin, phy_flat_joint_crossing_end}},
-      {"flat-joint-zone", {phy_flat_joint_zone_begin, phy_flat_joint_zone_end}}};
+      {"flat-joint-crossing", {phy_flat_joint_crossing_begin, phy_flat_joint_crossing_end}}};
   const auto it = texts.find(family.name);
   PHY_CHECK(it != texts.end(), "a table of every family");
   return it->second;
@@ -82,6 +78,7 @@ VectorXd features_of(const std::vector<double>& places) {
   return f;
 }
 
+/// Points of one packing are left out together: those of one remainder.
 int fold_of(const ReachTable& table, std::size_t row) {
   return static_cast<int>(table.at(row, "point")) % n_folds;
 }
@@ -113,10 +110,6 @@ ReachTable::ReachTable(const ModelFamily& family, std::string_view csv) : family
     for (const Lever& l : family.levers) places.push_back(l.place_of(at(rows_.size() - 1, l.name)));
     places_.push_back(places);
   }
-}
-
-bool ReachTable::has(const std::string& column) const {
-  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
 
 double ReachTable::at(std::size_t row, const std::string& column) const {

@@ -21,7 +21,6 @@ class ReachTable {
 
   const ModelFamily& family() const { return *family_; }
   std::size_t n_rows() const { return rows_.size(); }
-  bool has(const std::string& column) const;
   /// NaN where the cell is empty.
   double at(std::size_t row, const std::string& column) const;
   /// Places of the levers of a row.

@@ -46,7 +46,7 @@ struct Spread {
   double sum = 0.0, squares = 0.0;
   int n = 0;
   void add(double difference) { sum += difference, squares += difference * difference, ++n; }
-  double about_mean() const { return n > 0 ? squares - sum * sum / n : 0.0; }
+  double about_mean() const { return n > 0 ? std::max(0.0, squares - sum * sum / n) : 0.0; }
 };
 
 double error_of(const ReachTable& table, std::size_t row, const Evidence& evidence) {
@@ -56,8 +56,9 @@ double error_of(const ReachTable& table, std::size_t row, const Evidence& eviden
       continue;
     (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - answer(table, row, evidence, t));
   }
-  const int n = moduli.n + strengths.n;
-  return n > 0 ? std::sqrt((moduli.about_mean() + strengths.about_mean()) / n) : nan;
+  const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0), n = moduli.n + strengths.n - free;
+  if (strengths.n == 0 || n < 2) return nan;  // nothing, or hardly anything, to compare
+  return std::sqrt((moduli.about_mean() + strengths.about_mean()) / n);
 }
 
 /// UCS over tension of sensible points where the table has both at one inclination that was mapped.
@@ -105,10 +106,10 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
     NearestPoint nearest{&family, 0, nan};
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
       if (!table.is_dense(row) || !table.is_sensible(row)) continue;
-      ++nearest.n_sensible;
-      if (const double error = error_of(table, row, evidence);
-          std::isfinite(error) && !(error >= nearest.error))
-        nearest.error = error;
+      const double error = error_of(table, row, evidence);
+      if (!std::isfinite(error)) continue;
+      ++nearest.n_points;
+      if (!(error >= nearest.error)) nearest.error = error;
     }
     list.push_back(nearest);
   }
@@ -123,10 +124,10 @@ std::vector<std::string> place_in_maps(const Evidence& evidence) {
   for (const NearestPoint& p : families)
     if (std::isfinite(p.error))
       text += fmt::format("{}{:.0f} % by {} ({} points)", text.empty() ? "" : ", ", 100.0 * p.error,
-                          p.family->label, p.n_sensible);
+                          p.family->label, p.n_points);
   if (!text.empty())
     lines.push_back("in the maps of what models reach, the nearest sensible point misses this table by " +
-                    text + " (root mean square over E and strengths, scales free; a search comes nearer)");
+                    text + " (root mean square over E, UCS and BTS, scales free; a search comes nearer)");
   add_ratios(evidence, families, lines);
   return lines;
 }

@@ -11,12 +11,13 @@ namespace phy::calibrate {
 /// The sensible point of a family that is nearest to a table, both scales (of moduli and of strengths) free.
 struct NearestPoint {
   const ModelFamily* family = nullptr;
-  int n_sensible = 0;
-  double error = 0.0;  ///< root mean square over all E and strengths, relative; NaN: no point has them all
+  int n_points = 0;    ///< sensible ones that answer all of the table
+  double error = 0.0;  ///< root mean square over all E and strengths, relative; NaN: too little to compare
 };
 
 /// One per family that may model the rock: isotropic ones without bedding, else the layered ones. Moduli by
-/// E at small strain or as tangents, whichever the table holds.
+/// E at small strain, or as tangents whichever part of the curve the table's E is of. Direct tension of
+/// layered rock was not mapped and is left out.
 std::vector<NearestPoint> nearest_points(const Evidence& evidence);
 
 /// The same in sentences, with UCS over tension of the table and of the maps where the table has both.

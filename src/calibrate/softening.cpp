@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "analysis/analyse.hpp"
@@ -72,13 +73,23 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
   return record.at({});
 }
 
+Softening softening_at(const Softenings& softenings, double theta) {
+  if (softenings.empty()) return {};
+  const auto above = softenings.lower_bound(theta);
+  if (above == softenings.end()) return std::prev(above)->second;
+  if (above == softenings.begin() || above->first == theta) return above->second;
+  const auto below = std::prev(above);
+  const double share = (theta - below->first) / (above->first - below->first);
+  return {std::lerp(below->second.factor, above->second.factor, share),
+          std::lerp(below->second.addition, above->second.addition, share)};
+}
+
 Evidence at_small_strain(const Evidence& evidence, const Softenings& softenings) {
   std::vector<Target> targets = evidence.targets;
   for (Target& t : targets) {
-    const auto s = softenings.find(t.theta);
-    if (s == softenings.end()) continue;
-    if (t.property == Property::E) t.mean /= s->second.factor, t.sd /= s->second.factor;
-    if (t.property == Property::nu) t.mean -= std::min(s->second.addition, most_nu * t.mean);
+    const Softening s = softening_at(softenings, t.theta);
+    if (t.property == Property::E) t.mean /= s.factor, t.sd /= s.factor;
+    if (t.property == Property::nu) t.mean -= std::min(s.addition, most_nu * t.mean);
   }
   return Evidence(evidence.rock, std::move(targets));
 }

@@ -18,6 +18,8 @@ struct Softening {
   double factor = 1.0, addition = 0.0;  ///< of E, to nu
 };
 using Softenings = std::map<double, Softening>;  ///< by the inclination [deg]
+/// Between the inclinations that have one linear, beyond them as at the last; none at all: 1 and 0.
+Softening softening_at(const Softenings& softenings, double theta);
 
 class SofteningRecord {
  public:

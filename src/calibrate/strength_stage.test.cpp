@@ -313,7 +313,7 @@ TEST(StrengthStage, BrazilianStrengthThatIsLowOnlyWhereBeddingOpensIsAccepted) {
 }
 
 TEST(StrengthStage, DiscsHaveTheDiameterOfTheirRow) {
-  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 22e6}}, false);
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 25e6}}, false);
   rock.readings.push_back(rock.readings.back());
   rock.readings.back().diameter = 0.02, rock.readings.back().value *= std::pow(1.9, 0.2);
   PaperPress press;
@@ -321,7 +321,8 @@ TEST(StrengthStage, DiscsHaveTheDiameterOfTheirRow) {
   ASSERT_EQ(c.verification.size(), 3U);
   EXPECT_EQ(c.verification[1].target.diameter, 0.0);
   EXPECT_EQ(c.verification[2].target.diameter, 0.02);
-  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.06);
+  for (const Comparison& row : c.verification)
+    EXPECT_NEAR(row.error(), 0.0, row.target.property == Property::ucs ? 0.06 : 0.10);
 }
 
 TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
@@ -339,8 +340,8 @@ TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   for (const ParameterEstimate& e : c.parameters) {
     if (e.symbol != "sigma_n,sj") continue;
     // the table alone: 2.9 % standard error, a factor of 1.12. Walkers that have not found to where the table
-    // is met leave a factor of 25.
-    EXPECT_LT(e.high / e.low, 1.4);
+    // is met leave a factor of 25. Of the moment contribution, which is sought too, this press knows nothing.
+    EXPECT_LT(e.high / e.low, 1.6);
     EXPECT_LT(e.low, truth_rock.bedding[0].sigma_n);
     EXPECT_GT(e.high, truth_rock.bedding[0].sigma_n);
   }
@@ -409,8 +410,8 @@ TEST(StrengthStage, UnseenPackingsWithoutAPeakAreCounted) {
 }
 
 TEST(StrengthStage, AnAssumedScatterExcusesNoSingleValue) {
-  // a ratio of 11 where the press reaches 7.5; 15 % are assumed of one disc
-  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 13.5e6}}, false);
+  // a ratio of 9.4 where the press reaches 7.5; 15 % are assumed of one disc
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}, {Property::brazilian, 0.0, 16e6}}, false);
   for (RockReading& r : rock.readings) r.sd = std::nan(""), r.n = 1;
   PaperPress press;
   const Calibration c = calibrate(Evidence(rock), {}, press);

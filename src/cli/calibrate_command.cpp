@@ -142,8 +142,9 @@ int run_calibration(const Arguments& args, const Session& session) {
   if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
   print_out("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
   if (interrupted) {
-    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --resume\n", sh_word(args.rock),
-                  sh_word(args.out));
+    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{} --resume\n",
+                  sh_word(args.rock), sh_word(args.out), args.max_tests, args.elastic ? " --elastic" : "",
+                  args.with_untrusted ? " --with-untrusted" : "");
     return 1;
   }
   write_report(args.out);

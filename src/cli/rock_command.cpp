@@ -6,6 +6,7 @@
 
 #include "base/quote.hpp"
 #include "calibrate/identifiability.hpp"
+#include "calibrate/model_choice.hpp"
 #include "calibrate/reach_check.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/keys.hpp"
@@ -47,13 +48,17 @@ int rock_new(const std::string& name) {
 }
 
 int rock_check(const std::string& path, int width) {
-  const calibrate::Evidence evidence(io::read_rock(path));
+  const Rock read = io::read_rock(path);
+  const calibrate::Evidence evidence(calibrate::with_layers(read, read.layers));
   const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   print_notes(rock.notes, width);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
             report::identifiability_table({expected.begin(), expected.end()}, width));
+  if (rock.bedded && rock.layers == LayerModel::choose)
+    print_wrapped(width, 2,
+                  "- parameters as of joints on planes; calibrate may choose directions of the bonds\n");
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;

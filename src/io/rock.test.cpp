@@ -328,11 +328,23 @@ TEST_F(RockFile, PlanesAreByCrossingUnlessTheRecipeSaysOtherwise) {
     EXPECT_EQ(assumed.model.bedding.at(0).rule, BeddingRule::crossing);
     EXPECT_EQ(assumed.layers, LayerModel::choose);
     EXPECT_THAT(assumed.notes, Contains(HasSubstr("the distance of the layers is not given: 5 mm is taken")));
-    const Rock given = rock(good, keys + "layers = \"directions\"\n[bedding]\nspacing = \"8 mm\"\n");
+    const Rock given = rock(good, keys + "layers = \"planes\"\n[bedding]\nspacing = \"8 mm\"\n");
     EXPECT_DOUBLE_EQ(given.model.bedding.at(0).spacing, 8e-3);
-    EXPECT_EQ(given.layers, LayerModel::directions);
+    EXPECT_EQ(given.layers, LayerModel::planes);
     EXPECT_THAT(given.notes, Each(testing::Not(HasSubstr("distance of the layers"))));
   }
+  EXPECT_THAT(rock(good, "layers = \"directions\"\n").notes,
+              Each(testing::Not(HasSubstr("distance of the layers"))));
+  EXPECT_THAT(
+      problems(good, "layers = \"directions\"\n[bedding]\nspacing = \"8 mm\"\n"),
+      testing::ElementsAre(AllOf(HasSubstr("r.toml:4: bedding.spacing"), HasSubstr("have no spacing"))));
+  EXPECT_THAT(problems(good, "[bedding]\nspacing = \"80 mm\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:3: bedding.spacing"), HasSubstr("38 mm"))));
+  EXPECT_THAT(
+      problems(good, "[bedding]\nspacing = \"0.1 mm\"\n"),
+      testing::ElementsAre(AllOf(HasSubstr("r.toml:3: bedding.spacing"), HasSubstr("largest grain"))));
+  EXPECT_THAT(problems(good, "bedded = false\nlayers = \"planes\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:3: layers"), HasSubstr("a rock with bedding"))));
   write("m.toml", size + "[[bedding]]\n");
   const Rock zone = rock(good, "recipe = \"m.toml\"\n");
   EXPECT_EQ(zone.model.bedding.at(0).rule, BeddingRule::zone);

@@ -165,6 +165,16 @@ class RockReader {
     BeddingRecipe& b = rock_.model.bedding[0];
     b.rule = BeddingRule::crossing;
     b.spacing = file_.number("bedding.spacing", b.spacing);
+    const SpecimenSize& size = rock_.model.specimen;
+    if (is_given("bedding.spacing") && b.spacing > std::min(size.width, size.height))
+      problems_.push_back({file_.place("bedding.spacing"), "bedding.spacing",
+                           fmt::format("{:g} mm", b.spacing * 1e3),
+                           fmt::format("at most the smaller side of the specimen, {:g} mm",
+                                       std::min(size.width, size.height) * 1e3),
+                           "a specimen without layers shows nothing of them"});
+    if (is_given("bedding.spacing") && rock_.layers == LayerModel::directions)
+      problems_.push_back({file_.place("bedding.spacing"), "bedding.spacing", "", "layers that are planes",
+                           "directions of the bonds have no spacing: leave it out"});
     return true;
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
@@ -206,6 +216,7 @@ class RockReader {
   std::string said_here(const std::string& path) const {
     if (path == "test.disc_diameter") return "brazilian.diameter";
     if (path == "test.loading_angle") return "brazilian.loading_angle";
+    if (path == "bedding[0].spacing" && is_given("bedding.spacing")) return "bedding.spacing";
     if (is_given("recipe")) return "recipe";
     const bool width = is_given("specimen.width"), height = is_given("specimen.height");
     return width && (path == "specimen.width" || !height) ? "specimen.width"
@@ -240,7 +251,7 @@ class RockReader {
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
       // The user wrote the key of the rock file: it is named in place of the recipe's.
-      if (key.starts_with("brazilian.") && is_given(key)) p.key = key;
+      if ((key.starts_with("brazilian.") || key == "bedding.spacing") && is_given(key)) p.key = key;
       if (key.starts_with("specimen."))
         p.remedy =
             "[specimen] magnifies the paper's specimen, grains and all: nearer to its shape, 1 : 2, or a "
@@ -284,10 +295,15 @@ class RockReader {
           {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     if (!rock_.bedded) {
       // Angles of a rock without bedding have no meaning: all rows become replicates.
-      rock_.model.bedding.clear(), rock_.model.test.angles.clear();
+      remove_layers(rock_.model), rock_.model.test.angles.clear();
+      for (const char* key : {"bedding.spacing", "layers"})
+        if (is_given(key))
+          problems_.push_back({file_.place(key), key, "", "a rock with bedding",
+                               "the table has no angles, or bedded = false: leave it out"});
       for (RockReading& r : rock_.readings) r.theta = 0.0;
       rock_.notes.emplace_back("a rock without bedding");
-    } else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_)) {
+    } else if (!is_given("bedding.spacing") && !(is_given("recipe") && has_layers_) &&
+               rock_.layers != LayerModel::directions) {
       rock_.notes.push_back(
           fmt::format("the distance of the layers is not given: {:g} mm is taken ([bedding] spacing says it)",
                       rock_.model.bedding[0].spacing * 1e3));

@@ -67,14 +67,16 @@ double interpolated(const std::vector<Comparison>& rows, const Target& t);
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
-  Recipe recipe;  ///< the calibrated model, ready to run
+  ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
+  LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
+  Recipe recipe;                                       ///< the calibrated model, ready to run
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit
   std::vector<Comparison> verification;  ///< on packings that the fit has not seen
   std::vector<Comparison> left_out;      ///< each value predicted without it
-  /// E (tangent) and nu that the press measures at 40 - 60 % of UCS on the unseen packings, beside the
-  /// table's: what bonds and joints have lost by then is missing from `fitted` and `verification`, which are
-  /// moduli at small strain. Where the table holds E or nu, and UCS.
+  /// Where E_is is that of small strain: E (tangent) and nu that the press measures at 40 - 60 % of UCS on
+  /// the unseen packings, beside the table's: what bonds and joints have lost by then is missing from
+  /// `fitted` and `verification`. Where the table holds E or nu, and UCS.
   std::vector<Comparison> tangent_from_test;
   Verdict verdict;
   std::vector<std::string> notes;

@@ -94,6 +94,14 @@ const char* to_string(Property property) {
   return names[static_cast<std::size_t>(property)];
 }
 
+void remove_layers(Recipe& model) {
+  const MatrixRecipe alike;
+  MatrixRecipe& m = model.matrix;
+  model.bedding.clear();
+  m.stiffness_ratio = alike.stiffness_ratio, m.tension_ratio = alike.tension_ratio;
+  m.cohesion_ratio = alike.cohesion_ratio, m.cohesion_oblique = alike.cohesion_oblique;
+}
+
 const char* to_string(ModulusReading reading) {
   switch (reading) {
     case ModulusReading::tangent_50: return "tangent 50 %";

@@ -25,7 +25,8 @@ bool is_strength(Property property);
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };
 
-/// What the laboratory calls E; nu is taken over the same part of the curve (docs/calibration.md, "Which E").
+/// What the laboratory calls E. nu is that of 40 - 60 % of the strength, or of small strain
+/// (docs/calibration.md, "Which E").
 enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, small_strain };
 const char* to_string(ModulusReading reading);
 
@@ -68,6 +69,9 @@ struct Rock {
   std::vector<RockReading> readings;  ///< in the order of the table
   std::vector<std::string> notes;     ///< how the files were understood, for the user to see
 };
+
+/// Intact rock: no bedding, no directions.
+void remove_layers(Recipe& model);
 
 /// One target per property, angle and diameter of disc, ordered in this way. Replicates are averaged,
 /// weighted by n. Scatter of single specimens: SDs of the table as given, together with the spread between

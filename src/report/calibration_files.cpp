@@ -145,6 +145,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["left_out"] = rows_json(c.left_out);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
     j["left_out"][i]["interpolated"] = interpolated(c.left_out, c.left_out[i].target);
+  j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
   j["runs"] = {{"strength_tests", c.n_strength_tests},

@@ -219,6 +219,8 @@ std::string macro_table(const Calibration& c, int terminal_width) {
                           column("error", [&](R r) { return error(row_of(c.verification, r.target)); })};
   std::vector<Columns> groups = {laboratory, fit, unseen};
   std::string legend = "rock, 95 %: where the rock's own value lies, by laboratory and model together\n";
+  if (c.E_is != ModulusReading::small_strain)
+    legend += fmt::format("E: {}, of the laboratory and of the press alike\n", to_string(c.E_is));
   if (!c.tangent_from_test.empty()) {
     groups.push_back(
         {column("at 50 % UCS", [&](R r) { return value(row_of(c.tangent_from_test, r.target)); })});

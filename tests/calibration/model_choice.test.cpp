@@ -35,6 +35,10 @@ Rock rock_of(const ReachTable& table, std::size_t row) {
     rock.readings.push_back(calibrate::reading(
         Property::ucs, theta, 50e6 * table.at(row, fmt::format("UCS/sigma_c({:g})", theta))));
   }
+  for (const double theta : calibrate::mapped_disc_angles) {
+    const double bts = 50e6 * table.at(row, fmt::format("BTS/sigma_c({:g})", theta));
+    if (std::isfinite(bts)) rock.readings.push_back(calibrate::reading(Property::brazilian, theta, bts));
+  }
   return rock;
 }
 
