@@ -86,6 +86,20 @@ TEST(Reach, ARockOfTheMapIsFoundThereAndNowhereElse) {
   }
 }
 
+TEST(Reach, APointThatLacksAnAnswerIsNotCompared) {
+  const ModelFamily& family = model_families().front();
+  const ReachTable& table = reach_of(family);
+  int whole = 0;
+  for (std::size_t row = 0; row < table.n_rows(); ++row) {
+    bool answers = table.is_sensible(row);
+    for (const double theta : mapped_disc_angles)
+      answers = answers && std::isfinite(table.at(row, fmt::format("BTS/sigma_c({:g})", theta)));
+    whole += answers ? 1 : 0;
+  }
+  const NearestPoint found = nearest_points(Evidence(rock_of(table, whole_row(table)))).front();
+  EXPECT_EQ(found.n_points, whole);
+}
+
 TEST(Reach, WithoutStrengthsATableHasNoPlace) {
   Rock rock;
   rock.readings = {reading(Property::E, 0.0, 20e9), reading(Property::E, 90.0, 40e9)};

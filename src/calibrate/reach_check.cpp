@@ -46,7 +46,11 @@ struct Spread {
   double sum = 0.0, squares = 0.0;
   int n = 0;
   void add(double difference) { sum += difference, squares += difference * difference, ++n; }
-  double about_mean() const { return n > 0 ? std::max(0.0, squares - sum * sum / n) : 0.0; }
+  /// Not below 0 by rounding; NaN where an answer was missing.
+  double about_mean() const {
+    const double value = n > 0 ? squares - sum * sum / n : 0.0;
+    return value < 0.0 ? 0.0 : value;
+  }
 };
 
 double error_of(const ReachTable& table, std::size_t row, const Evidence& evidence) {

@@ -27,14 +27,14 @@ class CalibrateCli : public ProgramTest {
     return write("rock.toml", "data = \"table.csv\"\nrecipe = \"start.toml\"\n");
   }
   std::string calibrate(const std::string& more) const {
-    return "calibrate " + rock() + " --threads 2 --max-tests 52 --out " + more;  // the least
+    return "calibrate " + rock() + " --threads 2 --max-tests 72 --out " + more;  // the least
   }
 };
 
 TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_THAT(run(calibrate(out())), testing::AnyOf(0, 1)) << output;  // 1: verdict "out of reach"
   for (const char* text : {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
-                           "verdict:", "RMSE UCS", "at angles left out", "52 tests of UCS"})
+                           "verdict:", "RMSE UCS", "at angles left out", "72 tests of UCS"})
     EXPECT_THAT(output, HasSubstr(text));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
@@ -43,8 +43,8 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
   for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder
-    ASSERT_EQ(run("calibrate " + rock() + " --max-tests 51 --out " + at("more")), 2);
-    EXPECT_THAT(output, HasSubstr("at least 52"));
+    ASSERT_EQ(run("calibrate " + rock() + " --max-tests 71 --out " + at("more")), 2);
+    EXPECT_THAT(output, HasSubstr("at least 72"));
   }
 }
 
