@@ -312,7 +312,9 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   if (!measured.empty()) work.strength.softenings = measured;
   result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
   result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
-  result.n_strength_tests += work.evidence.n_ucs() * n_softened;
+  const std::int64_t n = work.evidence.n_ucs() * n_softened;
+  result.n_strength_tests += n;
+  result.n_elastic += n + static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   return true;
 }
 
@@ -332,7 +334,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
                      work.options.say, remodel);
   result.recipe = fit.recipe;
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
-  result.n_tension_tests = fit.n_tension;
+  result.n_tension_tests = fit.n_tension, result.n_elastic += fit.n_solutions;
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
   result.left_out = fit.left_out;
   result.verdict.findings = fit.findings;

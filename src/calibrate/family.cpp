@@ -24,20 +24,28 @@ Lever lever_of(const char* name) {
           parameter};
 }
 
+/// A number of the matrix as it stands.
+template <double MatrixRecipe::*member>
+Lever of_matrix(const char* name, double low, double high, bool logarithmic,
+                const StrengthParameter* parameter, bool at_base) {
+  return {name,
+          low,
+          high,
+          logarithmic,
+          [](const Recipe& r) { return r.matrix.*member; },
+          [](Recipe& r, double v) { r.matrix.*member = v; },
+          parameter,
+          at_base};
+}
+
 const Lever contact_ratio = {"k_s/k_n",
                              0.15,
                              0.7,
                              true,
                              [](const Recipe& r) { return r.matrix.ks_over_kn; },
                              [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }};
-const Lever moment = {"moment contribution",
-                      0.0,
-                      1.0,
-                      false,
-                      [](const Recipe& r) { return r.matrix.moment_contribution; },
-                      [](Recipe& r, double v) { r.matrix.moment_contribution = v; },
-                      &matrix_moment,
-                      true};
+const Lever moment = of_matrix<&MatrixRecipe::moment_contribution>("moment contribution", 0.0, 1.0, false,
+                                                                   &matrix_moment, true);
 /// Of cohesion_friction bonds; a constant strength is friction angle 0.
 const Lever bond_friction = {
     "phi [deg]",
@@ -60,14 +68,8 @@ const Lever strength_scatter = {
     },
     nullptr,
     true};
-const Lever slits = {"unbonded fraction",
-                     0.0,
-                     0.3,
-                     false,
-                     [](const Recipe& r) { return r.matrix.unbonded_fraction; },
-                     [](Recipe& r, double v) { r.matrix.unbonded_fraction = v; },
-                     nullptr,
-                     true};
+const Lever slits =
+    of_matrix<&MatrixRecipe::unbonded_fraction>("unbonded fraction", 0.0, 0.3, false, nullptr, true);
 
 const Lever plane_spacing = {"spacing/diameter",
                              4.0,
@@ -92,12 +94,8 @@ const Lever joint_shear = {
     [](const Recipe& r) { return bedding(r).k_s * bedding(r).spacing / r.matrix.E_c; },
     [](Recipe& r, double v) { bedding(r).k_s = v * r.matrix.E_c / bedding(r).spacing; }};
 
-const Lever stiffness_along = {"stiffness ratio",
-                               1.0,
-                               4.0,
-                               true,
-                               [](const Recipe& r) { return r.matrix.stiffness_ratio; },
-                               [](Recipe& r, double v) { r.matrix.stiffness_ratio = v; }};
+const Lever stiffness_along =
+    of_matrix<&MatrixRecipe::stiffness_ratio>("stiffness ratio", 1.0, 4.0, true, nullptr, false);
 std::vector<Lever> operator+(std::vector<Lever> list, const std::vector<Lever>& more) {
   list.insert(list.end(), more.begin(), more.end());
   return list;

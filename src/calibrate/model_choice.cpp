@@ -11,7 +11,6 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr std::size_t least_strengths = 4;
 constexpr std::uint32_t sampler_seed = 20261122;
 
 const char* in_words(LayerModel layers) {

@@ -30,7 +30,10 @@ struct ModelChoice {
   std::string text() const;      ///< one sentence with all errors; "" where nothing was compared
 };
 
-/// Planes where the table holds too little (fewer than four strengths) to leave anything out.
+/// Fewest strengths of which one can be left out.
+constexpr std::size_t least_strengths = 4;
+
+/// Planes where the table holds fewer strengths than that.
 ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator& simulator,
                           const std::function<void(const std::string&)>& say);
 

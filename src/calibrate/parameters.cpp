@@ -17,6 +17,19 @@ bool has_joints(const Recipe& r) { return !r.bedding.empty(); }
 bool has_directions(const Recipe& r) { return r.bedding.empty() && r.matrix.directional(); }
 bool has_moment(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
 
+/// A pure number of the matrix that is sought as it stands.
+template <double MatrixRecipe::*member>
+constexpr CalibratedParameter of_matrix(const char* key, const char* symbol, Range range,
+                                        bool (*belongs)(const Recipe&)) {
+  return {.key = key,
+          .symbol = symbol,
+          .unit = "1",
+          .number = [](const Recipe& r) -> const double& { return r.matrix.*member; },
+          .range = range,
+          .set = [](Recipe& r, double v) { r.matrix.*member = v; },
+          .belongs = belongs};
+}
+
 // ---- elastic
 
 const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
@@ -73,18 +86,12 @@ const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                  {"E between 30 and 60 degrees", Property::E, 30.0, 60.0}};
 
 /// Acts on E(90)/E(0) as planes' normal stiffness does in Eq. 1.
-const ElasticParameter stiffness_ratio{
-    {.key = "matrix.stiffness_ratio",
-     .symbol = "r_E",
-     .unit = "1",
-     .number = [](const Recipe& r) -> const double& { return r.matrix.stiffness_ratio; },
-     .range = {0.5, 6.0, 1.5},
-     .set = [](Recipe& r, double v) { r.matrix.stiffness_ratio = v; },
-     .belongs = has_directions},
-    {"matrix.stiffness_ratio"},
-    &theory::JointedRock::K_n_delta,
-    nullptr,
-    {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
+const ElasticParameter stiffness_ratio{of_matrix<&MatrixRecipe::stiffness_ratio>(
+                                           "matrix.stiffness_ratio", "r_E", {0.5, 6.0, 1.5}, has_directions),
+                                       {"matrix.stiffness_ratio"},
+                                       &theory::JointedRock::K_n_delta,
+                                       nullptr,
+                                       {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
 
 // ---- strengths
 
@@ -186,13 +193,8 @@ const StrengthParameter matrix_mu{{.key = "matrix.mu",
 /// A bond that bends breaks at its rim; the less the moment counts, the more UCS exceeds tension
 /// (docs/theory/reach.md).
 const StrengthParameter matrix_moment{
-    {.key = "matrix.moment_contribution",
-     .symbol = "beta",
-     .unit = "1",
-     .number = [](const Recipe& r) -> const double& { return r.matrix.moment_contribution; },
-     .range = {0.05, 1.0, 0.3},
-     .set = [](Recipe& r, double v) { r.matrix.moment_contribution = v; },
-     .belongs = has_moment},
+    of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta", {0.05, 1.0, 0.3},
+                                                  has_moment),
     [](const Evidence& e) -> Rule {
       return {e.has(Property::ucs) && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
               "UCS against tension", "", true};
@@ -217,13 +219,8 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
 // ---- directions
 
 const StrengthParameter tension_ratio{
-    {.key = "matrix.tension_ratio",
-     .symbol = "r_t",
-     .unit = "1",
-     .number = [](const Recipe& r) -> const double& { return r.matrix.tension_ratio; },
-     .range = {1.0 / 3.0, 3.0, 1.2},
-     .set = [](Recipe& r, double v) { r.matrix.tension_ratio = v; },
-     .belongs = has_directions},
+    of_matrix<&MatrixRecipe::tension_ratio>("matrix.tension_ratio", "r_t", {1.0 / 3.0, 3.0, 1.2},
+                                            has_directions),
     [](const Evidence& e) -> Rule {
       return {pulled_across(e) && pulled_along(e), "tension along and across the foliation",
               "direct tension, or Brazilian, at 0 and 90 degrees"};
@@ -231,26 +228,15 @@ const StrengthParameter tension_ratio{
     true};
 
 const StrengthParameter cohesion_ratio{
-    {.key = "matrix.cohesion_ratio",
-     .symbol = "r_c",
-     .unit = "1",
-     .number = [](const Recipe& r) -> const double& { return r.matrix.cohesion_ratio; },
-     .range = {0.2, 5.0, 1.2},
-     .set = [](Recipe& r, double v) { r.matrix.cohesion_ratio = v; },
-     .belongs = has_directions},
+    of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {0.2, 5.0, 1.2}, has_directions),
     [](const Evidence& e) -> Rule {
       return {e.has(Property::ucs, 0.0, 15.0) && e.has(Property::ucs, 75.0, 90.0), "UCS at both ends",
               "UCS at 0 and 90 degrees"};
     }};
 
 const StrengthParameter cohesion_oblique{
-    {.key = "matrix.cohesion_oblique",
-     .symbol = "q_c",
-     .unit = "1",
-     .number = [](const Recipe& r) -> const double& { return r.matrix.cohesion_oblique; },
-     .range = {1.0, 3.0, 1.4},
-     .set = [](Recipe& r, double v) { r.matrix.cohesion_oblique = v; },
-     .belongs = has_directions},
+    of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
+                                               has_directions),
     [](const Evidence& e) -> Rule {
       return {e.has(Property::ucs, 30.0, 60.0), "UCS between 30 and 60 degrees", "UCS at 30 and 60 degrees"};
     }};

@@ -29,44 +29,42 @@ const ReachRegression& regression_of(const ModelFamily& family, const std::strin
   return *one;
 }
 
-/// The two mapped angles about theta, and the share of the second.
-struct Bracket {
-  double low, high, share;
-};
-Bracket bracket_of(std::span<const double> mapped, double theta) {
-  theta = std::clamp(theta > 90.0 ? 180.0 - theta : theta, 0.0, 90.0);  // mirror images
-  std::size_t i = 0;
-  while (i + 2 < mapped.size() && mapped[i + 1] < theta) ++i;
-  return {mapped[i], mapped[i + 1], (theta - mapped[i]) / (mapped[i + 1] - mapped[i])};
+/// Between the mapped angles.
+ReachRegression regression_at(const ModelFamily& family, Property property, double theta) {
+  const bool stands_in = property == Property::direct_tension && family.layered;
+  const Property mapped = stands_in ? Property::brazilian : property;
+  const std::string stem = strength_stem(mapped);
+  const Bracket b = bracket_of(mapped, stands_in ? 90.0 - theta : theta);
+  return {regression_of(family, column_at(family, stem, b.low)),
+          regression_of(family, column_at(family, stem, b.high)), b.share};
+}
+
+const ModelFamily& mapped_family(const Recipe& recipe) {
+  const ModelFamily* family = family_of(recipe);
+  PHY_CHECK(family != nullptr, "a family that was mapped");
+  return *family;
 }
 
 }  // namespace
 
 PriorRegression::PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe,
                                  Property property, double theta)
-    : ratios_(std::move(ratios)) {
-  const ModelFamily* family = family_of(recipe);
-  PHY_CHECK(family != nullptr, "a family that was mapped");
-  levers_ = family->levers;
-  for (std::size_t l = 0; l < levers_.size(); ++l) {
-    places_.push_back(levers_[l].place_of(levers_[l].get(recipe)));
+    : ratios_(std::move(ratios)),
+      family_(&mapped_family(recipe)),
+      regression_(regression_at(*family_, property, theta)) {
+  for (std::size_t l = 0; l < family_->levers.size(); ++l) {
+    const Lever& lever = family_->levers[l];
+    places_.push_back(lever.place_of(lever.get(recipe)));
     for (std::size_t r = 0; r < ratios_.size(); ++r)
-      if (levers_[l].parameter == ratios_[r]) links_.push_back({r, l});
+      if (lever.parameter == ratios_[r]) links_.push_back({r, l});
   }
-  if (property == Property::direct_tension && family->layered)
-    property = Property::brazilian, theta = 90.0 - theta;
-  const bool disc = property == Property::brazilian;
-  const Bracket b = bracket_of(disc ? std::span<const double>(mapped_disc_angles) : mapped_angles, theta);
-  share_ = family->layered ? b.share : 0.0;
-  for (const double angle : {b.low, b.high})
-    at_.push_back(&regression_of(*family, strength_column(*family, property, angle)));
 }
 
 double PriorRegression::at(std::span<const double> z) const {
   std::vector<double> places = places_;
   for (const auto& [ratio, lever] : links_)
-    places[lever] = levers_[lever].place_of(ratios_[ratio]->at_place(z[ratio]));
-  return (1.0 - share_) * at_[0]->at(places) + (share_ > 0.0 ? share_ * at_[1]->at(places) : 0.0);
+    places[lever] = family_->levers[lever].place_of(ratios_[ratio]->at_place(z[ratio]));
+  return regression_.at(places);
 }
 
 PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, Property property, double theta) {

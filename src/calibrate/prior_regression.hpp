@@ -33,11 +33,10 @@ class PriorRegression {
     std::size_t ratio, lever;
   };
   std::vector<const StrengthParameter*> ratios_;
-  std::vector<Lever> levers_;
+  const ModelFamily* family_;
   std::vector<Link> links_;
-  std::vector<double> places_;              // of the recipe
-  std::vector<const ReachRegression*> at_;  // at the mapped angles about theta
-  double share_ = 0.0;                      // of the second one
+  std::vector<double> places_;  // of the recipe
+  ReachRegression regression_;
 };
 
 /// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe.

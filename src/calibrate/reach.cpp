@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
@@ -86,8 +87,7 @@ int fold_of(const ReachTable& table, std::size_t row) {
 /// The inclinations of a column that a table has.
 std::vector<std::string> columns_named(const ReachTable& table, const char* stem) {
   std::vector<std::string> names;
-  if (!table.family().layered) return {stem};
-  for (const double theta : mapped_angles) names.push_back(fmt::format("{}({:g})", stem, theta));
+  for (const double theta : mapped_angles) names.push_back(column_at(table.family(), stem, theta));
   return names;
 }
 
@@ -142,9 +142,24 @@ const ReachTable& reach_of(const ModelFamily& family) {
   return tables.at(family.name);
 }
 
-std::string strength_column(const ModelFamily& family, Property property, double theta) {
-  const std::string stem = fmt::format("{}/sigma_c", to_string(property));
+std::string column_at(const ModelFamily& family, const std::string& stem, double theta) {
   return family.layered ? fmt::format("{}({:g})", stem, theta) : stem;
+}
+
+std::string strength_stem(Property property) { return fmt::format("{}/sigma_c", to_string(property)); }
+
+Bracket bracket_of(Property property, double theta) {
+  const std::span<const double> mapped =
+      property == Property::brazilian ? std::span<const double>(mapped_disc_angles) : mapped_angles;
+  if (theta > 90.0) theta = 180.0 - theta;  // mirror images
+  std::size_t i = 0;
+  while (i + 2 < mapped.size() && mapped[i + 1] < theta) ++i;
+  return {mapped[i], mapped[i + 1], (theta - mapped[i]) / (mapped[i + 1] - mapped[i])};
+}
+
+ReachRegression::ReachRegression(const ReachRegression& low, const ReachRegression& high, double share) {
+  for (std::size_t i = 0; i < low.coefficients_.size(); ++i)
+    coefficients_.push_back(std::lerp(low.coefficients_[i], high.coefficients_[i], share));
 }
 
 ReachRegression::ReachRegression(const ReachTable& table, const std::string& column, int fold) {

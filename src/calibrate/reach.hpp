@@ -40,14 +40,24 @@ class ReachTable {
 /// The table of a family.
 const ReachTable& reach_of(const ModelFamily& family);
 
-/// "UCS/sigma_c(30)", "BTS/sigma_c": the column of a strength at a mapped inclination.
-std::string strength_column(const ModelFamily& family, Property property, double theta);
+/// "nu50(30)", "nu50": a column at a mapped inclination, and the stem of that of a strength, "UCS/sigma_c".
+std::string column_at(const ModelFamily& family, const std::string& stem, double theta);
+std::string strength_stem(Property property);
+
+/// The two mapped inclinations about an angle [0, 180 deg] of a property, and the share of the
+/// second.
+struct Bracket {
+  double low, high, share;
+};
+Bracket bracket_of(Property property, double theta);
 
 /// log(strength/sigma_c) of a family over its levers.
 class ReachRegression {
  public:
   /// `column`: of the table. `fold`: one fifth of the points to leave out; negative: none.
   ReachRegression(const ReachTable& table, const std::string& column, int fold = -1);
+  /// Between two regressions of one family, linear.
+  ReachRegression(const ReachRegression& low, const ReachRegression& high, double share);
   /// At places of the levers; held at 1.2 half ranges.
   double at(const std::vector<double>& places) const;
   /// Root mean square of what regressions without a fifth of the points miss there.

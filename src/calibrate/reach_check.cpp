@@ -4,41 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "base/nan.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-std::span<const double> angles_of(Property property) {
-  return property == Property::brazilian ? std::span<const double>(mapped_disc_angles) : mapped_angles;
-}
-
-/// log of a cell between the mapped inclinations, linear. `stem`: "UCS/sigma_c".
-double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
-              std::span<const double> angles, double theta) {
-  if (!table.family().layered) return std::log(table.at(row, stem));
-  std::size_t i = 0;
-  while (i + 2 < angles.size() && angles[i + 1] < theta) ++i;
-  const double share = (theta - angles[i]) / (angles[i + 1] - angles[i]);
-  const auto at = [&](double angle) { return std::log(table.at(row, fmt::format("{}({:g})", stem, angle))); };
-  return (share < 1.0 ? (1.0 - share) * at(angles[i]) : 0.0) +
-         (share > 0.0 ? share * at(angles[i + 1]) : 0.0);
+/// log of a cell between the mapped inclinations of a property, linear. `stem`: "UCS/sigma_c".
+double log_at(const ReachTable& table, std::size_t row, const std::string& stem, Property property,
+              double theta) {
+  const Bracket b = bracket_of(property, theta);
+  const auto at = [&](double angle) {
+    return std::log(table.at(row, column_at(table.family(), stem, angle)));
+  };
+  return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
 
 /// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
   const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
-  switch (t.property) {
-    case Property::E:
-      return log_at(table, row, small_strain ? "E_small/E_c" : "E50/E_c", mapped_angles, t.theta);
-    case Property::ucs: return log_at(table, row, "UCS/sigma_c", mapped_angles, t.theta);
-    case Property::brazilian: return log_at(table, row, "BTS/sigma_c", mapped_disc_angles, t.theta);
-    case Property::direct_tension:
-      return table.family().layered ? nan : std::log(table.at(row, "DTS/sigma_c"));
-    default: return nan;
-  }
+  if (t.property == Property::nu || (t.property == Property::direct_tension && table.family().layered))
+    return nan;
+  const char* modulus = small_strain ? "E_small/E_c" : "E50/E_c";
+  return log_at(table, row, t.property == Property::E ? modulus : strength_stem(t.property), t.property,
+                t.theta);
 }
 
 /// Sum of squares of differences of logarithms about their mean: one scale is free.
@@ -79,8 +68,8 @@ std::string ratio_line(const Evidence& evidence, const ModelFamily& family, cons
 }
 
 bool is_mapped(double theta, Property property) {
-  const std::span<const double> angles = angles_of(property);
-  return std::find(angles.begin(), angles.end(), theta) != angles.end();
+  const Bracket b = bracket_of(property, theta);
+  return b.share == 0.0 || b.share == 1.0;
 }
 
 void add_ratios(const Evidence& evidence, const std::vector<NearestPoint>& families,
@@ -127,11 +116,13 @@ std::vector<std::string> place_in_maps(const Evidence& evidence) {
   const std::vector<NearestPoint> families = nearest_points(evidence);
   for (const NearestPoint& p : families)
     if (std::isfinite(p.error))
-      text += fmt::format("{}{:.0f} % by {} ({} points)", text.empty() ? "" : ", ", 100.0 * p.error,
+      text += fmt::format("{}{:.0f} % by {} ({} specimens)", text.empty() ? "" : ", ", 100.0 * p.error,
                           p.family->label, p.n_points);
   if (!text.empty())
-    lines.push_back("in the maps of what models reach, the nearest sensible point misses this table by " +
-                    text + " (root mean square over E, UCS and BTS, scales free; a search comes nearer)");
+    lines.push_back("in the maps of what models reach, the nearest sensible specimen misses this table by " +
+                    text +
+                    " (root mean square over what E and strengths of it were mapped, scales free; a search "
+                    "comes nearer)");
   add_ratios(evidence, families, lines);
   return lines;
 }

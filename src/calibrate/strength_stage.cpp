@@ -56,7 +56,8 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
 /// inclination: they differ in strengths alone.
 void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior,
                      const std::vector<Point>& points, const std::vector<Recipe>& recipes,
-                     const std::vector<TestResult>& results, Simulator& simulator) {
+                     const std::vector<TestResult>& results, Simulator& simulator,
+                     std::int64_t& n_solutions) {
   std::map<std::pair<std::int64_t, double>, std::size_t> solved;
   std::vector<Recipe> specimens;
   const auto name_of = [&](std::size_t k) {
@@ -68,6 +69,7 @@ void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior
   for (std::size_t k = 0; k < recipes.size(); ++k)
     if (is_ucs(k) && solved.emplace(name_of(k), specimens.size()).second) specimens.push_back(recipes[k]);
   const std::vector<ElasticResult> solutions = simulator.elastic(specimens, false);
+  n_solutions += static_cast<std::int64_t>(specimens.size());
   for (std::size_t k = 0; k < recipes.size(); ++k) {
     if (!is_ucs(k)) continue;
     const std::span<const double> z = StrengthPosterior::ratios(points[k / posterior.n_targets()]);
@@ -83,7 +85,8 @@ bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const s
   const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
-  if (softening != nullptr) learn_softening(*softening, posterior, points, recipes, results, simulator);
+  if (softening != nullptr)
+    learn_softening(*softening, posterior, points, recipes, results, simulator, fit.n_solutions);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const std::span<const double> z = StrengthPosterior::ratios(points[p]);

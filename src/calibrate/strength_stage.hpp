@@ -34,6 +34,7 @@ struct StrengthFit {
   std::vector<Comparison> fitted;    ///< what the surrogate predicts at the estimate
   std::vector<Comparison> left_out;  ///< each target predicted without it; empty below four targets
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
+  std::int64_t n_solutions = 0;  ///< of the direct solution, for what softens
   bool interrupted = false;
   bool short_search = false;          ///< the budget did not allow all points
   std::vector<std::string> findings;  ///< what speaks against the fit

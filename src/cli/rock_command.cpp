@@ -56,7 +56,8 @@ int rock_check(const std::string& path, int width) {
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   print_out("\n{}\n{}", report::target_table(evidence.targets, width),
             report::identifiability_table({expected.begin(), expected.end()}, width));
-  if (rock.bedded && rock.layers == LayerModel::choose)
+  if (rock.bedded && rock.layers == LayerModel::choose &&
+      evidence.strengths.size() >= calibrate::least_strengths)
     print_wrapped(width, 2,
                   "- parameters as of joints on planes; calibrate may choose directions of the bonds\n");
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);

@@ -42,12 +42,16 @@ const Fields& rock_fields() {
     reading.otherwise = "\"plane stress\"";
     Field E_is = entry(K::choice, "E_is",
                        "what the table's E is; without UCS it is compared at small strain whatever it is");
-    E_is.choices = {"tangent 50 %", "average", "secant 50 %", "secant at peak", "small strain"};
+    for (const ModulusReading r :
+         {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
+          ModulusReading::secant_at_peak, ModulusReading::small_strain})
+      E_is.choices.emplace_back(to_string(r));
     E_is.otherwise = "\"tangent 50 %\"";
     Field layers = entry(K::choice, "layers",
                          "what makes the model's layers: joints on planes, directions of the bonds, or what "
                          "predicts better; with a recipe what that has");
-    layers.choices = {"choose", "planes", "directions"};
+    for (const LayerModel l : {LayerModel::choose, LayerModel::planes, LayerModel::directions})
+      layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "of a table with several confining pressures, the one to use");
