@@ -54,7 +54,7 @@ bench: build
 # The paper's studies into results/paper (resumed if they are there) and docs/paper.md from their stores. A study that holds
 # a test without a peak ends with 1, which is a finding.
 paper: build
-	@for s in study no-jump small small-jump crossing choices area; do f=study-$$s; [ $$s = study ] && f=study; \
+	@for s in study no-jump small small-jump small-crossing crossing choices area; do f=study-$$s; [ $$s = study ] && f=study; \
 	  $(BUILD)/phyllite study examples/paper/$$f.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done
 	@for s in elastic elastic-crossing elastic-area elastic-area-crossing; do \
 	  $(BUILD)/phyllite study examples/paper/$$s.toml --out results/paper/$$s || [ $$? = 1 ] || exit 1; done

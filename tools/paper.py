@@ -3,7 +3,7 @@
 
     python3 tools/paper.py RESULTS docs
 
-RESULTS holds the folders study, no-jump, small, small-jump, crossing, choices, area and, by the direct solution, elastic,
+RESULTS holds the folders study, no-jump, small, small-jump, small-crossing, crossing, choices, area and, by the direct solution, elastic,
 elastic-crossing, elastic-area, elastic-area-crossing (`phyllite study`). Every number of the page is read from them; nothing is fitted here but straight lines.
 """
 import csv
@@ -203,8 +203,8 @@ def jump_section(pairs):
 
 
 def page(results, docs):
-    study, calm, small, jumped, crossing, choices, area = (
-        Results(results / n) for n in ("study", "no-jump", "small", "small-jump", "crossing", "choices", "area"))
+    study, calm, small, jumped, small_crossing, crossing, choices, area = (
+        Results(results / n) for n in ("study", "no-jump", "small", "small-jump", "small-crossing", "crossing", "choices", "area"))
     direct = {(recipe, rule): Results(results / folder) for recipe, rule, folder in (
         ("dense packing", "zone", "elastic"), ("dense packing", "crossing", "elastic-crossing"),
         ("area packing", "zone", "elastic-area"), ("area packing", "crossing", "elastic-area-crossing"))}
@@ -216,7 +216,7 @@ def page(results, docs):
         study.interval("R2_eq1", "all angles, reference E(90)", 1, 4))]
     out += ["\n## Eq. 2: K_n(k_n) and K_s(k_s)\n", EQ2_TEXT, eq2_table(study, crossing, direct)]
     out += ["\n## Fig. 4: which parameter moves K_n and K_s\n", "![Macro stiffnesses over six parameters](pictures/stiffness.png)\n\n", fig4_table(study, small),
-            broken_text(results, study)]
+            fig4_by_rule(small, small_crossing), broken_text(results, study)]
     out += ["\n## Fig. 5: curve types and their switch at K_n = 2 K_s\n", "![E over the inclination for five k_n and five k_s](pictures/modulus.png)\n\n", FIG5_TEXT,
             table(["setting", "K_n [GPa/m]", "K_s [GPa/m]", "K_n/K_s", "Eq. 1 says", "tested", "same type"],
                   switch_rows(study) + switch_rows(crossing, "crossing")), fig5_verdict(study, crossing)]
@@ -322,19 +322,32 @@ def eq2_table(study, crossing, direct):
     return table(["source", "line", "E of the fit", "slope", "intercept [GPa/m]", "R2"], rows)
 
 
-def fig4_table(study, small):
+def fig4_rows(parts, parameters):
+    """Rows of K_n and K_s by parameter; `parts`: (results, reference) from left to right."""
     rows = []
-    for key, name in PARAMETERS:
+    for key, name in parameters:
         row = [name]
-        for results, reference in ((study, "reference intact"), (small, "reference intact (E_small)")):
+        for results, reference in parts:
             for K in ("K_n", "K_s"):
                 value = spread(results, K, key, f"all angles, {reference}") if any(
                     math.isfinite(results.K(K, p, reference)) for _, p in results.curve(key)) else math.nan
                 row.append(f"{value:.1f}" if math.isfinite(value) else "-")
         rows.append(row)
+    return rows
+
+
+def fig4_table(study, small):
+    rows = fig4_rows(((study, "reference intact"), (small, "reference intact (E_small)")), PARAMETERS)
     return ("Largest over smallest value along each parameter, minus 1 [%]. E at 50 % of UCS as in the laboratory, and E at small "
             "strain, before anything breaks (a quarter of the specimen, without affine pre-strain):\n\n" +
             table(["parameter", "K_n, E at 50 %", "K_s, E at 50 %", "K_n, small strain", "K_s, small strain"], rows))
+
+
+def fig4_by_rule(small, small_crossing):
+    parts = [(results, reference) for results in (small, small_crossing) for reference in ("reference intact", "reference intact (E_small)")]
+    head = [f"{K}, {rule}, {E}" for rule in ("zone", "crossing") for E in ("E at 50 %", "small strain") for K in ("K_n", "K_s")]
+    return ("\nThe same by both rules of bedding, a quarter of the specimen, one packing, without affine pre-strain [%]:\n\n" +
+            table(["parameter", *head], fig4_rows(parts, PARAMETERS[:-1])) + "\n" + BY_RULE)
 
 
 def broken_text(results, study):

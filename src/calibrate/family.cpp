@@ -113,10 +113,11 @@ std::vector<Lever> planes() {
           joint_normal,
           joint_shear};
 }
-std::vector<Lever> directions() {
-  return {stiffness_along, lever_of<&tension_ratio>("tension ratio"),
-          lever_of<&cohesion_ratio>("cohesion ratio"), lever_of<&cohesion_oblique>("cohesion oblique")};
+std::vector<Lever> directed_strength() {
+  return {lever_of<&tension_ratio>("tension ratio"), lever_of<&cohesion_ratio>("cohesion ratio"),
+          lever_of<&cohesion_oblique>("cohesion oblique")};
 }
+std::vector<Lever> directions() { return std::vector<Lever>{stiffness_along} + directed_strength(); }
 
 /// 16 x 32 mm of 1,321 discs: porosity 0.08, the density of the paper's packing.
 Recipe sound_rock(MatrixModel model) {
@@ -151,7 +152,8 @@ double Lever::at_place(double place) const {
 
 bool ModelFamily::has(const Recipe& r) const {
   if (r.matrix.model != base.matrix.model || r.bedding.empty() != base.bedding.empty()) return false;
-  const bool turns = layered && base.bedding.empty();
+  const bool turns =
+      std::any_of(levers.begin(), levers.end(), [](const Lever& l) { return l.parameter == &tension_ratio; });
   return r.matrix.directional() == turns && (r.bedding.empty() || bedding(r).rule == bedding(base).rule);
 }
 
@@ -167,9 +169,17 @@ const std::vector<ModelFamily>& model_families() {
       {"parallel-bond-zone", "parallel bonds, planes by zone",
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::zone),
        matrix_strength() + parallel_bond() + planes(), 208, 320, true},
+      {"parallel-bond-directions-crossing", "parallel bonds with directions of strength, planes by crossing",
+       bedded_rock(MatrixModel::parallel_bond, BeddingRule::crossing),
+       matrix_strength() + parallel_bond() + planes() + directed_strength(), 640, 0, true},
+      {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 32,
+       0, false},
       {"flat-joint-crossing", "flat joints, planes by crossing",
        bedded_rock(MatrixModel::flat_joint, BeddingRule::crossing),
-       matrix_strength() + flat_joint() + planes(), 208, 0, true}};
+       matrix_strength() + flat_joint() + planes(), 208, 0, true},
+      {"flat-joint-zone", "flat joints, planes by zone",
+       bedded_rock(MatrixModel::flat_joint, BeddingRule::zone), matrix_strength() + flat_joint() + planes(),
+       208, 0, true}};
   return all;
 }
 

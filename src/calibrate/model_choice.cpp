@@ -14,7 +14,9 @@ namespace {
 constexpr std::uint32_t sampler_seed = 20261122;
 
 const char* in_words(LayerModel layers) {
-  return layers == LayerModel::directions ? "directions of the bonds" : "joints on planes";
+  return layers == LayerModel::directions              ? "directions of the bonds"
+         : layers == LayerModel::planes_and_directions ? "joints on planes, directions of the bonds' strength"
+                                                       : "joints on planes";
 }
 
 /// Sum of squared relative errors, and how many.
@@ -58,9 +60,13 @@ Rival tried(const Evidence& evidence, LayerModel layers, std::int64_t seed, Simu
 
 Rock with_layers(Rock rock, LayerModel layers) {
   rock.layers = layers;
-  if (layers != LayerModel::directions || rock.model.bedding.empty()) return rock;
   MatrixRecipe& m = rock.model.matrix;
-  rock.model.bedding.clear();
+  const bool directed = layers == LayerModel::directions || layers == LayerModel::planes_and_directions;
+  if (!directed || rock.model.bedding.empty() || m.directional()) return rock;
+  if (layers == LayerModel::directions)
+    rock.model.bedding.clear();
+  else
+    m.foliation = rock.model.bedding.front().theta;
   if (m.moment_contribution == MatrixRecipe().moment_contribution) m.moment_contribution = 0.1;
   for (const StrengthParameter* p : {&cohesion_ratio, &cohesion_oblique}) p->set(rock.model, p->range.usual);
   return rock;
@@ -80,7 +86,8 @@ ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator
   ModelChoice choice;
   if (evidence.strengths.size() < least_strengths) return choice;
   say("which model of the layers predicts what it has not seen");
-  for (const LayerModel layers : {LayerModel::planes, LayerModel::directions})
+  for (const LayerModel layers :
+       {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions})
     choice.rivals.push_back(tried(evidence, layers, seed, simulator)),
         choice.n_solutions += choice.rivals.back().n_solutions;
   choice.layers =

@@ -14,7 +14,9 @@ namespace {
 const BeddingRecipe& joint(const Recipe& r) { return r.bedding.front(); }
 
 bool has_joints(const Recipe& r) { return !r.bedding.empty(); }
-bool has_directions(const Recipe& r) { return r.bedding.empty() && r.matrix.directional(); }
+bool has_directions(const Recipe& r) { return r.matrix.directional(); }
+/// Between joints on planes the stiffness of bonds has none: E(theta) would not tell the two apart.
+bool has_directions_alone(const Recipe& r) { return has_directions(r) && !has_joints(r); }
 bool has_moment(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
 
 /// A pure number of the matrix that is sought as it stands.
@@ -86,12 +88,13 @@ const ElasticParameter joint_k_s{{.key = "bedding[0].k_s",
                                  {"E between 30 and 60 degrees", Property::E, 30.0, 60.0}};
 
 /// Acts on E(90)/E(0) as planes' normal stiffness does in Eq. 1.
-const ElasticParameter stiffness_ratio{of_matrix<&MatrixRecipe::stiffness_ratio>(
-                                           "matrix.stiffness_ratio", "r_E", {0.5, 6.0, 1.5}, has_directions),
-                                       {"matrix.stiffness_ratio"},
-                                       &theory::JointedRock::K_n_delta,
-                                       nullptr,
-                                       {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
+const ElasticParameter stiffness_ratio{
+    of_matrix<&MatrixRecipe::stiffness_ratio>("matrix.stiffness_ratio", "r_E", {0.5, 6.0, 1.5},
+                                              has_directions_alone),
+    {"matrix.stiffness_ratio"},
+    &theory::JointedRock::K_n_delta,
+    nullptr,
+    {"E at 0 and 90 degrees", Property::E, 0.0, 15.0}};
 
 // ---- strengths
 
@@ -238,7 +241,8 @@ const StrengthParameter cohesion_oblique{
     of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
                                                has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 30.0, 60.0), "UCS between 30 and 60 degrees", "UCS at 30 and 60 degrees"};
+      return {e.has(Property::ucs, 30.0, 60.0), "UCS between 30 and 60 degrees", "UCS at 30 and 60 degrees",
+              has_joints(e.rock.model)};
     }};
 
 // ---- joints
@@ -260,7 +264,8 @@ const StrengthParameter joint_cohesion{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 30.0, 75.0), "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees"};
+      return {e.has(Property::ucs, 30.0, 75.0), "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees",
+              has_directions(e.rock.model)};
     }};
 
 const StrengthParameter joint_sigma_n{

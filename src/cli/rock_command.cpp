@@ -58,8 +58,9 @@ int rock_check(const std::string& path, int width) {
             report::identifiability_table({expected.begin(), expected.end()}, width));
   if (rock.bedded && rock.layers == LayerModel::choose &&
       evidence.strengths.size() >= calibrate::least_strengths)
-    print_wrapped(width, 2,
-                  "- parameters as of joints on planes; calibrate may choose directions of the bonds\n");
+    print_wrapped(
+        width, 2,
+        "- parameters as of joints on planes; calibrate may choose directions of the bonds, or both\n");
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
   return 0;

@@ -48,9 +48,10 @@ const Fields& rock_fields() {
       E_is.choices.emplace_back(to_string(r));
     E_is.otherwise = "\"tangent 50 %\"";
     Field layers = entry(K::choice, "layers",
-                         "what makes the model's layers: joints on planes, directions of the bonds, or what "
-                         "predicts better; with a recipe what that has");
-    for (const LayerModel l : {LayerModel::choose, LayerModel::planes, LayerModel::directions})
+                         "what makes the model's layers: joints on planes, directions of the bonds, both, or "
+                         "what predicts best; with a recipe what that has");
+    for (const LayerModel l :
+         {LayerModel::choose, LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions})
       layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
@@ -158,7 +159,9 @@ class RockReader {
   bool read_layers() {
     if (!file_.is_known("bedding.spacing") || !file_.is_known("layers")) return false;
     if (is_given("recipe") && has_layers_) {
-      rock_.layers = rock_.model.bedding.empty() ? LayerModel::directions : LayerModel::planes;
+      rock_.layers = rock_.model.bedding.empty()        ? LayerModel::directions
+                     : rock_.model.matrix.directional() ? LayerModel::planes_and_directions
+                                                        : LayerModel::planes;
       for (const char* key : {"bedding.spacing", "layers"})
         if (is_given(key))
           problems_.push_back(
@@ -391,7 +394,9 @@ std::string rock_template(const std::string& name) {
          "--template`); "
          "without\n"
          "#                               # it: the paper's specimen, magnified to the size below\n"
-         "# layers = \"choose\"             # or \"planes\" (smooth joints), \"directions\" (of the bonds)\n"
+         "# layers = \"choose\"             # or \"planes\" (smooth joints), \"directions\" (of the bonds), "
+         "\"planes and "
+         "directions\"\n"
          "\n"
          "[bedding]\n"
          "spacing = \"5 mm\"               # of bedding or foliation, as seen on the specimens\n"

@@ -118,6 +118,7 @@ const char* to_string(LayerModel model) {
     case LayerModel::choose: return "choose";
     case LayerModel::planes: return "planes";
     case LayerModel::directions: return "directions";
+    case LayerModel::planes_and_directions: return "planes and directions";
   }
   return "";
 }

@@ -30,9 +30,10 @@ enum class ElasticReading { plane_stress, plane_strain };
 enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, small_strain };
 const char* to_string(ModulusReading reading);
 
-/// What makes the model's layers: smooth joints on planes, directions of the bonds, or whichever predicts
-/// values of the table better that it was not shown.
-enum class LayerModel { choose, planes, directions };
+/// What makes the model's layers: smooth joints on planes, directions of the bonds (of stiffness and
+/// strength), joints on planes between bonds whose strength has directions, or whichever predicts values of
+/// the table best that it was not shown.
+enum class LayerModel { choose, planes, directions, planes_and_directions };
 const char* to_string(LayerModel model);
 
 /// One cell of the table.
