@@ -4,7 +4,8 @@
 //
 // Layered families: every point of the Sobol sequence on one packing, five packings in turn, UCS at seven
 // inclinations, Brazilian strength at three. Isotropic ones: every point on five packings of two densities,
-// UCS, direct tension, Brazilian strength and two confined strengths. Finished tests stay in STORE.
+// UCS, direct tension, Brazilian strength and two confined strengths; and their base recipe in grains of five
+// sizes, UCS and tension. Finished tests stay in STORE.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -181,9 +182,8 @@ struct Begun {
   bool confined;
 };
 
-std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& simulator) {
+std::vector<Begun> begin_map(const ModelFamily& family) {
   std::vector<Begun> begun;
-  std::vector<Recipe> specimens;  // of all targets of all rows, to be solved together
   for (const Place& place : places_of(family)) {
     Recipe r = family.base;
     for (std::size_t i = 0; i < family.levers.size(); ++i) family.levers[i].set(r, place.levers[i]);
@@ -191,10 +191,31 @@ std::vector<MapRow> rows_of(const ModelFamily& family, calibrate::Simulator& sim
       const std::int64_t packing = first_packing + (family.layered ? place.number : k) % n_packings;
       if (k >= n_packings) r.packing.n_grains = loose_grains;
       begun.push_back({{place.number, packing, r.packing.n_grains, place.levers, {}}, r, !place.at_base});
-      for (const Target& t : expected(r, family.layered))
-        specimens.push_back(calibrate::single_at(r, t.theta, packing));
     }
   }
+  return begun;
+}
+
+/// The base recipe of a family in grains of other sizes, the same specimen and porosity.
+std::vector<Begun> begin_sizes(const ModelFamily& family) {
+  std::vector<Begun> begun;
+  for (const std::int64_t n : {330, 660, 1321, 2642, 5284}) {
+    Recipe r = family.base;
+    const double size = std::sqrt(static_cast<double>(r.packing.n_grains) / static_cast<double>(n));
+    r.packing.n_grains = n, r.packing.radius_min *= size, r.packing.radius_max *= size;
+    for (std::int64_t k = 0; k < n_packings; ++k)
+      begun.push_back({{0, first_packing + k, n, {}, {}}, r, false});
+  }
+  return begun;
+}
+
+/// All solutions of all rows together.
+std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
+                            calibrate::Simulator& simulator) {
+  std::vector<Recipe> specimens;
+  for (const Begun& b : begun)
+    for (const Target& t : expected(b.recipe, family.layered))
+      specimens.push_back(calibrate::single_at(b.recipe, t.theta, b.row.packing));
   const std::vector<ElasticResult> solved = simulator.elastic(specimens, true);
   std::vector<MapRow> rows;
   auto next = solved.begin();
@@ -232,10 +253,11 @@ std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
   return text;
 }
 
-void make_map(const ModelFamily& family, const std::string& folder, calibrate::Simulator& simulator) {
+void make_table(const ModelFamily& family, const std::vector<Begun>& begun, const std::string& folder,
+                calibrate::Simulator& simulator) {
   std::printf("%s: preparing\n", family.name);
   std::fflush(stdout);
-  const std::vector<MapRow> rows = rows_of(family, simulator);
+  const std::vector<MapRow> rows = rows_of(family, begun, simulator);
   std::vector<Recipe> recipes;
   for (const MapRow& row : rows)
     for (const MapTest& t : row.tests) recipes.push_back(t.recipe);
@@ -243,6 +265,16 @@ void make_map(const ModelFamily& family, const std::string& folder, calibrate::S
   std::fflush(stdout);
   const std::vector<TestResult> results = simulator.test(recipes);
   io::write_file(fmt::format("{}/{}.csv", folder, family.name), table_of(family, rows, results));
+}
+
+/// The map of a family and, without layers, its base in grains of other sizes.
+void make_tables(const ModelFamily& family, const std::string& folder, calibrate::Simulator& simulator) {
+  make_table(family, begin_map(family), folder, simulator);
+  if (family.layered) return;
+  const std::string name = fmt::format("{}-sizes", family.name);
+  ModelFamily sized = family;
+  sized.name = name.c_str(), sized.levers.clear();
+  make_table(sized, begin_sizes(family), folder, simulator);
 }
 
 }  // namespace
@@ -255,5 +287,5 @@ int main(int argc, char** argv) {
       {static_cast<int>(std::thread::hardware_concurrency()), argv[2], nullptr, nullptr});
   for (const phy::calibrate::ModelFamily& f : phy::calibrate::model_families())
     if (names.empty() || std::find(names.begin(), names.end(), f.name) != names.end())
-      phy::make_map(f, argv[1], *simulator);
+      phy::make_tables(f, argv[1], *simulator);
 }

@@ -12,9 +12,11 @@ import sys
 BEGIN, END = "<!-- tables of tools/maps.py -->", "<!-- end of tables -->"
 ANGLES = (0, 15, 30, 45, 60, 75, 90)
 DENSE = 1321
-ISOTROPIC = {"parallel-bond": "parallel bonds"}
+ISOTROPIC = {"parallel-bond": "parallel bonds", "flat-joint": "flat joints"}
 LAYERED = {"parallel-bond-crossing": "parallel bonds, crossing", "parallel-bond-zone": "parallel bonds, zone",
-           "parallel-bond-directions": "parallel bonds with directions", "flat-joint-crossing": "flat joints, crossing"}
+           "parallel-bond-directions": "parallel bonds with directions",
+           "parallel-bond-directions-crossing": "parallel bonds with directions of strength, crossing",
+           "flat-joint-crossing": "flat joints, crossing", "flat-joint-zone": "flat joints, zone"}
 
 
 def rows_of(file):
@@ -91,6 +93,20 @@ def ratio_by_lever(rows, lever, edges, label):
     return lines
 
 
+def size_lines(label, rows):
+    """Means over packings and the standard error of each, over sigma_c, by number of grains."""
+    lines = []
+    for n in sorted({r["n_grains"] for r in rows}):
+        some = [r for r in rows if r["n_grains"] == n]
+        cells = [label, f"{n:.0f}", f"{16 / 0.665 * math.sqrt(n / DENSE):.0f}"]
+        for column in ("UCS/sigma_c", "DTS/sigma_c", "BTS/sigma_c"):
+            values = [r[column] for r in some if math.isfinite(r[column])]
+            cells.append(f"{statistics.mean(values):.3f} +- {statistics.stdev(values) / math.sqrt(len(values)):.3f}" if len(values) > 1 else "-")
+        central = [r["central"] for r in some if math.isfinite(r["central"])]
+        lines.append([*cells, f"{statistics.mean(central):.1f}" if central else "-"])
+    return lines
+
+
 def density_line(label, rows):
     points = mean_over_packings(rows)
     dense = {r["point"]: r["UCS/sigma_c"] for r in points if r["n_grains"] == DENSE}
@@ -126,11 +142,12 @@ def table(head, lines):
 
 def page_tables(data):
     text = "### Isotropic rock\nSensible points; 5 % / median / 95 % of means over five packings.\n\n"
-    lines, by_lever, densities = [], [], []
+    lines, by_lever, densities, sizes = [], [], [], []
     for name, label in ISOTROPIC.items():
         rows = rows_of(data / f"{name}.csv")
         lines += isotropic_lines(name, label, rows)
         densities.append(density_line(label, rows))
+        sizes += size_lines(label, rows_of(data / f"{name}-sizes.csv"))
         by_lever += ratio_by_lever(rows, "tau_c/sigma_c", (0.8, 1.5, 2.5, 5.0), label)
         if name == "parallel-bond":
             by_lever += ratio_by_lever(rows, "moment contribution", (0.0, 0.15, 0.4, 1.0), label)
@@ -140,6 +157,8 @@ def page_tables(data):
     text += "\nUCS over tension of sensible points of the dense packing, by one lever at a time:\n\n"
     text += table(["", "points", "UCS/DTS", "UCS/BTS"], by_lever)
     text += "\nUCS of the dense packing over that of the loose one, the same micro-parameters: " + "; ".join(densities) + ".\n"
+    text += "\nThe base recipe (tau_c = sigma_c = 50 MPa with 10 %, moment contribution 1) in grains of other sizes, the same specimen: means of five packings and their standard errors.\n\n"
+    text += table(["", "discs", "grains across", "UCS/sigma_c", "DTS/sigma_c", "BTS/sigma_c", "first crack in the central third"], sizes)
     text += "\n### Layered rock\nExtent over sensible points (how many), every point on one of five packings.\n\n"
     lines = []
     for name, label in LAYERED.items():

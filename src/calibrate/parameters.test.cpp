@@ -28,6 +28,12 @@ Recipe foliated() {
   r.matrix.shear_strength = ShearStrength::cohesion_friction, r.matrix.phi = 10.0;
   return r;
 }
+/// Planes between bonds whose strength has directions.
+Recipe foliated_planes() {
+  Recipe r = bedded();
+  r.matrix = foliated().matrix, r.matrix.stiffness_ratio = 1.0;
+  return r;
+}
 
 std::vector<const CalibratedParameter*> all(const Recipe& model = bedded()) {
   std::vector<const CalibratedParameter*> list;
@@ -45,7 +51,7 @@ const Field* field_of(std::string key) {
 }
 
 TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
-  for (const Recipe& r : {bedded(), foliated()}) {
+  for (const Recipe& r : {bedded(), foliated(), foliated_planes()}) {
     std::set<std::string> keys;
     for (const CalibratedParameter* p : all(r)) {
       EXPECT_TRUE(keys.insert(p->key).second) << p->key;
@@ -65,7 +71,7 @@ TEST(CalibratedParameters, AreTheNumbersOfTheRecipeUnderTheirKeys) {
 }
 
 TEST(CalibratedParameters, ReadWhatTheySetAndMoveNothingElseThatIsSought) {
-  for (const Recipe& model : {bedded(), foliated()})
+  for (const Recipe& model : {bedded(), foliated(), foliated_planes()})
     for (const CalibratedParameter* p : all(model)) {
       Recipe r = model;
       const double wanted = 1.3 * p->get(r);
@@ -132,6 +138,19 @@ TEST(CalibratedParameters, OnlyATableThatTellsThemIsAskedForSome) {
   EXPECT_TRUE(seeks(cohesion_ratio) && !seeks(joint_cohesion));
   rock.readings.push_back(reading(Property::brazilian, 90.0, 6e6));
   EXPECT_TRUE(seeks(tension_ratio));
+  rock.model = foliated_planes();
+  EXPECT_TRUE(seeks(tension_ratio) && seeks(cohesion_oblique) && seeks(joint_cohesion));
+}
+
+TEST(CalibratedParameters, BetweenPlanesTheStiffnessOfBondsHasNoDirections) {
+  const auto stiffness = [](const Recipe& r) {
+    const std::vector<const CalibratedParameter*> list = all(r);
+    return std::any_of(list.begin(), list.end(), [](const CalibratedParameter* p) {
+      return std::string_view(p->key) == "matrix.stiffness_ratio";
+    });
+  };
+  EXPECT_TRUE(stiffness(foliated()));
+  EXPECT_FALSE(stiffness(foliated_planes()) || stiffness(bedded()));
 }
 
 TEST(CalibratedParameters, BoxesAreMultiplesOfWhatTheTableHolds) {
@@ -167,7 +186,9 @@ TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
 TEST(CalibratedParameters, AllRatiosAreLeversOfTheirFamily) {
   Recipe crossing = bedded(), intact;
   crossing.bedding.resize(1), crossing.bedding[0].rule = BeddingRule::crossing;
-  for (const Recipe& model : {crossing, foliated(), intact}) {
+  Recipe both = crossing;
+  both.matrix = foliated_planes().matrix;
+  for (const Recipe& model : {crossing, foliated(), both, intact}) {
     const ModelFamily* family = family_of(model);
     ASSERT_NE(family, nullptr);
     for (const StrengthParameter* p : strength_parameters(model))

@@ -355,6 +355,16 @@ TEST_F(RockFile, PlanesAreByCrossingUnlessTheRecipeSaysOtherwise) {
                                    HasSubstr("r.toml:5: bedding.spacing")));
 }
 
+TEST_F(RockFile, PlanesMayLieBetweenBondsWithDirections) {
+  const Rock named = rock(good, "layers = \"planes and directions\"\n[bedding]\nspacing = \"8 mm\"\n");
+  EXPECT_EQ(named.layers, LayerModel::planes_and_directions);
+  EXPECT_DOUBLE_EQ(named.model.bedding.at(0).spacing, 8e-3);
+  write("m.toml", "[matrix]\ncohesion_ratio = 1.5\n[[bedding]]\n");
+  const Rock r = rock(good, "recipe = \"m.toml\"\n");
+  EXPECT_EQ(r.layers, LayerModel::planes_and_directions);
+  EXPECT_EQ(r.model.bedding.size(), 1U);
+}
+
 TEST_F(RockFile, ARecipeWithDirectionsAloneGetsNoPlanes) {
   write("m.toml", "[matrix]\nstiffness_ratio = 1.5\nmoment_contribution = 0.1\n");
   const Rock r = rock(good, "recipe = \"m.toml\"\n");
