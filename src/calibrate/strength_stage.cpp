@@ -15,7 +15,11 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr std::int64_t most_points = 36;
+/// Points of a whole search: the more is sought, the more of them.
+std::int64_t most_points(std::size_t n_ratios) {
+  constexpr std::int64_t usual = 36, per_ratio = 6;
+  return std::max(usual, per_ratio * static_cast<std::int64_t>(n_ratios));
+}
 constexpr std::uint32_t sampler_seed = 20100101;
 
 struct Batch {
@@ -24,8 +28,8 @@ struct Batch {
 };
 /// A third of the points, then three times two ninths, the last two batches on the grains of the recipe.
 /// Every point costs `n_ucs` of the tests.
-std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_ucs, bool with_coarse) {
-  const std::int64_t points = std::clamp(max_tests / n_ucs, least_points, most_points);
+std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_ucs, std::int64_t most, bool with_coarse) {
+  const std::int64_t points = std::clamp(max_tests / n_ucs, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
   return {{with_coarse, n_first}, {with_coarse, n_last}, {false, n_last}, {false, n_last}};
@@ -242,8 +246,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   StrengthPosterior posterior(evidence, recipe);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_ucs = evidence.n_ucs();
-  const std::vector<Batch> batches = plan(max_tests, n_ucs, has_coarse(fit.recipe));
-  fit.short_search = max_tests < most_points * n_ucs;
+  const std::int64_t most = most_points(posterior.parameters().size() - 1);  // sigma_c costs no run
+  const std::vector<Batch> batches = plan(max_tests, n_ucs, most, has_coarse(fit.recipe));
+  fit.short_search = max_tests < most * n_ucs;
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {

@@ -24,7 +24,7 @@ namespace {
 struct Arguments {
   std::string rock, out = "results/calibration";
   bool elastic = false, resume = false, with_untrusted = false;
-  std::int64_t max_tests = 330;
+  std::int64_t max_tests = 500;
 };
 
 /// Everything that the answer follows from.
