@@ -15,6 +15,7 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "report/calibration_files.hpp"
+#include "report/pfc_commands.hpp"
 #include "report/calibration_tables.hpp"
 #include "study/store.hpp"
 

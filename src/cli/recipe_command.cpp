@@ -4,6 +4,7 @@
 #include "cli/keys.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
+#include "report/pfc_commands.hpp"
 
 namespace phy::cli {
 
@@ -21,13 +22,14 @@ std::string template_recipe() {
 void add_recipe_command(CLI::App& app, Session& session) {
   struct Arguments {
     std::string key, file;
-    bool reference = false, print_template = false;
+    bool reference = false, print_template = false, pfc = false;
   };
   auto args = std::make_shared<Arguments>();
   CLI::App* verb = app.add_subcommand("recipe", "explain the keys of a recipe, or check and complete one");
   verb->add_option("file", args->file, "recipe to check; prints it completed");
   verb->add_option("--explain", args->key, "meaning, range and default of a key");
   verb->add_flag("--reference", args->reference, "all keys as a Markdown page");
+  verb->add_flag("--pfc", args->pfc, "the file as commands for PFC2D 6 and later");
   verb->add_flag("--template", args->print_template, "a complete recipe with comments");
   verb->callback([args, &session] {
     session.exit_code = 0;
@@ -39,7 +41,8 @@ void add_recipe_command(CLI::App& app, Session& session) {
     else if (args->print_template)
       text = template_recipe();
     else if (!args->file.empty())
-      text = io::write_recipe(io::read_recipe(args->file));
+      text = args->pfc ? report::pfc_commands(io::read_recipe(args->file))
+                       : io::write_recipe(io::read_recipe(args->file));
     else
       throw InputError(Problem{"command line", "recipe", "",
                                "a file, --explain KEY, --reference or --template",

@@ -50,87 +50,6 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
   return list;
 }
 
-/// "property value" pairs of one PFC command.
-std::string joint_properties(const BeddingRecipe& b) {
-  const std::pair<const char*, double> list[] = {
-      {"sj_kn", b.k_n},      {"sj_ks", b.k_s},       {"sj_fric", b.mu}, {"sj_da", b.psi},
-      {"sj_ten", b.sigma_n}, {"sj_coh", b.cohesion}, {"sj_fa", b.phi},  {"sj_rmul", b.radius_multiplier}};
-  std::string text;
-  for (const auto& [name, value] : list)
-    text += fmt::format("        contact.prop(c,'{}') = {:.8g}\n", name, value);
-  return text;
-}
-
-/// FISH that gives the contacts of the matrix what they have by their direction, and takes bonds away.
-std::string pfc_departures(const MatrixRecipe& m) {
-  std::string text;
-  if (m.unbonded_fraction > 0.0)
-    text += fmt::format(
-        "; --- contacts without a bond\n"
-        "fish define leave_unbonded\n"
-        "  loop foreach local c contact.list('ball-ball')\n"
-        "    if math.random.uniform < {:.8g} then\n      contact.method(c,'unbond')\n    endif\n"
-        "  endloop\nend\n@leave_unbonded\n\n",
-        m.unbonded_fraction);
-  if (!m.directional()) return text;
-  const auto W = [](double r) { return (1.0 - r) / (1.0 + r); };
-  return text + fmt::format(
-                    "; --- directions: a is the angle between the normals of contact and foliation\n"
-                    "[foliation = {:.8g}]\n"
-                    "fish define lay_directions\n"
-                    "  local mx = -math.sin(foliation*math.degrad)\n"
-                    "  local my = math.cos(foliation*math.degrad)\n"
-                    "  loop foreach local c contact.list('ball-ball')\n"
-                    "    if contact.prop(c,'pb_state') = 3 then   ; bonded; others have the mean\n"
-                    "    local h = comp.x(contact.normal(c))*mx + comp.y(contact.normal(c))*my\n"
-                    "    local cos_2a = 2.0*h*h - 1.0\n"
-                    "    local of_k = 1.0 + ({:.8g})*cos_2a\n"
-                    "    local of_ten = 1.0 + ({:.8g})*cos_2a\n"
-                    "    local of_coh = (1.0 + ({:.8g})*cos_2a)*(1.0 + ({:.8g})*(2.0*cos_2a*cos_2a - 1.0))\n"
-                    "    contact.prop(c,'kn') = of_k*contact.prop(c,'kn')\n"
-                    "    contact.prop(c,'ks') = of_k*contact.prop(c,'ks')\n"
-                    "    contact.prop(c,'pb_kn') = of_k*contact.prop(c,'pb_kn')\n"
-                    "    contact.prop(c,'pb_ks') = of_k*contact.prop(c,'pb_ks')\n"
-                    "    contact.prop(c,'pb_ten') = of_ten*contact.prop(c,'pb_ten')\n"
-                    "    contact.prop(c,'pb_coh') = of_coh*contact.prop(c,'pb_coh')\n"
-                    "    endif\n"
-                    "  endloop\nend\n@lay_directions\n\n",
-                    m.foliation, W(m.stiffness_ratio), W(m.tension_ratio), W(m.cohesion_ratio),
-                    W(m.cohesion_oblique));
-}
-
-/// FISH that turns the contacts of the bedding into smooth joints.
-std::string pfc_joints(const Recipe& r) {
-  const BeddingRecipe& b = r.bedding.front();
-  std::string text = fmt::format(
-      "; --- bedding: theta from +x anticlockwise, load along y; PFC's dip turns clockwise\n"
-      "[theta = {:.8g}]\n[spacing = {:.8g}]\n[zone = {:.8g}]\n[offset = {:.8g}]\n"
-      "fish define lay_bedding\n"
-      "  nx = -math.sin(theta*math.degrad)\n  ny = math.cos(theta*math.degrad)\n"
-      "  loop foreach local c contact.list('ball-ball')\n",
-      b.theta, b.spacing, b.zone_thickness, b.offset);
-  if (b.rule == BeddingRule::zone)
-    text +=
-        "    local h = comp.x(contact.pos(c))*nx + comp.y(contact.pos(c))*ny - offset ; origin: centre of "
-        "specimen\n"
-        "    local k = math.floor(h/spacing + 0.5)\n"
-        "    if math.abs(h - k*spacing) <= 0.5*zone then                ; zone rule\n";
-  else
-    text +=
-        "    local h1 = comp.x(ball.pos(contact.end1(c)))*nx + comp.y(ball.pos(contact.end1(c)))*ny - "
-        "offset\n"
-        "    local h2 = comp.x(ball.pos(contact.end2(c)))*nx + comp.y(ball.pos(contact.end2(c)))*ny - "
-        "offset\n"
-        "    if math.floor(h1/spacing) # math.floor(h2/spacing) then    ; crossing rule\n";
-  return text +
-         "      if contact.model(c) = 'linearpbond' then\n"
-         "        contact.model(c) = 'smoothjoint'\n" +
-         joint_properties(b) +
-         "        contact.prop(c,'dip') = 180.0 - theta\n"
-         "        contact.method(c,'bond')\n"
-         "      endif\n    endif\n  endloop\nend\n@lay_bedding\n";
-}
-
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const std::string& version) {
@@ -153,50 +72,6 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
                {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string pfc_commands(const Recipe& r) {
-  const MatrixRecipe& m = r.matrix;
-  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
-  std::string text = fmt::format(
-      "; {} - written by phyllite calibrate, for PFC2D 6 and later. SI units, unit thickness.\n"
-      "; Reads on from a settled packing of {:g}-{:g} mm discs, {:g} x {:g} mm, centred at the origin.\n"
-      "; Check the names of properties against the manual of your version.\n\n"
-      "ball attribute density {:.8g} damp {:.8g}\n"
-      "; --- matrix: linear contacts and parallel bonds\n"
-      "contact model linearpbond range contact type 'ball-ball'\n"
-      "contact method bond gap {:.8g} range contact type 'ball-ball'   ; {:g} of the mean radius\n",
-      comment_text(r.name), r.packing.radius_min * 1e3, r.packing.radius_max * 1e3, r.specimen.width * 1e3,
-      r.specimen.height * 1e3, m.density, r.engine.damping,
-      m.bond_gap * 0.5 * (r.packing.radius_min + r.packing.radius_max), m.bond_gap);
-  text += pfc5
-              ? fmt::format(
-                    "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n",
-                    m.E_c, 1.0 / m.ks_over_kn)
-              : fmt::format(
-                    "contact property kn {:.8g} ks {:.8g} range contact type 'ball-ball'   ; PFC 3.1: k_n = "
-                    "E_c t\n",
-                    m.E_c, m.ks_over_kn * m.E_c);
-  text += fmt::format(
-      "contact method pb_deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
-      "contact property fric {:.8g} pb_rmul {:.8g} pb_mcf {:.8g} pb_fa {:.8g} lin_mode 1 range contact type "
-      "'ball-ball'\n"
-      "[sigma_c = {:.8g}]\n[sigma_c_sd = {:.8g}]\n[tau_c = {:.8g}]\n[tau_c_sd = {:.8g}]\n"
-      "fish define draw(mean, sd)   ; normal, drawn again beyond 3 SD\n"
-      "  local z = math.random.gauss\n"
-      "  loop while math.abs(z) > 3.0\n    z = math.random.gauss\n  endloop\n"
-      "  draw = mean + sd*z\nend\n"
-      "fish define draw_strengths\n"
-      "  loop foreach local c contact.list('ball-ball')\n"
-      "    if contact.model(c) = 'linearpbond' then\n"
-      "      contact.prop(c,'pb_ten') = draw(sigma_c,sigma_c_sd)\n"
-      "      contact.prop(c,'pb_coh') = draw(tau_c,tau_c_sd)\n"
-      "    endif\n  endloop\nend\n@draw_strengths\n\n",
-      m.E_b, 1.0 / m.bond_ks_over_kn, m.mu, m.radius_multiplier, m.moment_contribution, m.phi, m.sigma_c,
-      m.sigma_c_sd, m.tau_c, m.tau_c_sd);
-  text += pfc_departures(m);
-  if (!r.bedding.empty()) text += pfc_joints(r);
-  return text;
 }
 
 std::string yade_script(const Recipe& r) {

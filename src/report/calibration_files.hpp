@@ -1,4 +1,5 @@
-// A calibration for other programs: JSON for scripts, command files for PFC2D and Yade. Reads records only.
+// A calibration for other programs: JSON for scripts, a file for Yade (PFC2D: pfc_commands.hpp). Reads
+// records only.
 #pragma once
 #include <string>
 
@@ -11,10 +12,6 @@ constexpr int calibration_format = 1;
 
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
-
-/// Commands for PFC2D 6 and later: contact models and properties of a packing that is already there, smooth
-/// joints by the recipe's rule.
-std::string pfc_commands(const Recipe& recipe);
 
 /// Python for Yade's JCFpm model: materials, and a function that marks the joints. Yade's spheres are another
 /// model; the head of the file says where the two differ.

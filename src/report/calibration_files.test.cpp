@@ -1,4 +1,4 @@
-// Input for PFC2D and Yade: the numbers of the recipe in the other program's terms.
+// calibration.json, and input for Yade: the numbers of the recipe in the other program's terms.
 #include "report/calibration_files.hpp"
 
 #include <gmock/gmock.h>
@@ -11,35 +11,12 @@ namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 Recipe paper() {
   Recipe r;
   r.bedding.resize(1);
   r.bedding[0].theta = 30.0;
   return r;
-}
-
-TEST(PfcCommands, TranslateRatiosStiffnessesAndTheAngle) {
-  const std::string text = pfc_commands(paper());
-  EXPECT_THAT(text, HasSubstr("kn 3.8e+10 ks 1.14e+10"));  // PFC 3.1: k_n = E_c t, k_s = 0.3 k_n
-  EXPECT_THAT(text,
-              HasSubstr("pb_deformability emod 3.8e+10 kratio 3.3333333"));  // kn/ks, the inverse of ours
-  EXPECT_THAT(text, HasSubstr("[theta = 30]"));
-  EXPECT_THAT(text, HasSubstr("'dip') = 180.0 - theta"));
-  EXPECT_THAT(text, HasSubstr("contact.prop(c,'sj_kn') = 3.36e+12"));
-  EXPECT_THAT(text, HasSubstr("zone rule"));
-}
-
-TEST(PfcCommands, FollowTheConventionAndTheRuleOfTheRecipe) {
-  Recipe r = paper();
-  r.matrix.stiffness_convention = StiffnessConvention::pfc5;
-  r.bedding[0].rule = BeddingRule::crossing;
-  const std::string text = pfc_commands(r);
-  EXPECT_THAT(text, HasSubstr("contact method deformability emod 3.8e+10 kratio 3.3333333"));
-  EXPECT_THAT(text, HasSubstr("crossing rule"));
-  r.bedding.clear();
-  EXPECT_THAT(pfc_commands(r), Not(HasSubstr("smoothjoint")));
 }
 
 TEST(YadeScript, MatchesTheStiffnessPerBondArea) {

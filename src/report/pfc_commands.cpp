@@ -1,0 +1,199 @@
+#include "report/pfc_commands.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "base/quote.hpp"
+
+namespace phy::report {
+namespace {
+
+/// Names of PFC's properties of a contact of the matrix.
+struct PfcWords {
+  const char *model, *state, *tension, *cohesion;
+  std::vector<const char*> stiffnesses;
+};
+PfcWords words_of(const MatrixRecipe& m) {
+  if (m.model == MatrixModel::flat_joint)
+    return {"flatjoint", "fj_state", "fj_ten", "fj_coh", {"fj_kn", "fj_ks"}};
+  return {"linearpbond", "pb_state", "pb_ten", "pb_coh", {"kn", "ks", "pb_kn", "pb_ks"}};
+}
+
+/// "property value" pairs of one PFC command.
+std::string joint_properties(const BeddingRecipe& b) {
+  const std::pair<const char*, double> list[] = {
+      {"sj_kn", b.k_n},      {"sj_ks", b.k_s},       {"sj_fric", b.mu}, {"sj_da", b.psi},
+      {"sj_ten", b.sigma_n}, {"sj_coh", b.cohesion}, {"sj_fa", b.phi},  {"sj_rmul", b.radius_multiplier}};
+  std::string text;
+  for (const auto& [name, value] : list)
+    text += fmt::format("        contact.prop(c,'{}') = {:.8g}\n", name, value);
+  return text;
+}
+
+/// FISH that gives the contacts of the matrix what they have by their direction, and takes bonds away.
+std::string pfc_departures(const MatrixRecipe& m) {
+  std::string text;
+  if (m.unbonded_fraction > 0.0)
+    text += fmt::format(
+        "; --- contacts without a bond\n"
+        "fish define leave_unbonded\n"
+        "  loop foreach local c contact.list('ball-ball')\n"
+        "    if math.random.uniform < {:.8g} then\n      contact.method(c,'unbond')\n    endif\n"
+        "  endloop\nend\n@leave_unbonded\n\n",
+        m.unbonded_fraction);
+  if (!m.directional()) return text;
+  const auto W = [](double r) { return (1.0 - r) / (1.0 + r); };
+  const PfcWords words = words_of(m);
+  text += fmt::format(
+      "; --- directions: a is the angle between the normals of contact and foliation\n"
+      "[foliation = {:.8g}]\n"
+      "fish define lay_directions\n"
+      "  local mx = -math.sin(foliation*math.degrad)\n"
+      "  local my = math.cos(foliation*math.degrad)\n"
+      "  loop foreach local c contact.list('ball-ball')\n"
+      "    if contact.prop(c,'{}') = 3 then   ; bonded; others have the mean\n"
+      "    local h = comp.x(contact.normal(c))*mx + comp.y(contact.normal(c))*my\n"
+      "    local cos_2a = 2.0*h*h - 1.0\n"
+      "    local of_k = 1.0 + ({:.8g})*cos_2a\n"
+      "    local of_ten = 1.0 + ({:.8g})*cos_2a\n"
+      "    local of_coh = (1.0 + ({:.8g})*cos_2a)*(1.0 + ({:.8g})*(2.0*cos_2a*cos_2a - 1.0))\n",
+      m.foliation, words.state, W(m.stiffness_ratio), W(m.tension_ratio), W(m.cohesion_ratio),
+      W(m.cohesion_oblique));
+  for (const char* stiffness : words.stiffnesses)
+    text += fmt::format("    contact.prop(c,'{0}') = of_k*contact.prop(c,'{0}')\n", stiffness);
+  for (const auto& [strength, factor] : {std::pair{words.tension, "of_ten"}, {words.cohesion, "of_coh"}})
+    text += fmt::format("    contact.prop(c,'{0}') = {1}*contact.prop(c,'{0}')\n", strength, factor);
+  return text + "    endif\n  endloop\nend\n@lay_directions\n\n";
+}
+
+/// FISH that turns the contacts of the bedding into smooth joints.
+std::string pfc_joints(const Recipe& r) {
+  const BeddingRecipe& b = r.bedding.front();
+  std::string text = fmt::format(
+      "; --- bedding: theta from +x anticlockwise, load along y; PFC's dip turns clockwise\n"
+      "[theta = {:.8g}]\n[spacing = {:.8g}]\n[zone = {:.8g}]\n[offset = {:.8g}]\n"
+      "fish define lay_bedding\n"
+      "  nx = -math.sin(theta*math.degrad)\n  ny = math.cos(theta*math.degrad)\n"
+      "  loop foreach local c contact.list('ball-ball')\n",
+      b.theta, b.spacing, b.zone_thickness, b.offset);
+  if (b.rule == BeddingRule::zone)
+    text +=
+        "    local h = comp.x(contact.pos(c))*nx + comp.y(contact.pos(c))*ny - offset ; origin: centre of "
+        "specimen\n"
+        "    local k = math.floor(h/spacing + 0.5)\n"
+        "    if math.abs(h - k*spacing) <= 0.5*zone then                ; zone rule\n";
+  else
+    text +=
+        "    local h1 = comp.x(ball.pos(contact.end1(c)))*nx + comp.y(ball.pos(contact.end1(c)))*ny - "
+        "offset\n"
+        "    local h2 = comp.x(ball.pos(contact.end2(c)))*nx + comp.y(ball.pos(contact.end2(c)))*ny - "
+        "offset\n"
+        "    if math.floor(h1/spacing) # math.floor(h2/spacing) then    ; crossing rule\n";
+  return text + fmt::format("      if contact.model(c) = '{}' then\n", words_of(r.matrix).model) +
+         "        contact.model(c) = 'smoothjoint'\n" + joint_properties(b) +
+         "        contact.prop(c,'dip') = 180.0 - theta\n"
+         "        contact.method(c,'bond')\n"
+         "      endif\n    endif\n  endloop\nend\n@lay_bedding\n";
+}
+
+/// Linear contacts and parallel bonds.
+std::string pfc_parallel_bonds(const MatrixRecipe& m) {
+  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
+  std::string text =
+      pfc5 ? fmt::format(
+                 "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n",
+                 m.E_c, 1.0 / m.ks_over_kn)
+           : fmt::format(
+                 "contact property kn {:.8g} ks {:.8g} range contact type 'ball-ball'   ; PFC 3.1: k_n = "
+                 "E_c t\n",
+                 m.E_c, m.ks_over_kn * m.E_c);
+  return text +
+         fmt::format(
+             "contact method pb_deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
+             "contact property fric {:.8g} pb_rmul {:.8g} pb_mcf {:.8g} pb_fa {:.8g} lin_mode 1 range "
+             "contact type 'ball-ball'\n",
+             m.E_b, 1.0 / m.bond_ks_over_kn, m.mu, m.radius_multiplier, m.moment_contribution, m.phi);
+}
+
+/// The number of elements is read-only once a flat joint is there (manual of PFC 6, flat-joint properties).
+std::string pfc_flat_joints(const MatrixRecipe& m) {
+  std::string text = fmt::format(
+      "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
+      "contact property fj_fric {:.8g} fj_fa {:.8g} range contact type 'ball-ball'\n",
+      m.E_c, 1.0 / m.ks_over_kn, m.mu, m.phi);
+  if (m.break_at == BreakAt::edge)
+    text += "; NOT SAID HERE: break_at = \"edge\"; PFC holds the stress at the centroid against fj_ten\n";
+  if (m.gapped_fraction > 0.0)
+    text += fmt::format("; NOT SAID HERE: {:g} % of the contacts that start {:g} m apart\n",
+                        100.0 * m.gapped_fraction, m.initial_gap);
+  return text;
+}
+
+std::string pfc_matrix(const Recipe& r) {
+  const MatrixRecipe& m = r.matrix;
+  const bool flat = m.model == MatrixModel::flat_joint;
+  const PfcWords words = words_of(m);
+  std::string text =
+      flat ? fmt::format(
+                 "; --- matrix: flat joints\n"
+                 "contact cmat default type ball-ball model flatjoint property fj_nr {} fj_rmul "
+                 "{:.8g}\ncontact cmat apply range contact type 'ball-ball'\n",
+                 m.elements, m.radius_multiplier)
+           : std::string(
+                 "; --- matrix: linear contacts and parallel bonds\n"
+                 "contact model linearpbond range contact type 'ball-ball'\n");
+  text += fmt::format(
+      "contact method bond gap {:.8g} range contact type 'ball-ball'   ; {:g} of the mean radius\n",
+      m.bond_gap * 0.5 * (r.packing.radius_min + r.packing.radius_max), m.bond_gap);
+  text += flat ? pfc_flat_joints(m) : pfc_parallel_bonds(m);
+  return text + fmt::format(
+                    "[sigma_c = {:.8g}]\n[sigma_c_sd = {:.8g}]\n[tau_c = {:.8g}]\n[tau_c_sd = {:.8g}]\n"
+                    "fish define draw(mean, sd)   ; normal, drawn again beyond 3 SD\n"
+                    "  local z = math.random.gauss\n"
+                    "  loop while math.abs(z) > 3.0\n    z = math.random.gauss\n  endloop\n"
+                    "  draw = mean + sd*z\nend\n"
+                    "fish define draw_strengths\n"
+                    "  loop foreach local c contact.list('ball-ball')\n"
+                    "    if contact.model(c) = '{}' then\n"
+                    "      contact.prop(c,'{}') = draw(sigma_c,sigma_c_sd)\n"
+                    "      contact.prop(c,'{}') = draw(tau_c,tau_c_sd)\n"
+                    "    endif\n  endloop\nend\n@draw_strengths\n\n",
+                    m.sigma_c, m.sigma_c_sd, m.tau_c, m.tau_c_sd, words.model, words.tension, words.cohesion);
+}
+
+/// What a recipe has and the commands do not say.
+std::string pfc_omissions(const Recipe& r) {
+  std::string text;
+  const auto omit = [&](bool has, const char* what) {
+    if (has) text += fmt::format("; NOT IN THIS FILE: {}\n", what);
+  };
+  omit(r.bedding.size() > 1, "all sets of bedding but the first");
+  if (r.bedding.empty()) return text;
+  const BeddingRecipe& b = r.bedding.front();
+  omit(b.rule == BeddingRule::oriented, "joints chosen by the direction of their contact");
+  omit(b.persistence < 1.0, "bonded patches of the planes (persistence)");
+  omit(b.scatters(), "scatter of spacing and inclination of the planes");
+  omit(b.sigma_n_sd > 0.0, "scatter of the joints' tensile strength");
+  omit(b.layer_thickness > 0.0, "layers with a matrix of their own");
+  omit(!b.bridges, "joints of the zone rule that cross a plane outside the zone (bridges = false)");
+  return text;
+}
+
+}  // namespace
+
+std::string pfc_commands(const Recipe& r) {
+  std::string text = fmt::format(
+      "; {} - written by phyllite, for PFC2D 6 and later. SI units, unit thickness.\n"
+      "; Reads on from a settled packing of {:g}-{:g} mm discs, {:g} x {:g} mm, centred at the origin.\n"
+      "; Check the names of properties against the manual of your version.\n{}\n"
+      "ball attribute density {:.8g} damp {:.8g}\n",
+      comment_text(r.name), r.packing.radius_min * 1e3, r.packing.radius_max * 1e3, r.specimen.width * 1e3,
+      r.specimen.height * 1e3, pfc_omissions(r), r.matrix.density, r.engine.damping);
+  text += pfc_matrix(r) + pfc_departures(r.matrix);
+  const bool on_planes = !r.bedding.empty() && r.bedding.front().rule != BeddingRule::oriented;
+  return on_planes ? text + pfc_joints(r) : text;
+}
+
+}  // namespace phy::report
