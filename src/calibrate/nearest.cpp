@@ -1,0 +1,92 @@
+#include "calibrate/nearest.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+namespace phy::calibrate {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double least_error = 0.02;      // of a strength: nearer than that nothing is worth to be
+constexpr double pull = 0.3, wall = 50.0;  // towards the draws; back into the box
+constexpr double step = 1e-4;              // of the derivatives
+constexpr std::size_t n_starts = 6;
+
+struct Misfit {
+  using Scalar = double;
+  using InputType = VectorXd;
+  using ValueType = VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  const StrengthPosterior& posterior;
+  VectorXd mean, sd;  ///< of the draws
+
+  Eigen::Index n_targets() const { return static_cast<Eigen::Index>(posterior.n_targets()); }
+  int inputs() const { return static_cast<int>(mean.size()); }
+  int values() const { return static_cast<int>(2 * n_targets() + 2 * mean.size()); }
+  /// Errors, ignorance, distances from the draws, and from the box.
+  int operator()(const VectorXd& x, VectorXd& r) const {
+    const Point held = posterior.held(Point(x.begin(), x.end()));
+    const Eigen::Index n = n_targets(), m = mean.size();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto target = static_cast<std::size_t>(i);
+      const Target& t = posterior.targets()[target];
+      const Surrogate::Value v = posterior.predict(held, target);
+      const double unit = std::sqrt(StrengthPosterior::variance(t) + least_error * least_error);
+      r[i] = (std::log(t.mean) - v.mean) / unit, r[n + i] = std::sqrt(v.variance) / unit;
+    }
+    for (Eigen::Index j = 0; j < m; ++j) {
+      r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
+      r[2 * n + m + j] = wall * (x[j] - held[static_cast<std::size_t>(j)]);
+    }
+    return 0;
+  }
+  double at(const Point& x) const {
+    VectorXd r(values());
+    operator()(Eigen::Map<const VectorXd>(x.data(), inputs()), r);
+    return r.squaredNorm();
+  }
+};
+
+Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
+  const auto m = static_cast<Eigen::Index>(draws.front().size());
+  Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m)};
+  const double n = static_cast<double>(draws.size());
+  for (const Point& x : draws) misfit.mean += Eigen::Map<const VectorXd>(x.data(), m) / n;
+  for (const Point& x : draws)
+    misfit.sd += (Eigen::Map<const VectorXd>(x.data(), m) - misfit.mean).cwiseAbs2() / n;
+  misfit.sd = misfit.sd.cwiseSqrt().cwiseMax(1e-3);
+  return misfit;
+}
+
+Point downhill(const Misfit& misfit, const Point& from) {
+  Eigen::NumericalDiff<Misfit> with_slopes(misfit, step * step);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Misfit>> solver(with_slopes);
+  solver.parameters.maxfev = 300;
+  solver.parameters.ftol = solver.parameters.xtol = 1e-4;
+  solver.parameters.factor = 1.0;
+  VectorXd x = Eigen::Map<const VectorXd>(from.data(), misfit.inputs());
+  solver.minimize(x);
+  return misfit.posterior.held(Point(x.begin(), x.end()));
+}
+
+}  // namespace
+
+Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
+  const Misfit misfit = misfit_of(posterior, draws);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), n_starts));
+  Point best = draws[order.front().second];
+  for (const auto& [value, k] : order)
+    if (const Point x = downhill(misfit, draws[k]); misfit.at(x) < misfit.at(best)) best = x;
+  return best;
+}
+
+}  // namespace phy::calibrate
