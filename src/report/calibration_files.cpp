@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
+#include "report/calibration_summary.hpp"
+#include "report/calibration_tables.hpp"
+#include "report/yardsticks.hpp"
 
 namespace phy::report {
 namespace {
@@ -26,6 +30,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"n_packings", c.n_packings},
          {"low", c.low},
          {"high", c.high}});
+    if (!t.specimens.empty()) list.back()["laboratory"]["specimens"] = t.specimens;
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
@@ -45,6 +50,25 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
               {"determined", e.determined}};
     if (!e.rests_on.empty()) j["rests_on"] = e.rests_on;
     if (!e.next_test.empty()) j["next_test"] = e.next_test;
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+/// Parameters in the order of the paper's tables, in words.
+Json tables_json(const Calibration& c) {
+  Json list = Json::array();
+  for (const ParameterTable& t : parameter_rows(c))
+    list.push_back({{"title", t.title}, {"head", t.head}, {"rows", t.rows}});
+  return list;
+}
+
+Json errors_json(const Calibration& c) {
+  Json list = Json::array();
+  for (const ErrorRow& row : error_rows(c)) {
+    Json j = {{"of", row.of}};
+    for (std::size_t i = 0; i < n_properties; ++i)
+      if (std::isfinite(row.rms[i])) j[to_string(static_cast<Property>(i))] = row.rms[i];
     list.push_back(std::move(j));
   }
   return list;
@@ -138,13 +162,19 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["format"] = calibration_format;
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
-  j["verdict"] = {{"status", to_string(c.verdict.status)}, {"findings", c.verdict.findings}};
+  j["verdict"] = {{"status", to_string(c.verdict.status)},
+                  {"sentence", c.verdict.sentence},
+                  {"summary", summary_lines(c)},
+                  {"findings", c.verdict.findings}};
+  j["tables"] = tables_json(c);
   j["parameters"] = parameters_json(c.parameters);
   j["fitted"] = rows_json(c.fitted);
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
-    j["left_out"][i]["interpolated"] = interpolated(c.left_out, c.left_out[i].target);
+    for (const Yardstick& y : yardsticks())
+      j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
+  j["errors"] = errors_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;

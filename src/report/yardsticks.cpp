@@ -76,22 +76,22 @@ std::vector<Comparison> inside(const std::vector<Comparison>& rows, const std::v
 const std::vector<Yardstick>& yardsticks() {
   static const std::vector<Yardstick> list = {{"interpolated", "straight line", interpolated},
                                               {"parabola", "parabola", parabola},
-                                              {"jaeger", "plane of weakness", jaeger}};
+                                              {"jaeger", "weak plane", jaeger}};
   return list;
 }
 
 std::vector<ErrorRow> error_rows(const Calibration& c) {
-  std::vector<ErrorRow> rows = {row_for("on the packings of the fit", c.fitted)};
+  std::vector<ErrorRow> rows = {row_for("packings of the fit", c.fitted)};
   if (!c.verification.empty())
     rows.push_back(
-        row_for(fmt::format("on {} unseen packings", c.verification.front().n_packings), c.verification));
+        row_for(fmt::format("{} unseen packings", c.verification.front().n_packings), c.verification));
   const std::vector<Comparison> table = inside(c.fitted, c.fitted), ours = inside(c.left_out, c.fitted);
   if (table.empty()) return rows;
-  if (!ours.empty()) rows.push_back(row_for("angle left out, this model", ours));
+  if (!ours.empty()) rows.push_back(row_for("left out, this model", ours));
   for (const Yardstick& y : yardsticks()) {
     std::vector<Comparison> predicted = table;
     for (Comparison& p : predicted) p.mean = y.predict(c.fitted, p.target);
-    rows.push_back(row_for(fmt::format("angle left out, {}", y.name), predicted));
+    rows.push_back(row_for(fmt::format("left out, {}", y.name), predicted));
   }
   return rows;
 }
