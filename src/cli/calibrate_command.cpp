@@ -1,5 +1,6 @@
 // `phyllite calibrate ROCK`: laboratory data in, a verified set of micro-parameters out.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -17,6 +18,7 @@
 #include "report/calibration_files.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "report/methods.hpp"
 #include "study/store.hpp"
 
 namespace phy::cli {
@@ -112,13 +114,15 @@ std::string screen_of(const Calibration& c, int width) {
 
 /// The same with every detail.
 std::string tables_of(const Calibration& c) {
-  return fmt::format("{}\nDetails\n{}\n{}\n{}", screen_of(c, 0), report::macro_table(c, 0),
-                     report::verdict_text(c, 0), report::sentence_text(c, 0));
+  return fmt::format("{}\nDetails\n{}\n{}\nMethods\n{}\n\n{}", screen_of(c, 0), report::macro_table(c, 0),
+                     report::verdict_text(c, 0), fmt::join(report::methods_text(c, PHY_VERSION), "\n"),
+                     report::sentence_text(c, 0));
 }
 
 void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
   const std::filesystem::path out(folder);
-  io::write_output((out / "calibrated.toml").string(), io::write_recipe(c.recipe));
+  io::write_output((out / "calibrated.toml").string(),
+                   report::recipe_comments(c) + io::write_recipe(c.recipe));
   io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
   io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
   io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));

@@ -7,8 +7,10 @@
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
+#include "base/text_table.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "report/methods.hpp"
 #include "report/yardsticks.hpp"
 
 namespace phy::report {
@@ -155,6 +157,13 @@ std::string pfc_joints(const Recipe& r) {
          "      endif\n    endif\n  endloop\nend\n@lay_bedding\n";
 }
 
+/// "25.9 GPa", "0.328".
+std::string friendly(double value, const std::string& unit) {
+  if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
+  const bool giga = value >= 1e9;
+  return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
+}
+
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const std::string& version) {
@@ -178,11 +187,28 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
+  j["methods"] = methods_text(c, version);
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},
                {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string recipe_comments(const Calibration& c) {
+  std::string text = comment_text(c.rock + ": " + c.verdict.sentence) + "\n", open;
+  for (const ParameterEstimate& e : c.parameters)
+    if (!e.determined)
+      open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
+                          friendly(e.value, e.unit), friendly(e.low, e.unit), friendly(e.high, e.unit));
+  text += open.empty()
+              ? "The data constrain every parameter that was sought.\n"
+              : "The data do not constrain (within the values that the calibration admits):\n" + open;
+  text = wrapped(text, 98, 4);
+  std::string lines;
+  for (std::size_t from = 0; from < text.size(); from = text.find('\n', from) + 1)
+    lines += "# " + text.substr(from, text.find('\n', from) - from + 1);
+  return lines + "\n";
 }
 
 std::string pfc_commands(const Recipe& r) {

@@ -12,6 +12,9 @@ constexpr int calibration_format = 1;
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
 
+/// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.
+std::string recipe_comments(const Calibration& calibration);
+
 /// Commands for PFC2D 6 and later: contact models and properties of a packing that is already there, smooth
 /// joints by the recipe's rule.
 std::string pfc_commands(const Recipe& recipe);
