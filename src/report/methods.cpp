@@ -251,6 +251,17 @@ std::string references_text(const Recipe& r) {
   return text;
 }
 
+/// Estimates with the four digits that a reader needs; calibrated.toml has them all.
+Recipe rounded(Recipe r) {
+  const auto round = [](std::initializer_list<double*> numbers) {
+    for (double* v : numbers) *v = std::stod(fmt::format("{:.3e}", *v));
+  };
+  MatrixRecipe& m = r.matrix;
+  round({&m.E_c, &m.E_b, &m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd});
+  for (BeddingRecipe& b : r.bedding) round({&b.k_n, &b.k_s, &b.sigma_n, &b.sigma_n_sd, &b.cohesion});
+  return r;
+}
+
 /// Of a calibration: packings by their seeds only.
 std::string grains_text(const Recipe& r) {
   return fmt::format(
@@ -319,8 +330,9 @@ std::string outcome_text(const Calibration& c) {
 }  // namespace
 
 std::vector<std::string> methods_text(const Calibration& c, const std::string& version) {
-  std::vector<std::string> text = {grains_text(c.recipe), matrix_text(c.recipe)};
-  for (const BeddingRecipe& b : c.recipe.bedding) text.push_back(bedding_text(b, *c.recipe.test.kind));
+  const Recipe r = rounded(c.recipe);
+  std::vector<std::string> text = {grains_text(r), matrix_text(r)};
+  for (const BeddingRecipe& b : r.bedding) text.push_back(bedding_text(b, *r.test.kind));
   text.insert(text.end(), {fit_text(c, version), outcome_text(c), references_text(c.recipe)});
   return text;
 }

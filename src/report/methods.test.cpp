@@ -157,6 +157,7 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
     c.fitted.push_back(row);
   }
   c.verification = c.fitted;
+  c.recipe.matrix.sigma_c = 19.966108594791677e6;
   c.n_strength_tests = 300, c.n_tension_tests = 100, c.n_elastic = 700;
   c.verdict.sentence = "calibrated: UCS within 5.0 % of the table";
   ParameterEstimate open;
@@ -170,7 +171,7 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
         "values)",
         "E was compared as secant 50 %", "200 uniaxial and 100 tensile tests", "700 direct elastic",
         "verified on 5 packings", "UCS 5.0 % (5 unseen packings)", "Verdict: calibrated: UCS within 5.0 %",
-        "do not constrain mu_sj", "Potyondy & P.A. Cundall", "smooth joints"})
+        "do not constrain mu_sj", "tensile strength 19.97 MPa", "Potyondy & P.A. Cundall", "smooth joints"})
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
 
