@@ -629,17 +629,18 @@ function compared(c: Calibration, p: string): HTMLElement {
   return chart(label, curve.note, (width) => comparison(data, factor, width));
 }
 
-function calibrationLegend(): HTMLElement {
+/** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
+function calibrationLegend(c: Calibration): HTMLElement {
   const mark = (sign: string, color: string, text: string) => h("li", {}, h("span", { style: `color:${color}`, "aria-hidden": "true" }, sign), text);
   return h(
     "ul",
     { class: "legend" },
-    mark("•", "var(--ink)", "specimens"),
-    mark("◇", "var(--ink)", "their mean, 95 %"),
+    c.fitted.some((r) => (r.laboratory.specimens ?? []).length > 0) && mark("•", "var(--ink)", "specimens"),
+    mark("◇", "var(--ink)", "laboratory, mean and its 95 %"),
     mark("━●━", "var(--accent)", "model"),
     h("li", {}, h("i", { style: "background:color-mix(in srgb, var(--accent) 25%, var(--surface))" }), "95 % of the rock's value by the fit"),
-    mark("×", "var(--pull)", "predicted without it"),
-    h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "Goodman, Jaeger"),
+    c.left_out.length > 0 && mark("×", "var(--pull)", "model, predicted without it"),
+    report.curves.E.theta.length + report.curves.ucs.theta.length > 0 && h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "Goodman, Jaeger"),
   );
 }
 
@@ -665,7 +666,7 @@ function calibration() {
     "Calibration",
     h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || `${c.rock}: ${c.verdict.status}`)),
     h("div", { class: "grid small" }, ...properties.filter((p) => p !== "nu").map((p) => compared(c, p))),
-    calibrationLegend(),
+    calibrationLegend(c),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
     fold(`All ${c.verdict.findings.length} findings and ${c.notes.length} notes`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
