@@ -11,6 +11,7 @@
 
 #include "base/check.hpp"
 #include "base/lines.hpp"
+#include "calibrate/cause.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
@@ -441,6 +442,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   result.parameters.assign(estimates.begin(), estimates.end());
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
+  result.verdict.sentence = verdict_sentence(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

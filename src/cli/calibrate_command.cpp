@@ -1,5 +1,6 @@
 // `phyllite calibrate ROCK`: laboratory data in, a verified set of micro-parameters out.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -15,8 +16,10 @@
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "report/calibration_files.hpp"
-#include "report/pfc_commands.hpp"
+#include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
+#include "report/methods.hpp"
+#include "report/pfc_commands.hpp"
 #include "study/store.hpp"
 
 namespace phy::cli {
@@ -102,14 +105,25 @@ std::string progress_text(const calibrate::TestProgress& p) {
                      left);
 }
 
-std::string tables_of(const Calibration& c, int width) {
-  return fmt::format("{}\n{}\n{}\n{}", report::parameter_tables(c, width), report::macro_table(c, width),
-                     report::verdict_text(c, width), report::budget_text(c, width));
+/// What a screen shows: the verdict first, parameters before comparisons.
+std::string screen_of(const Calibration& c, int width) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", report::sentence_text(c, width),
+                     report::parameter_tables(c, width), report::angle_table(c, width),
+                     report::error_table(c, width), report::summary_text(c, width),
+                     report::budget_text(c, width));
+}
+
+/// The same with every detail.
+std::string tables_of(const Calibration& c) {
+  return fmt::format("{}\nDetails\n{}\n{}\nMethods\n{}\n\n{}", screen_of(c, 0), report::macro_table(c, 0),
+                     report::verdict_text(c, 0), fmt::join(report::methods_text(c, PHY_VERSION), "\n"),
+                     report::sentence_text(c, 0));
 }
 
 void write_files(const std::string& folder, const Calibration& c, const std::string& tables) {
   const std::filesystem::path out(folder);
-  io::write_output((out / "calibrated.toml").string(), io::write_recipe(c.recipe));
+  io::write_output((out / "calibrated.toml").string(),
+                   report::recipe_comments(c) + io::write_recipe(c.recipe));
   io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
   io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
   io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
@@ -140,8 +154,8 @@ int run_calibration(const Arguments& args, const Session& session) {
   const Calibration result = calibrate::calibrate(evidence, options, *simulator);
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
-  if (!interrupted) write_files(args.out, result, tables_of(result, 0));  // first: the output may be full
-  print_out("{}{:.1f} s in all\n", tables_of(result, width), result.seconds);
+  if (!interrupted) write_files(args.out, result, tables_of(result));  // first: the output may be full
+  print_out("{}{:.1f} s in all\n", screen_of(result, width), result.seconds);
   if (interrupted) {
     print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{} --resume\n",
                   sh_word(args.rock), sh_word(args.out), args.max_tests, args.elastic ? " --elastic" : "",
@@ -151,6 +165,7 @@ int run_calibration(const Arguments& args, const Session& session) {
   write_report(args.out);
   print_wrapped(width, 2, "calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n",
                 args.out);
+  print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 

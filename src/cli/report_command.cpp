@@ -35,6 +35,20 @@ std::string text_of(const std::string& folder, const char* file) {
   return has(folder, file) ? io::read_file((fs::path(folder) / file).string()) : "";
 }
 
+/// The table that a calibration went by.
+std::vector<Target> laboratory_of(const nlohmann::json& calibration) {
+  std::vector<Target> targets;
+  for (const nlohmann::json& row : calibration.at("fitted")) {
+    Target t;
+    for (int i = 0; i < n_properties; ++i)
+      if (row.at("property") == to_string(static_cast<Property>(i))) t.property = static_cast<Property>(i);
+    t.theta = row.at("theta [deg]"), t.mean = row.at("laboratory").at("mean");
+    t.sd = row.at("laboratory").at("sd"), t.n = row.at("laboratory").at("n");
+    targets.push_back(t);
+  }
+  return targets;
+}
+
 report::PageExtras of_calibration(const std::string& folder) {
   report::PageExtras extras;
   extras.calibration = text_of(folder, "calibration.json");
@@ -42,6 +56,7 @@ report::PageExtras of_calibration(const std::string& folder) {
     const auto j = nlohmann::json::parse(extras.calibration);
     if (j.at("format") != 1) throw std::out_of_range("another version of the format");
     extras.name = j.at("rock");
+    extras.laboratory = laboratory_of(j);
   } catch (const std::exception& e) {
     throw InputError(Problem{folder + "/calibration.json", "", "", "a calibration of format 1", e.what()});
   }

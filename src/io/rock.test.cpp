@@ -252,6 +252,17 @@ TEST_F(RockFile, ReplicatesBecomeOneTargetAndLendTheirScatter) {
   EXPECT_NEAR(t[1].sd, 2.3204e6, 100.0);
 }
 
+TEST_F(RockFile, SingleSpecimensStayWithTheirTarget) {
+  const auto t = targets_of(rock("theta [deg],UCS [MPa],n\n0,100,1\n0,104,1\n45,50,3\n90,130,1\n"));
+  EXPECT_THAT(t[0].specimens, testing::ElementsAre(testing::DoubleEq(100e6), testing::DoubleEq(104e6)));
+  EXPECT_TRUE(t[1].specimens.empty());  // a mean is no specimen
+  const auto plane_stress = targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\n"));
+  for (const Target& cell : plane_stress) {  // the only one is the mean, converted too
+    ASSERT_EQ(cell.specimens.size(), 1U);
+    EXPECT_DOUBLE_EQ(cell.specimens[0], cell.mean);
+  }
+}
+
 TEST_F(RockFile, OnePairThatHappensToAgreeMakesNoTableExact) {
   const auto t = targets_of(rock("theta [deg],UCS [MPa]\n0,110\n0,110.2\n45,50\n90,130\n"));
   for (const Target& cell : t) EXPECT_GT(cell.standard_error(), 0.03 * cell.mean) << cell.theta;

@@ -52,6 +52,7 @@ const char* to_string(VerdictStatus status);
 struct Verdict {
   VerdictStatus status = VerdictStatus::calibrated;
   std::vector<std::string> findings;
+  std::string sentence = {};  ///< status, cause and next step in one (calibrate/cause.hpp)
 };
 
 /// The row of a target; nullptr if there is none.

@@ -77,6 +77,10 @@ void to_plane_stress(std::vector<Target>& targets) {
     const auto at = E_lab.find(t.theta);
     if (at == E_lab.end()) continue;
     const double E_2D = 1.0 / (1.0 / at->second - held);
+    if (t.property == Property::E)
+      for (double& E_one : t.specimens) E_one = 1.0 / (1.0 / E_one - held);
+    if (t.property == Property::nu)
+      for (double& nu_one : t.specimens) nu_one = E_2D * (nu_one / at->second + held);
     if (t.property == Property::E) {
       t.sd *= E_2D / t.mean, t.mean = E_2D;
     } else if (t.property == Property::nu) {
@@ -140,7 +144,10 @@ std::vector<Target> targets_of(const Rock& rock) {
   for (const auto& [key, rows] : cells) {
     Target t;
     t.property = std::get<0>(key), t.theta = rows.front()->theta, t.diameter = std::get<2>(key), t.n = 0;
-    for (const RockReading* r : rows) t.mean += r->n * r->value, t.n += r->n;
+    for (const RockReading* r : rows) {
+      t.mean += r->n * r->value, t.n += r->n;
+      if (r->n == 1) t.specimens.push_back(r->value);
+    }
     t.mean /= t.n;
     own.push_back(pool_of(rows, t.mean));
     const double scale = t.property == Property::nu ? 1.0 : t.mean * t.mean;

@@ -51,13 +51,14 @@ struct RockReading {
 /// All cells of one property and angle together.
 struct Target {
   Property property = Property::E;
-  double theta = 0.0;             ///< [deg]
-  double mean = 0.0;              ///< SI
-  double sd = 0.0;                ///< scatter of single specimens, SI, > 0
-  int n = 1;                      ///< specimens
-  bool sd_assumed = false;        ///< `sd` rests on what is usual more than on the table
-  double diameter = 0.0;          ///< [m] of the disc of a Brazilian test; 0: the model's
-  double standard_error() const;  ///< sd/sqrt(n)
+  double theta = 0.0;                  ///< [deg]
+  double mean = 0.0;                   ///< SI
+  double sd = 0.0;                     ///< scatter of single specimens, SI, > 0
+  int n = 1;                           ///< specimens
+  bool sd_assumed = false;             ///< `sd` rests on what is usual more than on the table
+  double diameter = 0.0;               ///< [m] of the disc of a Brazilian test; 0: the model's
+  std::vector<double> specimens = {};  ///< single ones of the table, SI; rows that stand for several are not
+  double standard_error() const;       ///< sd/sqrt(n)
 };
 
 struct Rock {

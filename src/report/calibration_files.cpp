@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/exact_math.hpp"
 #include "base/quote.hpp"
+#include "base/text_table.hpp"
+#include "report/calibration_summary.hpp"
+#include "report/calibration_tables.hpp"
+#include "report/methods.hpp"
+#include "report/yardsticks.hpp"
 
 namespace phy::report {
 namespace {
@@ -26,6 +32,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"n_packings", c.n_packings},
          {"low", c.low},
          {"high", c.high}});
+    if (!t.specimens.empty()) list.back()["laboratory"]["specimens"] = t.specimens;
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
@@ -50,6 +57,32 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
   return list;
 }
 
+/// Parameters in the order of the paper's tables, in words.
+Json tables_json(const Calibration& c) {
+  Json list = Json::array();
+  for (const ParameterTable& t : parameter_rows(c))
+    list.push_back({{"title", t.title}, {"head", t.head}, {"rows", t.rows}});
+  return list;
+}
+
+Json errors_json(const Calibration& c) {
+  Json list = Json::array();
+  for (const ErrorRow& row : error_rows(c)) {
+    Json j = {{"of", row.of}};
+    for (std::size_t i = 0; i < n_properties; ++i)
+      if (std::isfinite(row.rms[i])) j[to_string(static_cast<Property>(i))] = row.rms[i];
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+/// "25.9 GPa", "0.328".
+std::string friendly(double value, const std::string& unit) {
+  if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
+  const bool giga = value >= 1e9;
+  return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
+}
+
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const std::string& version) {
@@ -57,21 +90,44 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["format"] = calibration_format;
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
-  j["verdict"] = {{"status", to_string(c.verdict.status)}, {"findings", c.verdict.findings}};
+  j["verdict"] = {{"status", to_string(c.verdict.status)},
+                  {"sentence", c.verdict.sentence},
+                  {"summary", summary_lines(c)},
+                  {"findings", c.verdict.findings}};
+  j["tables"] = tables_json(c);
   j["parameters"] = parameters_json(c.parameters);
   j["fitted"] = rows_json(c.fitted);
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
-    j["left_out"][i]["interpolated"] = interpolated(c.left_out, c.left_out[i].target);
+    for (const Yardstick& y : yardsticks())
+      j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
+  j["errors"] = errors_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
+  j["methods"] = methods_text(c, version);
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},
                {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string recipe_comments(const Calibration& c) {
+  std::string text = comment_text(c.rock + ": " + c.verdict.sentence) + "\n", open;
+  for (const ParameterEstimate& e : c.parameters)
+    if (!e.determined)
+      open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
+                          friendly(e.value, e.unit), friendly(e.low, e.unit), friendly(e.high, e.unit));
+  text += open.empty()
+              ? "The data constrain every parameter that was sought.\n"
+              : "The data do not constrain (within the values that the calibration admits):\n" + open;
+  text = wrapped(text, 98, 4);
+  std::string lines;
+  for (std::size_t from = 0; from < text.size(); from = text.find('\n', from) + 1)
+    lines += "# " + text.substr(from, text.find('\n', from) - from + 1);
+  return lines + "\n";
 }
 
 std::string yade_script(const Recipe& r) {

@@ -13,6 +13,9 @@ constexpr int calibration_format = 1;
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
 
+/// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.
+std::string recipe_comments(const Calibration& calibration);
+
 /// Python for Yade's JCFpm model: materials, and a function that marks the joints. Yade's spheres are another
 /// model; the head of the file says where the two differ.
 std::string yade_script(const Recipe& recipe);

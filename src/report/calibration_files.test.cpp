@@ -26,6 +26,23 @@ TEST(YadeScript, MatchesTheStiffnessPerBondArea) {
   EXPECT_THAT(text, HasSubstr("bedded=True"));
 }
 
+TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
+  Calibration c;
+  c.rock = "grey\nshale", c.verdict.sentence = "calibrated: E within 1 %; next: direct tension";
+  ParameterEstimate known{"matrix.E_c", "E_c", "Pa", 3e10, 2.9e10, 3.1e10, 1e9, 1e11, true, "", ""},
+      open{"matrix.tau_c", "tau_c", "Pa", 6e7, 2e7, 1.5e9, 1e6, 1e10, false, "", ""};
+  c.parameters = {known, open};
+  const std::string text = recipe_comments(c);
+  EXPECT_THAT(text, HasSubstr("calibrated: E within 1 %"));
+  EXPECT_THAT(text, HasSubstr("#   matrix.tau_c = 60 MPa, 95 % interval 20 MPa to 1.5 GPa\n"));
+  EXPECT_THAT(text, Not(HasSubstr("E_c")));
+  for (std::size_t from = 0; from + 1 < text.size(); from = text.find('\n', from) + 1)
+    EXPECT_TRUE(text[from] == '#' || text[from] == '\n')
+        << text.substr(from);  // a comment, whatever the name
+  c.parameters = {known};
+  EXPECT_THAT(recipe_comments(c), HasSubstr("constrain every parameter that was sought"));
+}
+
 TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   Calibration c;
   c.rock = "r", c.verdict = {VerdictStatus::calibrated_except, {"why"}};

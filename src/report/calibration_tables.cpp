@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "base/lines.hpp"
 #include "base/text_table.hpp"
+#include "report/calibration_summary.hpp"
+#include "report/yardsticks.hpp"
 
 namespace phy::report {
 namespace {
@@ -26,51 +28,25 @@ std::string cell(const Calibration& c, const double& number, double unit) {
   return fmt::format("{:.4g} (given)", number / unit);
 }
 
-/// Root mean square error of a property; relative, of nu absolute.
-std::string rms(const std::vector<Comparison>& rows, Property property) {
-  double squares = 0.0;
-  int n = 0;
-  for (const Comparison& c : rows)
-    if (c.target.property == property) {
-      const double error = property == Property::nu ? c.mean - c.target.mean : c.error();
-      squares += error * error, ++n;
-    }
-  if (n == 0) return "-";
-  const double root = std::sqrt(squares / n);
-  return property == Property::nu ? fmt::format("{:.3f}", root) : fmt::format("{:.1f} %", 100.0 * root);
+/// Three digits, but no exponent and no digit before the point left out.
+std::string three_digits(double v) {
+  const double size = std::fabs(v);
+  return !std::isfinite(v) ? "-"
+         : size >= 99.95   ? fmt::format("{:.0f}", v)
+         : size >= 9.995   ? fmt::format("{:.1f}", v)
+         : size >= 0.9995  ? fmt::format("{:.2f}", v)
+                           : fmt::format("{:.3f}", v);
 }
 
 const char* unit_head(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "" : "MPa"; }
 
-/// What the strengths left out are off by, beside what straight lines between their neighbours in the table
-/// are off by: those that have two.
-std::string left_out_text(const std::vector<Comparison>& left_out, Property p) {
-  if (rms(left_out, p) == "-") return "";
-  std::vector<Comparison> inside, lines;
-  for (const Comparison& c : left_out) {
-    const double line = interpolated(left_out, c.target);
-    if (!std::isfinite(line)) continue;
-    inside.push_back(c), lines.push_back(c);
-    lines.back().mean = line;
-  }
-  const std::string text = ", " + rms(left_out, p) + " at angles left out";
-  if (rms(inside, p) == "-") return text;
-  return fmt::format(
-      "{} ({} at those with neighbours on both sides, where straight lines between these give {})", text,
-      rms(inside, p), rms(lines, p));
-}
-
-std::string rms_text(const Calibration& c) {
-  std::string text;
-  for (int i = 0; i < n_properties; ++i) {
-    const auto p = static_cast<Property>(i);
-    if (rms(c.fitted, p) == "-") continue;
-    text +=
-        fmt::format("RMSE {}: {} fitted, {} on {} unseen packings{}\n", to_string(p), rms(c.fitted, p),
-                    rms(c.verification, p), c.verification.empty() ? 0 : c.verification.front().n_packings,
-                    left_out_text(c.left_out, p));
-  }
-  return text;
+/// Laboratory, model, error.
+std::vector<std::string> cells_of(const Comparison& row) {
+  const Property p = row.target.property;
+  return {three_digits(row.target.mean * shown(p)), three_digits(row.mean * shown(p)),
+          !row.answered()     ? "-"
+          : p == Property::nu ? fmt::format("{:+.2f}", row.mean - row.target.mean)
+                              : fmt::format("{:+.1f}", 100.0 * row.error())};
 }
 
 }  // namespace
@@ -128,9 +104,9 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
 
 /// What the matrix has beside the bonds of the paper: the same everywhere and in every direction, the moment
 /// counting in full, no friction.
-std::vector<std::pair<const char*, std::string>> departures(const Calibration& c) {
+std::vector<std::pair<std::string, std::string>> departures(const Calibration& c) {
   const MatrixRecipe& m = c.recipe.matrix;
-  std::vector<std::pair<const char*, std::string>> rows;
+  std::vector<std::pair<std::string, std::string>> rows;
   if (m.moment_contribution < 1.0)
     rows.emplace_back("Moment contribution beta", cell(c, m.moment_contribution, 1.0));
   if (m.shear_strength == ShearStrength::cohesion_friction)
@@ -144,41 +120,86 @@ std::vector<std::pair<const char*, std::string>> departures(const Calibration& c
   return rows;
 }
 
-std::string parameter_tables(const Calibration& c, int terminal_width) {
+std::vector<ParameterTable> parameter_rows(const Calibration& c) {
   const MatrixRecipe& m = c.recipe.matrix;
   const double GPa = 1e9, MPa = 1e6;
-  using Rows = std::vector<std::pair<const char*, std::string>>;
-  const auto table = [&](const char* head, const Rows& rows) {
-    Column name{head, "", {}, true}, value{"value [95 % interval]", "", {}, true};
-    for (const auto& [n, v] : rows) name.cells.emplace_back(n), value.cells.push_back(v);
-    return text_table(name, {{value}}, terminal_width);
-  };
   const std::string E_c = cell(c, m.E_c, GPa), q = cell(c, m.ks_over_kn, 1.0);
-  std::string text = "Table 1. Intact rock\n" +
-                     table("balls", {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)},
-                                     {"Modulus E_c [GPa]", E_c},
-                                     {"Stiffness ratio k_s/k_n", q},
-                                     {"Friction coefficient mu", cell(c, m.mu, 1.0)}}) +
-                     "\n" +
-                     table("parallel bonds",
-                           {{"Modulus E_c [GPa]", E_c},
-                            {"Stiffness ratio k_s/k_n", q},
-                            {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
-                            {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
-                            {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}});
-  if (const Rows more = departures(c); !more.empty()) text += "\n" + table("bonds, more", more);
-  if (c.recipe.bedding.empty()) return text;
+  std::vector<ParameterTable> tables = {
+      {"Table 1. Intact rock",
+       "balls",
+       {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)},
+        {"Modulus E_c [GPa]", E_c},
+        {"Stiffness ratio k_s/k_n", q},
+        {"Friction coefficient mu", cell(c, m.mu, 1.0)}}},
+      {"",
+       "parallel bonds",
+       {{"Modulus E_c [GPa]", E_c},
+        {"Stiffness ratio k_s/k_n", q},
+        {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
+        {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
+        {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}}}};
+  if (auto more = departures(c); !more.empty()) tables.push_back({"", "bonds, more", std::move(more)});
+  if (c.recipe.bedding.empty()) return tables;
   const BeddingRecipe& b = c.recipe.bedding.front();
-  Rows joints = {{"Normal stiffness k_n,sj [GPa/m]", cell(c, b.k_n, GPa)},
-                 {"Shear stiffness k_s,sj [GPa/m]", cell(c, b.k_s, GPa)},
-                 {"Friction coefficient mu_sj", cell(c, b.mu, 1.0)},
-                 {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
-                 {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}};
+  tables.push_back({"Table 2. Bedding",
+                    b.rule == BeddingRule::crossing ? "joints on contacts that cross" : "smooth joints",
+                    {{"Normal stiffness k_n,sj [GPa/m]", cell(c, b.k_n, GPa)},
+                     {"Shear stiffness k_s,sj [GPa/m]", cell(c, b.k_s, GPa)},
+                     {"Friction coefficient mu_sj", cell(c, b.mu, 1.0)},
+                     {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
+                     {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}}});
+  auto& joints = tables.back().rows;
   if (b.rule == BeddingRule::zone)
     joints.emplace_back("Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3));
   joints.emplace_back("Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3));
-  return text + "\nTable 2. Bedding\n" +
-         table(b.rule == BeddingRule::crossing ? "joints on contacts that cross" : "smooth joints", joints);
+  return tables;
+}
+
+std::string parameter_tables(const Calibration& c, int terminal_width) {
+  std::string text;
+  for (const ParameterTable& t : parameter_rows(c)) {
+    Column name{t.head, "", {}, true}, value{"value [95 % interval]", "", {}, true};
+    for (const auto& [n, v] : t.rows) name.cells.push_back(n), value.cells.push_back(v);
+    text += (text.empty() ? "" : "\n") + (t.title.empty() ? "" : t.title + "\n") +
+            text_table(name, {{value}}, terminal_width);
+  }
+  return text;
+}
+
+std::string angle_table(const Calibration& c, int terminal_width) {
+  std::map<std::pair<Property, double>, std::map<double, Comparison>> kinds;  // and disc; by angle
+  std::set<double> angles;
+  for (const Comparison& f : c.fitted) {
+    const Comparison* unseen = row_of(c.verification, f.target);
+    kinds[{f.target.property, f.target.diameter}][f.target.theta] = unseen != nullptr ? *unseen : f;
+    angles.insert(f.target.theta);
+  }
+  Column label{"theta [deg]", "", {}, true};
+  std::vector<Columns> columns;
+  for (const double theta : angles) columns.push_back({{fmt::format("{:g}", theta), "", {}}});
+  for (const auto& [kind, cells] : kinds) {
+    const auto& [p, diameter] = kind;
+    const std::string unit = unit_head(p);
+    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") +
+                          (diameter > 0.0 ? fmt::format(", {:g} mm", diameter * 1e3) : ""));
+    label.cells.insert(label.cells.end(), {"  model", p == Property::nu ? "  error" : "  error %"});
+    std::size_t i = 0;
+    for (const double theta : angles) {
+      const auto at = cells.find(theta);
+      std::vector<std::string>& column = columns[i++].front().cells;
+      if (at == cells.end()) {
+        column.insert(column.end(), 3, "-");
+        continue;
+      }
+      const std::vector<std::string> three = cells_of(at->second);
+      column.insert(column.end(), three.begin(), three.end());
+    }
+  }
+  const std::string which = c.verification.empty() ? "the packings of the fit" : "unseen packings";
+  const bool E = std::any_of(c.fitted.begin(), c.fitted.end(),
+                             [](const Comparison& f) { return f.target.property == Property::E; });
+  return "Laboratory and model, on " + which + (E ? fmt::format("; E: {}\n", to_string(c.E_is)) : "\n") +
+         text_table(label, columns, terminal_width);
 }
 
 std::string macro_table(const Calibration& c, int terminal_width) {
@@ -229,21 +250,39 @@ std::string macro_table(const Calibration& c, int terminal_width) {
         "small "
         "strain\n";
   }
-  return text_table(label, groups, terminal_width) + wrapped(legend + rms_text(c), terminal_width, 2);
+  return text_table(label, groups, terminal_width) + wrapped(legend, terminal_width, 2);
+}
+
+std::string error_table(const Calibration& c, int terminal_width) {
+  const std::vector<ErrorRow> rows = error_rows(c);
+  Column label{"root mean square error", "", {}, true};
+  for (const ErrorRow& r : rows) label.cells.push_back(r.of);
+  std::vector<Columns> groups;
+  for (std::size_t i = 0; i < n_properties; ++i) {
+    const auto p = static_cast<Property>(i);
+    if (std::any_of(c.fitted.begin(), c.fitted.end(),
+                    [&](const Comparison& row) { return row.target.property == p; }))
+      groups.push_back(
+          {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return error_text(p, r.rms[i]); })});
+  }
+  const bool left_out = rows.back().of.starts_with("left out");
+  return text_table(label, groups, terminal_width) +
+         wrapped(left_out ? "left out: those with neighbours on both sides, each predicted from the others; "
+                            "weak plane: Jaeger 1960\n"
+                          : "",
+                 terminal_width, 2);
 }
 
 std::string verdict_text(const Calibration& c, int terminal_width) {
   std::string text = fmt::format("verdict: {}\n", to_string(c.verdict.status));
   for (const std::string& finding : c.verdict.findings) text += "- " + finding + "\n";
-  std::vector<std::string> open;
-  for (const ParameterEstimate& e : c.parameters)
-    if (!e.determined)
-      add_line(open, e.symbol,
-               e.next_test.empty() ? "left open by the data; no test that a table holds tells much of it"
-                                   : "left open by the data; would tell more: " + e.next_test);
-  for (const std::string& line : open) text += "- " + line + "\n";
+  for (const std::string& line : open_lines(c)) text += "- " + line + "\n";
   for (const std::string& note : c.notes) text += "- " + note + "\n";
   return wrapped(text, terminal_width, 2);
+}
+
+std::string sentence_text(const Calibration& c, int terminal_width) {
+  return wrapped(c.verdict.sentence + "\n", terminal_width, 2);
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {

@@ -2,6 +2,7 @@
 // Reads records only.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "records/calibration.hpp"
@@ -15,12 +16,27 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width);
 
 /// Micro-parameters in the order of the paper's Tables 1 and 2, with 95 % intervals.
+struct ParameterTable {
+  std::string title;                                      ///< "Table 1. Intact rock"; empty: goes on
+  std::string head;                                       ///< "balls"
+  std::vector<std::pair<std::string, std::string>> rows;  ///< name with unit, value in words
+};
+std::vector<ParameterTable> parameter_rows(const Calibration& calibration);
 std::string parameter_tables(const Calibration& calibration, int terminal_width);
 
-/// Laboratory, model, interval and error, one row per angle and property; root mean squares below.
+/// Laboratory, model and error, angles across.
+std::string angle_table(const Calibration& calibration, int terminal_width);
+
+/// Errors of each property, and what simpler rules miss the same cells by (report/yardsticks.hpp).
+std::string error_table(const Calibration& calibration, int terminal_width);
+
+/// Every cell with standard error, interval, fit and unseen packings.
 std::string macro_table(const Calibration& calibration, int terminal_width);
 
-/// Verdict with its findings, and which parameters the data leave open.
+/// The verdict in one sentence.
+std::string sentence_text(const Calibration& calibration, int terminal_width);
+
+/// Verdict with all findings, which parameters the data leave open, and notes.
 std::string verdict_text(const Calibration& calibration, int terminal_width);
 
 /// Numbers of tests.

@@ -30,17 +30,17 @@ Calibration with_left_out() {
 }
 
 TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbours) {
-  // by hand: root mean square of 30, 10 and 33.3 % is 26.5 %; inside 10 %; the line gives 95 for 60, 58.3 %
-  EXPECT_THAT(
-      macro_table(with_left_out(), 0),
-      HasSubstr(
-          "26.5 % at angles left out (10.0 % at those with neighbours on both sides, where straight lines "
-          "between these give 58.3 %)"));
+  // by hand: with neighbours on both sides 66 for 60, 10 %; the line gives 95 for 60, 58.3 %
+  const std::string text = error_table(with_left_out(), 0);
+  EXPECT_THAT(text, HasSubstr("left out, this model     10.0 %\n"));
+  EXPECT_THAT(text, HasSubstr("left out, straight line  58.3 %\n"));
+  EXPECT_THAT(text, HasSubstr("left out, parabola            -\n"));  // two others
   const auto j = nlohmann::json::parse(calibration_json(with_left_out(), "1"));
   EXPECT_TRUE(j["left_out"][0]["interpolated"].is_null());
   EXPECT_NEAR(j["left_out"][1]["interpolated"].get<double>(), 95e6, 1.0);
   EXPECT_TRUE(j["left_out"][2]["interpolated"].is_null());
   EXPECT_FALSE(j["fitted"][1].contains("interpolated"));
+  EXPECT_NEAR(j["errors"][1]["UCS"].get<double>(), 0.1, 1e-12);
 }
 
 // Neighbours in theta need not lie at equal distances, nor be of the same test or disc.
@@ -54,11 +54,11 @@ TEST(CalibrationTables, NeighboursAreOfTheSameTest) {
   EXPECT_FALSE(std::isfinite(interpolated(rows, rows[3].target)));
 }
 
-TEST(CalibrationTables, OnlyEndsLeftOutHaveNoLine) {
+TEST(CalibrationTables, WithoutNeighboursOnBothSidesNothingIsLeftOut) {
   Calibration c = with_left_out();
-  c.left_out.erase(c.left_out.begin() + 1);
-  EXPECT_THAT(macro_table(c, 0), Not(HasSubstr("straight lines")));
-  EXPECT_THAT(macro_table(c, 0), HasSubstr("at angles left out"));
+  c.left_out.erase(c.left_out.begin() + 1), c.fitted.erase(c.fitted.begin() + 1);
+  EXPECT_THAT(error_table(c, 0), Not(HasSubstr("left out")));
+  EXPECT_THAT(error_table(c, 0), HasSubstr("packings of the fit     0.0 %"));
 }
 
 ParameterEstimate open(const std::string& symbol, const std::string& next_test) {

@@ -135,6 +135,35 @@ TheoryCurves theory_curves(const RunRecord& run) {
   return curves;
 }
 
+TheoryCurves theory_curves(const std::vector<Target>& table) {
+  TheoryCurves curves;
+  std::vector<AngleValue> moduli;
+  std::vector<theory::StrengthReading> strengths;
+  for (const Target& t : table) {
+    AngleValue E;
+    E.theta = t.theta, E.value.n = t.n, E.value.mean = t.mean;
+    if (t.property == Property::E) moduli.push_back(E);
+    if (t.property == Property::ucs) strengths.push_back({t.theta, t.mean});
+  }
+  const theory::Eq1Fit goodman = fit_moduli(moduli, nan);
+  curves.E.note = "No curve of Goodman: " + goodman.reason + ".";
+  if (goodman.ok())
+    curves.E = sampled(
+        fmt::format("Dashed: Goodman's equivalent continuum through the laboratory's E: E = "
+                    "{:.1f} GPa, K_n δ = {:.1f} GPa, K_s δ = {:.1f} GPa.",
+                    goodman.rock.E * 1e-9, goodman.rock.K_n_delta * 1e-9, goodman.rock.K_s_delta * 1e-9),
+        [&](double theta) { return theory::goodman_E(goodman.rock, theta); });
+  const theory::JaegerFit jaeger = theory::fit_jaeger_and_matrix(strengths);
+  curves.ucs.note = "No curve of Jaeger: " + jaeger.reason + ".";
+  if (jaeger.ok)
+    curves.ucs = sampled(
+        fmt::format("Dashed: one plane of weakness (Jaeger 1960) through the laboratory's UCS: c = {:.1f} "
+                    "MPa, φ = {:.1f}°, rock of {:.1f} MPa.",
+                    jaeger.plane.cohesion * 1e-6, jaeger.plane.friction, jaeger.matrix_ucs * 1e-6),
+        [&](double theta) { return theory::jaeger_sigma_1(jaeger.plane, jaeger.matrix_ucs, theta, 0.0); });
+  return curves;
+}
+
 Rose crack_rose(const std::vector<CrackEvent>& cracks, std::size_t n_bins) {
   Rose rose{std::vector<double>(n_bins, 0.0), std::vector<double>(n_bins, 0.0)};
   for (const CrackEvent& c : cracks) {

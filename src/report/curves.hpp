@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "records/rock.hpp"
 #include "records/specimen_record.hpp"
 #include "records/variation.hpp"
 #include "theory/eq1_fit.hpp"
@@ -23,6 +24,8 @@ struct TheoryCurves {
   AngleCurve ucs;  ///< Jaeger's plane of weakness fitted to ucs [Pa]
 };
 TheoryCurves theory_curves(const RunRecord& run);
+/// Of a laboratory table: E and UCS; no nu.
+TheoryCurves theory_curves(const std::vector<Target>& table);
 
 /// Cracks by direction, anticlockwise from +x: bin k is 180/n degrees wide around k times that, so that a
 /// direction along the axes lies in the middle of a bin. A crack counts once.

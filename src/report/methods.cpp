@@ -3,26 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "base/lines.hpp"
 #include "base/units.hpp"
 #include "records/test_description.hpp"
+#include "report/yardsticks.hpp"
 
 namespace phy::report {
 namespace {
 
 std::string quantity(double value, Dimension d) { return print_quantity(value, d); }
 
+std::string radii_text(const PackingRecipe& p) {
+  return fmt::format("radii between {} and {}, uniform by {}", quantity(p.radius_min, Dimension::length),
+                     quantity(p.radius_max, Dimension::length),
+                     p.distribution == RadiusDistribution::by_number ? "number" : "area");
+}
+
 std::string packing_text(const SpecimenRecord& t) {
   const Recipe& r = t.recipe;
   const std::string source =
-      r.packing.file.empty()
-          ? fmt::format("radii between {} and {}, uniform by {}, seed {}",
-                        quantity(r.packing.radius_min, Dimension::length),
-                        quantity(r.packing.radius_max, Dimension::length),
-                        r.packing.distribution == RadiusDistribution::by_number ? "number" : "area",
-                        r.packing.seed)
-          : "imported";
+      r.packing.file.empty() ? fmt::format("{}, seed {}", radii_text(r.packing), r.packing.seed) : "imported";
   return fmt::format(
       "The specimens are two-dimensional assemblies of {} discs ({}) in a rectangle of {} by {} (width by "
       "height{}). The packing has porosity {:.4f}, coordination number {:.3f} and fabric {:+.4f}; {}.",
@@ -248,7 +251,91 @@ std::string references_text(const Recipe& r) {
   return text;
 }
 
+/// Estimates with the four digits that a reader needs; calibrated.toml has them all.
+Recipe rounded(Recipe r) {
+  const auto round = [](std::initializer_list<double*> numbers) {
+    for (double* v : numbers) *v = std::stod(fmt::format("{:.3e}", *v));
+  };
+  MatrixRecipe& m = r.matrix;
+  round({&m.E_c, &m.E_b, &m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd});
+  for (BeddingRecipe& b : r.bedding) round({&b.k_n, &b.k_s, &b.sigma_n, &b.sigma_n_sd, &b.cohesion});
+  return r;
+}
+
+/// Of a calibration: packings by their seeds only.
+std::string grains_text(const Recipe& r) {
+  return fmt::format(
+      "The specimens are two-dimensional assemblies of discs ({}; {}) in a rectangle of {} by {} (width by "
+      "height).",
+      r.packing.n_grains > 0 ? fmt::format("{} per specimen", r.packing.n_grains)
+                             : fmt::format("porosity {:g}", r.packing.porosity),
+      radii_text(r.packing), quantity(r.specimen.width, Dimension::length),
+      quantity(r.specimen.height, Dimension::length));
+}
+
+/// "E, UCS", without repetition; angles in the same way.
+std::string table_text(const Calibration& c) {
+  std::vector<std::string> names;
+  std::set<double> angles;
+  int n = 0;
+  for (const Comparison& f : c.fitted) {
+    angles.insert(f.target.theta), n += f.target.n;
+    if (const std::string name = to_string(f.target.property);
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  return fmt::format("{} at inclinations of {:g} deg ({} means of {} values)", fmt::join(names, ", "),
+                     fmt::join(angles, ", "), c.fitted.size(), n);
+}
+
+std::string fit_text(const Calibration& c, const std::string& version) {
+  const std::int64_t n_ucs = c.n_strength_tests - c.n_tension_tests;
+  std::string text = fmt::format(
+      "The micro-parameters were calibrated with phyllite {} against laboratory values of {}: {}; E was "
+      "compared as {}.",
+      version, c.rock, table_text(c), to_string(c.E_is));
+  if (c.layers == LayerModel::directions && c.recipe.matrix.directional())
+    text += " The layers are represented by bonds whose stiffness and strength depend on their direction.";
+  text +=
+      fmt::format(" Moduli were fitted by least squares through {} direct elastic solutions", c.n_elastic);
+  if (n_ucs > 0)
+    text += fmt::format(", strengths by a surrogate and its posterior over {} uniaxial{} tests", n_ucs,
+                        c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
+  if (!c.verification.empty())
+    text += fmt::format(", and both were verified on {} packings that the fit had not seen",
+                        c.verification.front().n_packings);
+  return text + ".";
+}
+
+std::string outcome_text(const Calibration& c) {
+  std::string text;
+  for (const ErrorRow& row : error_rows(c)) {
+    std::vector<std::string> errors;
+    for (std::size_t i = 0; i < n_properties; ++i)
+      if (const auto p = static_cast<Property>(i); std::isfinite(row.rms[i]))
+        errors.push_back(fmt::format("{} {}", to_string(p), error_text(p, row.rms[i])));
+    if (!errors.empty())
+      text += fmt::format("{} {} ({})", text.empty() ? "" : ";", fmt::join(errors, ", "), row.of);
+  }
+  std::vector<std::string> open;
+  for (const ParameterEstimate& e : c.parameters)
+    if (!e.determined) open.push_back(e.symbol);
+  return fmt::format("Root mean square errors:{}. Verdict: {}.{}", text, c.verdict.sentence,
+                     open.empty() ? ""
+                                  : fmt::format(" The data do not constrain {}: 95 % intervals over half of "
+                                                "the admitted values, in logarithms.",
+                                                fmt::join(open, ", ")));
+}
+
 }  // namespace
+
+std::vector<std::string> methods_text(const Calibration& c, const std::string& version) {
+  const Recipe r = rounded(c.recipe);
+  std::vector<std::string> text = {grains_text(r), matrix_text(r)};
+  for (const BeddingRecipe& b : r.bedding) text.push_back(bedding_text(b, *r.test.kind));
+  text.insert(text.end(), {fit_text(c, version), outcome_text(c), references_text(c.recipe)});
+  return text;
+}
 
 std::vector<std::string> methods_text(const RunRecord& run) {
   if (run.tests.empty()) return {};

@@ -146,5 +146,34 @@ TEST(Methods, OtherTestsAreDescribedByTheirOwnToolsAndEnds) {
                            HasSubstr("load being vertical")));
 }
 
+TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
+  Calibration c;
+  c.rock = "grey shale", c.E_is = ModulusReading::secant_50, c.recipe.packing.n_grains = 1197;
+  c.recipe.bedding.resize(1);
+  for (const double theta : {0.0, 45.0, 90.0}) {
+    Comparison row;
+    row.target = {Property::ucs, theta, 60e6, 3e6, 4, false};
+    row.mean = 63e6, row.n_packings = 5;
+    c.fitted.push_back(row);
+  }
+  c.verification = c.fitted;
+  c.recipe.matrix.sigma_c = 19.966108594791677e6;
+  c.n_strength_tests = 300, c.n_tension_tests = 100, c.n_elastic = 700;
+  c.verdict.sentence = "calibrated: UCS within 5.0 % of the table";
+  ParameterEstimate open;
+  open.symbol = "mu_sj";
+  c.parameters = {open};
+  std::string text;
+  for (const std::string& paragraph : methods_text(c, "0.9")) text += paragraph + "\n";
+  for (const char* part :
+       {"1197 per specimen", "phyllite 0.9",
+        "grey shale: UCS at inclinations of 0, 45, 90 deg (3 means of 12 "
+        "values)",
+        "E was compared as secant 50 %", "200 uniaxial and 100 tensile tests", "700 direct elastic",
+        "verified on 5 packings", "UCS 5.0 % (5 unseen packings)", "Verdict: calibrated: UCS within 5.0 %",
+        "do not constrain mu_sj", "tensile strength 19.97 MPa", "Potyondy & P.A. Cundall", "smooth joints"})
+    EXPECT_THAT(text, testing::HasSubstr(part));
+}
+
 }  // namespace
 }  // namespace phy::report

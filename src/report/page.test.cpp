@@ -113,6 +113,23 @@ TEST(Page, CarriesCalibrationAndLaboratory) {
   EXPECT_EQ(data["laboratory"][0]["mean"].get<double>(), 6e7);
 }
 
+TEST(Page, TheoryOfACalibrationGoesThroughItsTable) {
+  PageExtras extras;
+  for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0}) {
+    // Coulomb on a plane of 10 MPa without friction in rock of 70 MPa; a continuum for E
+    const double a = theta * std::acos(-1.0) / 180.0, drive = std::sin(a) * std::cos(a);
+    extras.laboratory.push_back(
+        {Property::ucs, theta, drive > 1e-9 ? std::min(70e6, 10e6 / drive) : 70e6, 1e6, 3, false});
+    extras.laboratory.push_back(
+        {Property::E, theta, theory::goodman_E({4e10, 5e10, 2e10, 0.0}, theta), 1e9, 3, false});
+  }
+  const Json data = data_of(report_page({}, extras));
+  EXPECT_NEAR(data["curves"]["ucs"]["value"][45].get<double>(), 20e6, 1e5);
+  EXPECT_NEAR(data["curves"]["ucs"]["value"][5].get<double>(), 70e6, 1e5);
+  EXPECT_NEAR(data["curves"]["E"]["value"][20].get<double>(),
+              theory::goodman_E({4e10, 5e10, 2e10, 0.0}, 20.0), 1e7);
+}
+
 // A tension test is recorded as negative; its curve and cracks reach the page growing.
 TEST(Page, CurvesGrowWhateverTheTest) {
   RunRecord press = three(), pull = press;

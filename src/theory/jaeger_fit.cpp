@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "base/nan.hpp"
@@ -33,6 +34,45 @@ double spread(const std::vector<StrengthReading>& readings) {
   return sum;
 }
 
+constexpr double coarse_step = 0.5, fine_step = 0.01;  // [deg] of friction
+
+/// The best plane of one friction angle and the best matrix, where `n_slip` of the readings slip.
+JaegerFit with_slip(const std::vector<StrengthReading>& readings, const std::vector<double>& per_cohesion,
+                    const std::vector<std::size_t>& easiest, std::size_t n_slip) {
+  JaegerFit fit;
+  double own = 0.0, product = 0.0, rest = 0.0, strongest = 0.0;
+  for (std::size_t k = 0; k < easiest.size(); ++k) {
+    const double ucs = readings[easiest[k]].ucs, g = per_cohesion[easiest[k]];
+    if (k < n_slip)
+      own += g * g, product += g * ucs;
+    else
+      rest += ucs;
+    strongest = std::max(strongest, ucs);
+  }
+  fit.plane.cohesion = product / own;
+  fit.matrix_ucs = n_slip == easiest.size() ? strongest : rest / static_cast<double>(easiest.size() - n_slip);
+  return fit;
+}
+
+/// Takes the fit for a friction angle if it is better than what is known. `best`: sum of squares.
+void try_friction(const std::vector<StrengthReading>& readings, double friction, JaegerFit& known,
+                  double& best) {
+  std::vector<double> per_cohesion;
+  for (const StrengthReading& r : readings)
+    per_cohesion.push_back(weak_plane_sigma_1({1.0, friction}, r.theta, 0.0));
+  std::vector<std::size_t> easiest(readings.size());
+  std::iota(easiest.begin(), easiest.end(), 0U);
+  std::sort(easiest.begin(), easiest.end(),
+            [&](std::size_t a, std::size_t b) { return per_cohesion[a] < per_cohesion[b]; });
+  for (std::size_t n = 1; n <= easiest.size() && std::isfinite(per_cohesion[easiest[n - 1]]); ++n) {
+    JaegerFit fit = with_slip(readings, per_cohesion, easiest, n);
+    fit.plane.friction = friction;
+    const double sum = misfit(
+        readings, [&](double) { return fit.matrix_ucs; }, fit.plane);
+    if (sum < best) best = sum, known = fit;
+  }
+}
+
 std::string refusal(const std::vector<StrengthReading>& readings, const Matrix& matrix) {
   std::set<double> angles;
   bool oblique = false, weaker = false;
@@ -60,7 +100,7 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
   fit.reason = refusal(readings, matrix);
   if (!fit.reason.empty()) return fit;
   fit.ok = true;
-  const double matrix_ucs = matrix(0.0);
+  const double matrix_ucs = fit.matrix_ucs = matrix(0.0);
   double best = std::numeric_limits<double>::infinity();
   Coulomb middle{0.25 * matrix_ucs, 0.5 * largest_friction};
   double half_c = 0.25 * matrix_ucs, half_phi = 0.5 * largest_friction;
@@ -77,6 +117,24 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, const Matrix&
     middle = fit.plane;
     half_c *= narrower, half_phi *= narrower;
   }
+  const double total = spread(readings);
+  fit.R2 = total > 0.0 ? 1.0 - best / total : nan;
+  return fit;
+}
+
+JaegerFit fit_jaeger_and_matrix(const std::vector<StrengthReading>& readings) {
+  JaegerFit fit;
+  std::set<double> angles;
+  double strongest = 0.0, best = std::numeric_limits<double>::infinity();
+  for (const StrengthReading& r : readings) strongest = std::max(strongest, r.ucs), angles.insert(r.theta);
+  fit.reason = refusal(readings, [&](double) { return strongest; });
+  if (fit.reason.empty() && angles.size() < 4) fit.reason = "fewer than four inclinations";
+  if (!fit.reason.empty()) return fit;
+  for (double phi = 0.0; phi <= largest_friction; phi += coarse_step) try_friction(readings, phi, fit, best);
+  const double from = std::max(0.0, fit.plane.friction - coarse_step),
+               to = std::min(largest_friction, fit.plane.friction + coarse_step);
+  for (double phi = from; phi <= to; phi += fine_step) try_friction(readings, phi, fit, best);
+  fit.ok = true;
   const double total = spread(readings);
   fit.R2 = total > 0.0 ? 1.0 - best / total : nan;
   return fit;

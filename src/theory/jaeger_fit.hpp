@@ -26,7 +26,8 @@ struct JaegerFit {
   bool ok = false;
   std::string reason;  ///< why not, empty when ok
   Coulomb plane;
-  double R2 = 0.0;  ///< 1 - sum of squares / sum (ucs - mean)^2; NaN when all strengths are equal
+  double matrix_ucs = 0.0;  ///< [Pa] unconfined, as given or as fitted
+  double R2 = 0.0;          ///< 1 - sum of squares / sum (ucs - mean)^2; NaN when all strengths are equal
 };
 
 /// Needs readings at three inclinations, one of them between 20 and 80 degrees, one weaker than the matrix,
@@ -36,5 +37,9 @@ JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings, double matrix
 /// [Pa].
 JaegerFit fit_jaeger(const std::vector<StrengthReading>& readings,
                      const std::function<double(double)>& matrix);
+/// Unconfined, with the strength of the matrix fitted too: three numbers, so readings at four inclinations.
+/// For a friction angle the sum is a parabola in c and in the matrix once it is known which inclinations
+/// slip, and these are the ones that slip most easily: all such choices over a grid of angles are tried.
+JaegerFit fit_jaeger_and_matrix(const std::vector<StrengthReading>& readings);
 
 }  // namespace phy::theory

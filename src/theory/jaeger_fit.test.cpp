@@ -54,6 +54,41 @@ TEST(JaegerFit, RefusesWhatHoldsNoPlane) {
   EXPECT_FALSE(fit_jaeger({{0.0, 1e8}, {45.0, 1e8}, {90.0, 1e8}}, 1e8).ok);  // no plane shows
 }
 
+TEST(JaegerFit, FindsPlaneAndMatrixThatMadeTheReadings) {
+  for (const double c : {15e6, 25e6})
+    for (const double mu : {0.1, 0.4, 0.8}) {
+      const JaegerFit fit = fit_jaeger_and_matrix(rock_of(c, mu, 140e6));
+      ASSERT_TRUE(fit.ok) << fit.reason;
+      EXPECT_NEAR(fit.matrix_ucs, 140e6, 1e5) << c << " " << mu;
+      EXPECT_NEAR(fit.plane.cohesion, c, 2e-3 * c) << mu;
+      EXPECT_GT(fit.R2, 0.99999);
+    }
+}
+
+TEST(JaegerFit, NoOtherPlaneAndMatrixFitScatteredReadingsBetter) {
+  auto readings = rock_of(20e6, 0.5, 140e6);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i].ucs *= 1.0 + 0.06 * std::sin(2.3 * static_cast<double>(i));
+  const JaegerFit fit = fit_jaeger_and_matrix(readings);
+  ASSERT_TRUE(fit.ok) << fit.reason;
+  const auto sum = [&](double c, double phi, double matrix) {
+    double s = 0.0;
+    for (const auto& r : readings) s += std::pow(r.ucs - jaeger_sigma_1({c, phi}, matrix, r.theta, 0.0), 2);
+    return s;
+  };
+  const double least = sum(fit.plane.cohesion, fit.plane.friction, fit.matrix_ucs);
+  for (double c = 10e6; c < 30e6; c += 0.53e6)
+    for (double phi = 5.0; phi < 50.0; phi += 0.97)
+      for (double matrix = 110e6; matrix < 170e6; matrix += 2.3e6)
+        EXPECT_GE(sum(c, phi, matrix), least * (1.0 - 1e-4)) << c << " " << phi << " " << matrix;
+}
+
+TEST(JaegerFit, PlaneAndMatrixWantFourInclinations) {
+  EXPECT_FALSE(fit_jaeger_and_matrix({{0.0, 1e8}, {45.0, 5e7}, {90.0, 1e8}}).ok);
+  EXPECT_TRUE(fit_jaeger_and_matrix({{0.0, 1e8}, {45.0, 5e7}, {60.0, 4e7}, {90.0, 1e8}}).ok);
+  EXPECT_FALSE(fit_jaeger_and_matrix({}).ok);
+}
+
 // Over confining stresses too: a plane of 8 MPa and 25 degrees in Coulomb rock of 30 MPa and 40 degrees.
 TEST(JaegerFit, FindsThePlaneOverConfiningStresses) {
   const Coulomb plane{8e6, 25.0};

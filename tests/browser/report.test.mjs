@@ -230,12 +230,17 @@ test("a calibration: verdict, what the data determine, laboratory beside model",
   mkdirSync(result);
   const row = (theta, model) => ({ property: "UCS", unit: "Pa", "theta [deg]": theta, laboratory: { mean: 60e6, sd: 3e6, n: 4, sd_assumed: false }, model, sd_of_packings: null, n_packings: 1, low: 0.9 * model, high: 1.1 * model });
   const parameter = (key, determined) => ({ key, symbol: key, unit: "Pa", value: 40.25e9, low: 35e9, high: 46e9, box: [1e9, 200e9], determined, next_test: determined ? undefined : "<b>tension</b>" });
-  const calibration = { format: 1, rock: hostile, verdict: { status: "calibrated except", findings: ["<i>UCS(45)</i> is out by 12 %"] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [row(0, 57.5e6), row(45, 66e6)], verification: [], left_out: [], notes: ["a note"] };
+  const calibration = { format: 1, rock: hostile, verdict: { status: "calibrated except", sentence: "calibrated except: <u>cause</u>; next: a step", summary: ["UCS 12 % off at 45 degrees"], findings: ["<i>UCS(45)</i> is out by 12 %"] }, parameters: [parameter("matrix.E_c", true), parameter("matrix.mu", false)], fitted: [row(0, 57.5e6), row(45, 66e6)], verification: [], left_out: [], notes: ["a note"] };
   writeFileSync(join(result, "calibration.json"), JSON.stringify(calibration));
   report(result);
   const page = await open(result);
   assert.deepEqual(page.trouble, []);
   assert.equal(await page.locator("h1").textContent(), hostile);
+  assert.equal(await page.locator("#calibration .notice").first().textContent(), "calibrated except: <u>cause</u>; next: a step");
+  assert.equal(await page.locator("#calibration .findings li").first().textContent(), "UCS 12 % off at 45 degrees");
+  assert.equal(await page.locator("#calibration details[open]").count(), 0, "details are folded");
+  const narrow = await open(result, { viewport: { width: 390, height: 844 } });
+  assert.ok(await narrow.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
   const text = await page.locator("#calibration").textContent();
   for (const part of ["calibrated except", "<i>UCS(45)</i> is out by 12 %", "57.50", "-4.2", "40.25 GPa", "<b>tension</b>"]) assert.ok(text.includes(part), part);
   assert.ok((await seen(page, "#calibration figure svg")).colors > 12);

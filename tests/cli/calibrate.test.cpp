@@ -33,12 +33,17 @@ class CalibrateCli : public ProgramTest {
 
 TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_THAT(run(calibrate(out())), testing::AnyOf(0, 1)) << output;  // 1: verdict "out of reach"
-  for (const char* text : {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
-                           "verdict:", "RMSE UCS", "at angles left out", "72 tests of UCS"})
+  for (const char* text :
+       {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
+        "Laboratory and model, on unseen packings", "root mean square error", "72 tests of UCS"})
     EXPECT_THAT(output, HasSubstr(text));
+  const std::string all = output, first = all.substr(all.find("next: "), 30);  // of the sentence of verdict
+  EXPECT_GT(all.rfind(first), all.find("tests of UCS")) << "and where the output ends";
+  EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Details\n"), HasSubstr("verdict: ")));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
   EXPECT_THAT(read(out() + "/calibrated-yade.py"), HasSubstr("JCFpmMat"));
+  EXPECT_THAT(read(out() + "/calibrated.toml"), HasSubstr("# The data do not constrain"));
   ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;  // a recipe that the program reads
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));

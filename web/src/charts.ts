@@ -260,21 +260,40 @@ function bounds(r: Comparison, factor: number) {
   return { low: (r.model! - r.sd_of_packings) * factor, high: (r.model! + r.sd_of_packings) * factor };
 }
 
-/** Laboratory beside model for one property of a calibration. */
-export function comparison(rows: Comparison[], factor: number, label: string, width: number): SVGSVGElement | HTMLElement {
-  const lab = rows.map((r) => ({ theta: r["theta [deg]"], value: r.laboratory.mean * factor, half: ((1.96 * r.laboratory.sd) / Math.sqrt(r.laboratory.n)) * factor }));
-  const model = rows.filter((r) => r.model !== null).map((r) => ({ theta: r["theta [deg]"], value: r.model! * factor, ...bounds(r, factor) }));
-  const bounded = model.filter((m) => m.low !== null && m.high !== null);
+/** What one property of a calibration is drawn from. */
+export interface Compared {
+  rows: Comparison[]; // as judged: on unseen packings where there are
+  fitted: Comparison[]; // with the intervals
+  leftOut: Comparison[];
+  curve: Curve; // of theory; may be empty
+}
+
+/** Laboratory, model with its 95 % band, theory and what was predicted unseen, for one property. */
+export function comparison(c: Compared, factor: number, width: number): SVGSVGElement | HTMLElement {
+  const theta = (r: Comparison) => r["theta [deg]"];
+  const byAngle = <T extends { theta: number }>(some: T[]) => some.sort((a, b) => a.theta - b.theta);
+  const lab = c.rows.map((r) => ({ theta: theta(r), value: r.laboratory.mean * factor, half: ((1.96 * r.laboratory.sd) / Math.sqrt(r.laboratory.n)) * factor }));
+  const single = c.rows.flatMap((r) => (r.laboratory.specimens ?? []).map((v) => ({ theta: theta(r), value: v * factor })));
+  const model = byAngle(c.rows.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), value: r.model! * factor })));
+  const band = byAngle(c.fitted.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), ...bounds(r, factor) }))).filter((b) => b.low !== null && b.high !== null);
+  const unseen = c.leftOut.filter((r) => r.model !== null).map((r) => ({ theta: theta(r), value: r.model! * factor }));
+  const theory = c.curve.theta.map((t, i) => ({ theta: t, value: c.curve.value[i] * factor }));
   return Plot.plot({
-    ...panel(width),
+    ...panel(width), // its heading says what is drawn
+    marginTop: 12,
     x: { ...inclination, domain: [-3, 93], ticks: angles(90, width) },
-    y: { label, labelArrow: "none", nice: true, zero: true },
+    y: { label: null, nice: true, zero: true },
     marks: [
       Plot.ruleY([0]),
-      Plot.ruleX(bounded, { x: (d) => d.theta + 1.2, y1: "low", y2: "high", stroke: "var(--accent)", strokeWidth: 2 }),
-      Plot.dot(model, { x: (d) => d.theta + 1.2, y: "value", fill: "var(--accent)", r: 5, tip: true }),
-      Plot.ruleX(lab, { x: (d) => d.theta - 1.2, y1: (d) => d.value - d.half, y2: (d) => d.value + d.half, stroke: "var(--ink)", strokeWidth: 1.4 }),
-      Plot.dot(lab, { x: (d) => d.theta - 1.2, y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6 }),
+      Plot.areaY(band, { x: "theta", y1: "low", y2: "high", fill: "var(--accent)", fillOpacity: 0.16 }),
+      Plot.ruleX(band.length === 1 ? band : [], { x: "theta", y1: "low", y2: "high", stroke: "var(--accent)", strokeWidth: 2 }),
+      Plot.line(theory, { x: "theta", y: "value", stroke: "var(--theory)", strokeWidth: 1.6, strokeDasharray: "6 4" }),
+      Plot.line(model, { x: "theta", y: "value", stroke: "var(--accent)", strokeWidth: 2.2 }),
+      Plot.ruleX(lab, { x: "theta", y1: (d) => d.value - d.half, y2: (d) => d.value + d.half, stroke: "var(--ink)", strokeWidth: 1.4 }),
+      Plot.dot(single, { x: "theta", y: "value", dx: -7, r: 2.2, fill: "var(--ink)", fillOpacity: 0.5 }),
+      Plot.dot(lab, { x: "theta", y: "value", symbol: "diamond", r: 5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.5 }),
+      Plot.dot(unseen, { x: "theta", y: "value", symbol: "times", dx: 7, r: 4, stroke: "var(--pull)", strokeWidth: 1.8 }),
+      Plot.dot(model, { x: "theta", y: "value", fill: "var(--accent)", r: 3.4, tip: true }),
     ],
   }) as SVGSVGElement;
 }

@@ -39,18 +39,24 @@ export interface Estimate {
 export interface Comparison {
   property: string;
   "theta [deg]": number;
-  laboratory: { mean: number; sd: number; n: number };
+  laboratory: { mean: number; sd: number; n: number; specimens?: number[] };
   model: number | null;
   sd_of_packings: number | null;
   n_packings: number;
   low: number | null;
   high: number | null;
+  "diameter [m]"?: number; // of a disc
   interpolated?: number | null; // of left_out: straight line between the neighbours; null at the ends
+  parabola?: number | null;
+  jaeger?: number | null; // of UCS: plane of weakness
 }
 
 export interface Calibration {
   rock: string;
-  verdict: { status: string; findings: string[] };
+  verdict: { status: string; sentence?: string; summary?: string[]; findings: string[] };
+  tables?: { title: string; head: string; rows: [string, string][] }[]; // parameters in words; not in older files
+  errors?: ({ of: string } & Record<string, number | string>)[]; // root mean squares
+  runs?: { strength_tests: number; of_these_in_tension: number; elastic_solutions: number };
   parameters: Estimate[];
   fitted: Comparison[];
   verification: Comparison[];

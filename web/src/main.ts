@@ -1,6 +1,6 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
-import { Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
+import { Calibration, Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
 import { Field, Viewer, headHeight, ramps } from "./viewer";
 
 type Child = Node | string | null | false;
@@ -547,8 +547,8 @@ function table(label: string, heads: string[], rows: Child[][], caption: string 
 
 function comparisonTable(rows: Comparison[], caption: string): Child {
   if (rows.length === 0) return null;
-  const lines = rows.some((r) => typeof r.interpolated === "number");
-  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...(lines ? ["error of a straight line between neighbours"] : [])];
+  const rules = ([["interpolated", "error of a straight line between neighbours"], ["parabola", "of a parabola"], ["jaeger", "of a plane of weakness"]] as const).filter(([key]) => rows.some((r) => typeof r[key] === "number"));
+  const heads = ["property", "θ [°]", "laboratory", "± sd", "specimens", "model", "± sd of packings", "rock, 95 %", "error", ...rules.map(([, head]) => head)];
   return table(
     caption,
     heads,
@@ -556,7 +556,7 @@ function comparisonTable(rows: Comparison[], caption: string): Child {
       const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
       const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
-      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...(lines ? [error(r.interpolated)] : [])];
+      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
     }),
     caption,
   );
@@ -571,40 +571,114 @@ function intervalBar(p: Estimate): Child {
   return h("span", { class: "interval", role: "img", "aria-label": `${Math.round(at(p.low))} to ${Math.round(at(p.high))} % of the range` }, bar);
 }
 
+/** Laboratory and model, angles across. */
+function angleTable(c: Calibration): HTMLElement {
+  const key = (r: Comparison) => `${r.property} ${r["diameter [m]"] ?? ""}`;
+  const rows = judged(c);
+  const angles = [...new Set(rows.map((r) => r["theta [deg]"]))].sort((a, b) => a - b);
+  const digits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
+  const lines = [...new Set(rows.map(key))].flatMap((k): Child[][] => {
+    const some = rows.filter((r) => key(r) === k);
+    const [factor, label] = scales[some[0].property] ?? [1, some[0].property];
+    const disc = some[0]["diameter [m]"];
+    const cells = (f: (r: Comparison) => string) => angles.map((a) => some.filter((r) => r["theta [deg]"] === a).map(f)[0] ?? "–");
+    const error = (r: Comparison) => (r.model === null ? "–" : r.property === "nu" ? signed(r.model - r.laboratory.mean, 2) : signed(100 * (r.model / r.laboratory.mean - 1), 1));
+    return [
+      [short(label) + (disc ? `, ${(1e3 * disc).toPrecision(3)} mm` : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
+      [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : digits(r.model * factor)))],
+      [h("span", { class: "muted" }, some[0].property === "nu" ? "error" : "error, %"), ...cells(error)],
+    ];
+  });
+  return table("Laboratory and model, angles across", ["θ [°]", ...angles.map(String)], lines, c.verification.length > 0 ? "Laboratory and model, on unseen packings" : "Laboratory and model, on the packings of the fit");
+}
+
+/** On unseen packings where there are, else on those of the fit. */
+function judged(c: Calibration): Comparison[] {
+  const same = (a: Comparison, b: Comparison) => a.property === b.property && a["theta [deg]"] === b["theta [deg]"] && a["diameter [m]"] === b["diameter [m]"];
+  return c.fitted.map((f) => c.verification.find((v) => same(v, f)) ?? f);
+}
+
+const signed = (v: number, digits: number) => `${v < 0 ? "−" : "+"}${Math.abs(v).toFixed(digits)}`;
+const short = (label: string) => label.replace("direct tensile strength", "DTS").replace("Brazilian strength", "BTS");
+
+/** Root mean squares, yardsticks below, and what it cost. */
+function errorTable(c: Calibration): Child {
+  if (!c.errors) return null;
+  const properties = Object.keys(scales).filter((p) => c.errors!.some((e) => typeof e[p] === "number"));
+  const cell = (v: number | string | undefined, p: string) => (typeof v !== "number" ? "–" : p === "nu" ? v.toFixed(3) : `${(100 * v).toFixed(1)}\u00a0%`);
+  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
+}
+
+function cost(c: Calibration): Child {
+  if (!c.runs) return null;
+  const n = c.runs.of_these_in_tension;
+  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests of UCS${n > 0 ? ` and ${n} in tension` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
+}
+
+/** Parameters as the paper's Tables 1 and 2 have them. */
+function parameterTables(c: Calibration): Child[] {
+  return (c.tables ?? []).map((t) => table(t.head, [t.head, "value [95 % interval]"], t.rows, t.title || null));
+}
+
+function compared(c: Calibration, p: string): HTMLElement {
+  const [factor, label] = scales[p] ?? [1, p];
+  const of = (rows: Comparison[]) => rows.filter((r) => r.property === p);
+  const none = { note: "", theta: [], value: [] };
+  const curve = p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
+  const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
+  return chart(label, curve.note, (width) => comparison(data, factor, width));
+}
+
+/** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
+function calibrationLegend(c: Calibration): HTMLElement {
+  const mark = (sign: string, color: string, text: string) => h("li", {}, h("span", { style: `color:${color}`, "aria-hidden": "true" }, sign), text);
+  return h(
+    "ul",
+    { class: "legend" },
+    c.fitted.some((r) => (r.laboratory.specimens ?? []).length > 0) && mark("•", "var(--ink)", "specimens"),
+    mark("◇", "var(--ink)", "laboratory, mean and its 95 %"),
+    mark("━●━", "var(--accent)", "model"),
+    h("li", {}, h("i", { style: "background:color-mix(in srgb, var(--accent) 25%, var(--surface))" }), "95 % of the rock's value by the fit"),
+    c.left_out.length > 0 && mark("×", "var(--pull)", "model, predicted without it"),
+    report.curves.E.theta.length + report.curves.ucs.theta.length > 0 && h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "Goodman, Jaeger"),
+  );
+}
+
+function whatIsDetermined(c: Calibration): HTMLElement {
+  return table(
+    "Parameters",
+    ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would tell more"],
+    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
+    null,
+    [5],
+  );
+}
+
+const fold = (title: string, ...children: Child[]) => h("details", {}, h("summary", {}, title), ...children);
+
 function calibration() {
   const c = report.calibration;
   if (!c) return;
-  const properties = [...new Set([...c.verification, ...c.fitted].map((r) => r.property))];
-  const shown = (p: string) => {
-    const unseen = c.verification.filter((r) => r.property === p);
-    return unseen.length > 0 ? unseen : c.fitted.filter((r) => r.property === p);
-  };
+  const properties = [...new Set(c.fitted.map((r) => r.property))];
+  const lines = (c.verdict.summary ?? c.verdict.findings).filter((f) => f.length <= 160).slice(0, 10); // the rest is folded
   section(
     "calibration",
     "Calibration",
-    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, `${c.rock}: ${c.verdict.status}`), ...c.verdict.findings.map((f) => h("p", {}, f))),
-    h("ul", { class: "legend" }, h("li", {}, "◇ laboratory, 95 % interval of the mean"), h("li", {}, h("i", { style: "background:var(--accent);border-radius:50%" }), "calibrated model, on unseen packings where there are; 95 % interval by the fit, else ± sd of the packings")),
-    h(
-      "div",
-      { class: "grid four" },
-      ...properties.map((p) => {
-        const [factor, label] = scales[p] ?? [1, p];
-        return chart(label, null, (width) => comparison(shown(p), factor, label, width));
-      }),
+    h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || `${c.rock}: ${c.verdict.status}`)),
+    h("div", { class: "grid small" }, ...properties.filter((p) => p !== "nu").map((p) => compared(c, p))),
+    calibrationLegend(c),
+    h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
+    lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
+    fold(`All ${c.verdict.findings.length} findings and ${c.notes.length} notes`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
+    fold("What the data determine", whatIsDetermined(c)),
+    fold(
+      "Every cell",
+      properties.includes("nu") && compared(c, "nu"),
+      comparisonTable(c.fitted, "On the packings of the fit"),
+      comparisonTable(c.verification, "On packings that the fit has not seen"),
+      comparisonTable(c.tangent_from_test ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
+      comparisonTable(c.left_out, "Each value predicted without it"),
     ),
-    comparisonTable(c.fitted, "On the packings of the fit"),
-    comparisonTable(c.verification, "On packings that the fit has not seen"),
-    comparisonTable(c.tangent_from_test ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
-    comparisonTable(c.left_out, "Each value predicted without it"),
-    h("h3", {}, "What the data determine"),
-    table(
-      "Parameters",
-      ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would tell more"],
-      c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
-      null,
-      [5],
-    ),
-    ...c.notes.map((n) => h("p", { class: "muted" }, n)),
   );
 }
 

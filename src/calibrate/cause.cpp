@@ -1,0 +1,352 @@
+#include "calibrate/cause.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "calibrate/elastic_verdict.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr double ucs_unit = 0.06, tension_unit = 0.10;  // errors that pass without a word
+constexpr double beyond_chance = 1.64;                  // standard errors, 5 % to one side
+constexpr double surely = 2.58;                         // the same, 1 % to both sides
+constexpr double other_strength = 0.10;                 // ratios of strengths that differ by as much differ
+constexpr double worth_a_word = 0.15;                   // share of the misfit
+constexpr double widest_gap = 30.0;                     // [deg] between angles of UCS
+
+struct Cause {
+  std::string text, next;
+};
+
+enum Part { moduli, compression, tension, n_parts };
+
+Part part_of(Property p) { return !is_strength(p) ? moduli : p == Property::ucs ? compression : tension; }
+
+/// A miss in units of what passes without a word.
+double scaled_error(const Comparison& c) {
+  switch (c.target.property) {
+    case Property::E: return c.error() / elastic_tolerance;
+    case Property::nu: return (c.mean - c.target.mean) / nu_tolerance;
+    case Property::ucs: return c.error() / ucs_unit;
+    case Property::direct_tension:
+    case Property::brazilian: break;
+  }
+  return c.error() / tension_unit;
+}
+
+/// Standard errors of the logarithm of a mean: of the laboratory, of the model.
+double of_laboratory(const Comparison& c) { return c.target.standard_error() / c.target.mean; }
+double of_model(const Comparison& c) {
+  return std::isfinite(c.sd) && c.n_packings > 0 ? c.sd / std::sqrt(c.n_packings) / c.mean : 0.0;
+}
+
+/// Every cell as it is judged: on unseen packings, else on those of the fit.
+struct View {
+  const Calibration& of;
+  std::vector<Comparison> rows;
+  std::array<double, n_parts> misfit = {};  ///< sums of squares
+
+  explicit View(const Calibration& c) : of(c) {
+    for (const Comparison& fit : c.fitted) {
+      const Comparison* unseen = row_of(c.verification, fit.target);
+      rows.push_back(unseen != nullptr && unseen->answered() ? *unseen : fit);
+      if (rows.back().answered())
+        misfit[part_of(fit.target.property)] += std::pow(scaled_error(rows.back()), 2.0);
+    }
+  }
+  /// With an answer, by angle as they come.
+  std::vector<Comparison> answered(Property p) const {
+    std::vector<Comparison> some;
+    for (const Comparison& c : rows)
+      if (c.target.property == p && c.answered()) some.push_back(c);
+    return some;
+  }
+  const Comparison* at(Property p, double theta) const {
+    for (const Comparison& c : rows)
+      if (c.target.property == p && c.target.theta == theta && c.answered()) return &c;
+    return nullptr;
+  }
+  double share(Part part) const {
+    const double all = misfit[moduli] + misfit[compression] + misfit[tension];
+    return all > 0.0 ? misfit[part] / all : 0.0;
+  }
+};
+using Rule = std::optional<Cause>(const View&);
+
+/// Joints on planes have a rival; else what the table could tell.
+std::string other_layers(const View& v, const std::string& otherwise) {
+  return v.of.layers == LayerModel::planes ? "layers = \"directions\" in the rock file, which has no plane"
+                                           : otherwise;
+}
+
+/// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
+struct EndRatio {
+  double laboratory, model, noise, noise_of_table;
+  double difference() const { return std::fabs(std::log(laboratory / model)); }
+};
+std::optional<EndRatio> end_ratio(const View& v, Property p) {
+  const Comparison *a = v.at(p, 90.0), *b = v.at(p, 0.0);
+  if (a == nullptr || b == nullptr || a->mean / b->mean <= 0.0 || a->target.mean / b->target.mean <= 0.0)
+    return {};
+  const double table = std::hypot(of_laboratory(*a), of_laboratory(*b));
+  return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean,
+                  std::hypot(table, of_model(*a), of_model(*b)), table};
+}
+
+/// Across and along the layers the compliance that nu/E stands for is one and the same.
+std::optional<Cause> nu_of_no_body(const View& v) {
+  const auto E = end_ratio(v, Property::E), nu = end_ratio(v, Property::nu);
+  if (!E || !nu) return {};
+  const double off = std::fabs(std::log(nu->laboratory / E->laboratory));
+  if (off <= surely * std::hypot(E->noise_of_table, nu->noise_of_table)) return {};
+  const bool misses = std::any_of(v.rows.begin(), v.rows.end(), [](const Comparison& c) {
+    return c.target.property == Property::nu && c.answered() && std::fabs(scaled_error(c)) > 1.0;
+  });
+  if (!misses) return {};
+  return Cause{fmt::format("nu(90)/nu(0) is {:.2f} in the table, where a layered elastic body has "
+                           "E(90)/E(0) = {:.2f}",
+                           nu->laboratory, E->laboratory),
+               "check how nu was measured (it counts in the plane of load and dip), or leave it out"};
+}
+
+std::optional<Cause> modulus_ratio(const View& v) {
+  const auto E = end_ratio(v, Property::E);
+  if (!E || E->difference() <= std::max(2.0 * elastic_tolerance, beyond_chance * E->noise)) return {};
+  return Cause{fmt::format("E(90)/E(0) is {:.2f} in the table, {:.2f} in the model", E->laboratory, E->model),
+               "check the angles of the table and E_is, the part of the curve that its E is read from"};
+}
+
+/// By the table's means and by the model's, beyond the chance of either.
+bool stronger(const Comparison& a, const Comparison& b) {
+  return std::log(a.target.mean / b.target.mean) >
+         beyond_chance * std::hypot(of_laboratory(a), of_laboratory(b));
+}
+bool stronger_in_model(const Comparison& a, const Comparison& b) {
+  return std::log(a.mean / b.mean) > beyond_chance * std::hypot(of_model(a), of_model(b));
+}
+
+/// A plane is weakest at 45 degrees plus half of its friction angle and alike to both sides of it (Jaeger,
+/// theory/jaeger.hpp): of angles a < 45 and one between 45 and 90 - a the second is never the stronger one.
+bool no_plane(const std::vector<Comparison>& ucs, const Comparison& weakest) {
+  return std::any_of(ucs.begin(), ucs.end(), [&](const Comparison& c) {
+    return c.target.theta >= 45.0 && c.target.theta <= 90.0 - weakest.target.theta && stronger(c, weakest);
+  });
+}
+
+std::optional<Cause> weakest_angle(const View& v) {
+  const std::vector<Comparison> ucs = v.answered(Property::ucs);
+  if (ucs.size() < 3) return {};
+  const Comparison& rock = *std::min_element(
+      ucs.begin(), ucs.end(), [](const auto& a, const auto& b) { return a.target.mean < b.target.mean; });
+  const Comparison& model =
+      *std::min_element(ucs.begin(), ucs.end(), [](const auto& a, const auto& b) { return a.mean < b.mean; });
+  if (!stronger(model, rock) || !stronger_in_model(rock, model)) return {};
+  return Cause{fmt::format("the model is weakest at {:g} degrees, the rock at {:g}{}", model.target.theta,
+                           rock.target.theta, no_plane(ucs, rock) ? ": no single weak plane does that" : ""),
+               other_layers(v, fmt::format("more specimens at {:g} and {:g} degrees", rock.target.theta,
+                                           model.target.theta))};
+}
+
+std::optional<Cause> strength_ratio(const View& v) {
+  const auto ucs = end_ratio(v, Property::ucs);
+  if (!ucs || ucs->difference() <= std::max(other_strength, beyond_chance * ucs->noise)) return {};
+  return Cause{fmt::format("UCS(0)/UCS(90) is {:.2f} in the table, {:.2f} in the model",
+                           1.0 / ucs->laboratory, 1.0 / ucs->model),
+               other_layers(v, "more specimens at 0 and 90 degrees")};
+}
+
+std::string range(const std::vector<double>& some) {
+  const auto [low, high] = std::minmax_element(some.begin(), some.end());
+  const std::string a = fmt::format("{:.1f}", *low), b = fmt::format("{:.1f}", *high);
+  return a == b ? a : a + " ... " + b;
+}
+
+std::optional<Cause> ratio_to_tension(const View& v) {
+  for (const Property p : {Property::brazilian, Property::direct_tension}) {
+    std::vector<double> table, model;
+    double squares = 0.0, farthest = 0.0, theta = 0.0;
+    bool all_too_low = true;
+    for (const Comparison& t : v.answered(p)) {
+      const Comparison* u = v.at(Property::ucs, t.target.theta);
+      if (u == nullptr) continue;
+      table.push_back(u->target.mean / t.target.mean), model.push_back(u->mean / t.mean);
+      const double off = std::log(table.back() / model.back());
+      const double noise =
+          std::hypot(std::hypot(of_laboratory(t), of_laboratory(*u)), std::hypot(of_model(t), of_model(*u)));
+      if (std::fabs(off) > farthest) farthest = std::fabs(off), theta = t.target.theta;
+      all_too_low = all_too_low && off > std::max(other_strength, beyond_chance * noise);
+      squares += off * off;
+    }
+    if (table.empty() || std::sqrt(squares / static_cast<double>(table.size())) <= other_strength) continue;
+    return Cause{fmt::format("UCS/{} is {} in the table, {} in the model{}", to_string(p), range(table),
+                             range(model), all_too_low ? " (bonded discs are strong in tension)" : ""),
+                 all_too_low ? "leave the tensile strengths out if compression is what matters"
+                             : fmt::format("more specimens of {} at {:g} degrees", to_string(p), theta)};
+  }
+  return {};
+}
+
+/// Packings that differ by more than passes without a word, and by half of what is missed or more.
+std::optional<Cause> scattered_packings(const View& v, Part part) {
+  double squares = 0.0, missed = 0.0;
+  int n = 0;
+  for (const Comparison& c : v.rows) {
+    const double unit = part == moduli ? elastic_tolerance : part == compression ? ucs_unit : tension_unit;
+    if (part_of(c.target.property) != part || c.target.property == Property::nu || !c.answered() ||
+        !std::isfinite(c.sd))
+      continue;
+    squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
+  }
+  if (n == 0 || squares <= n || squares < 0.25 * missed) return {};
+  const double unit = part == moduli ? elastic_tolerance : part == compression ? ucs_unit : tension_unit;
+  return Cause{fmt::format("packings of this grain size differ by {:.0f} % from each other, the model from "
+                           "the table by {:.0f} %",
+                           100.0 * unit * std::sqrt(squares / n), 100.0 * unit * std::sqrt(missed / n)),
+               "smaller grains in the rock's recipe (packing.radius_min, packing.radius_max)"};
+}
+
+std::string shown(const Target& t, double value) {
+  return t.property == Property::E    ? fmt::format("{:.1f} GPa", value * 1e-9)
+         : t.property == Property::nu ? fmt::format("{:.3f}", value)
+                                      : fmt::format("{:.1f} MPa", value * 1e-6);
+}
+
+Cause farthest_cell(const View& v, Part part) {
+  const Comparison* worst = nullptr;
+  for (const Comparison& c : v.rows)
+    if (part_of(c.target.property) == part && c.answered() &&
+        (worst == nullptr || std::fabs(scaled_error(c)) > std::fabs(scaled_error(*worst))))
+      worst = &c;
+  const Target& t = worst->target;
+  return {fmt::format("farthest off is {}, {} instead of {}", cell_name(t), shown(t, worst->mean),
+                      shown(t, t.mean)),
+          fmt::format("check {} in the table, or test more specimens there", cell_name(t))};
+}
+
+Cause cause_of(const View& v, Part part) {
+  const std::array<std::vector<Rule*>, n_parts> rules = {
+      {{nu_of_no_body, modulus_ratio}, {weakest_angle, strength_ratio}, {ratio_to_tension}}};
+  for (Rule* rule : rules[part])
+    if (const auto cause = rule(v)) return *cause;
+  if (const auto cause = scattered_packings(v, part)) return *cause;
+  return farthest_cell(v, part);
+}
+
+/// Parts with a share worth a word, the largest first.
+std::vector<Part> ranked(const View& v) {
+  std::vector<Part> parts;
+  for (const Part p : {moduli, compression, tension})
+    if (v.share(p) >= worth_a_word) parts.push_back(p);
+  std::stable_sort(parts.begin(), parts.end(), [&](Part a, Part b) { return v.misfit[a] > v.misfit[b]; });
+  return parts;
+}
+
+std::string name_of(const View& v, Part part) {
+  std::vector<std::string> names;
+  for (const Comparison& c : v.rows)
+    if (const std::string name = to_string(c.target.property);
+        part_of(c.target.property) == part && std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// Values without any answer of the model.
+std::string unanswered(const View& v) {
+  std::vector<std::string> cells;
+  for (const Comparison& c : v.of.fitted) {
+    const Comparison* unseen = row_of(v.of.verification, c.target);
+    if (!c.answered() || (unseen != nullptr && !unseen->answered())) cells.push_back(cell_name(c.target));
+  }
+  return fmt::format("{}", fmt::join(cells, ", "));
+}
+
+bool was_short(const Calibration& c) {
+  return std::any_of(c.notes.begin(), c.notes.end(),
+                     [](const std::string& n) { return n.starts_with("the search was short"); });
+}
+
+/// Neighbours in theta with UCS that nothing lies between for far.
+std::string gap_of(const View& v) {
+  std::vector<double> angles;
+  for (const Comparison& c : v.answered(Property::ucs)) angles.push_back(c.target.theta);
+  std::sort(angles.begin(), angles.end());
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    if (angles[i] - angles[i - 1] > widest_gap)
+      return fmt::format("no UCS between {:g} and {:g} degrees", angles[i - 1], angles[i]);
+  return "";
+}
+
+/// "E within 1.7 %, UCS within 3.7 %".
+std::string misses_text(const View& v) {
+  std::vector<std::string> list;
+  for (int i = 0; i < n_properties; ++i) {
+    const auto p = static_cast<Property>(i);
+    double most = -1.0;
+    for (const Comparison& c : v.answered(p))
+      most = std::max(most, std::fabs(p == Property::nu ? c.mean - c.target.mean : 100.0 * c.error()));
+    if (most >= 0.0)
+      list.push_back(p == Property::nu ? fmt::format("nu within {:.3f}", most)
+                                       : fmt::format("{} within {:.1f} %", to_string(p), most));
+  }
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+/// What remains open of a model that meets its table, and which test would close most of it.
+std::string good_news(const View& v) {
+  const Calibration& c = v.of;
+  std::string text = fmt::format("{} of the table{}", misses_text(v),
+                                 c.verification.empty() ? "" : " on packings the fit has not seen");
+  std::vector<std::string> open, next;
+  for (const ParameterEstimate& e : c.parameters) {
+    if (e.determined) continue;
+    open.push_back(e.symbol);
+    if (!e.next_test.empty()) next.push_back(e.next_test);
+  }
+  const std::string gap = gap_of(v);
+  text += open.empty() ? "; the data determine every parameter"
+                       : fmt::format("; its data leave {} open", fmt::join(open, ", "));
+  if (!gap.empty()) text += "; " + gap;
+  if (was_short(c)) text += "; the search was short";
+  if (!next.empty()) return text + "; next: " + next.front();
+  return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
+}
+
+/// What most of the misfit is about.
+std::string bad_news(const View& v) {
+  std::vector<std::string> clauses;
+  std::string next;
+  if (const std::string cells = unanswered(v); !cells.empty())
+    clauses.push_back("the model has no answer for " + cells), next = "the findings below say why";
+  for (const Part part : ranked(v)) {
+    if (clauses.size() == 2) break;
+    const Cause cause = cause_of(v, part);
+    clauses.push_back(fmt::format("{:.0f} % {}in {}: {}", 100.0 * v.share(part),
+                                  next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
+    if (next.empty()) next = cause.next;
+  }
+  if (was_short(v.of)) {
+    clauses.push_back(
+        fmt::format("the search was short ({} tests)", v.of.n_strength_tests - v.of.n_tension_tests));
+    next = "a new folder with a larger --max-tests";
+  }
+  if (clauses.empty()) clauses = v.of.verdict.findings;
+  return fmt::format("{}; next: {}", fmt::join(clauses, "; "), next.empty() ? "see the findings" : next);
+}
+
+}  // namespace
+
+std::string verdict_sentence(const Calibration& c) {
+  const std::string status = to_string(c.verdict.status);
+  if (c.verdict.status == VerdictStatus::interrupted)
+    return status + ": finished tests are in the store; next: the same command with --resume";
+  const View view(c);
+  return status + ": " + (c.verdict.status == VerdictStatus::calibrated ? good_news(view) : bad_news(view));
+}
+
+}  // namespace phy::calibrate

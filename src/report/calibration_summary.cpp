@@ -1,0 +1,129 @@
+#include "report/calibration_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/lines.hpp"
+#include "base/text_table.hpp"
+
+namespace phy::report {
+namespace {
+
+constexpr std::size_t most_lines = 10;
+constexpr int usual_width = 80;  // of a terminal, where there is none
+
+/// Is a cell, or a ratio to it, among the subjects of a finding: "E(0), E(15): ...", "UCS(30) = ..."?
+bool speaks_of(const std::string& finding, const std::string& quantity, double theta) {
+  const std::string name = fmt::format("{}({:g}", quantity, theta);
+  const std::size_t end = std::min(finding.find(" = "), finding.find(": "));
+  for (std::size_t at = finding.find(name); at < end; at = finding.find(name, at + 1)) {
+    const std::size_t after = at + name.size();
+    const bool whole = after < finding.size() && (finding[after] == ')' || finding[after] == ',');
+    if (whole && (at == 0 || finding.substr(0, at).ends_with(", "))) return true;
+  }
+  return false;
+}
+
+/// The angles of a table that findings name for a quantity; these findings are taken out of `rest`.
+std::set<double> take(std::vector<std::string>& rest, const std::string& quantity, const Calibration& c) {
+  std::set<double> angles;
+  for (const Comparison& f : c.fitted)
+    for (const std::string& finding : rest)
+      if (speaks_of(finding, quantity, f.target.theta)) angles.insert(f.target.theta);
+  for (const double theta : angles)
+    std::erase_if(rest, [&](const std::string& f) { return speaks_of(f, quantity, theta); });
+  return angles;
+}
+
+/// "11 - 13", or one number where both look alike.
+std::string span(const std::vector<double>& values, const char* format) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const std::string a = fmt::format(fmt::runtime(format), *low), b = fmt::format(fmt::runtime(format), *high);
+  return a == b ? a : a + " - " + b;
+}
+
+/// On unseen packings where there are, else on those of the fit.
+const Comparison& judged(const Calibration& c, const Comparison& fitted) {
+  const Comparison* unseen = row_of(c.verification, fitted.target);
+  return unseen != nullptr ? *unseen : fitted;
+}
+
+/// "UCS 11 - 13 % off at 30, 75, 90 degrees", of the cells that findings name.
+void add_cells(std::vector<std::string>& lines, std::vector<std::string>& rest, const Calibration& c,
+               Property p) {
+  const std::set<double> named = take(rest, to_string(p), c);
+  std::vector<double> off, where, silent;
+  for (const Comparison& f : c.fitted) {
+    if (f.target.property != p || !named.contains(f.target.theta)) continue;
+    const Comparison& row = judged(c, f);
+    (row.answered() ? where : silent).push_back(f.target.theta);
+    if (row.answered())
+      off.push_back(std::fabs(p == Property::nu ? row.mean - row.target.mean : 100.0 * row.error()));
+  }
+  if (!off.empty())
+    lines.push_back(fmt::format("{} {}{} off at {:g} degrees", to_string(p),
+                                span(off, p == Property::nu ? "{:.2f}" : "{:.2g}"),
+                                p == Property::nu ? "" : " %", fmt::join(where, ", ")));
+  if (!silent.empty())
+    lines.push_back(fmt::format("{}: no answer at {:g} degrees", to_string(p), fmt::join(silent, ", ")));
+}
+
+/// "UCS/BTS 4.3 - 8.4 in the laboratory, 5.3 - 6.4 in the nearest model, at 0, 30 degrees".
+void add_ratios(std::vector<std::string>& lines, std::vector<std::string>& rest, const Calibration& c,
+                Property p) {
+  const std::set<double> named = take(rest, std::string("UCS/") + to_string(p), c);
+  std::vector<double> laboratory, model;
+  for (const Comparison& t : c.verification)
+    for (const Comparison& u : c.verification)
+      if (t.target.property == p && u.target.property == Property::ucs && t.target.theta == u.target.theta &&
+          named.contains(t.target.theta))
+        laboratory.push_back(u.target.mean / t.target.mean), model.push_back(u.mean / t.mean);
+  if (!laboratory.empty())
+    lines.push_back(fmt::format("UCS/{} {} in the laboratory, {} in the nearest model, at {:g} degrees",
+                                to_string(p), span(laboratory, "{:.1f}"), span(model, "{:.1f}"),
+                                fmt::join(named, ", ")));
+}
+
+}  // namespace
+
+std::vector<std::string> open_lines(const Calibration& c) {
+  std::vector<std::string> open;
+  for (const ParameterEstimate& e : c.parameters)
+    if (!e.determined)
+      add_line(open, e.symbol,
+               e.next_test.empty() ? "left open by the data; no test that a table holds tells much of it"
+                                   : "left open by the data; would tell more: " + e.next_test);
+  return open;
+}
+
+std::vector<std::string> summary_lines(const Calibration& c) {
+  std::vector<std::string> lines, rest = c.verdict.findings, open;
+  for (int i = 0; i < n_properties; ++i) add_cells(lines, rest, c, static_cast<Property>(i));
+  for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, rest, c, p);
+  for (const ParameterEstimate& e : c.parameters)
+    if (!e.determined) open.push_back(e.symbol);
+  if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));
+  lines.insert(lines.end(), rest.begin(), rest.end());
+  return lines;
+}
+
+std::string summary_text(const Calibration& c, int terminal_width) {
+  std::string text;
+  std::size_t used = 0, left = c.notes.size();
+  for (const std::string& line : summary_lines(c)) {
+    const std::string item = "- " + line + "\n";
+    const std::string as_seen = wrapped(item, terminal_width > 0 ? terminal_width : usual_width, 2);
+    const auto n = static_cast<std::size_t>(std::count(as_seen.begin(), as_seen.end(), '\n'));
+    if (used + n < most_lines)
+      text += wrapped(item, terminal_width, 2), used += n;
+    else
+      ++left;
+  }
+  return text + (left > 0 ? fmt::format("- {} more in tables.txt\n", left) : "");
+}
+
+}  // namespace phy::report

@@ -1,0 +1,20 @@
+// What a calibration has found in few lines: cells of one property together, what is open in one line. All
+// details are kept where there is room (tables.txt, calibration.json, the folded part of the report).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/calibration.hpp"
+
+namespace phy::report {
+
+/// Gathered findings, then the parameters that the data leave open, then whatever is no cell's.
+std::vector<std::string> summary_lines(const Calibration& calibration);
+
+/// The same on at most ten lines of the terminal; what does not fit is counted.
+std::string summary_text(const Calibration& calibration, int terminal_width);
+
+/// Parameters that the data leave open, those with the same next test together.
+std::vector<std::string> open_lines(const Calibration& calibration);
+
+}  // namespace phy::report
