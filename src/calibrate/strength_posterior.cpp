@@ -90,7 +90,7 @@ Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) 
 }
 
 double StrengthPosterior::variance(const Target& t) {
-  const double relative = t.standard_error() / t.mean;
+  const double relative = t.normal_error() / t.mean;
   return relative * relative;
 }
 

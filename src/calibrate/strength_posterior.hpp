@@ -60,7 +60,7 @@ class StrengthPosterior {
   bool find_discrepancy(const std::vector<Point>& draws);
   double discrepancy() const { return discrepancy_; }  ///< d^2
 
-  /// Squared relative standard error of the laboratory.
+  /// Squared relative standard error of the laboratory, as of a normal distribution.
   static double variance(const Target& t);
 
  private:
