@@ -279,7 +279,9 @@ std::string name_of(const Calibration& result, bool moduli, bool strength) {
   if (result.verdict.status == VerdictStatus::out_of_reach)
     return result.rock + ", the nearest model (out of reach)";
   if (!strength) return result.rock + ", moduli calibrated, strengths given";
-  return result.rock + (moduli ? ", calibrated" : ", strengths calibrated, moduli given");
+  const bool open = result.verdict.status == VerdictStatus::not_resolved;
+  return result.rock + (moduli ? ", calibrated" : ", strengths calibrated, moduli given") +
+         (open ? " (not resolved by the table)" : "");
 }
 
 /// All stages one after the other. False: stopped by the user.

@@ -35,8 +35,6 @@ double counted_error(const Target& modulus) {
   return std::max(least, modulus.normal_error());
 }
 
-double excusing_error(const Target& t) { return t.sd_assumed ? 0.0 : t.standard_error(); }
-
 theory::Eq1Fit eq1_through(const Evidence& evidence) {
   std::vector<theory::ModulusReading> readings;
   for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});

@@ -6,7 +6,7 @@
 
 #include "base/rng.hpp"
 #include "base/stats.hpp"
-#include "records/rock.hpp"
+#include "calibrate/verdict.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -107,6 +107,55 @@ TEST(Statistics, AtAFixedScatterThreeSpecimensAreEnough) {
         for (const double percent : {one, seven, fit})
           EXPECT_GE(percent, 85.0) << to_string(property) << " " << cv;
       }
+}
+
+/// A row of the verification: five packings of a model that is the rock itself but for `miss`.
+Comparison unseen(const Target& target, double truth, double miss, double packing_scatter, std::uint32_t k) {
+  std::vector<double> values;
+  for (std::uint32_t packing = 0; packing < 5; ++packing)
+    values.push_back(truth * (1.0 + miss) *
+                     (1.0 + packing_scatter * normal(9, Stream::test, k, packing,
+                                                     static_cast<std::uint32_t>(target.theta))));
+  Comparison c;
+  const Summary s = summarise(values);
+  c.target = target, c.mean = s.mean, c.sd = s.sd, c.n_packings = 5;
+  return c;
+}
+
+/// Percent of tables of UCS at seven angles with each verdict; the model misses UCS(45) by `miss`.
+struct Shares {
+  double calibrated = 0.0, except = 0.0, not_resolved = 0.0, out_of_reach = 0.0;
+};
+Shares verdicts(int n, double cv, double miss, double packing_scatter) {
+  Shares shares;
+  for (std::uint32_t k = 0; k < n_tables; ++k) {
+    const Rock rock = table(k, Property::ucs, 7, n, cv);
+    const Evidence evidence(rock);
+    Calibration c;
+    for (int cell = 0; cell < 7; ++cell)
+      c.verification.push_back(unseen(evidence.targets[static_cast<std::size_t>(cell)], truth_at(cell),
+                                      cell == 3 ? miss : 0.0, packing_scatter, k));
+    judge(c, {}, evidence, false);
+    double* const share[] = {&shares.calibrated, &shares.except, &shares.not_resolved, &shares.out_of_reach};
+    *share[static_cast<int>(c.verdict.status)] += 100.0 / n_tables;
+  }
+  return shares;
+}
+
+void print(const char* what, int n, const Shares& s) {
+  std::printf("n = %d, %s: calibrated %.1f, except %.1f, not resolved %.1f, out of reach %.1f %%\n", n, what,
+              s.calibrated, s.except, s.not_resolved, s.out_of_reach);
+}
+
+TEST(Statistics, AModelThatIsTheRockIsCalibratedAndOneThatMissesAStrengthIsNot) {
+  for (const double packing_scatter : {0.0, 0.05})
+    for (const int n : {1, 2, 3, 5}) {
+      std::printf("scatter of packings %.0f %%, ", 100.0 * packing_scatter);
+      print("no miss", n, verdicts(n, 0.05, 0.0, packing_scatter));
+      print("miss of 15 %", n, verdicts(n, 0.05, 0.15, packing_scatter));
+    }
+  EXPECT_GE(verdicts(3, 0.05, 0.0, 0.0).calibrated, 90.0);
+  EXPECT_LE(verdicts(3, 0.05, 0.15, 0.0).calibrated, 5.0);
 }
 
 }  // namespace

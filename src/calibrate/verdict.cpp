@@ -7,11 +7,11 @@
 
 #include "base/lines.hpp"
 #include "calibrate/elastic_verdict.hpp"
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-constexpr double ucs_tolerance = 0.06, tension_tolerance = 0.10;
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
 constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
 constexpr double hopeless = 0.20;        // the same whatever the scatter
@@ -29,9 +29,8 @@ void report_ratios(Calibration& result) {
             to_string(t.target.property), t.target.theta, u.target.mean / t.target.mean, u.mean / t.mean));
 }
 
-/// Strengths on unseen packings that miss the table by more than scatter explains: that of the packings and
-/// that of the laboratory, where the table tells it. An assumed one excuses no single value, but a table as a
-/// whole is not out of reach while it might be scatter.
+/// Strengths on unseen packings that miss the table by more than their margin, and how far off all of them
+/// are together.
 void judge_strength(Calibration& result) {
   double squares = 0.0, scaled = 0.0;  // of the errors; of the errors over what chance explains
   int n = 0;
@@ -43,15 +42,10 @@ void judge_strength(Calibration& result) {
                fmt::format("no test on unseen packings gave a usable peak ({})", c.missing));
       continue;
     }
-    const Comparison* fitted = row_of(result.fitted, c.target);
-    const double share = 1.0 / c.n_packings + (fitted != nullptr ? 1.0 / fitted->n_packings : 0.0);
-    const double packing = (std::isfinite(c.sd) ? c.sd * std::sqrt(share) : 0.0) / c.target.mean;
-    const double laboratory = c.target.standard_error() / c.target.mean;
-    const double excused = std::hypot(excusing_error(c.target) / c.target.mean, packing),
-                 noise = std::hypot(laboratory, packing);
+    const double packing = std::isfinite(c.sd) ? c.sd / std::sqrt(static_cast<double>(c.n_packings)) : 0.0;
+    const double noise = std::hypot(c.target.normal_error(), packing) / c.target.mean;
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
-    const double tolerance = c.target.property == Property::ucs ? ucs_tolerance : tension_tolerance;
-    if (std::fabs(c.error()) <= std::max(tolerance, z_seven * excused)) continue;
+    if (!misses(c)) continue;
     result.verdict.findings.push_back(fmt::format(
         "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
         c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
@@ -83,13 +77,50 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
             ? fmt::format("E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} "
                           "(tolerated: {:.1f} %): packings of this size differ by {:.1f} %, the mean of {} "
                           "by {:.1f} %",
-                          t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * modulus_limit(t),
+                          t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * margin(c),
                           100.0 * c.sd / c.mean, c.n_packings, 100.0 * mean_sd / c.mean)
             : fmt::format(
                   "nu({:g}) = {:.3f} on unseen packings instead of {:.3f}: packings of this size differ "
                   "by {:.3f}, the mean of {} by {:.3f}",
                   t.theta, c.mean, t.mean, c.sd, c.n_packings, mean_sd));
   }
+}
+
+/// "22 %"; nu has no unit.
+std::string in_words(Property p, double miss) {
+  return p == Property::nu ? fmt::format("{:.2f}", miss) : fmt::format("{:.0f} %", 100.0 * miss);
+}
+
+/// Rows that are met only because they are too coarse, with what they resolve and what would help. True if
+/// there are any.
+bool report_unresolved(Calibration& result) {
+  bool any = false;
+  for (const Comparison& c : result.verification) {
+    if (!c.answered() || misses(c) || !unresolved(c)) continue;
+    any = true;
+    const Property p = c.target.property;
+    const std::optional<int> more = specimens_missing(c);
+    add_line(result.verdict.findings, cell_name(c.target),
+             fmt::format("not resolved, a miss of {} would pass for chance; {}", in_words(p, margin(c)),
+                         more ? fmt::format("{} more specimen{} would bring that to {}", *more,
+                                            *more == 1 ? "" : "s", in_words(p, coarsest(p)))
+                              : "packings of this size differ too much, larger ones would help"));
+  }
+  return any;
+}
+
+/// Where the model is out of reach the interval of a row may leave out what was measured: it says what the
+/// model can do, not where the rock is.
+void withdraw_intervals(Calibration& result) {
+  bool any = false;
+  for (Comparison& c : result.fitted) {
+    if (!(c.target.mean < c.low || c.target.mean > c.high)) continue;
+    c.low = c.high = nan;
+    any = true;
+  }
+  if (any)
+    result.notes.emplace_back(
+        "no interval of the rock is given where that of a model out of reach leaves out what was measured");
 }
 
 }  // namespace
@@ -105,6 +136,9 @@ void judge(Calibration& result, ElasticFit elastic, const Evidence& table, bool 
   if (moduli.out_of_reach) v.status = VerdictStatus::out_of_reach;
   if (v.status == VerdictStatus::calibrated && !v.findings.empty())
     v.status = VerdictStatus::calibrated_except;
+  if (report_unresolved(result) && v.status == VerdictStatus::calibrated)
+    v.status = VerdictStatus::not_resolved;
+  if (v.status == VerdictStatus::out_of_reach) withdraw_intervals(result);
 }
 
 }  // namespace phy::calibrate
