@@ -167,7 +167,7 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   std::vector<double> logs;
   for (std::size_t k = 0; k < draws.size(); ++k) {
     Surrogate::Value v = posterior.predict(draws[k], i);
-    v.variance += posterior.discrepancy();
+    v.variance += posterior.discrepancy(i);
     if (!left_out) {
       const double lab = StrengthPosterior::variance(t), sum = lab + v.variance;
       v = {(v.mean * lab + std::log(t.mean) * v.variance) / sum, v.variance * lab / sum};
@@ -183,9 +183,9 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   return c;
 }
 
-void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, std::size_t n_packings,
-            StrengthFit& fit) {
-  const Point& best = draws[middle(posterior, draws)];
+/// `best`: the estimate.
+void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
+            std::size_t n_packings, StrengthFit& fit) {
   fit.recipe = posterior.recipe_at(fit.recipe, best);
   report_parameters(posterior, draws, best, fit);
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
@@ -247,11 +247,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {
-    posterior.learn();
-    const std::uint32_t seed = sampler_seed + static_cast<std::uint32_t>(n_batches);
-    draws = posterior.draws(StrengthPosterior::none, seed);
-    if (posterior.find_discrepancy(draws)) draws = posterior.draws(StrengthPosterior::none, seed);
+    draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
   };
+  posterior.learn();
   draw(0);  // from the prior mean alone
   SofteningRecord softening(evidence.rock.E_is);
   std::size_t n_points = 0;
@@ -270,6 +268,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       return fit;
     }
     n_points += points.size();
+    posterior.learn();
     draw(b + 1);
     if (!remodel) continue;
     const Point& best = draws[middle(posterior, draws)];
@@ -277,9 +276,13 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     fit.softenings = softening.at({z.begin(), z.end()});
     fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
     posterior.take_moduli(evidence, fit.recipe);
+    posterior.learn();
     draw(b + 1);
   }
-  report(posterior, draws, packings_behind(n_points, seeds.size()), fit);
+  const Point best = draws[middle(posterior, draws)];
+  posterior.count_errors();
+  draw(batches.size());
+  report(posterior, draws, best, packings_behind(n_points, seeds.size()), fit);
   report_without_peak(fit);
   return fit;
 }
