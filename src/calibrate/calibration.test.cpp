@@ -110,38 +110,28 @@ TEST(Calibrate, AShortSearchIsAlwaysTold) {
   EXPECT_THAT(calibrated(rock(), press).notes, Contains(HasSubstr("the search was short")));
 }
 
-TEST(Calibrate, AnAssumedScatterOfNuExcusesNothing) {
-  Rock conflict = rock(0.8);
-  for (RockReading& r : conflict.readings)
-    if (r.property == Property::nu) r.sd = std::nan(""), r.n = 1;
+TEST(Calibrate, ANuBeyondItsMarginIsNamed) {
   PaperPress press;
-  const Calibration c = calibrated(conflict, press, true);
+  const Calibration c = calibrated(rock(0.8), press, true);
   double worst = 0.0;
   for (const Comparison& f : c.fitted)
     if (f.target.property == Property::nu) worst = std::max(worst, std::fabs(f.mean - f.target.mean));
   ASSERT_GT(worst, 0.03);
-  ASSERT_LT(worst, 2.69 * 0.03);  // what three hundredths of assumed scatter would excuse
   EXPECT_THAT(c.verdict.findings, Contains(testing::StartsWith("nu(")));
 }
 
-// What is called scatter is at least as large as the miss that it excuses.
-TEST(Calibrate, AScatterThatExcusesAMissIsNoSmallerThanIt) {
-  int excused = 0;
-  for (const double factor : {1.1, 1.15, 1.2, 1.25, 1.3, 1.35}) {
-    Rock off = rock();
-    for (RockReading& r : off.readings)
-      if (r.property == Property::E && r.theta == 60.0) r.value *= factor;
-    PaperPress press;
-    press.modulus_scatter = 0.1;
-    for (const std::string& f : calibrated(off, press, true).verdict.findings) {
-      const std::size_t at = f.find("scatter that much (+-"), from = f.find(" GPa, ");
-      if (at == f.npos) continue;
-      const double miss = std::fabs(std::stod(f.substr(from + 6)));
-      EXPECT_LE(miss, std::stod(f.substr(at + 21)) + 0.05) << f;
-      ++excused;
-    }
-  }
-  EXPECT_GE(excused, 1);
+// Of one specimen each nothing can be told: its scatter is assumed, 8 and 10 %, and 2.78 times that passes.
+TEST(Calibrate, OneSpecimenAnAngleDoesNotResolveAnything) {
+  Rock single = rock();
+  for (RockReading& r : single.readings) r.sd = std::nan(""), r.n = 1;
+  PaperPress press;
+  const Calibration c = calibrated(single, press);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::not_resolved);
+  EXPECT_THAT(c.verdict.findings,
+              Contains(testing::AllOf(testing::StartsWith("E(0)"), HasSubstr("not resolved, a miss of 22 %"),
+                                      HasSubstr("1 more specimen would bring that to 15 %"))));
+  EXPECT_THAT(c.verdict.findings, Contains(testing::AllOf(HasSubstr("UCS(0)"), HasSubstr("more specimens"))));
+  EXPECT_EQ(c.recipe.name, "shale, calibrated (not resolved by the table)");
 }
 
 TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {

@@ -8,17 +8,16 @@
 #include <cmath>
 #include <optional>
 
-#include "calibrate/elastic_verdict.hpp"
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
 
-constexpr double ucs_unit = 0.06, tension_unit = 0.10;  // errors that pass without a word
-constexpr double beyond_chance = 1.64;                  // standard errors, 5 % to one side
-constexpr double surely = 2.58;                         // the same, 1 % to both sides
-constexpr double other_strength = 0.10;                 // ratios of strengths that differ by as much differ
-constexpr double worth_a_word = 0.15;                   // share of the misfit
-constexpr double widest_gap = 30.0;                     // [deg] between angles of UCS
+constexpr double beyond_chance = 1.64;   // standard errors, 5 % to one side
+constexpr double surely = 2.58;          // the same, 1 % to both sides
+constexpr double other_strength = 0.10;  // ratios of strengths that differ by as much differ
+constexpr double worth_a_word = 0.15;    // share of the misfit
+constexpr double widest_gap = 30.0;      // [deg] between angles of UCS
 
 struct Cause {
   std::string text, next;
@@ -29,16 +28,7 @@ enum Part { moduli, compression, tension, n_parts };
 Part part_of(Property p) { return !is_strength(p) ? moduli : p == Property::ucs ? compression : tension; }
 
 /// A miss in units of what passes without a word.
-double scaled_error(const Comparison& c) {
-  switch (c.target.property) {
-    case Property::E: return c.error() / elastic_tolerance;
-    case Property::nu: return (c.mean - c.target.mean) / nu_tolerance;
-    case Property::ucs: return c.error() / ucs_unit;
-    case Property::direct_tension:
-    case Property::brazilian: break;
-  }
-  return c.error() / tension_unit;
-}
+double scaled_error(const Comparison& c) { return miss_of(c) / tolerance(c.target.property); }
 
 /// Standard errors of the logarithm of a mean: of the laboratory, of the model.
 double of_laboratory(const Comparison& c) { return c.target.standard_error() / c.target.mean; }
@@ -117,7 +107,7 @@ std::optional<Cause> nu_of_no_body(const View& v) {
 
 std::optional<Cause> modulus_ratio(const View& v) {
   const auto E = end_ratio(v, Property::E);
-  if (!E || E->difference() <= std::max(2.0 * elastic_tolerance, beyond_chance * E->noise)) return {};
+  if (!E || E->difference() <= std::max(2.0 * tolerance(Property::E), beyond_chance * E->noise)) return {};
   return Cause{fmt::format("E(90)/E(0) is {:.2f} in the table, {:.2f} in the model", E->laboratory, E->model),
                "check the angles of the table and E_is, the part of the curve that its E is read from"};
 }
@@ -194,17 +184,18 @@ std::optional<Cause> ratio_to_tension(const View& v) {
 
 /// Packings that differ by more than passes without a word, and by half of what is missed or more.
 std::optional<Cause> scattered_packings(const View& v, Part part) {
+  const double unit = tolerance(part == moduli        ? Property::E
+                                : part == compression ? Property::ucs
+                                                      : Property::brazilian);
   double squares = 0.0, missed = 0.0;
   int n = 0;
   for (const Comparison& c : v.rows) {
-    const double unit = part == moduli ? elastic_tolerance : part == compression ? ucs_unit : tension_unit;
     if (part_of(c.target.property) != part || c.target.property == Property::nu || !c.answered() ||
         !std::isfinite(c.sd))
       continue;
     squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
   }
   if (n == 0 || squares <= n || squares < 0.25 * missed) return {};
-  const double unit = part == moduli ? elastic_tolerance : part == compression ? ucs_unit : tension_unit;
   return Cause{fmt::format("packings of this grain size differ by {:.0f} % from each other, the model from "
                            "the table by {:.0f} %",
                            100.0 * unit * std::sqrt(squares / n), 100.0 * unit * std::sqrt(missed / n)),
@@ -317,6 +308,21 @@ std::string good_news(const View& v) {
   return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
 }
 
+/// A table that is met where misses that matter would pass for chance.
+std::string coarse_news(const View& v) {
+  std::vector<std::string> cells;
+  bool specimens_help = true;
+  for (const Comparison& c : v.rows)
+    if (c.answered() && unresolved(c)) {
+      cells.push_back(cell_name(c.target));
+      specimens_help = specimens_help && specimens_missing(c).has_value();
+    }
+  return fmt::format("{} of the table, but scatter tells no miss from chance at {}; next: {}",
+                     misses_text(v), fmt::join(cells, ", "),
+                     specimens_help ? "more specimens there (the findings say how many)"
+                                    : "smaller grains in the rock's recipe, since packings differ too much");
+}
+
 /// What most of the misfit is about.
 std::string bad_news(const View& v) {
   std::vector<std::string> clauses;
@@ -346,7 +352,9 @@ std::string verdict_sentence(const Calibration& c) {
   if (c.verdict.status == VerdictStatus::interrupted)
     return status + ": finished tests are in the store; next: the same command with --resume";
   const View view(c);
-  return status + ": " + (c.verdict.status == VerdictStatus::calibrated ? good_news(view) : bad_news(view));
+  if (c.verdict.status == VerdictStatus::calibrated) return status + ": " + good_news(view);
+  if (c.verdict.status == VerdictStatus::not_resolved) return status + ": " + coarse_news(view);
+  return status + ": " + bad_news(view);
 }
 
 }  // namespace phy::calibrate

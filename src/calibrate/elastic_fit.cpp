@@ -10,7 +10,7 @@
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
-#include "calibrate/elastic_verdict.hpp"
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -118,9 +118,13 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
   }
 }
 
+/// Does some E miss by more than the laboratory's scatter explains? An assumed one is no reason to keep nu.
 bool misses_E(const std::vector<Comparison>& rows) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const Comparison& c) { return c.target.property == Property::E && misses(c); });
+  return std::any_of(rows.begin(), rows.end(), [](const Comparison& c) {
+    const Target& t = c.target;
+    const double scatter = t.sd_assumed ? 0.0 : t.half_width() / t.mean;
+    return t.property == Property::E && std::fabs(miss_of(c)) > std::max(tolerance(Property::E), scatter);
+  });
 }
 
 /// Largest relative deviation of E.

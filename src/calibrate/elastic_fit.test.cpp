@@ -9,6 +9,7 @@
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -104,15 +105,15 @@ TEST_F(ElasticStage, AConflictOfModuliAndPoissonsRatioIsSaidAndNuGivesWay) {
 TEST_F(ElasticStage, NuKeepsItsWeightWhereModuliMissByNoMoreThanTheirScatter) {
   std::vector<Target> targets = exact_targets(truth_of(rock), *simulator, true);
   double sign = 1.0;
-  for (Target& t : targets) {  // three specimens of 5 % scatter: every mean is off by one standard error
+  for (Target& t : targets) {  // three specimens of 7 % scatter: every mean is off by one standard error
     if (t.property != Property::E) continue;
-    t.sd = 0.05 * t.mean, t.mean *= 1.0 + sign * 0.029, sign = -sign;
+    t.sd = 0.07 * t.mean, t.mean *= 1.0 + sign * 0.040, sign = -sign;
   }
   const ElasticFit f = fit(targets);
   double worst = 0.0;
   for (const Comparison& c : f.comparisons)
     if (c.target.property == Property::E) worst = std::max(worst, std::fabs(c.error()));
-  EXPECT_GT(worst, elastic_tolerance);  // so that the rule is asked
+  EXPECT_GT(worst, tolerance(Property::E));  // so that the rule is asked
   EXPECT_FALSE(f.nu_gave_way);
   EXPECT_THAT(said_of(f).findings, IsEmpty());
 }
@@ -121,7 +122,9 @@ TEST_F(ElasticStage, ARockStifferAcrossItsBeddingIsOutOfReach) {
   std::vector<Target> targets;
   for (const double theta : angles)
     targets.push_back({Property::E, theta, (40.0 - 0.2 * theta) * 1e9, 0.2e9, 3, false});
-  const ElasticFit f = fit(targets);
+  // two packings would tell nothing of their own scatter
+  const ElasticFit f =
+      fit_elastic(Evidence(rock, targets), {1, 2, 3, 4, 5}, {}, *simulator, [](const std::string&) {});
   EXPECT_TRUE(said_of(f).out_of_reach);
   EXPECT_THAT(said_of(f).findings, Contains(HasSubstr("no layered elastic body")));
 }
@@ -134,7 +137,7 @@ TEST_F(ElasticStage, JointsStifferThanTheirBondsAreFittedWithoutAWord) {
   const std::vector<Target> targets = exact_targets(truth, *simulator, false);
   ASSERT_GT(targets.front().mean, 1.1 * targets.back().mean);
   const ElasticFit f = fit(targets);
-  for (const Comparison& c : f.comparisons) EXPECT_NEAR(c.error(), 0.0, elastic_tolerance) << c.target.theta;
+  for (const Comparison& c : f.comparisons) EXPECT_NEAR(c.error(), 0.0, 0.02) << c.target.theta;
   EXPECT_FALSE(said_of(f).out_of_reach);
   EXPECT_THAT(said_of(f).findings, Not(Contains(HasSubstr("soften"))));
 }

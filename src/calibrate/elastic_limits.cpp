@@ -132,7 +132,7 @@ BothWays strengths_both_ways(const std::vector<Target>& targets) {
     for (std::size_t i = 0; i < ucs.size(); ++i) {
       const double d = theory::jaeger_sigma_1(fit.plane, matrix, readings[i].theta, 0.0) - ucs[i].mean;
       both.mean_square[exchanged] += d * d / (ucs[i].mean * ucs[i].mean) / static_cast<double>(ucs.size());
-      both.chi_square[exchanged] += std::pow(d / ucs[i].standard_error(), 2.0);
+      both.chi_square[exchanged] += std::pow(d / ucs[i].normal_error(), 2.0);
     }
   }
   const auto [least, most] = std::minmax({both.error(false), both.error(true)});

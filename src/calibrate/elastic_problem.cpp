@@ -168,8 +168,7 @@ ElasticAnswer ElasticProblem::mean_of(const std::vector<ElasticResult>& results,
 /// Error of the laboratory's mean and of the mean over packings.
 double ElasticProblem::unit_of_misfit(const Row& row) const {
   const Target& t = row.target;
-  if (row.is_modulus())
-    return std::hypot(std::max(least_error_E, t.standard_error() / t.mean), row.packing_error);
+  if (row.is_modulus()) return std::hypot(counted_error(t) / t.mean, row.packing_error);
   return std::hypot(counted_error(t), row.packing_error) / nu_weight_;
 }
 

@@ -32,10 +32,8 @@ std::int64_t Evidence::n_ucs() const {
 
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
-  return std::max(least, modulus.standard_error());
+  return std::max(least, modulus.normal_error());
 }
-
-double excusing_error(const Target& t) { return t.sd_assumed ? 0.0 : t.standard_error(); }
 
 theory::Eq1Fit eq1_through(const Evidence& evidence) {
   std::vector<theory::ModulusReading> readings;

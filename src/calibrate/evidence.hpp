@@ -40,9 +40,6 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
 
-/// Standard error that may excuse a miss: an assumed scatter excuses nothing.
-double excusing_error(const Target& t);
-
 /// Eq. 1 through E(theta) with everything free; it may refuse.
 theory::Eq1Fit eq1_through(const Evidence& evidence);
 

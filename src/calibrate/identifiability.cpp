@@ -57,7 +57,7 @@ std::vector<double> expected_sd(const Evidence& evidence, const std::vector<cons
       const ElasticParameter& p = *list[static_cast<std::size_t>(i)];
       slope[i] = (moved(rock, p, h, t) - moved(rock, p, -h, t)) / (2.0 * h);
     }
-    const double se = t.property == Property::E ? t.standard_error() / t.mean : t.standard_error();
+    const double se = t.property == Property::E ? t.normal_error() / t.mean : t.normal_error();
     information += slope * slope.transpose() / (se * se);
   }
   const Eigen::VectorXd known = information.inverse().diagonal().cwiseSqrt();

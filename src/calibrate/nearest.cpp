@@ -5,16 +5,24 @@
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
+#include <utility>
+
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr double least_error = 0.02;      // of a strength: nearer than that nothing is worth to be
 constexpr double pull = 0.3, wall = 50.0;  // towards the draws; back into the box
 constexpr double step = 1e-4;              // of the derivatives
 constexpr std::size_t n_starts = 6;
+
+/// Its square is that of x where x is small and a multiple of |x| where it is large.
+double softened(double x) {
+  constexpr double edge = 2.0;
+  return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
+}
 
 struct Misfit {
   using Scalar = double;
@@ -37,8 +45,8 @@ struct Misfit {
       const auto target = static_cast<std::size_t>(i);
       const Target& t = posterior.targets()[target];
       const Surrogate::Value v = posterior.predict(held, target);
-      const double unit = std::sqrt(StrengthPosterior::variance(t) + least_error * least_error);
-      r[i] = (std::log(t.mean) - v.mean) / unit, r[n + i] = std::sqrt(v.variance) / unit;
+      const double unit = 0.5 * tolerance(t.property);
+      r[i] = softened((std::log(t.mean) - v.mean) / unit), r[n + i] = std::sqrt(v.variance) / unit;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
       r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];

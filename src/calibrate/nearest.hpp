@@ -3,11 +3,13 @@
 // Draws from the posterior rarely come near its middle where many ratios are sought: of ten, each half known,
 // no draw has all right. So from the middle draw, and from those that fit best, least squares go downhill:
 //
-//   minimise  sum_i [ (log lab_i - log model_i)^2 + var model_i ]/s_i^2 + w^2 sum_j ((x_j - mean_j)/sd_j)^2
+//   minimise  sum_i [ rho((log lab_i - log model_i)/s_i) + var model_i/s_i^2 ] + w^2 sum_j ((x_j -
+//   mean_j)/sd_j)^2
 //
-// s_i^2 = se_i^2 + floor^2, var model_i: what the surrogate does not know, so that of two places that fit alike
-// the better known is taken; mean_j and sd_j of the draws: what the table leaves open stays in the middle of
-// what it allows. The centre sits where runs and table agree, which next runs can then confirm.
+// s_i is half of what may be missed (margin.hpp); rho is a square that grows no faster than its root beyond
+// (Charbonnier's), so that a value which cannot be met does not decide for the others. var model_i: what the
+// surrogate does not know, so that of two places that fit alike the better known is taken. mean_j and sd_j of
+// the draws: what the table leaves open stays in the middle of what it allows.
 #pragma once
 #include <vector>
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/check.hpp"
+#include "calibrate/margin.hpp"
 #include "calibrate/prior_regression.hpp"
 
 namespace phy::calibrate {
@@ -15,18 +17,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_starts = 2048, n_walkers = 64, n_sweeps = 600, thin = 15;
 constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c
+constexpr int most_passes = 2;       // of draws with another discrepancy
+constexpr double settled = 0.3;      // change of a squared discrepancy, of itself, that is none
 
 double squared_distance(std::span<const double> a, std::span<const double> b) {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
   const auto n = static_cast<Eigen::Index>(a.size());
   return (Vector(a.data(), n) - Vector(b.data(), n)).squaredNorm();
-}
-
-Point mean_of(const std::vector<Point>& points) {
-  Point mean(points.front().size(), 0.0);
-  for (const Point& p : points)
-    for (std::size_t d = 0; d < mean.size(); ++d) mean[d] += p[d] / static_cast<double>(points.size());
-  return mean;
 }
 
 }  // namespace
@@ -65,6 +62,13 @@ Recipe StrengthPosterior::recipe_at(Recipe recipe, const Point& x) const {
   return recipe;
 }
 
+Point StrengthPosterior::held(Point x) const {
+  const LogBox& sigma = box(matrix_sigma_c);
+  x.front() = std::clamp(x.front(), sigma.low, sigma.high);
+  for (std::size_t i = 0; i < least_.size(); ++i) x[i + 1] = std::clamp(x[i + 1], least_[i], 1.0);
+  return x;
+}
+
 void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& recipe) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     PriorMean now = prior_strength(evidence, recipe, targets_[i].property, targets_[i].theta);
@@ -79,7 +83,6 @@ bool StrengthPosterior::has_runs() const {
 
 void StrengthPosterior::learn() {
   models_.clear();
-  discrepancy_ = 0.0;
   for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], prior_[i]);
 }
 
@@ -90,8 +93,13 @@ Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) 
 }
 
 double StrengthPosterior::variance(const Target& t) {
-  const double relative = t.standard_error() / t.mean;
+  const double relative = t.normal_error() / t.mean;
   return relative * relative;
+}
+
+double StrengthPosterior::scatter(const Target& t) const {
+  const double aim = 0.5 * tolerance(t.property);
+  return aims_ ? std::min(variance(t), aim * aim) : variance(t);
 }
 
 bool StrengthPosterior::inside(const Point& x) const {
@@ -109,27 +117,47 @@ double StrengthPosterior::log_density(const Point& x, std::size_t left_out) cons
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out) continue;
     const Surrogate::Value model = predict(x, i);
-    const double error = std::log(targets_[i].mean) - model.mean,
-                 v = model.variance + variance(targets_[i]) + discrepancy_;
-    sum -= 0.5 * (error * error / v + std::log(v));
+    const double error = std::log(targets_[i].mean) - model.mean, v = model.variance + tolerated(i);
+    sum -= 0.5 * (error * error / v + std::log(v)) + pull(i, error);
   }
   return sum;
 }
 
+double StrengthPosterior::pull(std::size_t target, double error) const {
+  return discrepancy(target) > 0.0 ? std::fabs(error) / std::sqrt(scatter(targets_[target])) : 0.0;
+}
+
+double StrengthPosterior::discrepancy(std::size_t target) const {
+  const auto it = discrepancy_.find(targets_[target].property);
+  return it == discrepancy_.end() ? 0.0 : it->second;
+}
+
 bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
+  struct Beyond {
+    double sum = 0.0;
+    int n = 0;
+  };
   double least = infinity;
+  std::map<Property, Beyond> beyond;  // at the best of the draws
   for (const Point& x : draws) {
-    double expected = 0.0, beyond = 0.0;
+    double expected = 0.0;
+    std::map<Property, Beyond> here;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       const Surrogate::Value model = predict(x, i);
       const double error = std::log(targets_[i].mean) - model.mean;
-      expected += error * error + model.variance;
-      beyond += error * error - model.variance - variance(targets_[i]);
+      // no squares: a row that cannot be met must not decide for the others
+      expected += std::sqrt((error * error + model.variance) / scatter(targets_[i]));
+      Beyond& b = here[targets_[i].property];
+      b.sum += error * error - model.variance - scatter(targets_[i]), ++b.n;
     }
-    if (expected < least)
-      least = expected, discrepancy_ = std::max(0.0, beyond / static_cast<double>(targets_.size()));
+    if (expected < least) least = expected, beyond = std::move(here);
   }
-  return discrepancy_ > 0.0;
+  bool changed = false;
+  for (const auto& [property, b] : beyond) {
+    const double found = std::max(0.0, b.sum / b.n), before = std::exchange(discrepancy_[property], found);
+    changed = changed || std::fabs(found - before) > settled * std::max(found, before);
+  }
+  return changed;
 }
 
 std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed) const {
@@ -148,6 +176,13 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
   for (int i = 0; i < n_walkers; ++i) walkers.push_back(starts[static_cast<std::size_t>(i)].x);
   return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers), n_sweeps, thin,
                 seed);
+}
+
+std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed) {
+  std::vector<Point> settling = draws(none, seed);
+  // what one property misses draws the others along until its own discrepancy is known
+  for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass) settling = draws(none, seed);
+  return settling;
 }
 
 /// Points that fill the box evenly: the additive recurrence of Roberts (2018) with powers of the
@@ -174,40 +209,14 @@ double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out) continue;
     const Surrogate::Value f = models_[i].at(ratios(x));
-    const double w = 1.0 / (f.variance + variance(targets_[i]) + discrepancy_);
+    const double w = 1.0 / (f.variance + tolerated(i));
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }
   return std::clamp(sum / weight, box(matrix_sigma_c).low + 1e-6, box(matrix_sigma_c).high - 1e-6);
 }
 
-std::size_t middle(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
-  std::vector<Point> seen;
-  std::vector<double> misfit;
-  for (const Point& x : draws) {
-    Point y;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-      const Target& t = posterior.targets()[i];
-      const Surrogate::Value v = posterior.predict(x, i);
-      const double lab = StrengthPosterior::variance(t), error = std::log(t.mean) - v.mean;
-      y.push_back(v.mean / std::sqrt(lab));
-      sum += (v.variance + error * error) / lab;
-    }
-    misfit.push_back(sum);
-    y.insert(y.end(), x.begin(), x.end());
-    seen.push_back(y);
-  }
-  const Point centre = mean_of(seen);
-  const auto distance = [&](std::size_t i) { return squared_distance(seen[i], centre) + misfit[i]; };
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < seen.size(); ++i)
-    if (distance(i) < distance(best)) best = i;
-  return best;
-}
-
-std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::vector<Point>& draws,
-                                std::size_t n) {
-  std::vector<Point> chosen = {draws[middle(posterior, draws)]};
+std::vector<Point> spread_draws(const Point& first, const std::vector<Point>& draws, std::size_t n) {
+  std::vector<Point> chosen = {first};
   while (chosen.size() < n) {
     double furthest = -1.0;
     const Point* next = &draws.front();

@@ -5,14 +5,17 @@
 // (surrogate.hpp) learns it from runs of the press; sigma_c costs no run. What is wanted is the posterior
 //
 //   log p = -1/2 sum_i [ (log lab_i - log sigma_c - f_i(z))^2 / v_i + log v_i ],
-//   v_i = se_i^2 + var f_i(z) + d^2
+//   v_i = se_i^2 + var f_i(z) + d_p^2
 //
 // uniform over the box of parameters.hpp: laboratory scatter and ignorance of the surrogate count alike, and
-// a ratio that the data do not determine keeps the width of its box. d is what the best known rock misses
-// beyond both: zero where the table can be met; where it cannot, the posterior would otherwise flee to the
-// rocks of which least is known.
+// a ratio that the data do not determine keeps the width of its box. d_p is what the best known rock misses
+// beyond both, of each property by itself: zero where the table can be met; where it cannot, the posterior
+// would otherwise flee to the rocks of which least is known, and a tension that cannot be met would take UCS
+// along. What is missed is still wanted as near as it can be had: a property with a discrepancy adds
+// -|log lab - log model|/se to log p, a pull that grows no further with the distance.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -42,6 +45,8 @@ class StrengthPosterior {
   /// Logarithm of what is sought of a parameter at a point.
   double log_value(const Point& x, const CalibratedParameter& p) const;
   Recipe recipe_at(Recipe recipe, const Point& x) const;
+  /// The nearest point of the box.
+  Point held(Point x) const;
 
   void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
   /// The rock has other moduli from here on: earlier runs move by what is expected of the change.
@@ -55,12 +60,21 @@ class StrengthPosterior {
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
   std::vector<Point> draws(std::size_t left_out, std::uint32_t seed) const;
-  /// A table that no rock of the box meets: what the best known of the draws misses beyond scatter and
-  /// ignorance becomes part of every variance. True if there is any.
-  bool find_discrepancy(const std::vector<Point>& draws);
-  double discrepancy() const { return discrepancy_; }  ///< d^2
+  /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
+  /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
+  std::vector<Point> settled_draws(std::uint32_t seed);
+  /// d^2 of the property of a target.
+  double discrepancy(std::size_t target) const;
+  /// The search aims at the laboratory's means as if no error were above half of the tolerance: where all of
+  /// many draws lie within the scatter of few specimens, hardly one lies near every mean. From here on errors
+  /// count in full, as the intervals have to.
+  void count_errors() { aims_ = false; }
+  /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
+  double tolerated(std::size_t target) const { return scatter(targets_[target]) + discrepancy(target); }
+  /// What a miss costs of a property that has a discrepancy, in units of log p.
+  double pull(std::size_t target, double error) const;
 
-  /// Squared relative standard error of the laboratory.
+  /// Squared relative standard error of the laboratory, as of a normal distribution.
   static double variance(const Target& t);
 
  private:
@@ -72,7 +86,11 @@ class StrengthPosterior {
   std::vector<LogBox> boxes_;  // of the parameters
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
-  double discrepancy_ = 0.0;
+  std::map<Property, double> discrepancy_;
+  bool aims_ = true;
+
+  double scatter(const Target& t) const;
+  bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
   std::size_t index_of(const CalibratedParameter& p) const;
   bool inside(const Point& x) const;
@@ -80,13 +98,7 @@ class StrengthPosterior {
   double best_sigma(const Point& x, std::size_t left_out) const;
 };
 
-/// Index of the draw in the middle: nearest to the mean of all, in predictions and, weaker, in parameters,
-/// and to the laboratory. Distances are expected ones: what the surrogate does not know of a draw puts it
-/// farther away, so that of two draws that fit alike the better known is taken.
-std::size_t middle(const StrengthPosterior& posterior, const std::vector<Point>& draws);
-
-/// `n` of the draws, far from each other, the one in the middle first.
-std::vector<Point> spread_draws(const StrengthPosterior& posterior, const std::vector<Point>& draws,
-                                std::size_t n);
+/// `n` points far from each other: `first`, and draws.
+std::vector<Point> spread_draws(const Point& first, const std::vector<Point>& draws, std::size_t n);
 
 }  // namespace phy::calibrate

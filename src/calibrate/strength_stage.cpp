@@ -10,6 +10,7 @@
 
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/nearest.hpp"
 #include "calibrate/strength_posterior.hpp"
 
 namespace phy::calibrate {
@@ -24,34 +25,62 @@ constexpr std::uint32_t sampler_seed = 20100101;
 
 struct Batch {
   bool coarse;
+  bool at_estimate;  ///< all at one point, on as many packings; else spread over the draws
   std::size_t n_points;
 };
-/// A third of the points, then three times two ninths, the last two batches on the grains of the recipe.
-/// Every point costs `n_ucs` of the tests.
+constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
+/// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
+/// and rounds at the estimate, which each of them moves. Every point costs `n_ucs` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_ucs, std::int64_t most, bool with_coarse) {
   const std::int64_t points = std::clamp(max_tests / n_ucs, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
-  return {{with_coarse, n_first}, {with_coarse, n_last}, {false, n_last}, {false, n_last}};
+  std::vector<Batch> batches = {
+      {with_coarse, false, n_first}, {with_coarse, false, n_last}, {false, false, n_last}};
+  for (std::size_t left = n_last; left > 0;) {
+    const std::size_t n = left < 2 * per_round ? left : per_round;
+    batches.push_back({false, true, n}), left -= n;
+  }
+  return batches;
 }
 
-/// Neighbouring points share a packing: two points of seven angles fill sixteen lanes.
-constexpr std::size_t points_per_packing = 2;
-std::size_t packing_of_point(std::size_t point, std::size_t n_packings) {
-  return point / points_per_packing % n_packings;
-}
-std::size_t packings_behind(std::size_t n_points, std::size_t n_packings) {
-  return std::min(n_packings, (n_points + points_per_packing - 1) / points_per_packing);
-}
+/// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
+/// sixteen lanes. At one point every test has a packing of its own.
+class Packings {
+ public:
+  explicit Packings(std::size_t n) : n_(n) {}
+  std::vector<std::size_t> of(const Batch& batch) {
+    constexpr std::size_t points_per_packing = 2;
+    std::vector<std::size_t> dealt;
+    for (std::size_t p = 0; p < batch.n_points; ++p) {
+      if (p > 0 && (batch.at_estimate || p % points_per_packing == 0)) ++next_;
+      dealt.push_back(next_ % n_);
+    }
+    ++next_;
+    return dealt;
+  }
+  /// Of how many the answers are.
+  std::size_t behind() const { return std::min(n_, next_); }
+
+ private:
+  std::size_t n_, next_ = 0;
+};
+
+/// Points of a batch and the packing of each, by its place among the seeds.
+struct Design {
+  bool coarse;
+  std::vector<Point> points;
+  std::vector<std::size_t> packings;
+};
 
 std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
-                             const std::vector<Point>& points, bool is_coarse, const Recipe& recipe,
-                             const std::vector<std::int64_t>& seeds, std::size_t first) {
+                             const Design& design, const Recipe& recipe,
+                             const std::vector<std::int64_t>& seeds) {
   std::vector<Recipe> recipes;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Recipe point = posterior.recipe_at(is_coarse ? coarse(recipe) : recipe, points[p]);
+  for (std::size_t p = 0; p < design.points.size(); ++p) {
+    const Recipe point = posterior.recipe_at(design.coarse ? coarse(recipe) : recipe, design.points[p]);
     for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-      recipes.push_back(tests.quick(point, i, seeds[packing_of_point(first + p, seeds.size())]));
+      recipes.push_back(tests.quick(point, i, seeds[design.packings[p]]));
   }
   return recipes;
 }
@@ -81,12 +110,12 @@ void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior
   }
 }
 
-/// Runs a batch, whose points are number `first` and on of the search, and hands its answers to the
-/// surrogates. False: stopped.
-bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const std::vector<Point>& points,
-               bool is_coarse, const std::vector<std::int64_t>& seeds, std::size_t first,
-               Simulator& simulator, StrengthFit& fit, SofteningRecord* softening) {
-  const std::vector<Recipe> recipes = tests_at(posterior, tests, points, is_coarse, fit.recipe, seeds, first);
+/// Runs a batch and hands its answers to the surrogates. False: stopped.
+bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const Design& design,
+               const std::vector<std::int64_t>& seeds, Simulator& simulator, StrengthFit& fit,
+               SofteningRecord* softening) {
+  const std::vector<Point>& points = design.points;
+  const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return false;
   if (softening != nullptr)
@@ -98,14 +127,14 @@ bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const s
     const double strength = strength_of(results[k], property);
     if (std::isfinite(strength))
       posterior.add_run(i, {{z.begin(), z.end()},
-                            static_cast<int>(packing_of_point(first + p, seeds.size())),
-                            is_coarse,
+                            static_cast<int>(design.packings[p]),
+                            design.coarse,
                             std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
     else
       ++fit.n_without_peak;
     ++fit.n_tests;
     fit.n_tension += property != Property::ucs ? 1 : 0;
-    fit.n_coarse += is_coarse ? 1 : 0;
+    fit.n_coarse += design.coarse ? 1 : 0;
   }
   return true;
 }
@@ -171,7 +200,7 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   std::vector<double> logs;
   for (std::size_t k = 0; k < draws.size(); ++k) {
     Surrogate::Value v = posterior.predict(draws[k], i);
-    v.variance += posterior.discrepancy();
+    v.variance += posterior.discrepancy(i);
     if (!left_out) {
       const double lab = StrengthPosterior::variance(t), sum = lab + v.variance;
       v = {(v.mean * lab + std::log(t.mean) * v.variance) / sum, v.variance * lab / sum};
@@ -187,9 +216,9 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   return c;
 }
 
-void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, std::size_t n_packings,
-            StrengthFit& fit) {
-  const Point& best = draws[middle(posterior, draws)];
+/// `best`: the estimate.
+void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
+            std::size_t n_packings, StrengthFit& fit) {
   fit.recipe = posterior.recipe_at(fit.recipe, best);
   report_parameters(posterior, draws, best, fit);
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
@@ -219,9 +248,10 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               Simulator& simulator) {
   std::vector<Recipe> all;
   const Point middle = posterior.middle_of_box();
+  Packings packings(seeds.size());
   for (const Batch& b : batches) {
-    const std::vector<Point> points(b.n_points, middle);
-    const std::vector<Recipe> some = tests_at(posterior, tests, points, b.coarse, recipe, seeds, 0);
+    const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
+    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds);
     all.insert(all.end(), some.begin(), some.end());
   }
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
@@ -252,21 +282,23 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {
-    posterior.learn();
-    const std::uint32_t seed = sampler_seed + static_cast<std::uint32_t>(n_batches);
-    draws = posterior.draws(StrengthPosterior::none, seed);
-    if (posterior.find_discrepancy(draws)) draws = posterior.draws(StrengthPosterior::none, seed);
+    draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
   };
+  posterior.learn();
   draw(0);  // from the prior mean alone
   SofteningRecord softening(evidence.rock.E_is);
-  std::size_t n_points = 0;
+  Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch& batch = batches[b];
-    const std::vector<Point> points = spread_draws(posterior, draws, batch.n_points);
-    say(fmt::format("strength, batch {} of {}: {} points x {} tests{}", b + 1, batches.size(), batch.n_points,
-                    targets.size(), batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(posterior, tests, points, batch.coarse, seeds, n_points, simulator, fit,
-                   remodel ? &softening : nullptr) ||
+    const Point estimate = nearest_point(posterior, draws);
+    const Design design = {batch.coarse,
+                           batch.at_estimate ? std::vector<Point>(batch.n_points, estimate)
+                                             : spread_draws(estimate, draws, batch.n_points),
+                           packings.of(batch)};
+    say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(), batch.n_points,
+                    batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
+                    batch.coarse ? " on coarse grains" : ""));
+    if (!run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr) ||
         !posterior.has_runs()) {
       fit.interrupted = simulator.stopped();
       if (!fit.interrupted)
@@ -274,17 +306,21 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       report_without_peak(fit);
       return fit;
     }
-    n_points += points.size();
+    posterior.learn();
     draw(b + 1);
     if (!remodel) continue;
-    const Point& best = draws[middle(posterior, draws)];
+    const Point best = nearest_point(posterior, draws);
     const std::span<const double> z = StrengthPosterior::ratios(best);
     fit.softenings = softening.at({z.begin(), z.end()});
     fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
     posterior.take_moduli(evidence, fit.recipe);
+    posterior.learn();
     draw(b + 1);
   }
-  report(posterior, draws, packings_behind(n_points, seeds.size()), fit);
+  const Point best = nearest_point(posterior, draws);
+  posterior.count_errors();
+  draw(batches.size());
+  report(posterior, draws, best, packings.behind(), fit);
   report_without_peak(fit);
   return fit;
 }

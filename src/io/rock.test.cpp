@@ -239,17 +239,44 @@ TEST_F(RockFile, TheTemplateIsARockWithoutValues) {
   }
 }
 
-// 100, 104 (n = 1 each): mean 102, squares 8, relative 7.69e-4; with 5 % of four degrees of freedom the pool
-// is (0.01 + 7.69e-4)/5 = 0.0464^2. The cell itself: (8 + 10 x 0.0464^2 x 102^2)/11 = 4.593^2.
+// 100, 104 (n = 1 each): mean 102, squares 8, relative 7.69e-4, one degree of freedom; the prior lends four
+// of 10 %: (7.69e-4 + 4 x 0.01)/5 = 0.0903^2. The others borrow from five: the same.
 TEST_F(RockFile, ReplicatesBecomeOneTargetAndLendTheirScatter) {
   const auto t =
       of_property(targets_of(rock("theta [deg],UCS [MPa]\n0,100\n0,104\n45,50\n90,130\n")), Property::ucs);
   ASSERT_THAT(t, SizeIs(3));
   EXPECT_DOUBLE_EQ(t[0].mean, 102e6);
   EXPECT_EQ(t[0].n, 2);
-  EXPECT_NEAR(t[0].sd, 4.5933e6, 100.0);
-  EXPECT_NEAR(t[0].standard_error(), 3.2479e6, 100.0);
-  EXPECT_NEAR(t[1].sd, 2.3204e6, 100.0);
+  EXPECT_NEAR(t[0].sd, 9.2105e6, 100.0);
+  EXPECT_NEAR(t[0].standard_error(), 6.5128e6, 100.0);
+  EXPECT_NEAR(t[0].half_width(), 2.5706 * 6.5128e6, 1e3);  // Student, five degrees of freedom
+  EXPECT_NEAR(t[1].sd, 4.5149e6, 100.0);
+}
+
+// 100, 105, 110 have a mean of 105 and an SD of 5.
+TEST_F(RockFile, AMeanWithItsSdAndNumberIsWorthItsReplicates) {
+  const std::string others = "45,50,,\n90,130,,\n90,139,,\n", head = "theta [deg],UCS [MPa],UCS_sd [MPa],n\n";
+  const auto typed = targets_of(rock(head + "0,105,5,3\n" + others)),
+             rows = targets_of(rock(head + "0,100,,\n0,105,,\n0,110,,\n" + others));
+  ASSERT_EQ(typed.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_DOUBLE_EQ(typed[i].mean, rows[i].mean);
+    EXPECT_EQ(typed[i].n, rows[i].n);
+    EXPECT_EQ(typed[i].degrees, rows[i].degrees);
+    EXPECT_NEAR(typed[i].sd / rows[i].sd, 1.0, 1e-12);
+    EXPECT_EQ(typed[i].sd_assumed, rows[i].sd_assumed);
+  }
+}
+
+TEST_F(RockFile, AnSdOfAnUnknownNumberOfSpecimensIsThatOfTwo) {
+  const std::string head = "theta [deg],UCS [MPa],UCS_sd [MPa]";
+  const std::string rows[] = {"\n0,105,5", "\n45,50,", "\n90,130,"};
+  const Rock untold = rock(head + rows[0] + rows[1] + rows[2] + "\n"),
+             two = rock(head + ",n" + rows[0] + ",2" + rows[1] + "," + rows[2] + ",\n");
+  EXPECT_THAT(untold.notes, Contains(HasSubstr("1 of 3 values have an SD but no number of specimens")));
+  EXPECT_THAT(two.notes, testing::Not(Contains(HasSubstr("number of specimens"))));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_DOUBLE_EQ(targets_of(untold)[i].half_width(), targets_of(two)[i].half_width());
 }
 
 TEST_F(RockFile, SingleSpecimensStayWithTheirTarget) {
@@ -280,14 +307,6 @@ TEST_F(RockFile, ManyReplicatesSpeakForThemselves) {
   EXPECT_FALSE(t[2].sd_assumed);
 }
 
-TEST_F(RockFile, AStandardDeviationOfTheTableStaysAsGiven) {
-  const auto t = of_property(targets_of(rock(good)), Property::ucs);
-  EXPECT_DOUBLE_EQ(t[0].sd, 5e6);
-  EXPECT_DOUBLE_EQ(t[2].sd, 7e6);
-  EXPECT_NEAR(t[1].sd / t[1].mean, 0.05, 0.002);  // 5/105 and 7/138 are that too
-  for (const Target& cell : t) EXPECT_FALSE(cell.sd_assumed);
-}
-
 // Isotropic: E_2D = E/(1 - nu^2), nu_2D = nu/(1 - nu).
 TEST_F(RockFile, PlaneStrainIsConverted) {
   const auto t = targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\n"));
@@ -309,7 +328,9 @@ TEST_F(RockFile, PlaneStrainConvertsTheScatterOfNuToo) {
     return targets_of(rock("theta [deg],E [GPa],nu,nu_sd\n0,20," + nu + ",0.02\n45,25,,\n90,30,0.25,0.03\n",
                            "elastic_reading = \"plane strain\"\n"))[3];
   };
-  EXPECT_NEAR(bedded("0.10").sd, 0.02 * (bedded("0.101").mean - bedded("0.099").mean) / 0.002, 1e-6);
+  // one degree of freedom of 0.02, five of 0.03: the prior's and the other cell's
+  const double sd = std::sqrt((0.02 * 0.02 + 5.0 * 0.03 * 0.03) / 6.0);
+  EXPECT_NEAR(bedded("0.10").sd, sd * (bedded("0.101").mean - bedded("0.099").mean) / 0.002, 1e-6);
 }
 
 TEST_F(RockFile, WhatARunWouldRefuseIsRefusedHere) {

@@ -17,6 +17,7 @@ namespace phy::io {
 namespace {
 
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
+constexpr int least_with_sd = 2;    // specimens
 
 /// What a column holds. `scatter`: the standard deviation of the property.
 enum class Column { theta, beta, confining, diameter, n, value, scatter, other };
@@ -112,6 +113,11 @@ class ReadingReader {
     bedded = find(Column::theta) || find(Column::beta);
     for (const TableRow& row : table_.rows) read_row(row, confining);
     check_repeats();
+    if (n_assumed_ > 0)
+      notes_.push_back(fmt::format(
+          "{} of {} values have an SD but no number of specimens (column n): they count as means of {}, the "
+          "fewest that have one",
+          n_assumed_, readings_.size(), least_with_sd));
     return std::move(readings_);
   }
 
@@ -122,6 +128,7 @@ class ReadingReader {
   std::vector<std::string>& notes_;
   std::vector<Head> heads_;
   std::vector<RockReading> readings_;
+  int n_assumed_ = 0;  // values with an SD of an unknown number of specimens
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
@@ -240,6 +247,7 @@ class ReadingReader {
       // A scatter of zero is no measurement of scatter.
       r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
       readings_.push_back(r);
+      if (std::isfinite(r.sd) && r.n < least_with_sd) readings_.back().n = least_with_sd, ++n_assumed_;
     }
   }
 

@@ -35,6 +35,7 @@ const char* to_string(VerdictStatus status) {
   switch (status) {
     case VerdictStatus::calibrated: return "calibrated";
     case VerdictStatus::calibrated_except: return "calibrated except";
+    case VerdictStatus::not_resolved: return "not resolved";
     case VerdictStatus::out_of_reach: return "out of reach";
     case VerdictStatus::interrupted: break;
   }

@@ -45,7 +45,7 @@ struct Comparison {
   bool answered() const { return std::isfinite(mean); }  ///< false: no packing carried load, or none peaked
 };
 
-enum class VerdictStatus { calibrated, calibrated_except, out_of_reach, interrupted };
+enum class VerdictStatus { calibrated, calibrated_except, not_resolved, out_of_reach, interrupted };
 const char* to_string(VerdictStatus status);
 
 /// The answer in words; `findings` name each limit with numbers.

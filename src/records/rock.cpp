@@ -7,49 +7,53 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stats.hpp"
+
 namespace phy {
 namespace {
 
-constexpr double pooled_weight = 10.0;  // degrees of freedom lent by the other angles
-constexpr int usual_degrees = 4;        // that the usual scatter is worth beside the table's own
-constexpr double same_angle = 1e-6;     // [deg]
+constexpr int prior_degrees = 4;     // degrees of freedom that the prior scatter is worth
+constexpr int most_lent = 10;        // that the prior and the other cells lend to one
+constexpr double same_angle = 1e-6;  // [deg]
 
-/// Scatter of most rocks: relative for moduli and strengths, absolute for nu.
-double usual_scatter(Property p) {
-  if (p == Property::nu) return 0.03;
-  return p == Property::direct_tension || p == Property::brazilian ? 0.15 : 0.05;
+/// Scatter of single specimens before a table is seen: relative for moduli and strengths, absolute for nu.
+double prior_scatter(Property p) {
+  switch (p) {
+    case Property::E: return 0.08;
+    case Property::nu: return 0.03;
+    case Property::ucs: return 0.10;
+    case Property::direct_tension:
+    case Property::brazilian: break;
+  }
+  return 0.15;
 }
 
-/// Sums of squared deviations inside and between the rows of a cell, and their degrees of freedom.
+/// Sum of squared deviations from means, and the degrees of freedom behind it.
 struct Pool {
   double squares = 0.0;
   int degrees = 0;
-  bool given = false;  ///< the table has an SD
 };
 
+/// Inside the rows of a cell, where these tell it, and between them. A row of n specimens with their SD is
+/// worth what the n rows behind it are.
 Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
   Pool pool;
   for (const RockReading* r : rows) {
-    if (std::isfinite(r->sd)) {
-      const int degrees = std::max(1, r->n - 1);
-      pool.squares += degrees * r->sd * r->sd, pool.degrees += degrees, pool.given = true;
-    }
+    if (std::isfinite(r->sd)) pool.squares += (r->n - 1) * r->sd * r->sd, pool.degrees += r->n - 1;
     pool.squares += r->n * (r->value - mean) * (r->value - mean);
   }
   pool.degrees += static_cast<int>(rows.size()) - 1;
   return pool;
 }
 
-/// Variance of single specimens that the scatter seen leaves us with, where `usual` is expected: the mean of
-/// a scaled inverse chi-square with `usual_degrees`. A pair that happens to agree cannot make a table exact.
-double expected_variance(const Pool& seen, double usual) {
-  return (usual_degrees * usual * usual + seen.squares) / (usual_degrees + seen.degrees);
-}
-
-/// SD of single specimens in a cell: its own SDs as given; else its replicates, drawn towards `common`.
-double scatter_of(const Pool& own, double common) {
-  if (own.given) return std::sqrt(own.squares / own.degrees);
-  return std::sqrt((own.squares + pooled_weight * common) / (own.degrees + pooled_weight));
+/// Variance of single specimens of a cell and the degrees of freedom behind it: the mean of a scaled inverse
+/// chi-square that begins with the prior, learns from the other cells and, as far as these may lend, from the
+/// cell's own.
+Pool variance_of(const Pool& own, const Pool& others, double prior) {
+  const int common_degrees = prior_degrees + others.degrees, lent = std::min(most_lent, common_degrees);
+  const double common = (prior_degrees * prior * prior + others.squares) / common_degrees;
+  const int degrees = own.degrees + lent;
+  return {(own.squares + lent * common) / degrees, degrees};
 }
 
 /// The target whose load runs most nearly along the bedding; nullptr without any.
@@ -131,6 +135,12 @@ bool is_strength(Property property) { return property != Property::E && property
 
 double Target::standard_error() const { return sd / std::sqrt(static_cast<double>(n)); }
 
+double Target::half_width() const {
+  return (degrees > 0 ? student_t_95(static_cast<std::size_t>(degrees)) : z_95) * standard_error();
+}
+
+double Target::normal_error() const { return half_width() / z_95; }
+
 std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double>, std::vector<const RockReading*>> cells;
   for (const RockReading& r : rock.readings)
@@ -140,7 +150,7 @@ std::vector<Target> targets_of(const Rock& rock) {
           .push_back(&r);
   std::vector<Target> targets;
   std::map<Property, Pool> pooled;  // relative, but absolute for nu
-  std::vector<Pool> own;
+  std::vector<Pool> own;            // of each cell
   for (const auto& [key, rows] : cells) {
     Target t;
     t.property = std::get<0>(key), t.theta = rows.front()->theta, t.diameter = std::get<2>(key), t.n = 0;
@@ -149,18 +159,19 @@ std::vector<Target> targets_of(const Rock& rock) {
       if (r->n == 1) t.specimens.push_back(r->value);
     }
     t.mean /= t.n;
-    own.push_back(pool_of(rows, t.mean));
-    const double scale = t.property == Property::nu ? 1.0 : t.mean * t.mean;
-    pooled[t.property].squares += own.back().squares / scale;
-    pooled[t.property].degrees += own.back().degrees;
+    Pool cell = pool_of(rows, t.mean);
+    cell.squares /= t.property == Property::nu ? 1.0 : t.mean * t.mean;
+    own.push_back(cell);
+    pooled[t.property].squares += cell.squares, pooled[t.property].degrees += cell.degrees;
     targets.push_back(t);
   }
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Target& t = targets[i];
     const Pool& all = pooled[t.property];
-    const double scale = t.property == Property::nu ? 1.0 : t.mean;
-    t.sd = scatter_of(own[i], expected_variance(all, usual_scatter(t.property)) * scale * scale);
-    t.sd_assumed = !own[i].given && all.degrees < usual_degrees;
+    const Pool others = {all.squares - own[i].squares, all.degrees - own[i].degrees};
+    const auto [variance, degrees] = variance_of(own[i], others, prior_scatter(t.property));
+    t.sd = std::sqrt(variance) * (t.property == Property::nu ? 1.0 : t.mean), t.degrees = degrees;
+    t.sd_assumed = all.degrees < prior_degrees;
   }
   if (rock.reading == ElasticReading::plane_strain) to_plane_stress(targets);
   return targets;

@@ -1,0 +1,69 @@
+#include "calibrate/margin.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stats.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr int most_specimens = 100;
+constexpr double many_degrees = 1e6;  // of freedom: normal
+
+double unit_of(const Target& t) { return t.property == Property::nu ? 1.0 : t.mean; }
+
+}  // namespace
+
+double tolerance(Property property) {
+  switch (property) {
+    case Property::E:
+    case Property::nu: return 0.03;
+    case Property::ucs: return 0.06;
+    case Property::direct_tension:
+    case Property::brazilian: break;
+  }
+  return 0.10;
+}
+
+double coarsest(Property property) {
+  switch (property) {
+    case Property::E:
+    case Property::ucs: return 0.15;
+    case Property::nu: return 0.1;
+    case Property::direct_tension:
+    case Property::brazilian: break;
+  }
+  return 0.25;
+}
+
+double miss_of(const Comparison& row) { return (row.mean - row.target.mean) / unit_of(row.target); }
+
+double margin(const Comparison& row) {
+  const Target& t = row.target;
+  const double of_packings = std::isfinite(row.sd) ? row.sd * row.sd / row.n_packings : 0.0;
+  const double of_table = t.standard_error() * t.standard_error(), sum = of_table + of_packings;
+  double inverse = 0.0;  // of the degrees of freedom, times the square of the sum
+  if (t.degrees > 0) inverse += of_table * of_table / t.degrees;
+  if (row.n_packings > 1) inverse += of_packings * of_packings / (row.n_packings - 1);
+  const bool known = !(inverse * many_degrees > sum * sum);
+  const double quantile =
+      known ? z_95 : student_t_95(static_cast<std::size_t>(std::max(1.0, sum * sum / inverse)));
+  return std::max(tolerance(t.property), quantile * std::sqrt(sum) / unit_of(t));
+}
+
+bool misses(const Comparison& row) { return std::fabs(miss_of(row)) > margin(row); }
+
+bool unresolved(const Comparison& row) { return margin(row) > coarsest(row.target.property); }
+
+std::optional<int> specimens_missing(const Comparison& row) {
+  Comparison finer = row;
+  Target& t = finer.target;
+  for (int more = 0; t.n < most_specimens; ++more, ++t.n) {
+    if (!unresolved(finer)) return more;
+    if (t.degrees > 0) ++t.degrees;
+  }
+  return std::nullopt;
+}
+
+}  // namespace phy::calibrate

@@ -1,0 +1,37 @@
+// By how much the model may be off a value of the table: fixed tolerances, what chance explains, and from
+// where on chance explains so much that nothing can be said.
+//
+// A miss passes within the tolerance, or within the 95 % interval of the difference between two means: that
+// of the laboratory's specimens and that of the model's packings (Welch 1947: Student's t, with degrees of
+// freedom by Satterthwaite 1946). A margin wider than coarsest() passes misses that matter: such a row tells
+// nothing, whether it is met or not.
+#pragma once
+#include <optional>
+
+#include "records/calibration.hpp"
+
+namespace phy::calibrate {
+
+/// Misses that pass whatever the scatter: 3 % of E, 6 % of UCS, 10 % of strengths in tension, 0.03 of nu.
+double tolerance(Property property);
+
+/// The widest margin by which a row can be judged: 15 % of E and UCS, 25 % of strengths in tension, 0.1 of
+/// nu.
+double coarsest(Property property);
+
+/// Model less laboratory: relative, but of nu absolute.
+double miss_of(const Comparison& row);
+
+/// In the same units: the miss that passes without a word.
+double margin(const Comparison& row);
+
+bool misses(const Comparison& row);
+
+/// Is the row too coarse to be judged by?
+bool unresolved(const Comparison& row);
+
+/// Specimens more that would make it fine enough; nothing: packings of this size differ too much for any
+/// number of specimens below a hundred.
+std::optional<int> specimens_missing(const Comparison& row);
+
+}  // namespace phy::calibrate

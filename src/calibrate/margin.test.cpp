@@ -1,0 +1,61 @@
+// Margins against hand calculations with tabulated quantiles of Student's t.
+#include "calibrate/margin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace phy::calibrate {
+namespace {
+
+/// A row of UCS of mean 100: `packings` of the model with an SD of their own.
+Comparison row(double sd, int n, int degrees, double of_packings, int packings) {
+  Comparison c;
+  c.target.property = Property::ucs, c.target.mean = 100.0, c.target.sd = sd, c.target.n = n,
+  c.target.degrees = degrees;
+  c.mean = 100.0, c.sd = of_packings, c.n_packings = packings;
+  return c;
+}
+
+TEST(Margin, IsStudentsOfBothMeansTogether) {
+  // variances 6.25 (known) and 5 (four degrees of freedom): 11.25^2/(5^2/4) = 20.25, t_20 = 2.086
+  EXPECT_NEAR(margin(row(5.0, 4, 0, 5.0, 5)), 0.02086 * std::sqrt(11.25), 1e-5);
+  // 3.7^2 of 12 degrees and 2.4^2 of four: 19.45^2/(13.69^2/12 + 5.76^2/4) = 15.84, t_15 = 2.131
+  EXPECT_NEAR(margin(row(7.4, 4, 12, 2.4 * std::sqrt(5.0), 5)), 0.02131 * std::sqrt(19.45), 1e-4);
+  EXPECT_NEAR(margin(row(10.0, 1, 4, 0.0, 5)), 0.2776, 1e-4);  // t_4
+  EXPECT_NEAR(margin(row(10.0, 1, 0, 0.0, 5)), 0.1960, 1e-4);
+}
+
+TEST(Margin, IsNeverBelowTheTolerance) {
+  Comparison c = row(1.0, 5, 0, 0.0, 5);
+  const std::pair<Property, double> tolerances[] = {{Property::E, 0.03},
+                                                    {Property::ucs, 0.06},
+                                                    {Property::direct_tension, 0.10},
+                                                    {Property::brazilian, 0.10}};
+  for (const auto& [property, part] : tolerances) {
+    c.target.property = property;
+    EXPECT_DOUBLE_EQ(margin(c), part);
+    c.mean = 100.0 * (1.0 + part) - 0.01;
+    EXPECT_FALSE(misses(c));
+    c.mean = 100.0 * (1.0 - part) - 0.01;
+    EXPECT_TRUE(misses(c));
+  }
+  c.target.property = Property::nu, c.target.mean = 0.2, c.target.sd = 0.001;
+  c.mean = 0.229;
+  EXPECT_FALSE(misses(c));
+  c.mean = 0.231;
+  EXPECT_TRUE(misses(c));
+}
+
+// t_4 10 = 27.8, t_5 10/sqrt(2) = 18.2, t_6 10/sqrt(3) = 14.1 %.
+TEST(Margin, TellsHowManySpecimensAreMissing) {
+  EXPECT_TRUE(unresolved(row(10.0, 1, 4, 0.0, 5)));
+  EXPECT_EQ(specimens_missing(row(10.0, 1, 4, 0.0, 5)), 2);
+  EXPECT_EQ(specimens_missing(row(10.0, 2, 5, 0.0, 5)), 1);
+  EXPECT_FALSE(unresolved(row(10.0, 3, 6, 0.0, 5)));
+  EXPECT_EQ(specimens_missing(row(10.0, 1, 4, 25.0, 5)), std::nullopt);  // packings alone: 2.78 x 11 %
+}
+
+}  // namespace
+}  // namespace phy::calibrate
