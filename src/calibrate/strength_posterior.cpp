@@ -178,6 +178,8 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
                 seed);
 }
 
+Mixing StrengthPosterior::mixing_of(const std::vector<Point>& draws) { return mixing(draws, n_walkers); }
+
 std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed) {
   std::vector<Point> settling = draws(none, seed);
   // what one property misses draws the others along until its own discrepancy is known

@@ -58,6 +58,8 @@ class StrengthPosterior {
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
   std::vector<Point> draws(std::size_t left_out, std::uint32_t seed) const;
+  /// How well draws have mixed.
+  static Mixing mixing_of(const std::vector<Point>& draws);
   /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
   /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
   std::vector<Point> settled_draws(std::uint32_t seed);

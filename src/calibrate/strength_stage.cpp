@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t most_points = 36;
 constexpr std::uint32_t sampler_seed = 20100101;
+constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass without a word
 
 struct Batch {
   bool coarse;
@@ -202,6 +203,17 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
   }
 }
 
+/// How far the draws behind the intervals can be trusted; said where it is not far.
+void report_mixing(const std::vector<Point>& draws, StrengthFit& fit) {
+  fit.mixing = StrengthPosterior::mixing_of(draws);
+  if (fit.mixing.effective < least_effective || fit.mixing.r_hat > most_r_hat)
+    fit.notes.push_back(
+        fmt::format("the {} draws behind the intervals of the strengths are worth {:.0f} independent ones "
+                    "(R-hat {:.2f}): "
+                    "their ends are rough",
+                    draws.size(), fit.mixing.effective, fit.mixing.r_hat));
+}
+
 /// Says once how many tests of all batches came to nothing.
 void report_without_peak(StrengthFit& fit) {
   if (fit.n_without_peak > 0)
@@ -283,6 +295,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   posterior.count_errors();
   draw(batches.size());
   report(posterior, draws, best, packings_behind(n_points, seeds.size()), fit);
+  report_mixing(draws, fit);
   report_without_peak(fit);
   return fit;
 }
