@@ -161,7 +161,7 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   return changed;
 }
 
-std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed) const {
+std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed, int length) const {
   struct Start {
     double log_p;
     Point x;
@@ -175,16 +175,17 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
                    [](const Start& a, const Start& b) { return a.log_p > b.log_p; });
   std::vector<Point> walkers;
   for (int i = 0; i < n_walkers; ++i) walkers.push_back(starts[static_cast<std::size_t>(i)].x);
-  return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers), n_sweeps, thin,
-                seed);
+  return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers),
+                length * n_sweeps, length * thin, seed);
 }
 
 Mixing StrengthPosterior::mixing_of(const std::vector<Point>& draws) { return mixing(draws, n_walkers); }
 
-std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed) {
-  std::vector<Point> settling = draws(none, seed);
+std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed, int length) {
+  std::vector<Point> settling = draws(none, seed, length);
   // what one property misses draws the others along until its own discrepancy is known
-  for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass) settling = draws(none, seed);
+  for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass)
+    settling = draws(none, seed, length);
   return settling;
 }
 

@@ -57,12 +57,13 @@ class StrengthPosterior {
   double log_density(const Point& x, std::size_t left_out) const;
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
-  std::vector<Point> draws(std::size_t left_out, std::uint32_t seed) const;
+  /// `length`: of the chains; as many draws of longer ones are worth more.
+  std::vector<Point> draws(std::size_t left_out, std::uint32_t seed, int length = 1) const;
   /// How well draws have mixed.
   static Mixing mixing_of(const std::vector<Point>& draws);
   /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
   /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
-  std::vector<Point> settled_draws(std::uint32_t seed);
+  std::vector<Point> settled_draws(std::uint32_t seed, int length = 1);
   /// d^2 of the property of a target.
   double discrepancy(std::size_t target) const;
   /// The search aims at the laboratory's means as if no error were above half of the tolerance: where all of

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t most_points = 36;
 constexpr std::uint32_t sampler_seed = 20100101;
+constexpr int final_length = 4;  // of the chains behind the intervals, in those of the search
 constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass without a word
 
 struct Batch {
@@ -293,7 +294,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   }
   const Point best = draws[middle(posterior, draws)];
   posterior.count_errors();
-  draw(batches.size());
+  draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(batches.size()), final_length);
   report(posterior, draws, best, packings_behind(n_points, seeds.size()), fit);
   report_mixing(draws, fit);
   report_without_peak(fit);
