@@ -241,7 +241,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
   result.n_tension_tests = fit.n_tension, result.n_elastic += fit.n_solutions;
   result.fitted.insert(result.fitted.end(), fit.fitted.begin(), fit.fitted.end());
-  result.left_out = fit.left_out;
+  result.left_out = fit.left_out, result.mixing = fit.mixing;
   result.verdict.findings = fit.findings;
   result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
   if (fit.interrupted) return false;

@@ -142,7 +142,9 @@ TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {
   EXPECT_THAT(part.notes, Contains(HasSubstr("strengths are those of the recipe")));
   Rock strengths = rock();
   std::erase_if(strengths.readings, [](const RockReading& r) { return r.property != Property::ucs; });
-  EXPECT_EQ(calibrated(strengths, press).recipe.name, "shale, strengths calibrated, moduli given");
+  // of moduli that are not the rock's, with as many tests as it takes: eight points are a matter of luck
+  EXPECT_EQ(calibrate(Evidence(strengths), {}, press).recipe.name,
+            "shale, strengths calibrated, moduli given");
 }
 
 TEST(Calibrate, AnOpenStrengthIsPinnedByWhatPinsTheNearestOpenRatio) {

@@ -1,10 +1,78 @@
 #include "calibrate/ensemble.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "base/stats.hpp"
 
 namespace phy::calibrate {
+namespace {
+
+using Chain = std::vector<double>;
+
+/// Variances of several chains of one length: inside, and of everything.
+struct Variances {
+  double within = 0.0, total = 0.0;
+};
+Variances variances_of(const std::vector<Chain>& chains) {
+  const auto n = static_cast<double>(chains.front().size());
+  std::vector<double> means;
+  Variances v;
+  for (const Chain& chain : chains) {
+    const Summary s = summarise(chain);
+    means.push_back(s.mean), v.within += s.sd * s.sd / static_cast<double>(chains.size());
+  }
+  const double between = summarise(means).sd;
+  v.total = (n - 1.0) / n * v.within + between * between;
+  return v;
+}
+
+/// Mean over chains of the autocovariance at a lag (divisor: the length).
+double autocovariance(const std::vector<Chain>& chains, std::size_t lag) {
+  double sum = 0.0;
+  for (const Chain& chain : chains) {
+    const double mean = summarise(chain).mean;
+    for (std::size_t i = lag; i < chain.size(); ++i) sum += (chain[i] - mean) * (chain[i - lag] - mean);
+  }
+  return sum / static_cast<double>(chains.size() * chains.front().size());
+}
+
+/// Draws over the integrated autocorrelation time.
+double effective_of(const std::vector<Chain>& chains) {
+  const Variances v = variances_of(chains);
+  const auto n = static_cast<double>(chains.front().size());
+  const auto correlation = [&](std::size_t lag) {
+    return 1.0 - (v.within - autocovariance(chains, lag) * n / (n - 1.0)) / v.total;
+  };
+  double time = -1.0, least = 2.0;
+  for (std::size_t lag = 0; lag + 1 < chains.front().size(); lag += 2) {
+    const double pair = correlation(lag) + correlation(lag + 1);
+    if (pair <= 0.0) break;
+    least = std::min(least, pair), time += 2.0 * least;
+  }
+  return static_cast<double>(chains.size()) * n / std::max(1.0, time);
+}
+
+}  // namespace
+
+Mixing mixing(const std::vector<Point>& draws, std::size_t n_walkers) {
+  const std::size_t n_sweeps = draws.size() / n_walkers;
+  Mixing worst{static_cast<double>(draws.size()), 1.0};
+  for (std::size_t d = 0; d < draws.front().size(); ++d) {
+    std::vector<Chain> walkers(n_walkers), parts(4);
+    for (std::size_t sweep = 0; sweep < n_sweeps; ++sweep)
+      for (std::size_t i = 0; i < n_walkers; ++i) {
+        const double x = draws[sweep * n_walkers + i][d];
+        walkers[i].push_back(x);
+        parts[2 * (sweep < n_sweeps / 2 ? 0 : 1) + (i < n_walkers / 2 ? 0 : 1)].push_back(x);
+      }
+    const Variances v = variances_of(parts);
+    worst.effective = std::min(worst.effective, effective_of(walkers));
+    worst.r_hat = std::max(worst.r_hat, std::sqrt(v.total / v.within));
+  }
+  return worst;
+}
 
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
                           std::uint32_t seed) {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "records/calibration.hpp"
+
 namespace phy::calibrate {
 
 using Point = std::vector<double>;
@@ -16,5 +18,11 @@ using LogDensity = std::function<double(const Point&)>;  ///< -infinity where no
 /// and returns the states after every `thin`-th sweep of the second half.
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
                           std::uint32_t seed);
+
+/// How well draws of `n_walkers` walkers have mixed; the worst dimension. Effective sample size: each walker
+/// a chain, autocorrelation of all chains together, summed over pairs while these are positive and fall
+/// (Geyer 1992, as in Vehtari et al. 2021). R-hat: of four parts, halves of the walkers in halves of the
+/// sweeps, each as long as many sweeps; a walker alone is too short to tell, and a partner of others.
+Mixing mixing(const std::vector<Point>& draws, std::size_t n_walkers);
 
 }  // namespace phy::calibrate

@@ -34,6 +34,8 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
       parameters_(strength_parameters(evidence)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
   for (const Target& t : targets_) prior_.push_back(prior_strength(evidence, recipe, t.property, t.theta));
+  for (const Target& t : targets_)
+    scatter_.push_back(std::min(variance(t), std::pow(0.5 * tolerance(t.property), 2.0)));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const StrengthParameter* p : strength_ratios(evidence))
     least_.push_back(
@@ -97,9 +99,8 @@ double StrengthPosterior::variance(const Target& t) {
   return relative * relative;
 }
 
-double StrengthPosterior::scatter(const Target& t) const {
-  const double aim = 0.5 * tolerance(t.property);
-  return aims_ ? std::min(variance(t), aim * aim) : variance(t);
+void StrengthPosterior::count_errors() {
+  for (std::size_t i = 0; i < targets_.size(); ++i) scatter_[i] = variance(targets_[i]);
 }
 
 bool StrengthPosterior::inside(const Point& x) const {
@@ -124,7 +125,7 @@ double StrengthPosterior::log_density(const Point& x, std::size_t left_out) cons
 }
 
 double StrengthPosterior::pull(std::size_t target, double error) const {
-  return discrepancy(target) > 0.0 ? std::fabs(error) / std::sqrt(scatter(targets_[target])) : 0.0;
+  return discrepancy(target) > 0.0 ? std::fabs(error) / std::sqrt(scatter_[target]) : 0.0;
 }
 
 double StrengthPosterior::discrepancy(std::size_t target) const {
@@ -146,9 +147,9 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
       const Surrogate::Value model = predict(x, i);
       const double error = std::log(targets_[i].mean) - model.mean;
       // no squares: a row that cannot be met must not decide for the others
-      expected += std::sqrt((error * error + model.variance) / scatter(targets_[i]));
+      expected += std::sqrt((error * error + model.variance) / scatter_[i]);
       Beyond& b = here[targets_[i].property];
-      b.sum += error * error - model.variance - scatter(targets_[i]), ++b.n;
+      b.sum += error * error - model.variance - scatter_[i], ++b.n;
     }
     if (expected < least) least = expected, beyond = std::move(here);
   }
@@ -160,7 +161,7 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   return changed;
 }
 
-std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed) const {
+std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t seed, int length) const {
   struct Start {
     double log_p;
     Point x;
@@ -174,14 +175,17 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
                    [](const Start& a, const Start& b) { return a.log_p > b.log_p; });
   std::vector<Point> walkers;
   for (int i = 0; i < n_walkers; ++i) walkers.push_back(starts[static_cast<std::size_t>(i)].x);
-  return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers), n_sweeps, thin,
-                seed);
+  return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers),
+                length * n_sweeps, length * thin, seed);
 }
 
-std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed) {
-  std::vector<Point> settling = draws(none, seed);
+Mixing StrengthPosterior::mixing_of(const std::vector<Point>& draws) { return mixing(draws, n_walkers); }
+
+std::vector<Point> StrengthPosterior::settled_draws(std::uint32_t seed, int length) {
+  std::vector<Point> settling = draws(none, seed, length);
   // what one property misses draws the others along until its own discrepancy is known
-  for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass) settling = draws(none, seed);
+  for (int pass = 0; pass < most_passes && find_discrepancy(settling); ++pass)
+    settling = draws(none, seed, length);
   return settling;
 }
 

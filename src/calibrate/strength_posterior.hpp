@@ -59,18 +59,21 @@ class StrengthPosterior {
   double log_density(const Point& x, std::size_t left_out) const;
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
-  std::vector<Point> draws(std::size_t left_out, std::uint32_t seed) const;
+  /// `length`: of the chains; as many draws of longer ones are worth more.
+  std::vector<Point> draws(std::size_t left_out, std::uint32_t seed, int length = 1) const;
+  /// How well draws have mixed.
+  static Mixing mixing_of(const std::vector<Point>& draws);
   /// The same from all targets, with the discrepancies that they ask for: what the best of the draws misses
   /// of a property beyond scatter and ignorance becomes part of its variances, and draws are made anew.
-  std::vector<Point> settled_draws(std::uint32_t seed);
+  std::vector<Point> settled_draws(std::uint32_t seed, int length = 1);
   /// d^2 of the property of a target.
   double discrepancy(std::size_t target) const;
   /// The search aims at the laboratory's means as if no error were above half of the tolerance: where all of
   /// many draws lie within the scatter of few specimens, hardly one lies near every mean. From here on errors
   /// count in full, as the intervals have to.
-  void count_errors() { aims_ = false; }
+  void count_errors();
   /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
-  double tolerated(std::size_t target) const { return scatter(targets_[target]) + discrepancy(target); }
+  double tolerated(std::size_t target) const { return scatter_[target] + discrepancy(target); }
   /// What a miss costs of a property that has a discrepancy, in units of log p.
   double pull(std::size_t target, double error) const;
 
@@ -87,9 +90,8 @@ class StrengthPosterior {
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
   std::map<Property, double> discrepancy_;
-  bool aims_ = true;
+  std::vector<double> scatter_;  // squared, per target
 
-  double scatter(const Target& t) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
   std::size_t index_of(const CalibratedParameter& p) const;

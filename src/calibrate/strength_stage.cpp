@@ -22,6 +22,8 @@ std::int64_t most_points(std::size_t n_ratios) {
   return std::max(usual, per_ratio * static_cast<std::int64_t>(n_ratios));
 }
 constexpr std::uint32_t sampler_seed = 20100101;
+constexpr int final_length = 4;  // of the chains behind the intervals, in those of the search
+constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass without a word
 
 struct Batch {
   bool coarse;
@@ -235,6 +237,17 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
   }
 }
 
+/// How far the draws behind the intervals can be trusted; said where it is not far.
+void report_mixing(const std::vector<Point>& draws, StrengthFit& fit) {
+  fit.mixing = StrengthPosterior::mixing_of(draws);
+  if (fit.mixing.effective < least_effective || fit.mixing.r_hat > most_r_hat)
+    fit.notes.push_back(
+        fmt::format("the {} draws behind the intervals of the strengths are worth {:.0f} independent ones "
+                    "(R-hat {:.2f}): "
+                    "their ends are rough",
+                    draws.size(), fit.mixing.effective, fit.mixing.r_hat));
+}
+
 /// Says once how many tests of all batches came to nothing.
 void report_without_peak(StrengthFit& fit) {
   if (fit.n_without_peak > 0)
@@ -319,8 +332,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   }
   const Point best = nearest_point(posterior, draws);
   posterior.count_errors();
-  draw(batches.size());
+  draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(batches.size()), final_length);
   report(posterior, draws, best, packings.behind(), fit);
+  report_mixing(draws, fit);
   report_without_peak(fit);
   return fit;
 }

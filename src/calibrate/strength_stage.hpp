@@ -39,6 +39,7 @@ struct StrengthFit {
   bool short_search = false;          ///< the budget did not allow all points
   std::vector<std::string> findings;  ///< what speaks against the fit
   std::vector<std::string> notes;
+  Mixing mixing;          ///< of the draws behind parameters and intervals
   Softenings softenings;  ///< at the estimate; empty: the moduli were not asked for again
 };
 

@@ -379,9 +379,10 @@ TEST(StrengthStage, TensionThatIsLowOnlyWhereBeddingOpensIsAccepted) {
   for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.12) << row.target.theta;
   for (const ParameterEstimate& e : c.parameters) {
     if (e.symbol != "sigma_n,sj") continue;
-    // the table alone: 2.9 % standard error, a factor of 1.12. Walkers that have not found to where the table
-    // is met leave a factor of 25. Of the moment contribution, which is sought too, this press knows nothing.
-    EXPECT_LT(e.high / e.low, 1.6);
+    // the table alone: 6.2 % standard error, as three specimens of 5 % leave of the 15 % that are expected, a
+    // factor of 1.27. Walkers that have not found to where the table is met leave a factor of 25. Of the
+    // moment contribution, which is sought too, this press knows nothing.
+    EXPECT_LT(e.high / e.low, 1.8);
     EXPECT_LT(e.low, truth_rock.bedding[0].sigma_n);
     EXPECT_GT(e.high, truth_rock.bedding[0].sigma_n);
   }

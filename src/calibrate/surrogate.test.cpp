@@ -124,5 +124,31 @@ TEST(Ensemble, NeverLeavesWhereTheDensityIsZero) {
   EXPECT_NEAR(mean, 0.0, 0.06);
 }
 
+/// Walkers that follow x' = a x + noise by themselves, of variance one, plus a drift over the sweeps.
+std::vector<Point> chains(double a, double drift) {
+  constexpr std::uint32_t n_walkers = 64, n_sweeps = 200;
+  std::vector<double> x(n_walkers);
+  for (std::uint32_t i = 0; i < n_walkers; ++i) x[i] = normal(5, Stream::test, i);
+  std::vector<Point> draws;
+  for (std::uint32_t sweep = 0; sweep < n_sweeps; ++sweep)
+    for (std::uint32_t i = 0; i < n_walkers; ++i) {
+      x[i] = a * x[i] + std::sqrt(1.0 - a * a) * normal(6, Stream::test, i, sweep);
+      draws.push_back({x[i] + drift * sweep / n_sweeps});
+    }
+  return draws;
+}
+
+// Of such a chain n draws are worth n (1 - a)/(1 + a).
+TEST(Mixing, CountsIndependentDrawsAndSeesADrift) {
+  for (const double a : {0.0, 0.5, 0.8}) {
+    const Mixing m = mixing(chains(a, 0.0), 64);
+    EXPECT_NEAR(m.effective / (64 * 200 * (1.0 - a) / (1.0 + a)), 1.0, 0.12) << a;
+    EXPECT_LT(m.r_hat, 1.01) << a;
+  }
+  // halves of the sweeps lie half a standard deviation apart: sqrt(1 + 4 x 0.25^2/3) = 1.04, less what the
+  // drift adds inside
+  EXPECT_GT(mixing(chains(0.0, 1.0), 64).r_hat, 1.03);
+}
+
 }  // namespace
 }  // namespace phy::calibrate

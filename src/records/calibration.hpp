@@ -65,6 +65,12 @@ std::string cell_name(const Target& t);
 /// (and disc) at the next lower and the next higher angle of `rows`; NaN at the ends.
 double interpolated(const std::vector<Comparison>& rows, const Target& t);
 
+/// How far the draws from a posterior can be trusted; of several parameters the worst.
+struct Mixing {
+  double effective = nan;  ///< independent draws that they are worth
+  double r_hat = nan;      ///< spread of all draws over that inside parts of them; 1: all parts agree
+};
+
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
@@ -81,6 +87,7 @@ struct Calibration {
   std::vector<Comparison> tangent_from_test;
   Verdict verdict;
   std::vector<std::string> notes;
+  Mixing mixing;                      ///< of the draws behind the strengths; NaN without these
   std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included
   std::int64_t n_tension_tests = 0;   ///< of these, direct tension and Brazilian
   std::int64_t n_coarse_tests = 0;    ///< of these, with magnified grains

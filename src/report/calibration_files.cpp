@@ -107,6 +107,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
   j["methods"] = methods_text(c, version);
+  j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};
   j["runs"] = {{"strength_tests", c.n_strength_tests},
                {"of_these_coarse", c.n_coarse_tests},
                {"of_these_in_tension", c.n_tension_tests},
