@@ -1,7 +1,7 @@
 // The point that is taken as the estimate: where what the surrogates say of a rock lies nearest to the table.
 //
 // Draws from the posterior rarely come near its middle where many ratios are sought: of ten, each half known,
-// no draw has all right. So from the middle draw, and from those that fit best, least squares go downhill:
+// no draw has all right. So from those that fit best least squares go downhill:
 //
 //   minimise  sum_i [ rho((log lab_i - log model_i)/s_i) + var model_i/s_i^2 ] + w^2 sum_j ((x_j -
 //   mean_j)/sd_j)^2

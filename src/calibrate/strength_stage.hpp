@@ -8,9 +8,8 @@
 // what packings have in common with each other is what the surrogate learns.
 //
 // The first batches run on coarse grains, the same specimen magnified, at a fifteenth of the cost; the
-// surrogate knows that they answer a little differently. The estimate is the draw whose predictions are
-// nearest to the mean of all draws and to the table: a point in the middle of what fits, never an average of
-// points that does not fit itself.
+// surrogate knows that they answer a little differently. The last rounds run at the estimate (nearest.hpp), on
+// packings of their own, and each moves it.
 #pragma once
 #include <functional>
 #include <string>
