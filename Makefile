@@ -63,7 +63,7 @@ paper: build
 	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
 	python3 tools/paper.py results/paper docs
 
-# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. Some two hours of CPU.
+# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. Some three and a half hours of CPU.
 maps: build
 	@cmake --build $(BUILD) --target maps && mkdir -p results
 	$(BUILD)/maps data/maps results/maps.sqlite

@@ -8,8 +8,8 @@
 // what packings have in common with each other is what the surrogate learns.
 //
 // The first batches run on coarse grains, the same specimen magnified, at a fifteenth of the cost; the
-// surrogate knows that they answer a little differently. The last rounds run at the estimate (nearest.hpp), on
-// packings of their own, and each moves it.
+// surrogate knows that they answer a little differently. The last rounds run at the estimate (nearest.hpp),
+// each on packings of its own, and each moves it.
 #pragma once
 #include <functional>
 #include <string>
