@@ -8,6 +8,7 @@
 #include "../program.hpp"
 #include "base/quote.hpp"
 #include "report/calibration_files.hpp"
+#include "report/pfc_commands.hpp"
 
 namespace {
 
