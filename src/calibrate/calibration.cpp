@@ -279,9 +279,11 @@ void make_ready(Recipe& recipe, const Evidence& evidence) {
 std::string name_of(const Calibration& result, bool moduli, bool strength) {
   if (result.verdict.status == VerdictStatus::out_of_reach)
     return result.rock + ", the nearest model (out of reach)";
-  if (!strength) return result.rock + ", moduli calibrated, strengths given";
   const bool open = result.verdict.status == VerdictStatus::not_resolved;
-  return result.rock + (moduli ? ", calibrated" : ", strengths calibrated, moduli given") +
+  return result.rock +
+         (!strength ? ", moduli calibrated, strengths given"
+          : moduli  ? ", calibrated"
+                    : ", strengths calibrated, moduli given") +
          (open ? " (not resolved by the table)" : "");
 }
 
@@ -311,7 +313,8 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   report_validity(result), report_quality(result), report_missing(result);
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
         !work.strength.softenings.empty());
-  if (work.strength.short_search)
+  result.short_search = work.strength.short_search;
+  if (result.short_search)
     result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
@@ -327,7 +330,8 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
   if (layers == LayerModel::choose) {
     const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
     layers = choice.layers;
-    if (!choice.rivals.empty()) result.notes.push_back(choice.text());
+    result.layers_chosen = !choice.rivals.empty();
+    if (result.layers_chosen) result.notes.push_back(choice.text());
     result.n_elastic += choice.n_solutions;
   }
   result.layers = layers;

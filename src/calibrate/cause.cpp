@@ -28,7 +28,7 @@ enum Part { moduli, compression, tension, n_parts };
 Part part_of(Property p) { return !is_strength(p) ? moduli : p == Property::ucs ? compression : tension; }
 
 /// A miss in units of what passes without a word.
-double scaled_error(const Comparison& c) { return miss_of(c) / tolerance(c.target.property); }
+double scaled_error(const Comparison& c) { return miss_of(c) / margin(c); }
 
 /// Standard errors of the logarithm of a mean: of the laboratory, of the model.
 double of_laboratory(const Comparison& c) { return c.target.standard_error() / c.target.mean; }
@@ -69,10 +69,12 @@ struct View {
 };
 using Rule = std::optional<Cause>(const View&);
 
-/// Joints on planes have a rival; else what the table could tell.
+/// Planes that somebody asked for may have a better rival; else what the table could tell.
 std::string other_layers(const View& v, const std::string& otherwise) {
-  return v.of.layers == LayerModel::planes ? "layers = \"directions\" in the rock file, which has no plane"
-                                           : otherwise;
+  return v.of.layers == LayerModel::planes && !v.of.layers_chosen
+             ? "layers = \"choose\" in a rock file whose recipe has no layers: rivals have no plane, or more "
+               "than planes"
+             : otherwise;
 }
 
 /// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
@@ -95,10 +97,10 @@ std::optional<Cause> nu_of_no_body(const View& v) {
   if (!E || !nu) return {};
   const double off = std::fabs(std::log(nu->laboratory / E->laboratory));
   if (off <= surely * std::hypot(E->noise_of_table, nu->noise_of_table)) return {};
-  const bool misses = std::any_of(v.rows.begin(), v.rows.end(), [](const Comparison& c) {
-    return c.target.property == Property::nu && c.answered() && std::fabs(scaled_error(c)) > 1.0;
+  const bool nu_missed = std::any_of(v.rows.begin(), v.rows.end(), [](const Comparison& c) {
+    return c.target.property == Property::nu && c.answered() && misses(c);
   });
-  if (!misses) return {};
+  if (!nu_missed) return {};
   return Cause{fmt::format("nu(90)/nu(0) is {:.2f} in the table, where a layered elastic body has "
                            "E(90)/E(0) = {:.2f}",
                            nu->laboratory, E->laboratory),
@@ -187,15 +189,17 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
   const double unit = tolerance(part == moduli        ? Property::E
                                 : part == compression ? Property::ucs
                                                       : Property::brazilian);
-  double squares = 0.0, missed = 0.0;
+  double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
   int n = 0;
   for (const Comparison& c : v.rows) {
-    if (part_of(c.target.property) != part || c.target.property == Property::nu || !c.answered() ||
-        !std::isfinite(c.sd))
+    if (part_of(c.target.property) != part || !c.answered() || !std::isfinite(c.sd)) continue;
+    if (c.target.property == Property::nu) {
+      missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
       continue;
+    }
     squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
   }
-  if (n == 0 || squares <= n || squares < 0.25 * missed) return {};
+  if (n == 0 || squares <= n || squares < 0.25 * missed || missed_by_nu > missed) return {};
   return Cause{fmt::format("packings of this grain size differ by {:.0f} % from each other, the model from "
                            "the table by {:.0f} %",
                            100.0 * unit * std::sqrt(squares / n), 100.0 * unit * std::sqrt(missed / n)),
@@ -257,11 +261,6 @@ std::string unanswered(const View& v) {
   return fmt::format("{}", fmt::join(cells, ", "));
 }
 
-bool was_short(const Calibration& c) {
-  return std::any_of(c.notes.begin(), c.notes.end(),
-                     [](const std::string& n) { return n.starts_with("the search was short"); });
-}
-
 /// Neighbours in theta with UCS that nothing lies between for far.
 std::string gap_of(const View& v) {
   std::vector<double> angles;
@@ -303,22 +302,24 @@ std::string good_news(const View& v) {
   text += open.empty() ? "; the data determine every parameter"
                        : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
-  if (was_short(c)) text += "; the search was short";
+  if (c.short_search) text += "; the search was short";
   if (!next.empty()) return text + "; next: " + next.front();
   return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
 }
+
+bool is_coarse(const Comparison& c) { return c.answered() && !misses(c) && unresolved(c); }
 
 /// A table that is met where misses that matter would pass for chance.
 std::string coarse_news(const View& v) {
   std::vector<std::string> cells;
   bool specimens_help = true;
   for (const Comparison& c : v.rows)
-    if (c.answered() && unresolved(c)) {
+    if (is_coarse(c)) {
       cells.push_back(cell_name(c.target));
       specimens_help = specimens_help && specimens_missing(c).has_value();
     }
-  return fmt::format("{} of the table, but scatter tells no miss from chance at {}; next: {}",
-                     misses_text(v), fmt::join(cells, ", "),
+  return fmt::format("{} of the table, but scatter tells no miss from chance at {}; next: {}", misses_text(v),
+                     fmt::join(cells, ", "),
                      specimens_help ? "more specimens there (the findings say how many)"
                                     : "smaller grains in the rock's recipe, since packings differ too much");
 }
@@ -328,7 +329,7 @@ std::string bad_news(const View& v) {
   std::vector<std::string> clauses;
   std::string next;
   if (const std::string cells = unanswered(v); !cells.empty())
-    clauses.push_back("the model has no answer for " + cells), next = "the findings below say why";
+    clauses.push_back("the model has no answer for " + cells), next = "the findings say why";
   for (const Part part : ranked(v)) {
     if (clauses.size() == 2) break;
     const Cause cause = cause_of(v, part);
@@ -336,11 +337,15 @@ std::string bad_news(const View& v) {
                                   next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
     if (next.empty()) next = cause.next;
   }
-  if (was_short(v.of)) {
-    clauses.push_back(
-        fmt::format("the search was short ({} tests)", v.of.n_strength_tests - v.of.n_tension_tests));
-    next = "a new folder with a larger --max-tests";
+  if (v.of.short_search) {
+    clauses.push_back(fmt::format("the search was short ({} tests of UCS in all)",
+                                  v.of.n_strength_tests - v.of.n_tension_tests));
+    const std::vector<Part> parts = ranked(v);
+    if (parts.empty() || parts.front() != moduli) next = "a new folder with a larger --max-tests";
   }
+  if (const auto n = std::count_if(v.rows.begin(), v.rows.end(), is_coarse);
+      n > 0 && v.of.verdict.status != VerdictStatus::out_of_reach)
+    clauses.push_back(fmt::format("{} of {} values are not resolved", n, v.rows.size()));
   if (clauses.empty()) clauses = v.of.verdict.findings;
   return fmt::format("{}; next: {}", fmt::join(clauses, "; "), next.empty() ? "see the findings" : next);
 }

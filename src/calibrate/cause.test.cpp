@@ -159,9 +159,9 @@ TEST(Cause, ASearchCutShort) {
   c.fitted = c.verification = cells(Property::ucs, {60, 40, 62}, {62, 46, 60});
   c.n_strength_tests = 80, c.n_tension_tests = 20;
   EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("--max-tests")));
-  c.notes = {"the search was short: a larger --max-tests may come nearer and know more"};
+  c.short_search = true;
   EXPECT_THAT(verdict_sentence(c),
-              HasSubstr("the search was short (60 tests); next: a new folder with a larger "
+              HasSubstr("the search was short (60 tests of UCS in all); next: a new folder with a larger "
                         "--max-tests"));
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 #include <utility>
 
 #include "calibrate/margin.hpp"
@@ -25,12 +24,6 @@ double softened(double x) {
 }
 
 struct Misfit {
-  using Scalar = double;
-  using InputType = VectorXd;
-  using ValueType = VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
   const StrengthPosterior& posterior;
   VectorXd mean, sd;  ///< of the draws
 
@@ -54,6 +47,16 @@ struct Misfit {
     }
     return 0;
   }
+  /// By differences of one step: places run from -1 to 1, sigma_c by its logarithm.
+  int df(const VectorXd& x, Eigen::MatrixXd& J) const {
+    VectorXd ahead(values()), behind(values()), moved = x;
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      moved[j] = x[j] + step, operator()(moved, ahead);
+      moved[j] = x[j] - step, operator()(moved, behind);
+      J.col(j) = (ahead - behind) / (2.0 * step), moved[j] = x[j];
+    }
+    return 0;
+  }
   double at(const Point& x) const {
     VectorXd r(values());
     operator()(Eigen::Map<const VectorXd>(x.data(), inputs()), r);
@@ -73,9 +76,9 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
 }
 
 Point downhill(const Misfit& misfit, const Point& from) {
-  Eigen::NumericalDiff<Misfit> with_slopes(misfit, step * step);
-  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Misfit>> solver(with_slopes);
-  solver.parameters.maxfev = 300;
+  Misfit functor = misfit;
+  Eigen::LevenbergMarquardt<Misfit> solver(functor);
+  solver.parameters.maxfev = 60;
   solver.parameters.ftol = solver.parameters.xtol = 1e-4;
   solver.parameters.factor = 1.0;
   VectorXd x = Eigen::Map<const VectorXd>(from.data(), misfit.inputs());

@@ -155,8 +155,10 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   }
   bool changed = false;
   for (const auto& [property, b] : beyond) {
-    const double found = std::max(0.0, b.sum / b.n), before = std::exchange(discrepancy_[property], found);
-    changed = changed || std::fabs(found - before) > settled * std::max(found, before);
+    const double found = std::max(0.0, b.sum / b.n);
+    double& known = discrepancy_[property];
+    if (std::fabs(found - known) <= settled * std::max(found, known)) continue;
+    known = found, changed = true;
   }
   return changed;
 }

@@ -9,7 +9,7 @@
 //
 // The first batches run on coarse grains, the same specimen magnified, at a fifteenth of the cost; the
 // surrogate knows that they answer a little differently. The last rounds run at the estimate (nearest.hpp),
-// each on packings of its own, and each moves it.
+// every test of a round on another packing, and each moves it.
 #pragma once
 #include <functional>
 #include <string>

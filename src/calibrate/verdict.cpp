@@ -104,7 +104,7 @@ bool report_unresolved(Calibration& result) {
              fmt::format("not resolved, a miss of {} would pass for chance; {}", in_words(p, margin(c)),
                          more ? fmt::format("{} more specimen{} would bring that to {}", *more,
                                             *more == 1 ? "" : "s", in_words(p, coarsest(p)))
-                              : "packings of this size differ too much, larger ones would help"));
+                              : "packings of this size differ too much, smaller grains would help"));
   }
   return any;
 }

@@ -115,7 +115,7 @@ class ReadingReader {
     check_repeats();
     if (n_assumed_ > 0)
       notes_.push_back(fmt::format(
-          "{} of {} values have an SD but no number of specimens (column n): they count as means of {}, the "
+          "{} of {} values have an SD but no number of specimens (column n), or 1: they count as means of {}, the "
           "fewest that have one",
           n_assumed_, readings_.size(), least_with_sd));
     return std::move(readings_);

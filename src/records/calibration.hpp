@@ -76,6 +76,8 @@ struct Calibration {
   std::string rock;
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
+  bool layers_chosen = false;                          ///< by the program, from rivals
+  bool short_search = false;                           ///< the budget did not allow all points
   Recipe recipe;                                       ///< the calibrated model, ready to run
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit

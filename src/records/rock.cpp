@@ -46,7 +46,7 @@ Pool pool_of(const std::vector<const RockReading*>& rows, double mean) {
   return pool;
 }
 
-/// Variance of single specimens of a cell and the degrees of freedom behind it: the mean of a scaled inverse
+/// Variance of single specimens of a cell and the degrees of freedom behind it: the scale of an inverse
 /// chi-square that begins with the prior, learns from the other cells and, as far as these may lend, from the
 /// cell's own.
 Pool variance_of(const Pool& own, const Pool& others, double prior) {

@@ -28,15 +28,30 @@ bool speaks_of(const std::string& finding, const std::string& quantity, double t
   return false;
 }
 
-/// The angles of a table that findings name for a quantity; these findings are taken out of `rest`.
-std::set<double> take(std::vector<std::string>& rest, const std::string& quantity, const Calibration& c) {
+bool is_unresolved(const std::string& finding) { return finding.find(": not resolved") != finding.npos; }
+
+/// The angles of a table that findings name for a quantity: those that tell a miss, or those that are too
+/// coarse to tell.
+std::set<double> named_by(const std::vector<std::string>& findings, const std::string& quantity,
+                          const Calibration& c, bool unresolved = false) {
   std::set<double> angles;
   for (const Comparison& f : c.fitted)
-    for (const std::string& finding : rest)
-      if (speaks_of(finding, quantity, f.target.theta)) angles.insert(f.target.theta);
-  for (const double theta : angles)
-    std::erase_if(rest, [&](const std::string& f) { return speaks_of(f, quantity, theta); });
+    for (const std::string& finding : findings)
+      if (is_unresolved(finding) == unresolved && speaks_of(finding, quantity, f.target.theta))
+        angles.insert(f.target.theta);
   return angles;
+}
+
+/// What findings say beside cells of the table and ratios to them.
+std::vector<std::string> of_no_cell(std::vector<std::string> findings, const Calibration& c) {
+  std::erase_if(findings, [&](const std::string& finding) {
+    return std::any_of(c.fitted.begin(), c.fitted.end(), [&](const Comparison& f) {
+      const std::string quantity = to_string(f.target.property);
+      return speaks_of(finding, quantity, f.target.theta) ||
+             speaks_of(finding, "UCS/" + quantity, f.target.theta);
+    });
+  });
+  return findings;
 }
 
 /// "11 - 13", or one number where both look alike.
@@ -53,9 +68,8 @@ const Comparison& judged(const Calibration& c, const Comparison& fitted) {
 }
 
 /// "UCS 11 - 13 % off at 30, 75, 90 degrees", of the cells that findings name.
-void add_cells(std::vector<std::string>& lines, std::vector<std::string>& rest, const Calibration& c,
-               Property p) {
-  const std::set<double> named = take(rest, to_string(p), c);
+void add_cells(std::vector<std::string>& lines, const Calibration& c, Property p) {
+  const std::set<double> named = named_by(c.verdict.findings, to_string(p), c);
   std::vector<double> off, where, silent;
   for (const Comparison& f : c.fitted) {
     if (f.target.property != p || !named.contains(f.target.theta)) continue;
@@ -70,12 +84,15 @@ void add_cells(std::vector<std::string>& lines, std::vector<std::string>& rest, 
                                 p == Property::nu ? "" : " %", fmt::join(where, ", ")));
   if (!silent.empty())
     lines.push_back(fmt::format("{}: no answer at {:g} degrees", to_string(p), fmt::join(silent, ", ")));
+  if (const std::set<double> coarse = named_by(c.verdict.findings, to_string(p), c, true); !coarse.empty())
+    lines.push_back(fmt::format(
+        "{} not resolved at {:g} degrees: tables.txt says which misses would pass and what would help",
+        to_string(p), fmt::join(coarse, ", ")));
 }
 
 /// "UCS/BTS 4.3 - 8.4 in the laboratory, 5.3 - 6.4 in the nearest model, at 0, 30 degrees".
-void add_ratios(std::vector<std::string>& lines, std::vector<std::string>& rest, const Calibration& c,
-                Property p) {
-  const std::set<double> named = take(rest, std::string("UCS/") + to_string(p), c);
+void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property p) {
+  const std::set<double> named = named_by(c.verdict.findings, std::string("UCS/") + to_string(p), c);
   std::vector<double> laboratory, model;
   for (const Comparison& t : c.verification)
     for (const Comparison& u : c.verification)
@@ -101,9 +118,10 @@ std::vector<std::string> open_lines(const Calibration& c) {
 }
 
 std::vector<std::string> summary_lines(const Calibration& c) {
-  std::vector<std::string> lines, rest = c.verdict.findings, open;
-  for (int i = 0; i < n_properties; ++i) add_cells(lines, rest, c, static_cast<Property>(i));
-  for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, rest, c, p);
+  std::vector<std::string> lines, open;
+  for (int i = 0; i < n_properties; ++i) add_cells(lines, c, static_cast<Property>(i));
+  for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, c, p);
+  const std::vector<std::string> rest = of_no_cell(c.verdict.findings, c);
   for (const ParameterEstimate& e : c.parameters)
     if (!e.determined) open.push_back(e.symbol);
   if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));

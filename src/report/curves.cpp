@@ -154,7 +154,7 @@ TheoryCurves theory_curves(const std::vector<Target>& table) {
                     goodman.rock.E * 1e-9, goodman.rock.K_n_delta * 1e-9, goodman.rock.K_s_delta * 1e-9),
         [&](double theta) { return theory::goodman_E(goodman.rock, theta); });
   const theory::JaegerFit jaeger = theory::fit_jaeger_and_matrix(strengths);
-  curves.ucs.note = "No curve of Jaeger: " + jaeger.reason + ".";
+  if (!strengths.empty()) curves.ucs.note = "No curve of Jaeger: " + jaeger.reason + ".";
   if (jaeger.ok)
     curves.ucs = sampled(
         fmt::format("Dashed: one plane of weakness (Jaeger 1960) through the laboratory's UCS: c = {:.1f} "

@@ -296,11 +296,16 @@ std::string fit_text(const Calibration& c, const std::string& version) {
       version, c.rock, table_text(c), to_string(c.E_is));
   if (c.layers == LayerModel::directions && c.recipe.matrix.directional())
     text += " The layers are represented by bonds whose stiffness and strength depend on their direction.";
+  if (c.layers == LayerModel::planes_and_directions && c.recipe.matrix.directional())
+    text +=
+        " The layers are represented by smooth joints between bonds whose strength depends on their "
+        "direction.";
   text +=
-      fmt::format(" Moduli were fitted by least squares through {} direct elastic solutions", c.n_elastic);
+      fmt::format(" Moduli were fitted by least squares ({} direct elastic solutions in all)", c.n_elastic);
   if (n_ucs > 0)
-    text += fmt::format(", strengths by a surrogate and its posterior over {} uniaxial{} tests", n_ucs,
-                        c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
+    text += fmt::format(
+        ", strengths by a surrogate and its posterior ({} uniaxial{} tests in all, verification included)",
+        n_ucs, c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);

@@ -123,11 +123,6 @@ std::string pfc_flat_joints(const MatrixRecipe& m) {
       "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
       "contact property fj_fric {:.8g} fj_fa {:.8g} range contact type 'ball-ball'\n",
       m.E_c, 1.0 / m.ks_over_kn, m.mu, m.phi);
-  if (m.break_at == BreakAt::edge)
-    text += "; NOT SAID HERE: break_at = \"edge\"; PFC holds the stress at the centroid against fj_ten\n";
-  if (m.gapped_fraction > 0.0)
-    text += fmt::format("; NOT SAID HERE: {:g} % of the contacts that start {:g} m apart\n",
-                        100.0 * m.gapped_fraction, m.initial_gap);
   return text;
 }
 
@@ -169,6 +164,13 @@ std::string pfc_omissions(const Recipe& r) {
   const auto omit = [&](bool has, const char* what) {
     if (has) text += fmt::format("; NOT IN THIS FILE: {}\n", what);
   };
+  const MatrixRecipe& m = r.matrix;
+  const bool flat = m.model == MatrixModel::flat_joint;
+  omit(flat && m.break_at == BreakAt::edge,
+       "break_at = \"edge\"; PFC holds the stress at the centroid against fj_ten");
+  omit(flat && m.gapped_fraction > 0.0, "contacts that start apart (gapped_fraction)");
+  omit(m.unbreakable, "bonds that never break (unbreakable)");
+  omit(!r.packing.file.empty(), "the packing of packing.file: radii and numbers above are not its own");
   omit(r.bedding.size() > 1, "all sets of bedding but the first");
   if (r.bedding.empty()) return text;
   const BeddingRecipe& b = r.bedding.front();

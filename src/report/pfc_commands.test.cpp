@@ -67,6 +67,13 @@ TEST(PfcCommands, DirectionsActOnWhatTheMatrixHas) {
 TEST(PfcCommands, WhatHasNoCommandIsNamed) {
   EXPECT_THAT(pfc_commands(paper()), Not(HasSubstr("NOT IN THIS FILE")));
   Recipe r = paper();
+  r.matrix.model = MatrixModel::flat_joint, r.matrix.break_at = BreakAt::edge;
+  const std::string text = pfc_commands(r);
+  EXPECT_LT(text.find("NOT IN THIS FILE: break_at"), text.find("ball attribute")) << "at the head";
+  r.matrix.unbreakable = true;
+  r.bedding.clear();
+  EXPECT_THAT(pfc_commands(r), HasSubstr("NOT IN THIS FILE: bonds that never break"));
+  r = paper();
   r.bedding[0].persistence = 0.7;
   EXPECT_THAT(pfc_commands(r), HasSubstr("NOT IN THIS FILE: bonded patches"));
   r.bedding[0].rule = BeddingRule::oriented;

@@ -91,7 +91,9 @@ std::vector<ErrorRow> error_rows(const Calibration& c) {
   for (const Yardstick& y : yardsticks()) {
     std::vector<Comparison> predicted = table;
     for (Comparison& p : predicted) p.mean = y.predict(c.fitted, p.target);
-    rows.push_back(row_for(fmt::format("left out, {}", y.name), predicted));
+    const ErrorRow row = row_for(fmt::format("left out, {}", y.name), predicted);
+    if (std::any_of(row.rms.begin(), row.rms.end(), [](double v) { return std::isfinite(v); }))
+      rows.push_back(row);
   }
   return rows;
 }
