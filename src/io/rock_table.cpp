@@ -114,10 +114,11 @@ class ReadingReader {
     for (const TableRow& row : table_.rows) read_row(row, confining);
     check_repeats();
     if (n_assumed_ > 0)
-      notes_.push_back(fmt::format(
-          "{} of {} values have an SD but no number of specimens (column n), or 1: they count as means of {}, the "
-          "fewest that have one",
-          n_assumed_, readings_.size(), least_with_sd));
+      notes_.push_back(
+          fmt::format("{} of {} values have an SD but no number of specimens (column n), or 1: they count as "
+                      "means of {}, "
+                      "the fewest that have one",
+                      n_assumed_, readings_.size(), least_with_sd));
     return std::move(readings_);
   }
 
