@@ -71,10 +71,13 @@ TEST(Cause, AWeakPlaneIsExcludedOnlyByAnglesThatItCannotHave) {
   EXPECT_THAT(coarse, testing::AllOf(HasSubstr("the rock at 30"), Not(HasSubstr("plane does"))));
 }
 
-TEST(Cause, OfPlanesTheRivalIsAdvised) {
-  EXPECT_THAT(sentence({cells(Property::ucs, weakest_at_30, weakest_at_60)}, VerdictStatus::out_of_reach,
-                       LayerModel::planes),
-              HasSubstr("next: layers = \"directions\""));
+TEST(Cause, OfPlanesTheRivalsAreAdvisedUnlessTheyWereTried) {
+  Calibration c;
+  c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes;
+  c.fitted = c.verification = cells(Property::ucs, weakest_at_30, weakest_at_60);
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: layers = \"choose\""));
+  c.layers_chosen = true;
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: more specimens at 30 and 60 degrees"));
 }
 
 TEST(Cause, UcsAcrossOverUcsAlong) {

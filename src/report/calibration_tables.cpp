@@ -266,10 +266,13 @@ std::string error_table(const Calibration& c, int terminal_width) {
           {column_of(to_string(p), "", rows, [&](const ErrorRow& r) { return error_text(p, r.rms[i]); })});
   }
   const bool left_out = rows.back().of.starts_with("left out");
+  const bool plane = rows.back().of.ends_with("weak plane");
   return text_table(label, groups, terminal_width) +
-         wrapped(left_out ? "left out: those with neighbours on both sides, each predicted from the others; "
-                            "weak plane: Jaeger 1960\n"
-                          : "",
+         wrapped(!left_out
+                     ? ""
+                     : fmt::format("left out: those with neighbours on both sides, each predicted from the "
+                                   "others{}\n",
+                                   plane ? "; weak plane: Jaeger 1960" : ""),
                  terminal_width, 2);
 }
 

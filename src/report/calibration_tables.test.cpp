@@ -34,7 +34,8 @@ TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbo
   const std::string text = error_table(with_left_out(), 0);
   EXPECT_THAT(text, HasSubstr("left out, this model     10.0 %\n"));
   EXPECT_THAT(text, HasSubstr("left out, straight line  58.3 %\n"));
-  EXPECT_THAT(text, HasSubstr("left out, parabola            -\n"));  // two others
+  // two others tell no parabola, and no plane
+  EXPECT_THAT(text, testing::AllOf(testing::Not(HasSubstr("parabola")), testing::Not(HasSubstr("Jaeger"))));
   const auto j = nlohmann::json::parse(calibration_json(with_left_out(), "1"));
   EXPECT_TRUE(j["left_out"][0]["interpolated"].is_null());
   EXPECT_NEAR(j["left_out"][1]["interpolated"].get<double>(), 95e6, 1.0);
