@@ -7,6 +7,7 @@
 
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/strength_posterior.hpp"
+#include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -48,12 +49,19 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
   return squares;
 }
 
-Rival tried(const Evidence& evidence, LayerModel layers, std::int64_t seed, Simulator& simulator) {
-  const Evidence with(with_layers(evidence.rock, layers), evidence.targets);
-  const ElasticFit fit = fit_elastic(with, {seed}, {}, simulator, [](const std::string&) {});
-  const Squares E = modulus_squares(fit), strengths = strength_squares(with, fit.recipe);
-  return {layers, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n)),
-          fit.n_solutions};
+Evidence with(const Evidence& evidence, LayerModel layers) {
+  return Evidence(with_layers(evidence.rock, layers), evidence.targets);
+}
+
+ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& simulator) {
+  return fit_elastic(evidence, {seed}, {}, simulator, [](const std::string&) {});
+}
+
+Rival rival_of(const Evidence& evidence, const ElasticFit& fit) {
+  const Squares E = modulus_squares(fit);
+  const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe));
+  return {evidence.rock.layers, E.root(), strengths.root(),
+          std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n))};
 }
 
 }  // namespace
@@ -86,10 +94,14 @@ ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator
   ModelChoice choice;
   if (evidence.strengths.size() < least_strengths) return choice;
   say("which model of the layers predicts what it has not seen");
-  for (const LayerModel layers :
-       {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions})
-    choice.rivals.push_back(tried(evidence, layers, seed, simulator)),
-        choice.n_solutions += choice.rivals.back().n_solutions;
+  const Evidence planes = with(evidence, LayerModel::planes),
+                 directions = with(evidence, LayerModel::directions);
+  const ElasticFit jointed = moduli_of(planes, seed, simulator),
+                   turned = moduli_of(directions, seed, simulator);
+  choice.n_solutions = jointed.n_solutions + turned.n_solutions;
+  // between planes directions are of the strengths alone: the moduli are those of planes
+  choice.rivals = {rival_of(planes, jointed), rival_of(directions, turned),
+                   rival_of(with(evidence, LayerModel::planes_and_directions), jointed)};
   choice.layers =
       std::min_element(choice.rivals.begin(), choice.rivals.end(), [](const Rival& a, const Rival& b) {
         return a.error < b.error;

@@ -20,7 +20,6 @@ struct Rival {
   double modulus_error = 0.0;   ///< of E, as fitted on one packing, root mean square
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
-  std::int64_t n_solutions = 0;
 };
 
 struct ModelChoice {

@@ -74,8 +74,6 @@ class StrengthPosterior {
   void count_errors();
   /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
   double tolerated(std::size_t target) const { return scatter_[target] + discrepancy(target); }
-  /// What a miss costs of a property that has a discrepancy, in units of log p.
-  double pull(std::size_t target, double error) const;
 
   /// Squared relative standard error of the laboratory, as of a normal distribution.
   static double variance(const Target& t);
@@ -92,6 +90,8 @@ class StrengthPosterior {
   std::map<Property, double> discrepancy_;
   std::vector<double> scatter_;  // squared, per target
 
+  /// What a miss costs of a property that has a discrepancy, in units of log p.
+  double pull(std::size_t target, double error) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
   std::size_t index_of(const CalibratedParameter& p) const;

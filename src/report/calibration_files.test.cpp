@@ -7,17 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/paper_recipe_fixture.hpp"
+
 namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
-
-Recipe paper() {
-  Recipe r;
-  r.bedding.resize(1);
-  r.bedding[0].theta = 30.0;
-  return r;
-}
 
 TEST(YadeScript, MatchesTheStiffnessPerBondArea) {
   const std::string text = yade_script(paper());

@@ -4,18 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "report/paper_recipe_fixture.hpp"
+
 namespace phy::report {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-Recipe paper() {
-  Recipe r;
-  r.bedding.resize(1);
-  r.bedding[0].theta = 30.0;
-  return r;
-}
 
 TEST(PfcCommands, TranslateRatiosStiffnessesAndTheAngle) {
   const std::string text = pfc_commands(paper());
