@@ -121,15 +121,16 @@ bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_o
   return strength;
 }
 
-/// Throws InputError where the budget is too small for any search. `n`: angles with UCS, each tested on
-/// `n_packings` beside the search.
+/// Throws InputError where the budget is too small for any search. `n`: strengths in compression, each tested
+/// on `n_packings` beside the search.
 void check_budget(std::int64_t n, int n_packings, std::int64_t max_tests) {
   const std::int64_t least = n * (n_packings + least_points);
   if (max_tests < least)
     throw InputError(Problem{
         "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
-        fmt::format("{} angles with UCS, each on {} packings at the estimate and at {} points of the search",
-                    n, n_packings, least_points)});
+        fmt::format(
+            "{} strengths in compression, each on {} packings at the estimate and at {} points of the search",
+            n, n_packings, least_points)});
 }
 
 /// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
@@ -217,7 +218,8 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   if (!measured.empty()) work.strength.softenings = measured;
   result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
   result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
-  const std::int64_t n = work.evidence.n_ucs() * n_softened;
+  const auto n = static_cast<std::int64_t>(of_property(work.evidence.strengths, Property::ucs).size() *
+                                           std::size_t{n_softened});
   result.n_strength_tests += n;
   result.n_elastic += n + static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   return true;
@@ -226,7 +228,8 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, Work& work) {
   const Evidence& evidence = work.evidence;
-  const std::int64_t n = evidence.n_ucs(), reserved = n * (n_unseen + (work.softens() ? n_softened : 0));
+  const std::int64_t n = evidence.n_compressive(),
+                     reserved = n * (n_unseen + (work.softens() ? n_softened : 0));
   Remodel remodel;
   if (work.softens())
     remodel = [&](const Softenings& s) {
@@ -295,7 +298,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   if (strength) {
     for (const StrengthParameter* p : strength_parameters(evidence))
       if (p->check != nullptr) p->check(evidence.rock);
-    check_budget(evidence.n_ucs(), n_unseen + (work.softens() ? n_softened : 0), options.max_tests);
+    check_budget(evidence.n_compressive(), n_unseen + (work.softens() ? n_softened : 0), options.max_tests);
   }
   work.fit_moduli(evidence);
   estimates = work.elastic.parameters;

@@ -25,7 +25,7 @@ struct Cause {
 
 enum Part { moduli, compression, tension, n_parts };
 
-Part part_of(Property p) { return !is_strength(p) ? moduli : p == Property::ucs ? compression : tension; }
+Part part_of(Property p) { return !is_strength(p) ? moduli : is_compressive(p) ? compression : tension; }
 
 /// A miss in units of what passes without a word.
 double scaled_error(const Comparison& c) { return miss_of(c) / margin(c); }

@@ -25,9 +25,9 @@ bool Evidence::has(Property property, double from, double to) const {
   });
 }
 
-std::int64_t Evidence::n_ucs() const {
-  return std::count_if(targets.begin(), targets.end(),
-                       [](const Target& t) { return t.property == Property::ucs; });
+std::int64_t Evidence::n_compressive() const {
+  return std::count_if(strengths.begin(), strengths.end(),
+                       [](const Target& t) { return is_compressive(t.property); });
 }
 
 double counted_error(const Target& modulus) {

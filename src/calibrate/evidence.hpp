@@ -28,7 +28,7 @@ struct Evidence {
   Evidence(Rock of, std::vector<Target> read);
   /// Is there a value between two inclinations [deg], both included?
   bool has(Property property, double from = -infinity, double to = infinity) const;
-  std::int64_t n_ucs() const;
+  std::int64_t n_compressive() const;  ///< of the strengths: UCS, and strengths under confinement
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -19,7 +19,8 @@ double tolerance(Property property) {
   switch (property) {
     case Property::E:
     case Property::nu: return 0.03;
-    case Property::ucs: return 0.06;
+    case Property::ucs:
+    case Property::confined: return 0.06;
     case Property::direct_tension:
     case Property::brazilian: break;
   }
@@ -29,7 +30,8 @@ double tolerance(Property property) {
 double coarsest(Property property) {
   switch (property) {
     case Property::E:
-    case Property::ucs: return 0.15;
+    case Property::ucs:
+    case Property::confined: return 0.15;
     case Property::nu: return 0.1;
     case Property::direct_tension:
     case Property::brazilian: break;

@@ -35,12 +35,14 @@ Squares modulus_squares(const ElasticFit& fit) {
   return squares;
 }
 
-/// Every strength predicted from the others by what is expected of this model, before any test.
+/// Every strength that was mapped predicted from the others by what is expected of this model, before any
+/// test.
 Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
   StrengthPosterior posterior(evidence, recipe);
   posterior.learn();
   Squares squares;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
+    if (posterior.targets()[i].confining > 0.0) continue;
     const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
     double mean = 0.0;
     for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());

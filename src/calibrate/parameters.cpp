@@ -125,8 +125,19 @@ Rule tau_c_rule(const Evidence& e) {
           "direct tension at 90 degrees, or Brazilian at 0"};
 }
 
-/// Friction shows in what no table holds, strength under confinement.
-Rule friction_rule(const Evidence&) { return {}; }
+/// Friction of the grains, and that of the bonds, show in strengths under confinement that planes do not
+/// decide.
+Rule friction_rule(const Evidence& e) {
+  const bool held = e.rock.bedded ? e.has(Property::confined, 0.0, 15.0) || e.has(Property::confined, 80.0)
+                                  : e.has(Property::confined);
+  return {held, "strength under confinement",
+          e.rock.bedded ? "strength under confinement at 0 and 90 degrees" : "strength under confinement",
+          true};
+}
+Rule joint_friction_rule(const Evidence& e) {
+  return {e.has(Property::confined, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",
+          "strength under confinement at 45 and 60 degrees"};
+}
 
 void check_dilation(const Rock& rock) {
   for (const BeddingRecipe& b : rock.model.bedding)
@@ -204,7 +215,8 @@ const StrengthParameter matrix_moment{
     },
     true};
 
-/// With phi shear strength grows under pressure, which UCS feels and tension does not.
+/// With phi shear strength grows under pressure, which UCS feels, strength under confinement more, and
+/// tension not at all.
 const StrengthParameter matrix_phi{{.key = "matrix.phi",
                                     .symbol = "phi",
                                     .unit = "deg",
@@ -215,8 +227,12 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
                                           r.matrix.shear_strength = ShearStrength::cohesion_friction;
                                           r.matrix.phi = v;
                                         },
-                                    .belongs = has_directions},
-                                   matrix_moment.rule,
+                                    .belongs = has_moment},
+                                   [](const Evidence& e) -> Rule {
+                                     const Rule friction = friction_rule(e);
+                                     const bool directed = has_directions(e.rock.model);
+                                     return friction.held || !directed ? friction : matrix_moment.rule(e);
+                                   },
                                    true};
 
 // ---- directions
@@ -292,7 +308,7 @@ const StrengthParameter joint_mu{{.key = "bedding[0].mu",
                                   .range = {0.15, 1.0, 0.4},
                                   .set = [](Recipe& r, double v) { r.bedding.front().mu = v; },
                                   .belongs = has_joints},
-                                 friction_rule,
+                                 joint_friction_rule,
                                  false,
                                  [](const Recipe& r) { return tan_degrees(joint(r).psi) * (1.0 + 1e-9); },
                                  check_dilation};

@@ -17,7 +17,8 @@ namespace {
 struct Belief {
   double constant, slope, curvature;
 };
-constexpr Belief compression = {0.15, 0.06, 0.04}, tension = {0.3, 0.15, 0.06}, stand_in = {0.4, 0.2, 0.06};
+constexpr Belief compression = {0.15, 0.06, 0.04}, tension = {0.3, 0.15, 0.06}, stand_in = {0.4, 0.2, 0.06},
+                 confinement = {0.2, 0.1, 0.06};
 
 /// Made once for a column of a table.
 const ReachRegression& regression_of(const ModelFamily& family, const std::string& column) {
@@ -39,6 +40,28 @@ ReachRegression regression_at(const ModelFamily& family, Property property, doub
           regression_of(family, column_at(family, stem, b.high)), b.share};
 }
 
+/// What confining stress adds to the strength, per unit of that stress, of bonds without layers.
+const ReachRegression& growth_of(const ModelFamily& intact) {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<ReachRegression>> made;
+  const std::scoped_lock lock(mutex);
+  std::unique_ptr<ReachRegression>& one = made[intact.name];
+  const ReachTable& table = reach_of(intact);
+  if (!one)
+    one = std::make_unique<ReachRegression>(table, [&](std::size_t row) {
+      const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // some fifth of UCS
+      return std::log(1.0 + (table.at(row, "q/sigma_c #2") - table.at(row, "UCS/sigma_c")) / sigma_3);
+    });
+  return *one;
+}
+
+/// The family of the same bonds without layers.
+const ModelFamily& without_layers(const ModelFamily& family) {
+  for (const ModelFamily& f : model_families())
+    if (!f.layered && f.base.matrix.model == family.base.matrix.model) return f;
+  return family;
+}
+
 const ModelFamily& mapped_family(const Recipe& recipe) {
   const ModelFamily* family = family_of(recipe);
   PHY_CHECK(family != nullptr, "a family that was mapped");
@@ -49,9 +72,12 @@ const ModelFamily& mapped_family(const Recipe& recipe) {
 
 PriorRegression::PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe,
                                  Property property, double theta)
-    : ratios_(std::move(ratios)),
-      family_(&mapped_family(recipe)),
-      regression_(regression_at(*family_, property, theta)) {
+    : PriorRegression(std::move(ratios), recipe, mapped_family(recipe),
+                      regression_at(mapped_family(recipe), property, theta)) {}
+
+PriorRegression::PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe,
+                                 const ModelFamily& family, ReachRegression regression)
+    : ratios_(std::move(ratios)), family_(&family), regression_(std::move(regression)) {
   for (std::size_t l = 0; l < family_->levers.size(); ++l) {
     const Lever& lever = family_->levers[l];
     places_.push_back(lever.place_of(lever.get(recipe)));
@@ -67,10 +93,31 @@ double PriorRegression::at(std::span<const double> z) const {
   return regression_.at(places);
 }
 
-PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, Property property, double theta) {
+namespace {
+
+/// UCS and what the confining stress adds. `z`: the ratios, then the place of sigma_c in its box.
+PriorMean confined_strength(const Evidence& evidence, const Recipe& recipe, const ModelFamily& family,
+                            const Target& target) {
+  const std::vector<const StrengthParameter*> ratios = strength_ratios(evidence);
+  const ModelFamily& intact = without_layers(family);
+  const LogBox sigma = matrix_sigma_c.box(evidence.scales);
+  return {[ucs = PriorRegression(ratios, recipe, Property::ucs, target.theta),
+           growth = PriorRegression(ratios, recipe, intact, growth_of(intact)), sigma,
+           stress = target.confining](std::span<const double> z) {
+            const double sigma_c = std::exp(std::lerp(sigma.low, sigma.high, 0.5 * (z.back() + 1.0)));
+            return std::log(std::exp(ucs.at(z)) + std::exp(growth.at(z)) * stress / sigma_c);
+          },
+          confinement.constant, confinement.slope, confinement.curvature};
+}
+
+}  // namespace
+
+PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const Target& target) {
   const ModelFamily* family = family_of(recipe);
   if (family == nullptr) return {};
-  PriorRegression known(strength_ratios(evidence), recipe, property, theta);
+  const Property property = target.property;
+  if (property == Property::confined) return confined_strength(evidence, recipe, *family, target);
+  PriorRegression known(strength_ratios(evidence), recipe, property, target.theta);
   const bool stands_in = property == Property::direct_tension && family->layered;
   const Belief& believed = property == Property::ucs ? compression : stands_in ? stand_in : tension;
   return {[k = std::move(known)](std::span<const double> z) { return k.at(z); }, believed.constant,

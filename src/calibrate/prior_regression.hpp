@@ -7,7 +7,8 @@
 // bedding and grains, lies from it.
 //
 // Direct tension of layered rock was not mapped: a disc is pulled a quarter turn from its load, so its
-// strength at 90 degrees less stands in, and is believed less.
+// strength at 90 degrees less stands in, and is believed less. Strengths under confinement were mapped
+// without layers alone: UCS of the layered rock plus what the stress adds to the same bonds without layers.
 #pragma once
 #include <span>
 #include <vector>
@@ -25,6 +26,9 @@ class PriorRegression {
   /// between the angles that were mapped linear. The family of the recipe must have been mapped.
   PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe, Property property,
                   double theta);
+  /// The same of what any regression over the levers of a family answers.
+  PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe,
+                  const ModelFamily& family, ReachRegression regression);
   /// `z`: places of the ratios in their boxes. A ratio that was not mapped changes nothing.
   double at(std::span<const double> z) const;
 
@@ -39,7 +43,8 @@ class PriorRegression {
   ReachRegression regression_;
 };
 
-/// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe.
-PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, Property property, double theta);
+/// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe, over the inputs
+/// of StrengthPosterior.
+PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const Target& target);
 
 }  // namespace phy::calibrate

@@ -169,11 +169,16 @@ ReachRegression::ReachRegression(const ReachRegression& low, const ReachRegressi
     coefficients_.push_back(std::lerp(low.coefficients_[i], high.coefficients_[i], share));
 }
 
-ReachRegression::ReachRegression(const ReachTable& table, const std::string& column, int fold) {
+ReachRegression::ReachRegression(const ReachTable& table, const std::string& column, int fold)
+    : ReachRegression(
+          table, [&](std::size_t row) { return std::log(table.at(row, column)); }, fold) {}
+
+ReachRegression::ReachRegression(const ReachTable& table,
+                                 const std::function<double(std::size_t)>& log_answer, int fold) {
   MatrixXd A;
   VectorXd b;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
-    const double y = std::log(table.at(row, column));
+    const double y = log_answer(row);
     if (!std::isfinite(y) || !table.is_dense(row) || (fold >= 0 && fold_of(table, row) == fold)) continue;
     const VectorXd f = features_of(table.places(row));
     if (A.size() == 0) {
@@ -185,7 +190,7 @@ ReachRegression::ReachRegression(const ReachTable& table, const std::string& col
     A.selfadjointView<Eigen::Lower>().rankUpdate(f);
     b += f * y;
   }
-  PHY_CHECK(A.size() > 0, fmt::format("{}.csv: answers in column {}", table.family().name, column));
+  PHY_CHECK(A.size() > 0, fmt::format("{}.csv: answers to learn from", table.family().name));
   const VectorXd c = A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
   coefficients_.assign(c.begin(), c.end());
 }

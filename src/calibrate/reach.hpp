@@ -5,6 +5,7 @@
 // Between the points a quadratic in the places of the levers, by ridge regression to the rows, says what a
 // family may answer; it is the expectation with which a calibration begins (prior_regression.hpp).
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,9 @@ class ReachRegression {
  public:
   /// `column`: of the table. `fold`: one fifth of the points to leave out; negative: none.
   ReachRegression(const ReachTable& table, const std::string& column, int fold = -1);
+  /// Of any number that a row of the table answers, by its logarithm; NaN: no answer.
+  ReachRegression(const ReachTable& table, const std::function<double(std::size_t row)>& log_answer,
+                  int fold = -1);
   /// Between two regressions of one family, linear.
   ReachRegression(const ReachRegression& low, const ReachRegression& high, double share);
   /// At places of the levers; held at 1.2 half ranges.

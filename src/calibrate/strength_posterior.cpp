@@ -33,7 +33,7 @@ StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& rec
       targets_(evidence.strengths),
       parameters_(strength_parameters(evidence)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
-  for (const Target& t : targets_) prior_.push_back(prior_strength(evidence, recipe, t.property, t.theta));
+  for (const Target& t : targets_) prior_.push_back(prior_strength(evidence, recipe, t));
   for (const Target& t : targets_)
     scatter_.push_back(std::min(variance(t), std::pow(0.5 * tolerance(t.property), 2.0)));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
@@ -73,7 +73,7 @@ Point StrengthPosterior::held(Point x) const {
 
 void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& recipe) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    PriorMean now = prior_strength(evidence, recipe, targets_[i].property, targets_[i].theta);
+    PriorMean now = prior_strength(evidence, recipe, targets_[i]);
     for (SurrogateRun& run : runs_[i]) run.y += now.value(run.z) - prior_[i].value(run.z);
     prior_[i] = std::move(now);
   }
@@ -88,8 +88,18 @@ void StrengthPosterior::learn() {
   for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], prior_[i]);
 }
 
+std::vector<double> StrengthPosterior::inputs(const Point& x, std::size_t target) const {
+  const std::span<const double> z = ratios(x);
+  std::vector<double> all(z.begin(), z.end());
+  if (targets_[target].confining > 0.0) {
+    const LogBox& sigma = box(matrix_sigma_c);
+    all.push_back(2.0 * (log_sigma_c(x) - sigma.low) / (sigma.high - sigma.low) - 1.0);
+  }
+  return all;
+}
+
 Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) const {
-  Surrogate::Value v = models_[target].at(ratios(x));
+  Surrogate::Value v = models_[target].at(inputs(x, target));
   v.mean += log_sigma_c(x);
   return v;
 }
@@ -213,11 +223,12 @@ std::vector<Point> StrengthPosterior::spread_points(int n) const {
 double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const {
   double weight = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    if (i == left_out) continue;
-    const Surrogate::Value f = models_[i].at(ratios(x));
+    if (i == left_out || targets_[i].confining > 0.0) continue;
+    const Surrogate::Value f = models_[i].at(inputs(x, i));
     const double w = 1.0 / (f.variance + tolerated(i));
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }
+  if (weight == 0.0) return middle_sigma_;
   return std::clamp(sum / weight, box(matrix_sigma_c).low + 1e-6, box(matrix_sigma_c).high - 1e-6);
 }
 

@@ -2,7 +2,9 @@
 //
 // A strength is proportional to all micro-strengths together (moduli, geometry and friction kept):
 // log(UCS/sigma_c) is a function of five ratios alone, one function per angle. A surrogate per test and angle
-// (surrogate.hpp) learns it from runs of the press; sigma_c costs no run. What is wanted is the posterior
+// (surrogate.hpp) learns it from runs of the press; sigma_c costs no run. A strength under confinement
+// depends on that stress over sigma_c too, so its surrogate has sigma_c among its inputs. What is wanted is
+// the posterior
 //
 //   log p = -1/2 sum_i [ (log lab_i - log sigma_c - f_i(z))^2 / v_i + log v_i ],
 //   v_i = se_i^2 + var f_i(z) + d_p^2
@@ -42,6 +44,9 @@ class StrengthPosterior {
   Point middle_of_box() const;
   static double log_sigma_c(const Point& x) { return x.front(); }
   static std::span<const double> ratios(const Point& x) { return std::span(x).subspan(1); }
+  /// What the answer to a target depends on at a point: the ratios, and under confinement the place of
+  /// sigma_c in its box, because only strengths over that stress are alike.
+  std::vector<double> inputs(const Point& x, std::size_t target) const;
   /// Logarithm of what is sought of a parameter at a point.
   double log_value(const Point& x, const CalibratedParameter& p) const;
   Recipe recipe_at(Recipe recipe, const Point& x) const;

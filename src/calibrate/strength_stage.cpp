@@ -32,9 +32,10 @@ struct Batch {
 };
 constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 /// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
-/// and rounds at the estimate, which each of them moves. Every point costs `n_ucs` of the tests.
-std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_ucs, std::int64_t most, bool with_coarse) {
-  const std::int64_t points = std::clamp(max_tests / n_ucs, least_points, most);
+/// and rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
+std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
+                        bool with_coarse) {
+  const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
   std::vector<Batch> batches = {
@@ -124,18 +125,15 @@ bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const D
     learn_softening(*softening, posterior, points, recipes, results, simulator, fit.n_solutions);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
-    const std::span<const double> z = StrengthPosterior::ratios(points[p]);
     const Property property = posterior.targets()[i].property;
     const double strength = strength_of(results[k], property);
     if (std::isfinite(strength))
-      posterior.add_run(i, {{z.begin(), z.end()},
-                            static_cast<int>(design.packings[p]),
-                            design.coarse,
-                            std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
+      posterior.add_run(i, {posterior.inputs(points[p], i), static_cast<int>(design.packings[p]),
+                            design.coarse, std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
     else
       ++fit.n_without_peak;
     ++fit.n_tests;
-    fit.n_tension += property != Property::ucs ? 1 : 0;
+    fit.n_tension += is_tensile(property) ? 1 : 0;
     fit.n_coarse += design.coarse ? 1 : 0;
   }
   return true;
@@ -288,10 +286,10 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   StrengthPosterior posterior(evidence, recipe);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
-  const std::int64_t n_ucs = evidence.n_ucs();
+  const std::int64_t n_compressive = evidence.n_compressive();
   const std::int64_t most = most_points(posterior.parameters().size() - 1);  // sigma_c costs no run
-  const std::vector<Batch> batches = plan(max_tests, n_ucs, most, has_coarse(fit.recipe));
-  fit.short_search = max_tests < most * n_ucs;
+  const std::vector<Batch> batches = plan(max_tests, n_compressive, most, has_coarse(fit.recipe));
+  fit.short_search = max_tests < most * n_compressive;
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   const auto draw = [&](std::size_t n_batches) {

@@ -23,7 +23,7 @@
 namespace phy::calibrate {
 
 /// Fewest points of the search; each costs one test per strength of the table, of which the budget counts
-/// those of UCS: tests in tension end at a fraction of the strain.
+/// those in compression: tests in tension end at a fraction of the strain.
 constexpr std::int64_t least_points = 8;
 constexpr int verification_packings = 5;
 
@@ -49,8 +49,8 @@ using Remodel = std::function<Recipe(const Softenings&)>;
 Recipe with_moduli(Recipe recipe, const Recipe& moduli);
 
 /// Against the strengths of the evidence. `recipe`: from the elastic stage. `max_tests`: budget of this
-/// stage, tests of UCS. Seeds: packings, of which the points of the search take turns. `remodel`: called
-/// after every batch; empty: the moduli are those of small strain and stay.
+/// stage, tests in compression. Seeds: packings, of which the points of the search take turns. `remodel`:
+/// called after every batch; empty: the moduli are those of small strain and stay.
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
                          const std::function<void(const std::string&)>& say, const Remodel& remodel = {});

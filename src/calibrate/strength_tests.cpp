@@ -34,13 +34,16 @@ std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& t
   return moduli;
 }
 
+/// By how much the stress of a test grows until its peak [Pa]: under confinement it begins with that.
+double stress_rise(const Target& t) { return t.mean - t.confining; }
+
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
 /// disc, the approach over the diameter.
 std::vector<double> peak_strains(const std::vector<Target>& targets, const std::vector<double>& moduli) {
   std::vector<double> strains;
   for (std::size_t i = 0; i < targets.size(); ++i)
     strains.push_back((targets[i].property == Property::brazilian ? lab::disc_approach : 1.0) *
-                      targets[i].mean / moduli[i]);
+                      stress_rise(targets[i]) / moduli[i]);
   return strains;
 }
 
@@ -52,18 +55,27 @@ double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].property == property) {
       const double factor = property == Property::brazilian ? lab::disc_approach : 1.0;
-      const double wave = std::sqrt(factor * targets[i].mean / strains[i] / recipe.matrix.density);
+      const double wave = std::sqrt(factor * stress_rise(targets[i]) / strains[i] / recipe.matrix.density);
       speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
     }
   return speed;
 }
 
-/// The test whose strength is that property of the table; null: none.
-const TestDescription* test_of(Property property) {
-  for (const TestDescription* test : laboratory_tests())
-    if (test->curve.property == property) return test;
-  return nullptr;
+/// A test and its number that is a property of the table; null: none.
+struct TestOfProperty {
+  const TestDescription* test = nullptr;
+  std::string number;
+};
+TestOfProperty test_of(Property property) {
+  for (const TestDescription* test : laboratory_tests()) {
+    if (test->curve.property == property) return {test, test->curve.strength};
+    if (test->reported && test->reported->property == property) return {test, test->reported->number};
+  }
+  return {};
 }
+
+/// Tests go on to several times the strain at which the laboratory's strength is expected.
+double largest_strain(double peak) { return std::max(0.01, 6.0 * peak); }
 
 /// Did a Brazilian disc begin to break outside the central third?
 bool is_invalid(const TestResult& result) {
@@ -117,11 +129,15 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
-  one.test.kind = *test_of(targets_[target].property);
+  one.test.kind = *test_of(targets_[target].property).test;
   one.test.platen_speed = speeds_[target];
   if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;
+  }
+  if (targets_[target].confining > 0.0) {
+    one.test.confining_stress = targets_[target].confining;
+    one.test.max_strain = largest_strain(strains_[target]);
   }
   return one;
 }
@@ -134,7 +150,7 @@ Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64
 }
 
 double strength_of(const TestResult& result, Property property) {
-  return number_of(result, test_of(property)->curve.strength);
+  return number_of(result, test_of(property).number);
 }
 
 double modulus_of(const TestResult& result, ModulusReading reading) {
@@ -162,7 +178,7 @@ bool has_coarse(const Recipe& r) {
   return r.packing.file.empty() && study::expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
 
-bool can_test(Property property) { return test_of(property) != nullptr; }
+bool can_test(Property property) { return test_of(property).test != nullptr; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
   const std::vector<Target> targets = of_property(all, Property::ucs);
@@ -174,7 +190,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
   const double speed = slow_speed(recipe, targets, strains, Property::ucs);
   const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;
-  if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = std::max(0.01, 6.0 * largest);
+  if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = largest_strain(largest);
   test.stop_at = 0.8, test.post_peak = 1.0;
   test.n_snapshots = 0, test.n_frames = 0;
   test.angles.clear(), test.intact = false;

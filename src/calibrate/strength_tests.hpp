@@ -13,8 +13,8 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// The tests for one packing each. Compression runs at the recipe's speed, every kind of test in tension at
-/// a slow speed of its own.
+/// The tests for one packing each. UCS runs at the recipe's speed, every other kind of test at a slow speed
+/// of its own.
 class StrengthTests {
  public:
   /// `recipe`: with test_settings(); the moduli on the packing `seed` say at which strain each target peaks.

@@ -21,8 +21,8 @@ constexpr double hopeless = 0.20;        // the same whatever the scatter
 void report_ratios(Calibration& result) {
   for (const Comparison& t : result.verification)
     for (const Comparison& u : result.verification)
-      if (is_strength(t.target.property) && t.target.property != Property::ucs &&
-          u.target.property == Property::ucs && t.target.theta == u.target.theta &&
+      if (is_tensile(t.target.property) && u.target.property == Property::ucs &&
+          t.target.theta == u.target.theta &&
           std::fabs((1.0 + u.error()) / (1.0 + t.error()) - 1.0) > strength_limit)
         result.verdict.findings.push_back(fmt::format(
             "UCS/{}({:g}) = {:.1f} in the laboratory, {:.1f} in the nearest model",
@@ -46,9 +46,9 @@ void judge_strength(Calibration& result) {
     const double noise = std::hypot(c.target.normal_error(), packing) / c.target.mean;
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
     if (!misses(c)) continue;
-    result.verdict.findings.push_back(fmt::format(
-        "{}({:g}) = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", to_string(c.target.property),
-        c.target.theta, c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
+    result.verdict.findings.push_back(
+        fmt::format("{} = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", cell_name(c.target),
+                    c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
   }
   const double error = n > 0 ? std::sqrt(squares / n) : 0.0, beyond = n > 0 ? std::sqrt(scaled / n) : 0.0;
   if (error > hopeless || (error > strength_limit && beyond > chance_limit)) {

@@ -43,6 +43,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
+    if (t.confining > 0.0) hash.add(t.confining);
   }
   return hash.text();
 }

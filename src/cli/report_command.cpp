@@ -44,6 +44,7 @@ std::vector<Target> laboratory_of(const nlohmann::json& calibration) {
       if (row.at("property") == to_string(static_cast<Property>(i))) t.property = static_cast<Property>(i);
     t.theta = row.at("theta [deg]"), t.mean = row.at("laboratory").at("mean");
     t.sd = row.at("laboratory").at("sd"), t.n = row.at("laboratory").at("n");
+    t.diameter = row.value("diameter [m]", 0.0), t.confining = row.value("confining [Pa]", 0.0);
     targets.push_back(t);
   }
   return targets;

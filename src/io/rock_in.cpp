@@ -55,7 +55,7 @@ const Fields& rock_fields() {
       layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
-                                   "of a table with several confining pressures, the one to use");
+                                   "pressure of E and nu, of a table that has them at several");
     confining.otherwise.clear();
     return Fields{
         entry(K::text, "name", "name of the rock; default: the file's name"),
@@ -319,10 +319,12 @@ class RockReader {
     if (problems_.size() == n_before) check_content(where);
   }
   void check_content(const std::string& where) {
-    std::set<double> angles, pressures;
-    bool nu = false, E = false;
+    std::set<double> angles, pressures;  // these of E and nu
+    bool nu = false, E = false, tension = false;
     for (const RockReading& r : rock_.readings) {
-      angles.insert(r.theta), pressures.insert(r.confining);
+      angles.insert(r.theta);
+      if (!is_strength(r.property)) pressures.insert(r.confining);
+      tension = tension || (is_tensile(r.property) && r.confining > 0.0);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
     if (rock_.readings.empty())
@@ -333,13 +335,8 @@ class RockReader {
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",
                            "test 0, 45 and 90 degrees; or write bedded = false"});
-    bool elastic = false, strength = false;  // under confining pressure
-    for (const RockReading& r : rock_.readings)
-      // Under confining pressure strengths are kept without being fitted; elastic data count, at one
-      // pressure.
-      if (r.confining > 0.0) (is_strength(r.property) ? strength : elastic) = true;
-    if (strength) rock_.notes.emplace_back("strengths under confining pressure are kept, not fitted");
-    if (pressures.size() > 1 && elastic)
+    if (tension) rock_.notes.emplace_back("tensile strengths under confining pressure are kept, not fitted");
+    if (pressures.size() > 1)
       problems_.push_back({where, "confining", fmt::format("{} pressures", pressures.size()),
                            "E and nu at one confining pressure", "choose one: confining = \"10 MPa\""});
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
@@ -420,7 +417,9 @@ std::string rock_table_template() {
          "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), each "
          "with "
          "_sd;\n"
-         "# confining [MPa]. The load, or the pull of DTS, is along y in every test.\n"
+         "# confining [MPa], under which UCS is sigma_1 at the peak; or c [MPa], phi [deg], confining_min "
+         "[MPa],\n"
+         "# confining_max [MPa] of an envelope. The load, or the pull of DTS, is along y in every test.\n"
          "# E and nu are what E_is of the rock file says.\n"
          "# _sd: standard deviation of single specimens; n: specimens. Other columns without a unit are "
          "passed over.\n"

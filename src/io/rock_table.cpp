@@ -12,15 +12,31 @@
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/table.hpp"
+#include "theory/jaeger.hpp"
 
 namespace phy::io {
 namespace {
 
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
 constexpr int least_with_sd = 2;    // specimens
+constexpr int least_of_envelope = 3;
 
-/// What a column holds. `scatter`: the standard deviation of the property.
-enum class Column { theta, beta, confining, diameter, n, value, scatter, other };
+/// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
+/// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`.
+enum class Column {
+  theta,
+  beta,
+  confining,
+  diameter,
+  n,
+  value,
+  scatter,
+  cohesion,
+  friction,
+  least_confining,
+  most_confining,
+  other
+};
 struct Head {
   Column kind = Column::other;
   Property property = Property::E;
@@ -30,16 +46,16 @@ struct Head {
 
 /// The names that columns of values may have, in lower case.
 const std::map<std::string, Property>& property_names() {
-  static const std::map<std::string, Property> names = {{"e", Property::E},
-                                                        {"nu", Property::nu},
-                                                        {"ucs", Property::ucs},
-                                                        {"dts", Property::direct_tension},
-                                                        {"bts", Property::brazilian}};
+  static const std::map<std::string, Property> names = {
+      {"e", Property::E},           {"nu", Property::nu},
+      {"ucs", Property::ucs},       {"dts", Property::direct_tension},
+      {"bts", Property::brazilian}, {"sigma_1", Property::confined}};
   return names;
 }
 
 Dimension dimension_of(const Head& h) {
-  if (h.kind == Column::theta || h.kind == Column::beta) return Dimension::angle;
+  if (h.kind == Column::theta || h.kind == Column::beta || h.kind == Column::friction)
+    return Dimension::angle;
   if (h.kind == Column::diameter) return Dimension::length;
   if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
   return Dimension::pressure;
@@ -65,11 +81,18 @@ Head head_of(const std::string& cell) {
     word += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   while (!word.empty() && word.back() == '_') word.pop_back();
   h.name = word;
-  if (word == "theta") h.kind = Column::theta;
-  if (word == "beta") h.kind = Column::beta;
-  if (word == "confining") h.kind = Column::confining;
-  if (word == "diameter") h.kind = Column::diameter;
-  if (word == "n") h.kind = Column::n;
+  static const std::map<std::string, Column> kinds = {{"theta", Column::theta},
+                                                      {"beta", Column::beta},
+                                                      {"confining", Column::confining},
+                                                      {"diameter", Column::diameter},
+                                                      {"n", Column::n},
+                                                      {"c", Column::cohesion},
+                                                      {"phi", Column::friction},
+                                                      {"confining_min", Column::least_confining},
+                                                      {"confining_max", Column::most_confining}};
+  if (const auto kind = kinds.find(word); kind != kinds.end()) h.kind = kind->second;
+  // how far the errors of c and phi go together no table says: strengths have a scatter of their own
+  if (word == "c_sd" || word == "phi_sd") h.unit.clear();
   const bool scatter = word.size() > 3 && word.ends_with("_sd");
   const auto it = property_names().find(scatter ? word.substr(0, word.size() - 3) : word);
   if (it != property_names().end())
@@ -89,7 +112,11 @@ Range range_of(const Head& h) {
     case Column::beta: return {0.0, 90.0, "0 deg <= angle <= 90 deg"};
     case Column::n: return {1.0, 1e6, "a whole number of specimens, at least 1"};
     case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
-    case Column::confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
+    case Column::confining:
+    case Column::least_confining:
+    case Column::most_confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
+    case Column::cohesion: return {0.0, 5e9, "0 Pa <= cohesion <= 5 GPa"};
+    case Column::friction: return {0.0, 80.0, "0 deg <= angle of friction <= 80 deg"};
     case Column::scatter:
       return h.property == Property::nu ? Range{0.0, 1.0, "0 <= SD of nu <= 1"}
                                         : Range{0.0, 1e12, "a standard deviation >= 0"};
@@ -113,6 +140,12 @@ class ReadingReader {
     bedded = find(Column::theta) || find(Column::beta);
     for (const TableRow& row : table_.rows) read_row(row, confining);
     check_repeats();
+    if (n_envelopes_ > 0)
+      notes_.push_back(
+          fmt::format("c and phi of {} row(s) are read as two strengths each, inside confining_min to "
+                      "confining_max, whose "
+                      "errors do not depend on each other (docs/calibration.md)",
+                      n_envelopes_));
     if (n_assumed_ > 0)
       notes_.push_back(
           fmt::format("{} of {} values have an SD but no number of specimens (column n), or 1: they count as "
@@ -129,7 +162,8 @@ class ReadingReader {
   std::vector<std::string>& notes_;
   std::vector<Head> heads_;
   std::vector<RockReading> readings_;
-  int n_assumed_ = 0;  // values with an SD of an unknown number of specimens
+  int n_assumed_ = 0;    // values with an SD of an unknown number of specimens
+  int n_envelopes_ = 0;  // rows with c and phi
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
@@ -158,7 +192,8 @@ class ReadingReader {
         if (!h.unit.empty())
           report_problem(
               cell, "",
-              "a known column: theta or beta, E, nu, UCS, DTS, BTS, each with _sd, diameter, confining, n",
+              "a known column: theta or beta, E, nu, UCS, DTS, BTS, sigma_1, each with _sd, diameter, "
+              "confining, c, phi, confining_min, confining_max, n",
               "rename it, or take its unit out of the header to have it passed over");
         else if (!h.name.empty())
           ignored.push_back(cell);
@@ -178,14 +213,28 @@ class ReadingReader {
     for (std::size_t i = 0; i < heads_.size(); ++i)
       if (heads_[i].kind == Column::scatter && !find(Column::value, heads_[i].property))
         report_problem(table_.header[i], "", "a column of the values themselves", "");
-    bool any = false;
-    for (const Head& h : heads_) any = any || h.kind == Column::value;
-    if (!any) report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS", "");
+    const bool any = std::any_of(heads_.begin(), heads_.end(), [](const Head& h) {
+      return h.kind == Column::value || h.kind == Column::cohesion;
+    });
+    if (!any)
+      report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c", "");
+    check_envelope_columns();
     // Both conventions are in use, so the conversion is mentioned.
     if (find(Column::beta))
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
     if (!ignored.empty())
       notes_.push_back("columns passed over: " + fmt::format("{}", fmt::join(ignored, ", ")));
+  }
+
+  /// A line over confining stress needs both of its numbers, and where it was measured.
+  void check_envelope_columns() {
+    const Column all[] = {Column::cohesion, Column::friction, Column::least_confining,
+                          Column::most_confining};
+    const auto n =
+        std::count_if(std::begin(all), std::end(all), [&](Column c) { return find(c).has_value(); });
+    if (n != 0 && n != 4)
+      report_problem("c, phi", "", "the columns c, phi, confining_min and confining_max together",
+                     "an envelope is read as strengths, and only inside the pressures that were tested");
   }
 
   /// One cell in SI units; NaN if it is empty. False: a problem has been reported.
@@ -236,20 +285,49 @@ class ReadingReader {
     // After all cells are read, so that every bad cell of the row is reported.
     if (!good) return;
     if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
-    // Rows under another confining pressure than the one asked for are left out; NaN asks for none.
-    if (std::isfinite(confining) && std::fabs(r.confining - confining) > 1e-6 * std::max(1.0, confining))
-      return;
+    // E and nu under another confining pressure than the one asked for are left out; NaN asks for none.
+    const bool asked =
+        !std::isfinite(confining) || std::fabs(r.confining - confining) <= 1e-6 * std::max(1.0, confining);
     if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
     if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
       r.property = heads_[i].property, r.value = v[i];
-      const auto sd = find(Column::scatter, r.property);
+      if (!asked && !is_strength(r.property)) continue;
+      if (is_compressive(r.property)) r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
+      const auto sd = find(Column::scatter, heads_[i].property);
       // A scatter of zero is no measurement of scatter.
       r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
       readings_.push_back(r);
       if (std::isfinite(r.sd) && r.n < least_with_sd) readings_.back().n = least_with_sd, ++n_assumed_;
     }
+    read_envelope(r, v);
+  }
+
+  /// c and phi become two strengths. The line is one through `n` tests evenly spread over the pressures: at
+  /// their mean plus and minus their standard deviation its errors do not depend on each other, and each is
+  /// that of half of the tests.
+  void read_envelope(RockReading r, const std::vector<double>& v) {
+    const auto value = [&](Column c) { return find(c) ? v[*find(c)] : nan; };
+    const double c = value(Column::cohesion), phi = value(Column::friction);
+    const double from = value(Column::least_confining), to = value(Column::most_confining);
+    const auto given = std::count_if(std::begin({c, phi, from, to}), std::end({c, phi, from, to}),
+                                     [](double x) { return std::isfinite(x); });
+    if (given == 0) return;
+    if (given < 4 || !(from < to)) {
+      problems_.push_back({at(r.line), "c, phi", "",
+                           "c, phi, and confining_min below confining_max in the same row",
+                           "leave all four empty where no envelope was measured"});
+      return;
+    }
+    const int n = std::max(least_of_envelope, r.n);
+    const double spread = (to - from) * std::sqrt((n + 1.0) / (12.0 * (n - 1.0)));
+    for (const double sigma_3 : {0.5 * (from + to) - spread, 0.5 * (from + to) + spread}) {
+      r.property = Property::confined, r.confining = sigma_3, r.sd = nan, r.n = n / 2;
+      r.value = theory::coulomb_sigma_1({c, phi}, sigma_3);
+      readings_.push_back(r);
+    }
+    ++n_envelopes_;
   }
 
   /// Two rows of one cell that cannot be the same rock.

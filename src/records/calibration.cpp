@@ -8,21 +8,26 @@ namespace phy {
 
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t) {
   for (const Comparison& c : rows)
-    if (c.target.property == t.property && c.target.theta == t.theta && c.target.diameter == t.diameter)
-      return &c;
+    if (same_cell(c.target, t)) return &c;
   return nullptr;
 }
 
+std::string particulars(const Target& t) {
+  return (t.diameter > 0.0 ? fmt::format(", {:g} mm", t.diameter * 1e3) : "") +
+         (t.confining > 0.0 ? fmt::format(", {:.3g} MPa", t.confining * 1e-6) : "");
+}
+
+std::string test_name(const Target& t) { return to_string(t.property) + particulars(t); }
+
 std::string cell_name(const Target& t) {
-  return fmt::format("{}({:g}{})", to_string(t.property), t.theta,
-                     t.diameter > 0.0 ? fmt::format(", {:g} mm", t.diameter * 1e3) : "");
+  return fmt::format("{}({:g}{})", to_string(t.property), t.theta, particulars(t));
 }
 
 double interpolated(const std::vector<Comparison>& rows, const Target& t) {
   const Target *below = nullptr, *above = nullptr;
   for (const Comparison& c : rows) {
     const Target& other = c.target;
-    if (other.property != t.property || other.diameter != t.diameter) continue;
+    if (!same_test(other, t)) continue;
     if (other.theta < t.theta && (below == nullptr || other.theta > below->theta)) below = &other;
     if (other.theta > t.theta && (above == nullptr || other.theta < above->theta)) above = &other;
   }

@@ -58,8 +58,12 @@ struct Verdict {
 /// The row of a target; nullptr if there is none.
 const Comparison* row_of(const std::vector<Comparison>& rows, const Target& t);
 
-/// "E(30)", "BTS(45, 54 mm)" where discs have sizes of their own.
+/// "E(30)", "BTS(45, 54 mm)" where discs have sizes of their own, "sigma_1(45, 10 MPa)".
 std::string cell_name(const Target& t);
+
+/// What a test has of its own, ", 54 mm" of its disc, ", 10 MPa" on its sides; and the name with that.
+std::string particulars(const Target& t);
+std::string test_name(const Target& t);
 
 /// What the table itself says of a row by a straight line between its neighbours in theta, the same property
 /// (and disc) at the next lower and the next higher angle of `rows`; NaN at the ends.

@@ -21,7 +21,8 @@ double prior_scatter(Property p) {
   switch (p) {
     case Property::E: return 0.08;
     case Property::nu: return 0.03;
-    case Property::ucs: return 0.10;
+    case Property::ucs:
+    case Property::confined: return 0.10;
     case Property::direct_tension:
     case Property::brazilian: break;
   }
@@ -98,7 +99,7 @@ void to_plane_stress(std::vector<Target>& targets) {
 }  // namespace
 
 const char* to_string(Property property) {
-  constexpr std::array<const char*, n_properties> names = {"E", "nu", "UCS", "DTS", "BTS"};
+  constexpr std::array<const char*, n_properties> names = {"E", "nu", "UCS", "DTS", "BTS", "sigma_1"};
   return names[static_cast<std::size_t>(property)];
 }
 
@@ -133,6 +134,16 @@ const char* to_string(LayerModel model) {
 
 bool is_strength(Property property) { return property != Property::E && property != Property::nu; }
 
+bool is_compressive(Property property) { return property == Property::ucs || property == Property::confined; }
+
+bool is_tensile(Property property) { return is_strength(property) && !is_compressive(property); }
+
+bool same_test(const Target& a, const Target& b) {
+  return a.property == b.property && a.diameter == b.diameter && a.confining == b.confining;
+}
+
+bool same_cell(const Target& a, const Target& b) { return same_test(a, b) && a.theta == b.theta; }
+
 double Target::standard_error() const { return sd / std::sqrt(static_cast<double>(n)); }
 
 double Target::half_width() const {
@@ -142,18 +153,20 @@ double Target::half_width() const {
 double Target::normal_error() const { return half_width() / z_95; }
 
 std::vector<Target> targets_of(const Rock& rock) {
-  std::map<std::tuple<Property, long, double>, std::vector<const RockReading*>> cells;
+  std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;
   for (const RockReading& r : rock.readings)
-    if (r.confining == 0.0 || !is_strength(r.property))
+    if (r.confining == 0.0 || !is_tensile(r.property))
       cells[{r.property, std::lround(r.theta / same_angle),
-             r.property == Property::brazilian ? r.diameter : 0.0}]
+             r.property == Property::brazilian ? r.diameter : 0.0,
+             r.property == Property::confined ? r.confining : 0.0}]
           .push_back(&r);
   std::vector<Target> targets;
   std::map<Property, Pool> pooled;  // relative, but absolute for nu
   std::vector<Pool> own;            // of each cell
   for (const auto& [key, rows] : cells) {
     Target t;
-    t.property = std::get<0>(key), t.theta = rows.front()->theta, t.diameter = std::get<2>(key), t.n = 0;
+    t.property = std::get<0>(key), t.theta = rows.front()->theta, t.diameter = std::get<2>(key);
+    t.confining = std::get<3>(key), t.n = 0;
     for (const RockReading* r : rows) {
       t.mean += r->n * r->value, t.n += r->n;
       if (r->n == 1) t.specimens.push_back(r->value);

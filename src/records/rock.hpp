@@ -14,13 +14,17 @@ enum class Property {
   nu,              ///< apparent Poisson's ratio [-]
   ucs,             ///< uniaxial compressive strength [Pa]
   direct_tension,  ///< direct tensile strength [Pa]
-  brazilian        ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+  brazilian,       ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+  confined         ///< strength under confining stress, sigma_1 at the peak [Pa]
 };
-constexpr int n_properties = 5;
+constexpr int n_properties = 6;
 
-/// "E", "nu", "UCS", "DTS", "BTS": the names of the columns.
+/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1": the names of the columns.
 const char* to_string(Property property);
 bool is_strength(Property property);
+bool is_tensile(Property property);
+/// UCS and strengths under confinement.
+bool is_compressive(Property property);
 
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };
@@ -57,6 +61,7 @@ struct Target {
   int n = 1;                           ///< specimens
   bool sd_assumed = false;             ///< `sd` rests on what is usual more than on the table
   double diameter = 0.0;               ///< [m] of the disc of a Brazilian test; 0: the model's
+  double confining = 0.0;              ///< [Pa] of a strength under confinement
   int degrees = 0;                     ///< degrees of freedom behind `sd`; 0: it is known
   std::vector<double> specimens = {};  ///< single ones of the table, SI; rows that stand for several are not
   double standard_error() const;       ///< sd/sqrt(n)
@@ -79,13 +84,17 @@ struct Rock {
 /// Intact rock: no bedding, no directions.
 void remove_layers(Recipe& model);
 
-/// One target per property, angle and diameter of disc, ordered in this way. Replicates are averaged,
-/// weighted by n. Scatter of single specimens, relative but of nu absolute: a scaled inverse chi-square
-/// distribution that begins with 8 % of E, 0.03 of nu, 10 % of UCS and 15 % of strengths in tension, as if
-/// seen with four degrees of freedom, and learns from all deviations inside the cells of the property. Other
-/// cells and prior together lend a cell ten degrees of freedom at most: scatter may depend on the angle. A
-/// mean with its SD and n counts as the n specimens behind it. Moduli are converted to plane stress if
-/// `reading` says so.
+/// Are they one cell of the table; are they cells of one test at several angles?
+bool same_cell(const Target& a, const Target& b);
+bool same_test(const Target& a, const Target& b);
+
+/// One target per property, angle, diameter of disc and confining stress, ordered in this way. Replicates are
+/// averaged, weighted by n. Scatter of single specimens, relative but of nu absolute: a scaled inverse
+/// chi-square distribution that begins with 8 % of E, 0.03 of nu, 10 % of strengths in compression and 15 %
+/// of those in tension, as if seen with four degrees of freedom, and learns from all deviations inside the
+/// cells of the property. Other cells and prior together lend a cell ten degrees of freedom at most: scatter
+/// may depend on the angle. A mean with its SD and n counts as the n specimens behind it. Moduli are
+/// converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.

@@ -17,7 +17,8 @@ constexpr double least_ucs = 0.25e6, most_ucs = 600e6;  // [Pa] below, the ISRM'
 constexpr double least_E = 0.1e9, most_E = 200e9;       // [Pa]
 constexpr double most_tension = 0.5;                    // of UCS; a tenth is usual
 constexpr double replicates_apart = 1.5;                // factor
-constexpr double along = 80.0;                          // [deg], from which a load runs along the bedding
+constexpr double least_intercept = 0.7, most_intercept = 1.6;  // of UCS; envelopes bend down from a line
+constexpr double along = 80.0;  // [deg], from which a load runs along the bedding
 
 /// "UCS(45)"; "UCS" of a rock without bedding.
 std::string name_at(const Rock& rock, const std::string& name, double theta) {
@@ -59,7 +60,7 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vec
     if (t.property == Property::E) {
       if (ratio < least_ratio || ratio > most_ratio)
         moduli.push_back(fmt::format("{} = {:.4g}", name_at(rock, "E/UCS", t.theta), ratio));
-    } else if (ratio > most_tension) {
+    } else if (is_tensile(t.property) && ratio > most_tension) {
       tension.push_back(fmt::format("{} = {:.3g} UCS", name_at(rock, to_string(t.property), t.theta), ratio));
     }
   }
@@ -67,6 +68,39 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vec
        "most rocks have 200 to 500 (Deere & Miller 1966), hardly any less than 80 or more than 2000; check "
        "units and columns");
   warn(warnings, tension, "most rocks have about a tenth of UCS in tension; check units and columns");
+}
+
+/// Strengths under confinement against UCS at the same angle, and against each other.
+void doubt_confined(const Rock& rock, const std::vector<Target>& targets,
+                    std::vector<std::string>& warnings) {
+  std::map<double, std::vector<const Target*>> at_angles;  // by stress
+  for (const Target& t : targets)
+    if (t.property == Property::confined) at_angles[t.theta].push_back(&t);
+  std::vector<std::string> falls, conflicts;
+  for (const auto& [theta, confined] : at_angles) {
+    const Target* ucs = at_angle(targets, Property::ucs, theta);
+    for (std::size_t i = 0; i < confined.size(); ++i) {
+      const Target* below = i > 0 ? confined[i - 1] : ucs;
+      if (below != nullptr && confined[i]->mean - confined[i]->confining < below->mean - below->confining)
+        falls.push_back(fmt::format("{} = {:.4g} MPa after {:.4g} MPa under {:.3g} MPa",
+                                    name_at(rock, "sigma_1", theta), confined[i]->mean * 1e-6,
+                                    below->mean * 1e-6, below->confining * 1e-6));
+    }
+    if (ucs == nullptr || confined.size() < 2) continue;
+    const Target &a = *confined[0], &b = *confined[1];
+    const double intercept = a.mean - a.confining * (b.mean - a.mean) / (b.confining - a.confining);
+    if (intercept < least_intercept * ucs->mean || intercept > most_intercept * ucs->mean)
+      conflicts.push_back(
+          fmt::format("{} = {:.4g} MPa, and {:.4g} MPa by the line through its strengths under "
+                      "{:.3g} and {:.3g} MPa",
+                      name_at(rock, "UCS", theta), ucs->mean * 1e-6, intercept * 1e-6, a.confining * 1e-6,
+                      b.confining * 1e-6));
+  }
+  warn(warnings, falls, "confinement takes no rock's strength away; check pressures and angles");
+  warn(
+      warnings, conflicts,
+      "the two cannot be one rock's unless its envelope is far from straight; check whether c and phi are of "
+      "the same angle, and of peaks");
 }
 
 void doubt_replicates(const Rock& rock, std::vector<std::string>& warnings) {
@@ -119,6 +153,7 @@ std::vector<std::string> warnings_about(const Rock& rock) {
   std::vector<std::string> warnings;
   doubt_values(rock, targets, warnings);
   doubt_ratios(rock, targets, warnings);
+  doubt_confined(rock, targets, warnings);
   doubt_replicates(rock, warnings);
   const bool moduli = !of_property(targets, Property::E).empty(),
              nu = !of_property(targets, Property::nu).empty();

@@ -61,6 +61,12 @@ struct ExpectedPeak {
   double bedded = 0.0;         ///< the same with bedding; 0: as Jaeger's strength of that inclination
 };
 
+/// A number of a test that a laboratory reports, where it is not the strength of the curve.
+struct ReportedNumber {
+  Property property;
+  const char* number;  ///< its name among the numbers of a result
+};
+
 /// What is cut from the middle of the packing: a disc, or its upper half with the flat face down, which may
 /// have a notch upwards from the middle of that face.
 struct SpecimenCut {
@@ -86,6 +92,7 @@ struct TestDescription {
   /// added or moved later changes no hash.
   std::vector<std::string> hashed;
   TestCurve curve;
+  std::optional<ReportedNumber> reported = std::nullopt;
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)

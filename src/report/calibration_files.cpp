@@ -34,6 +34,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
          {"high", c.high}});
     if (!t.specimens.empty()) list.back()["laboratory"]["specimens"] = t.specimens;
     if (t.diameter > 0.0) list.back()["diameter [m]"] = t.diameter;
+    if (t.confining > 0.0) list.back()["confining [Pa]"] = t.confining;
     if (t.property == Property::brazilian) list.back()["not_from_the_centre"] = c.n_invalid;
   }
   return list;

@@ -55,7 +55,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
   std::map<std::pair<double, int>, std::map<Property, const Target*>>
       rows;  // discs of another size: a row more
   std::set<Property> properties;
-  bool assumed = false, sizes = false;
+  bool assumed = false, sizes = false;  // discs of sizes of their own
   for (const Target& t : targets) {
     int row = 0;
     while (rows[{t.theta, row}].contains(t.property)) ++row;
@@ -68,7 +68,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
   std::vector<Columns> groups;
   for (const Property p : properties) {
     Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}},
-        disc{"disc", "mm", {}};
+        disc{"disc", "mm", {}}, sides{"sigma_3", "MPa", {}};
     for (const auto& [place, cells] : rows) {
       const auto it = cells.find(p);
       const Target* t = it == cells.end() ? nullptr : it->second;
@@ -76,10 +76,12 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
       scatter.cells.push_back(
           t == nullptr ? "-" : fmt::format("{:.2g}{}", t->sd * shown(p), t->sd_assumed ? "*" : ""));
       n.cells.push_back(t == nullptr ? "-" : fmt::format("{}", t->n));
+      sides.cells.push_back(t == nullptr ? "-" : fmt::format("{:.3g}", t->confining * 1e-6));
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
     if (p == Property::brazilian && sizes) groups.back().push_back(disc);
+    if (p == Property::confined) groups.back().push_back(sides);
   }
   return text_table(theta, groups, terminal_width) +
          (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");
@@ -167,21 +169,25 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
 }
 
 std::string angle_table(const Calibration& c, int terminal_width) {
-  std::map<std::pair<Property, double>, std::map<double, Comparison>> kinds;  // and disc; by angle
+  std::vector<std::map<double, Comparison>> tests;  // by angle
   std::set<double> angles;
   for (const Comparison& f : c.fitted) {
     const Comparison* unseen = row_of(c.verification, f.target);
-    kinds[{f.target.property, f.target.diameter}][f.target.theta] = unseen != nullptr ? *unseen : f;
+    auto it = std::find_if(tests.begin(), tests.end(), [&](const auto& cells) {
+      return same_test(cells.begin()->second.target, f.target);
+    });
+    if (it == tests.end()) it = tests.insert(it, std::map<double, Comparison>());
+    (*it)[f.target.theta] = unseen != nullptr ? *unseen : f;
     angles.insert(f.target.theta);
   }
   Column label{"theta [deg]", "", {}, true};
   std::vector<Columns> columns;
   for (const double theta : angles) columns.push_back({{fmt::format("{:g}", theta), "", {}}});
-  for (const auto& [kind, cells] : kinds) {
-    const auto& [p, diameter] = kind;
+  for (const std::map<double, Comparison>& cells : tests) {
+    const Target& t = cells.begin()->second.target;
+    const Property p = t.property;
     const std::string unit = unit_head(p);
-    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") +
-                          (diameter > 0.0 ? fmt::format(", {:g} mm", diameter * 1e3) : ""));
+    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") + particulars(t));
     label.cells.insert(label.cells.end(), {"  model", p == Property::nu ? "  error" : "  error %"});
     std::size_t i = 0;
     for (const double theta : angles) {
@@ -219,10 +225,8 @@ std::string macro_table(const Calibration& c, int terminal_width) {
   };
   Column label = column("at theta [deg]", [](R r) {
     const std::string unit = unit_head(r.target.property);
-    const double d = r.target.diameter;
     return fmt::format("{:<3} {:>4g}{}{}", to_string(r.target.property), r.target.theta,
-                       unit.empty() ? "" : " [" + unit + "]",
-                       d > 0.0 ? fmt::format(", {:g} mm", d * 1e3) : "");
+                       unit.empty() ? "" : " [" + unit + "]", particulars(r.target));
   });
   label.left = true;
   const auto value = [&](const Comparison* r) {
@@ -290,10 +294,11 @@ std::string sentence_text(const Calibration& c, int terminal_width) {
 
 std::string budget_text(const Calibration& c, int terminal_width) {
   return wrapped(
-      fmt::format("{} tests of UCS{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
-                  c.n_strength_tests - c.n_tension_tests,
-                  c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "",
-                  c.n_coarse_tests, c.n_elastic),
+      fmt::format(
+          "{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
+          c.n_strength_tests - c.n_tension_tests,
+          c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "", c.n_coarse_tests,
+          c.n_elastic),
       terminal_width, 2);
 }
 

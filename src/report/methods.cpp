@@ -304,7 +304,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
       fmt::format(" Moduli were fitted by least squares ({} direct elastic solutions in all)", c.n_elastic);
   if (n_ucs > 0)
     text += fmt::format(
-        ", strengths by a surrogate and its posterior ({} uniaxial{} tests in all, verification included)",
+        ", strengths by a surrogate and its posterior ({} compression{} tests in all, verification included)",
         n_ucs, c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",

@@ -12,13 +12,11 @@
 namespace phy::report {
 namespace {
 
-/// The cells of the same property and disc at other angles.
+/// The cells of the same test at other angles.
 std::vector<const Target*> others(const std::vector<Comparison>& rows, const Target& cell) {
   std::vector<const Target*> some;
   for (const Comparison& c : rows)
-    if (c.target.property == cell.property && c.target.diameter == cell.diameter &&
-        c.target.theta != cell.theta)
-      some.push_back(&c.target);
+    if (same_test(c.target, cell) && c.target.theta != cell.theta) some.push_back(&c.target);
   return some;
 }
 

@@ -46,6 +46,7 @@ export interface Comparison {
   low: number | null;
   high: number | null;
   "diameter [m]"?: number; // of a disc
+  "confining [Pa]"?: number;
   interpolated?: number | null; // of left_out: straight line between the neighbours; null at the ends
   parabola?: number | null;
   jaeger?: number | null; // of UCS: plane of weakness

@@ -521,7 +521,7 @@ function tables() {
 
 // --- calibration ---------------------------------------------------------------------------------------------
 
-const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"] };
+const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"], sigma_1: [1e-6, "σ₁ at the peak [MPa]"] };
 
 function friendly(value: number | null, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "–";
@@ -556,7 +556,7 @@ function comparisonTable(rows: Comparison[], caption: string): Child {
       const f = (v: number | null) => (v === null ? "–" : (v * (scales[r.property]?.[0] ?? 1)).toPrecision(4));
       const { mean, sd, n } = r.laboratory;
       const error = (v: number | null | undefined) => (v == null ? "–" : r.property === "nu" ? (v - mean).toFixed(3) : `${(100 * (v / mean - 1)).toFixed(1)} %`);
-      return [scales[r.property]?.[1] ?? r.property, String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
+      return [(scales[r.property]?.[1] ?? r.property) + particulars(r), String(r["theta [deg]"]), f(mean), f(sd), String(n), f(r.model), f(r.sd_of_packings), r.low === null ? "–" : `${f(r.low)} … ${f(r.high)}`, error(r.model), ...rules.map(([key]) => error(r[key]))];
     }),
     caption,
   );
@@ -571,20 +571,22 @@ function intervalBar(p: Estimate): Child {
   return h("span", { class: "interval", role: "img", "aria-label": `${Math.round(at(p.low))} to ${Math.round(at(p.high))} % of the range` }, bar);
 }
 
+/** What a test has of its own: the size of its disc, its confining stress. Cells of one test at several angles share it. */
+const particulars = (r: Comparison) => (r["diameter [m]"] ? `, ${(1e3 * r["diameter [m]"]).toPrecision(3)} mm` : "") + (r["confining [Pa]"] ? `, ${+(1e-6 * r["confining [Pa]"]).toPrecision(3)} MPa` : "");
+const testOf = (r: Comparison) => r.property + particulars(r);
+
 /** Laboratory and model, angles across. */
 function angleTable(c: Calibration): HTMLElement {
-  const key = (r: Comparison) => `${r.property} ${r["diameter [m]"] ?? ""}`;
   const rows = judged(c);
   const angles = [...new Set(rows.map((r) => r["theta [deg]"]))].sort((a, b) => a - b);
   const digits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
-  const lines = [...new Set(rows.map(key))].flatMap((k): Child[][] => {
-    const some = rows.filter((r) => key(r) === k);
+  const lines = [...new Set(rows.map(testOf))].flatMap((k): Child[][] => {
+    const some = rows.filter((r) => testOf(r) === k);
     const [factor, label] = scales[some[0].property] ?? [1, some[0].property];
-    const disc = some[0]["diameter [m]"];
     const cells = (f: (r: Comparison) => string) => angles.map((a) => some.filter((r) => r["theta [deg]"] === a).map(f)[0] ?? "–");
     const error = (r: Comparison) => (r.model === null ? "–" : r.property === "nu" ? signed(r.model - r.laboratory.mean, 2) : signed(100 * (r.model / r.laboratory.mean - 1), 1));
     return [
-      [short(label) + (disc ? `, ${(1e3 * disc).toPrecision(3)} mm` : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
+      [short(label) + particulars(some[0]), ...cells((r) => digits(r.laboratory.mean * factor))],
       [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : digits(r.model * factor)))],
       [h("span", { class: "muted" }, some[0].property === "nu" ? "error" : "error, %"), ...cells(error)],
     ];
@@ -594,7 +596,7 @@ function angleTable(c: Calibration): HTMLElement {
 
 /** On unseen packings where there are, else on those of the fit. */
 function judged(c: Calibration): Comparison[] {
-  const same = (a: Comparison, b: Comparison) => a.property === b.property && a["theta [deg]"] === b["theta [deg]"] && a["diameter [m]"] === b["diameter [m]"];
+  const same = (a: Comparison, b: Comparison) => testOf(a) === testOf(b) && a["theta [deg]"] === b["theta [deg]"];
   return c.fitted.map((f) => c.verification.find((v) => same(v, f)) ?? f);
 }
 
@@ -606,13 +608,13 @@ function errorTable(c: Calibration): Child {
   if (!c.errors) return null;
   const properties = Object.keys(scales).filter((p) => c.errors!.some((e) => typeof e[p] === "number"));
   const cell = (v: number | string | undefined, p: string) => (typeof v !== "number" ? "–" : p === "nu" ? v.toFixed(3) : `${(100 * v).toFixed(1)}\u00a0%`);
-  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
+  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p === "sigma_1" ? "σ₁" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
 }
 
 function cost(c: Calibration): Child {
   if (!c.runs) return null;
   const n = c.runs.of_these_in_tension;
-  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests of UCS${n > 0 ? ` and ${n} in tension` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
+  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
 }
 
 /** Parameters as the paper's Tables 1 and 2 have them. */
@@ -620,13 +622,14 @@ function parameterTables(c: Calibration): Child[] {
   return (c.tables ?? []).map((t) => table(t.head, [t.head, "value [95 % interval]"], t.rows, t.title || null));
 }
 
-function compared(c: Calibration, p: string): HTMLElement {
+function compared(c: Calibration, test: string): HTMLElement {
+  const of = (rows: Comparison[]) => rows.filter((r) => testOf(r) === test);
+  const { property: p } = of(c.fitted)[0];
   const [factor, label] = scales[p] ?? [1, p];
-  const of = (rows: Comparison[]) => rows.filter((r) => r.property === p);
   const none = { note: "", theta: [], value: [] };
   const curve = p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
   const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
-  return chart(label, curve.note, (width) => comparison(data, factor, width));
+  return chart(label + particulars(data.fitted[0]), curve.note, (width) => comparison(data, factor, width));
 }
 
 /** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
@@ -659,13 +662,13 @@ const fold = (title: string, ...children: Child[]) => h("details", {}, h("summar
 function calibration() {
   const c = report.calibration;
   if (!c) return;
-  const properties = [...new Set(c.fitted.map((r) => r.property))];
+  const tests = [...new Set(c.fitted.map(testOf))];
   const lines = (c.verdict.summary ?? c.verdict.findings).filter((f) => f.length <= 160).slice(0, 10); // the rest is folded
   section(
     "calibration",
     "Calibration",
     h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || `${c.rock}: ${c.verdict.status}`)),
-    h("div", { class: "grid small" }, ...properties.filter((p) => p !== "nu").map((p) => compared(c, p))),
+    h("div", { class: "grid small" }, ...tests.filter((t) => t !== "nu").map((t) => compared(c, t))),
     calibrationLegend(c),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
@@ -673,7 +676,7 @@ function calibration() {
     fold("What the data determine", whatIsDetermined(c)),
     fold(
       "Every cell",
-      properties.includes("nu") && compared(c, "nu"),
+      tests.includes("nu") && compared(c, "nu"),
       comparisonTable(c.fitted, "On the packings of the fit"),
       comparisonTable(c.verification, "On packings that the fit has not seen"),
       comparisonTable(c.tangent_from_test ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
