@@ -125,14 +125,14 @@ Rule tau_c_rule(const Evidence& e) {
           "direct tension at 90 degrees, or Brazilian at 0"};
 }
 
-/// Friction of the grains, and that of the bonds, show in strengths under confinement that planes do not
-/// decide.
+/// Friction of the grains shows in strengths under confinement that planes do not decide, beside that of the
+/// bonds where these have one.
 Rule friction_rule(const Evidence& e) {
   const bool held = e.rock.bedded ? e.has(Property::confined, 0.0, 15.0) || e.has(Property::confined, 80.0)
                                   : e.has(Property::confined);
-  return {held, "strength under confinement",
-          e.rock.bedded ? "strength under confinement at 0 and 90 degrees" : "strength under confinement",
-          true};
+  const char* test =
+      e.rock.bedded ? "strength under confinement at 0 and 90 degrees" : "strength under confinement";
+  return {held, test, held ? "" : test, has_directions(e.rock.model)};
 }
 Rule joint_friction_rule(const Evidence& e) {
   return {e.has(Property::confined, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",
@@ -227,12 +227,8 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
                                           r.matrix.shear_strength = ShearStrength::cohesion_friction;
                                           r.matrix.phi = v;
                                         },
-                                    .belongs = has_moment},
-                                   [](const Evidence& e) -> Rule {
-                                     const Rule friction = friction_rule(e);
-                                     const bool directed = has_directions(e.rock.model);
-                                     return friction.held || !directed ? friction : matrix_moment.rule(e);
-                                   },
+                                    .belongs = has_directions},
+                                   matrix_moment.rule,
                                    true};
 
 // ---- directions

@@ -20,7 +20,6 @@ Recipe paper_rock() {
 std::vector<const StrengthParameter*> ratios_of(const Recipe& r) {
   std::vector<const StrengthParameter*> list = strength_parameters(r);
   std::erase(list, &matrix_sigma_c);
-  std::erase(list, &matrix_phi);  // of a recipe whose bonds have none
   return list;
 }
 

@@ -20,11 +20,16 @@ double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
   return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
 
+/// Not every test was done for every family.
+bool was_mapped(const ReachTable& table, Property p) {
+  return p != Property::nu && p != Property::confined &&
+         !(p == Property::direct_tension && table.family().layered);
+}
+
 /// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
   const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
-  if (t.property == Property::nu || (t.property == Property::direct_tension && table.family().layered))
-    return nan;
+  if (!was_mapped(table, t.property)) return nan;
   const char* modulus = small_strain ? "E_small/E_c" : "E50/E_c";
   return log_at(table, row, t.property == Property::E ? modulus : strength_stem(t.property), t.property,
                 t.theta);
@@ -45,8 +50,7 @@ struct Spread {
 double error_of(const ReachTable& table, std::size_t row, const Evidence& evidence) {
   Spread moduli, strengths;
   for (const Target& t : evidence.targets) {
-    if (t.property == Property::nu || (t.property == Property::direct_tension && table.family().layered))
-      continue;
+    if (!was_mapped(table, t.property)) continue;
     (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - answer(table, row, evidence, t));
   }
   const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0), n = moduli.n + strengths.n - free;
@@ -76,7 +80,7 @@ void add_ratios(const Evidence& evidence, const std::vector<NearestPoint>& famil
                 std::vector<std::string>& lines) {
   for (const Target& t : evidence.strengths)
     for (const Target& u : evidence.strengths) {
-      if (t.property == Property::ucs || u.property != Property::ucs || u.theta != t.theta ||
+      if (!is_tensile(t.property) || u.property != Property::ucs || u.theta != t.theta ||
           (evidence.rock.bedded && !is_mapped(t.theta, t.property)))
         continue;
       std::string reached;

@@ -311,8 +311,9 @@ class ReadingReader {
     const auto value = [&](Column c) { return find(c) ? v[*find(c)] : nan; };
     const double c = value(Column::cohesion), phi = value(Column::friction);
     const double from = value(Column::least_confining), to = value(Column::most_confining);
-    const auto given = std::count_if(std::begin({c, phi, from, to}), std::end({c, phi, from, to}),
-                                     [](double x) { return std::isfinite(x); });
+    const double all[] = {c, phi, from, to};
+    const auto given =
+        std::count_if(std::begin(all), std::end(all), [](double x) { return std::isfinite(x); });
     if (given == 0) return;
     if (given < 4 || !(from < to)) {
       problems_.push_back({at(r.line), "c, phi", "",
