@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 
@@ -19,7 +20,9 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double E_limit = 0.06,
-                 strength_limit = 0.125;    // root mean square, from which a table is out of reach
+                 strength_limit = 0.10;  // root mean square, from which a table is out of reach
+constexpr double chance_limit =
+    0.6;  // strengths also by so much of what the quadratics miss of single specimens
 constexpr double pull = 0.5, wall = 50.0;   // towards the middle of the range; back into it
 constexpr double edge = 0.99, step = 1e-4;  // of places
 constexpr std::size_t n_starts = 6, most_named = 4;
@@ -174,18 +177,48 @@ VectorXd nearest_of(Problem& problem, const ReachTable& table) {
   return best;
 }
 
+/// Made once for a column of a map.
+double left_out_error(const ModelFamily& family, const std::string& column) {
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, std::string>, double> known;
+  const std::scoped_lock lock(mutex);
+  const auto [it, fresh] = known.try_emplace({family.name, column}, 0.0);
+  if (fresh) it->second = ReachRegression::left_out_error(reach_of(family), column);
+  return it->second;
+}
+
+/// What the quadratics miss of a strength of specimens that they were not shown, by its logarithm.
+double ignorance(const ModelFamily& family, const Target& t) {
+  const std::string stem = strength_stem(t.property);
+  const Bracket b = bracket_of(t.property, t.theta);
+  return std::lerp(left_out_error(family, column_at(family, stem, b.low)),
+                   left_out_error(family, column_at(family, stem, b.high)), b.share);
+}
+
+/// Do the strengths miss as a whole, and not only where the quadratics know little?
+bool strengths_out_of_reach(const Forecast& f) {
+  double squares = 0.0, scaled = 0.0;
+  int n = 0;
+  for (const Comparison& c : f.rows)
+    if (is_strength(c.target.property)) squares += c.error() * c.error(), ++n;
+  if (n == 0 || !(std::sqrt(squares / n) > strength_limit)) return false;
+  for (const Comparison& c : f.rows) {
+    if (!is_strength(c.target.property)) continue;
+    const double chance = std::hypot(ignorance(*f.family, c.target), c.target.normal_error() / c.target.mean);
+    scaled += std::pow(std::log1p(c.error()) / chance, 2.0);
+  }
+  return std::sqrt(scaled / n) > chance_limit;
+}
+
 /// As judge() does, with the limits of a forecast.
 VerdictStatus status_of(const Forecast& f) {
-  double squares = 0.0;
-  int n = 0;
+  if ((!f.beyond_map && f.rms(Property::E) > E_limit) || strengths_out_of_reach(f))
+    return VerdictStatus::out_of_reach;
   bool any_missed = false, coarse = false;
   for (const Comparison& c : f.rows) {
     any_missed = any_missed || (misses(c) && !(f.beyond_map && c.target.property == Property::E));
     coarse = coarse || unresolved(c);
-    if (is_strength(c.target.property)) squares += c.error() * c.error(), ++n;
   }
-  if ((!f.beyond_map && f.rms(Property::E) > E_limit) || (n > 0 && std::sqrt(squares / n) > strength_limit))
-    return VerdictStatus::out_of_reach;
   return any_missed ? VerdictStatus::calibrated_except
          : coarse   ? VerdictStatus::not_resolved
                     : VerdictStatus::calibrated;
@@ -212,7 +245,6 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
     at_edge = at_edge || (problem.elastic[j] && std::fabs(x[Problem::place(j)]) > edge);
   f.beyond_map = at_edge && f.rms(Property::E) > E_limit &&
                  elastic_limit(of_property(evidence.moduli, Property::E)).empty();
-  f.status = status_of(f);
   return f;
 }
 
@@ -280,6 +312,7 @@ std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
     std::optional<Forecast> one = foretell_one(Evidence(with_layers(rock, layers), evidence.targets), fold);
     if (one && (!best || one->distance < best->distance)) best = std::move(one);
   }
+  if (best) best->status = status_of(*best);
   return best;
 }
 

@@ -38,8 +38,6 @@ const ReachTable& map_named(const std::string& name) {
   throw std::out_of_range(name);
 }
 
-void PrintTo(const Forecast& f, std::ostream* out) { *out << forecast_text(f); }
-
 // Left out of the regressions with a fifth of the points.
 TEST(Forecast, RocksThatAModelIsAreSaidToBeWithinReach) {
   struct Share {

@@ -25,7 +25,8 @@ struct CleanTable {
 inline std::vector<RockReading> noisy_readings(const CleanTable& table, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto normal = [&] {  // Box & Muller (1958): the same on every machine up to rounding
-    const double u = (random() + 1.0) / 4294967297.0, v = random() / 4294967296.0;
+    const double u = (static_cast<double>(random()) + 1.0) / 4294967297.0,
+                 v = static_cast<double>(random()) / 4294967296.0;
     return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::acos(-1.0) * v);
   };
   std::vector<RockReading> readings;
@@ -83,7 +84,7 @@ inline const std::vector<CleanTable>& outside_tables() {
                                   threefold_E = {15, 15.5, 17.5, 21, 28, 38, 45}, no_nu = {};
   constexpr std::array<double, 7> usual_ucs = {110, 98, 75, 58, 56, 75, 115},
                                   same_ucs = {100, 100, 100, 100, 100, 100, 100};
-  constexpr std::array<double, 3> usual_bts = {14, 11, 8}, no_bts = {};
+  constexpr std::array<double, 3> no_bts = {};
   static const std::vector<CleanTable> all = {
       {"UCS(0)/UCS(90) = 2.5, E ratio 3", threefold_E, no_nu, {125, 110, 85, 62, 50, 48, 50}, no_bts},
       {"UCS(0)/UCS(90) = 3.5, E ratio 2", usual_E, no_nu, {175, 160, 130, 100, 75, 58, 50}, no_bts},
