@@ -46,7 +46,7 @@ std::string eq1_line(const Evidence& evidence) {
                   in_GPa(fit.rock.K_n_delta, fit.se_K_n_delta), in_GPa(fit.rock.K_s_delta, fit.se_K_s_delta));
   if (const auto& bedding = evidence.rock.model.bedding; !bedding.empty()) {
     const double delta = bedding.front().spacing;
-    text += fmt::format(" (K_n = {:.3g}, K_s = {:.3g} GPa/m every {:.3g} mm)",
+    text += fmt::format(" (K_n = {:.0f}, K_s = {:.0f} GPa/m every {:.3g} mm)",
                         fit.rock.K_n_delta / delta * 1e-9, fit.rock.K_s_delta / delta * 1e-9, delta * 1e3);
   }
   text += fit.degrees_of_freedom > 0 ? fmt::format(", R2 = {:.3f}", fit.R2)

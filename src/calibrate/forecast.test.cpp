@@ -12,6 +12,7 @@
 namespace phy::calibrate {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -81,6 +82,68 @@ TEST(Forecast, RocksThatNoModelIsAreSaidToBeOutOfReach) {
   EXPECT_EQ(outside_tables().size(), 20U);
   EXPECT_GE(right, 18);
   RecordProperty("right", right);
+}
+
+/// A usual layered rock.
+CleanTable usual() {
+  return {"usual", {20, 20.5, 22, 25, 30, 36, 40}, {}, {110, 98, 75, 58, 56, 75, 115}, {14, 11, 8}};
+}
+
+TEST(Forecast, WhatIsMetIsSaidToBeMetWithItsGrounds) {
+  Rock rock = rock_of(usual(), 7);
+  rock.readings.clear();
+  for (std::size_t i = 0; i < 7; ++i) {
+    rock.readings.push_back(reading(Property::E, mapped_angles[i], 1e9 * usual().E[i]));
+    rock.readings.push_back(reading(Property::ucs, mapped_angles[i], 1e6 * usual().ucs[i]));
+  }
+  const auto f = foretell(Evidence(rock));
+  ASSERT_TRUE(f);
+  EXPECT_EQ(f->status, VerdictStatus::calibrated);
+  EXPECT_THAT(forecast_text(*f), AllOf(HasSubstr("probably end calibrated, or with few exceptions"),
+                                       HasSubstr("No test has run"), Not(HasSubstr("out of reach")),
+                                       Not(HasSubstr("Not foretold")), Not(HasSubstr("nothing was mapped"))));
+}
+
+TEST(Forecast, WhatWasNotMappedIsNotForetold) {
+  Rock rock = rock_of(usual(), 7);
+  for (const double theta : {0.0, 90.0})
+    rock.readings.push_back(reading(Property::direct_tension, theta, 8e6));
+  EXPECT_THAT(forecast_text(*foretell(Evidence(rock))), HasSubstr("Not foretold, because not mapped: DTS."));
+  rock.E_is = ModulusReading::small_strain;
+  rock.readings.push_back(reading(Property::nu, 0.0, 0.2));
+  EXPECT_THAT(forecast_text(*foretell(Evidence(rock))), HasSubstr("not mapped: nu, DTS."));
+  rock.readings = {reading(Property::direct_tension, 0.0, 8e6)};
+  EXPECT_FALSE(foretell(Evidence(rock)));
+}
+
+TEST(Forecast, AModelThatWasNotMappedHasNone) {
+  Rock rock = rock_of(usual(), 7);
+  rock.layers = LayerModel::planes, rock.model.bedding[0].rule = BeddingRule::zone;
+  rock.model.matrix.tension_ratio = 0.5;
+  EXPECT_FALSE(foretell(Evidence(rock)));
+}
+
+// As a calibration does, which can leave nothing out of fewer than four strengths.
+TEST(Forecast, LayersAreChosenOnlyWhereACalibrationWould) {
+  CleanTable few = usual();
+  few.ucs = {110, 0, 0, 58, 0, 0, 115}, few.bts = {};
+  EXPECT_STREQ(foretell(Evidence(rock_of(few, 7)))->family->name, "parallel-bond-crossing");
+  few.ucs = {40, 45, 50, 55, 60, 65, 70}, few.E = {30, 30, 30, 30, 30, 30, 30};
+  EXPECT_STREQ(foretell(Evidence(rock_of(few, 7)))->family->name, "parallel-bond-directions");
+}
+
+// Softer joints than were mapped: planes in an isotropic rock have such E, whatever the maps say.
+TEST(Forecast, ModuliBeyondTheMapsAreNotCalledOutOfReach) {
+  CleanTable soft = usual();
+  soft.of = "soft", soft.ucs = soft.nu = {}, soft.bts = {};
+  for (std::size_t i = 0; i < 7; ++i) {
+    const double c2 = std::pow(std::cos(mapped_angles[i] * std::acos(-1.0) / 180.0), 2.0);
+    soft.E[i] = 1.0 / (1.0 / 60.0 + c2 * c2 / 1.2 + c2 * (1.0 - c2) / 0.6);  // E(90)/E(0) = 51
+  }
+  const auto f = foretell(Evidence(rock_of(soft, 7)));
+  EXPECT_TRUE(f->beyond_map);
+  EXPECT_NE(f->status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(forecast_text(*f), HasSubstr("E lies where nothing was mapped"));
 }
 
 }  // namespace
