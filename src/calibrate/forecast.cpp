@@ -33,6 +33,11 @@ struct Answer {
   ReachRegression known;
 };
 
+/// Strengths are fitted where UCS is among them.
+bool is_fitted(const Evidence& evidence, Property p) {
+  return !is_strength(p) || evidence.has(Property::ucs);
+}
+
 bool is_mapped(const Evidence& evidence, const ModelFamily& family, Property p) {
   if (p == Property::nu) return evidence.rock.E_is != ModulusReading::small_strain;
   return p == Property::E || p == Property::ucs || p == Property::brazilian ||
@@ -55,7 +60,7 @@ std::vector<Answer> answers_of(const Evidence& evidence, const ModelFamily& fami
   };
   std::vector<Answer> answers;
   for (const Target& t : evidence.targets) {
-    if (!is_mapped(evidence, family, t.property)) continue;
+    if (!is_fitted(evidence, t.property) || !is_mapped(evidence, family, t.property)) continue;
     const std::string stem = stem_of(t.property, evidence.rock.E_is);
     const Bracket b = bracket_of(t.property, t.theta);
     answers.push_back({t, ReachRegression(of(stem, b.low), of(stem, b.high), b.share)});
@@ -239,7 +244,8 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
     f.rows.push_back(c);
   }
   for (const Target& t : evidence.targets)
-    if (!is_mapped(evidence, *family, t.property) && (f.silent.empty() || f.silent.back() != t.property))
+    if (is_fitted(evidence, t.property) && !is_mapped(evidence, *family, t.property) &&
+        (f.silent.empty() || f.silent.back() != t.property))
       f.silent.push_back(t.property);
   bool at_edge = false;
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
@@ -304,6 +310,8 @@ double Forecast::rms(Property property) const {
 }
 
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
+  if (!evidence.has(Property::E) && !evidence.has(Property::ucs))
+    return std::nullopt;  // nor is it calibrated
   const Rock& rock = evidence.rock;
   std::vector<LayerModel> candidates = {rock.layers};
   if (rock.bedded && rock.layers == LayerModel::choose) candidates = {LayerModel::planes};

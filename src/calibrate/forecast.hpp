@@ -30,8 +30,8 @@ struct Forecast {
   double rms(Property property) const;
 };
 
-/// By the models that `layers` of the rock admits; nothing: none of them was mapped, or nothing of the table
-/// was. `fold`: a fifth of the points that the quadratics are not shown; negative: none.
+/// By the models that `layers` of the rock admits; nothing: none of them was mapped, or the table has neither
+/// E nor UCS. `fold`: a fifth of the points that the quadratics are not shown; negative: none.
 std::optional<Forecast> foretell(const Evidence& evidence, int fold = -1);
 
 /// In words, with what it rests on.

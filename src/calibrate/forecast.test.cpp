@@ -114,6 +114,8 @@ TEST(Forecast, WhatWasNotMappedIsNotForetold) {
   EXPECT_THAT(forecast_text(*foretell(Evidence(rock))), HasSubstr("not mapped: nu, DTS."));
   rock.readings = {reading(Property::direct_tension, 0.0, 8e6)};
   EXPECT_FALSE(foretell(Evidence(rock)));
+  rock.readings.push_back(reading(Property::E, 0.0, 20e9));  // without UCS no strength is fitted
+  EXPECT_THAT(forecast_text(*foretell(Evidence(rock))), AllOf(HasSubstr(": E 0 %"), Not(HasSubstr("DTS"))));
 }
 
 TEST(Forecast, AModelThatWasNotMappedHasNone) {
