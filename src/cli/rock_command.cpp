@@ -5,8 +5,11 @@
 #include <filesystem>
 
 #include "base/quote.hpp"
+#include "calibrate/closed_forms.hpp"
+#include "calibrate/forecast.hpp"
 #include "calibrate/identifiability.hpp"
 #include "calibrate/model_choice.hpp"
+#include "calibrate/outliers.hpp"
 #include "calibrate/reach_check.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/keys.hpp"
@@ -47,6 +50,16 @@ int rock_new(const std::string& name) {
   return 0;
 }
 
+/// What the table says by itself: closed forms, and values that do not belong to the others.
+void print_what_the_table_says(const calibrate::Evidence& evidence, int width) {
+  std::vector<std::string> lines = calibrate::closed_forms(evidence);
+  for (auto more :
+       {calibrate::outlying_specimens(evidence.rock), calibrate::outlying_cells(evidence.targets)})
+    lines.insert(lines.end(), more.begin(), more.end());
+  for (const std::string& line : lines) print_wrapped(width, 2, "- {}\n", line);
+  if (!lines.empty()) print_out("\n");
+}
+
 int rock_check(const std::string& path, int width) {
   const Rock read = io::read_rock(path);
   const calibrate::Evidence evidence(calibrate::with_layers(read, read.layers));
@@ -54,8 +67,9 @@ int rock_check(const std::string& path, int width) {
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   print_notes(rock.notes, width);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
-  print_out("\n{}\n{}", report::target_table(evidence.targets, width),
-            report::identifiability_table({expected.begin(), expected.end()}, width));
+  print_out("\n{}\n", report::target_table(evidence.targets, width));
+  print_what_the_table_says(evidence, width);
+  print_out("{}", report::identifiability_table({expected.begin(), expected.end()}, width));
   if (rock.bedded && rock.layers == LayerModel::choose &&
       evidence.strengths.size() >= calibrate::least_strengths)
     print_wrapped(
@@ -63,6 +77,8 @@ int rock_check(const std::string& path, int width) {
         "- parameters as of joints on planes; calibrate may choose directions of the bonds, or both\n");
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
+  if (const auto forecast = calibrate::foretell(evidence))
+    print_wrapped(width, 2, "\n{}\n", calibrate::forecast_text(*forecast));
   return 0;
 }
 

@@ -1,0 +1,110 @@
+// Which values of a table are doubted, and that sound tables are left in peace.
+#include "calibrate/outliers.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "calibrate/reach.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// `n` specimens at each of seven angles with 6 % scatter; lines 2, 3, ...
+Rock sound(Property p, double mean, int n, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Rock rock;
+  for (int i = 0; i < 7; ++i)
+    for (int k = 0; k < n; ++k) {
+      RockReading r;
+      r.property = p, r.theta = 15.0 * i, r.line = 2 + n * i + k;
+      r.value = mean * (1.0 + 0.05 * i) * (1.0 + 0.06 * normal(random));
+      rock.readings.push_back(r);
+    }
+  return rock;
+}
+
+TEST(Outliers, ASpecimenFarFromTheOthersOfItsCellIsNamedByItsLine) {
+  Rock rock = sound(Property::ucs, 80e6, 4, 1);
+  rock.readings[9].value *= 1.5;
+  EXPECT_THAT(outlying_specimens(rock),
+              ElementsAre(AllOf(HasSubstr("line 11: UCS(30) = "), HasSubstr("among 3 others"))));
+  rock.readings[20].value *= 0.6;
+  EXPECT_THAT(outlying_specimens(rock), ElementsAre(HasSubstr("UCS(30)"), HasSubstr("line 22: UCS(75)")));
+  rock.bedded = false;
+  EXPECT_THAT(outlying_specimens(rock).front(), HasSubstr("UCS = "));
+}
+
+// A twentieth of sound tables may be accused: 20 of 400, with a standard deviation of 4.4.
+TEST(Outliers, SoundTablesAreAccusedNoMoreOftenThanTold) {
+  int accused = 0;
+  for (std::uint32_t seed = 1; seed <= 400; ++seed)
+    accused += outlying_specimens(sound(Property::ucs, 80e6, 3, seed)).empty() ? 0 : 1;
+  EXPECT_LE(accused, 33);
+}
+
+TEST(Outliers, OfTwoSpecimensNeitherIsTheOddOne) {
+  Rock rock = sound(Property::ucs, 80e6, 2, 1);
+  rock.readings[4].value *= 2.0;
+  EXPECT_THAT(outlying_specimens(rock), IsEmpty());
+}
+
+TEST(Outliers, WhatTheVerdictWouldTolerateIsNotTold) {
+  Rock rock = sound(Property::E, 40e9, 3, 1);
+  for (RockReading& r : rock.readings) r.value = 40e9 + 1e5 * (r.line % 3);
+  rock.readings[4].value = 40.8e9;  // 2 %: thousands of standard deviations
+  EXPECT_THAT(outlying_specimens(rock), IsEmpty());
+  rock.readings[4].value = 42e9;
+  EXPECT_THAT(outlying_specimens(rock), ElementsAre(HasSubstr("line 6: E(15) = 42 GPa")));
+}
+
+TEST(Outliers, RowsThatAreMeansAccuseNobody) {
+  Rock rock = sound(Property::ucs, 80e6, 3, 1);
+  for (RockReading& r : rock.readings) r.n = 3, r.sd = 5e6;
+  rock.readings[4].value *= 3.0;
+  EXPECT_THAT(outlying_specimens(rock), IsEmpty());
+}
+
+std::vector<Target> course(const std::vector<double>& ucs) {
+  std::vector<Target> targets;
+  for (std::size_t i = 0; i < ucs.size(); ++i)
+    targets.push_back({Property::ucs, 15.0 * static_cast<double>(i), 1e6 * ucs[i], 0.05e6 * ucs[i], 3});
+  return targets;
+}
+
+TEST(Outliers, ACellOutOfLineIsNamed) {
+  EXPECT_THAT(outlying_cells(course({110, 98, 75, 158, 56, 75, 115})),
+              testing::Contains(AllOf(HasSubstr("UCS(45) = 158 MPa"), HasSubstr("+"))));
+  EXPECT_THAT(outlying_cells(course({110, 98, 75, 58, 56, 75, 115})), IsEmpty());
+  EXPECT_THAT(outlying_cells(course({100, 100, 100, 100, 100, 100, 100})), IsEmpty());
+  EXPECT_THAT(outlying_cells(course({300, 100})), IsEmpty());  // ends have no neighbours
+}
+
+// A weak plane has kinks: a line misses the cells there, a plane does not.
+TEST(Outliers, RocksOfTheMapsAreSeldomOutOfLine) {
+  int tables = 0, named = 0;
+  for (const ModelFamily& family : model_families()) {
+    if (!family.layered) continue;
+    const ReachTable& map = reach_of(family);
+    for (std::size_t row = 0; row < map.n_rows(); row += 4) {
+      if (!map.is_dense(row) || !map.is_sensible(row)) continue;
+      std::vector<double> ucs;
+      for (const double theta : mapped_angles)
+        ucs.push_back(50.0 * map.at(row, column_at(family, "UCS/sigma_c", theta)));
+      ++tables, named += outlying_cells(course(ucs)).empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(tables, 100);
+  EXPECT_LE(named, tables / 20);
+}
+
+}  // namespace
+}  // namespace phy::calibrate
