@@ -16,7 +16,7 @@ namespace phy::calibrate {
 
 struct CalibrationOptions {
   bool elastic_only = false;
-  std::int64_t max_tests = 500;  ///< in compression, verification included; tests in tension come on top
+  std::int64_t max_tests = 1000;  ///< in compression, verification included; tests in tension come on top
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
 };
 

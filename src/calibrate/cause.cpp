@@ -338,7 +338,7 @@ std::string bad_news(const View& v) {
     if (next.empty()) next = cause.next;
   }
   if (v.of.short_search) {
-    clauses.push_back(fmt::format("the search was short ({} tests of UCS in all)",
+    clauses.push_back(fmt::format("the search was short ({} tests in compression in all)",
                                   v.of.n_strength_tests - v.of.n_tension_tests));
     const std::vector<Part> parts = ranked(v);
     if (parts.empty() || parts.front() != moduli) next = "a new folder with a larger --max-tests";

@@ -163,9 +163,10 @@ TEST(Cause, ASearchCutShort) {
   c.n_strength_tests = 80, c.n_tension_tests = 20;
   EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("--max-tests")));
   c.short_search = true;
-  EXPECT_THAT(verdict_sentence(c),
-              HasSubstr("the search was short (60 tests of UCS in all); next: a new folder with a larger "
-                        "--max-tests"));
+  EXPECT_THAT(
+      verdict_sentence(c),
+      HasSubstr("the search was short (60 tests in compression in all); next: a new folder with a larger "
+                "--max-tests"));
 }
 
 TEST(Cause, AValueWithoutAnAnswerComesFirst) {

@@ -13,7 +13,6 @@ namespace phy::calibrate {
 namespace {
 
 constexpr double at_edge = 0.01;  // of a logarithm
-constexpr double far_off = 0.06;  // of E, beyond what chance explains: out of reach
 
 void report_edges(ElasticVerdict& verdict, const std::vector<Estimate>& parameters) {
   for (const Estimate& e : parameters)
@@ -60,7 +59,7 @@ ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence, bo
     }
   }
   if (worst > 0.0 || nu_missed) report_limit(verdict, fit, evidence, softened, nu_missed);
-  verdict.out_of_reach = verdict.out_of_reach || worst > far_off;
+  verdict.out_of_reach = verdict.out_of_reach || worst > modulus_limit;
   return verdict;
 }
 

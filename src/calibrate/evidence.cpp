@@ -13,7 +13,8 @@ Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), tar
   if (!rock.bedded) remove_layers(rock.model);
   for (const Target& t : targets) {
     if (!is_strength(t.property)) moduli.push_back(t);
-    if (can_test(t.property)) strengths.push_back(t), scales.strength = std::max(scales.strength, t.mean);
+    if (can_test(t.property)) strengths.push_back(t);
+    if (can_test(t.property) && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
   }
   if (!rock.model.bedding.empty()) scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;

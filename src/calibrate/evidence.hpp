@@ -13,7 +13,7 @@ namespace phy::calibrate {
 struct Scales {
   double modulus = 0.0;    ///< largest E of the table [Pa]; 0 without E
   double stiffness = 0.0;  ///< that over the spacing of the planes [Pa/m]; 0 without bedding
-  double strength = 0.0;   ///< largest strength of the table [Pa]; 0 without any
+  double strength = 0.0;   ///< largest strength of the table without confinement [Pa]; 0 without any
 };
 
 struct Evidence {

@@ -13,14 +13,13 @@
 #include "calibrate/elastic_limits.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
+#include "calibrate/nearest.hpp"
 
 namespace phy::calibrate {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr double E_limit = 0.06,
-                 strength_limit = 0.10;  // root mean square, from which a table is out of reach
 constexpr double chance_limit =
     0.6;  // strengths also by so much of what the quadratics miss of single specimens
 constexpr double pull = 0.5, wall = 50.0;   // towards the middle of the range; back into it
@@ -76,12 +75,6 @@ bool is_elastic(const Lever& lever, const Recipe& recipe) {
     p->set(once, 1.0), p->set(twice, 2.0);
     return lever.get(once) != lever.get(twice);
   });
-}
-
-/// Its square is that of x where x is small and a multiple of |x| where it is large (Charbonnier's).
-double softened(double x) {
-  constexpr double turn = 2.0;
-  return std::copysign(turn * std::sqrt(2.0 * (std::hypot(1.0, x / turn) - 1.0)), x);
 }
 
 /// Unknowns: log E_c, log sigma_c, then the places that are sought. In the form of Eigen's
@@ -217,7 +210,7 @@ bool strengths_out_of_reach(const Forecast& f) {
 
 /// As judge() does, with the limits of a forecast.
 VerdictStatus status_of(const Forecast& f) {
-  if ((!f.beyond_map && f.rms(Property::E) > E_limit) || strengths_out_of_reach(f))
+  if ((!f.beyond_map && f.rms(Property::E) > modulus_limit) || strengths_out_of_reach(f))
     return VerdictStatus::out_of_reach;
   bool any_missed = false, coarse = false;
   for (const Comparison& c : f.rows) {
@@ -250,7 +243,7 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
   bool at_edge = false;
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
     at_edge = at_edge || (problem.elastic[j] && std::fabs(x[Problem::place(j)]) > edge);
-  f.beyond_map = at_edge && f.rms(Property::E) > E_limit &&
+  f.beyond_map = at_edge && f.rms(Property::E) > modulus_limit &&
                  elastic_limit(of_property(evidence.moduli, Property::E)).empty();
   return f;
 }

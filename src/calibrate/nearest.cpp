@@ -17,12 +17,6 @@ constexpr double pull = 0.3, wall = 50.0;  // towards the draws; back into the b
 constexpr double step = 1e-4;              // of the derivatives
 constexpr std::size_t n_starts = 6;
 
-/// Its square is that of x where x is small and a multiple of |x| where it is large.
-double softened(double x) {
-  constexpr double edge = 2.0;
-  return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
-}
-
 struct Misfit {
   const StrengthPosterior& posterior;
   VectorXd mean, sd;  ///< of the draws
@@ -87,6 +81,11 @@ Point downhill(const Misfit& misfit, const Point& from) {
 }
 
 }  // namespace
+
+double softened(double x) {
+  constexpr double edge = 2.0;
+  return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
+}
 
 Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
   const Misfit misfit = misfit_of(posterior, draws);

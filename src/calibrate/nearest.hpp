@@ -17,6 +17,9 @@
 
 namespace phy::calibrate {
 
+/// Its square is that of x where x is small and a multiple of |x| where it is large: rho above.
+double softened(double x);
+
 Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws);
 
 }  // namespace phy::calibrate

@@ -1,6 +1,6 @@
 // A rock mechanics laboratory on paper, for tests of the strength stage that need many tests: UCS(theta),
-// direct tension and Brazilian tests of a matrix with one set of bonded joints from closed forms, with
-// scatter of packings and of runs, in place of the press. The moduli are Goodman's.
+// strength under confinement, direct tension and Brazilian tests of a matrix with one set of bonded joints
+// from closed forms, with scatter of packings and of runs, in place of the press. The moduli are Goodman's.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -54,6 +54,8 @@ class PaperPress : public Simulator {
         results[i].numbers = {{"bts", splitting(r) * std::exp(noise + bias), "Pa", "", ""},
                               {"first_crack_x", first_crack, "1", "", ""},
                               {"first_crack_y", 0.0, "1", "", ""}};
+      else if (r.test.kind == TestKind("biaxial"))
+        results[i].numbers.push_back({"sigma_1", confined(r) * std::exp(noise + bias), "Pa", "", ""});
       else
         results[i].numbers = {
             {"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
@@ -68,14 +70,23 @@ class PaperPress : public Simulator {
   bool stopped() const override { return stop_after >= 0 && n_tests >= stop_after; }
 
   /// Without scatter.
-  static double ucs(const Recipe& r) {
+  static double ucs(Recipe r) {
+    r.test.confining_stress = 0.0;
+    return confined(r);
+  }
+
+  /// Bonds and friction of the grains, or joints that slide: each has its own friction.
+  static double confined(const Recipe& r) {
     const MatrixRecipe& m = r.matrix;
-    const double matrix = 2.2 * std::pow(m.sigma_c, 0.7) * std::pow(m.tau_c, 0.3) * (0.85 + 0.25 * m.mu);
+    const double sigma_3 = r.test.confining_stress;
+    const double matrix = 2.2 * std::pow(m.sigma_c, 0.7) * std::pow(m.tau_c, 0.3) * (0.85 + 0.25 * m.mu) +
+                          (2.0 + 4.0 * m.mu) * sigma_3;
     if (r.bedding.empty()) return matrix;
     const BeddingRecipe& b = r.bedding.front();
     const double a = theta_of(r) * 3.14159265358979323846 / 180.0, s = std::sin(a), c = std::cos(a);
     // sliding resists with cohesion, friction and, in part, the tensile strength of the joints
-    const double slide = 1.6 * (b.cohesion * (0.7 + 0.6 * b.mu) + 0.5 * b.sigma_n) / (s * c + 0.02);
+    const double bonded = b.cohesion * (0.7 + 0.6 * b.mu) + 0.5 * b.sigma_n;
+    const double slide = 1.6 * (bonded + 1.5 * b.mu * sigma_3) / (s * c + 0.02) + sigma_3;
     return std::pow(std::pow(matrix, -6.0) + std::pow(slide, -6.0), -1.0 / 6.0);
   }
 

@@ -49,7 +49,7 @@ const ReachRegression& growth_of(const ModelFamily& intact) {
   const ReachTable& table = reach_of(intact);
   if (!one)
     one = std::make_unique<ReachRegression>(table, [&](std::size_t row) {
-      const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // some fifth of UCS
+      const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // a quarter of UCS, median
       return std::log(1.0 + (table.at(row, "q/sigma_c #2") - table.at(row, "UCS/sigma_c")) / sigma_3);
     });
   return *one;

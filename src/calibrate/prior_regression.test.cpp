@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <map>
 
+#include "calibrate/reading_fixture.hpp"
+
 namespace phy::calibrate {
 namespace {
 
@@ -85,6 +87,54 @@ TEST(PriorRegression, TensionIsLessAcrossWeakPlanesThanAlongThem) {
   EXPECT_LT(prior(weak, 90.0, Property::brazilian), 0.7 * prior(r, 90.0, Property::brazilian));
   for (const double theta : {0.0, 20.0, 90.0})
     EXPECT_DOUBLE_EQ(prior(r, theta, Property::direct_tension), prior(r, 90.0 - theta, Property::brazilian));
+}
+
+/// Expected sigma_1 [Pa] of a rock whose table has UCS and strengths under confinement.
+double prior_confined(const Recipe& recipe, double theta, double sigma_3) {
+  Rock rock;
+  rock.bedded = !recipe.bedding.empty(), rock.model = recipe;
+  RockReading ucs = reading(Property::ucs, 0.0, 2.2 * recipe.matrix.sigma_c);
+  rock.readings = {ucs};
+  const Evidence evidence(rock);
+  std::vector<double> z;
+  for (const StrengthParameter* p : strength_ratios(evidence)) z.push_back(p->place_of(p->get(recipe)));
+  const LogBox sigma = matrix_sigma_c.box(evidence.scales);
+  z.push_back(2.0 * (std::log(recipe.matrix.sigma_c) - sigma.low) / (sigma.high - sigma.low) - 1.0);
+  Target t{Property::confined, theta, 1.0, 1.0};
+  t.confining = sigma_3;
+  return recipe.matrix.sigma_c * std::exp(prior_strength(evidence, recipe, t).value(z));
+}
+
+TEST(PriorRegression, StrengthUnderConfinementBeginsWithUcsAndGrowsWithFriction) {
+  const Recipe r = paper_rock();
+  EXPECT_NEAR(prior_confined(r, 45.0, 1.0) / prior(r, 45.0), 1.0, 1e-6);
+  const double N = (prior_confined(r, 90.0, 10e6) - prior(r, 90.0)) / 10e6;
+  EXPECT_GT(N, 3.0);  // friction angles of 30 and
+  EXPECT_LT(N, 8.0);  // 51 degrees
+  Recipe smooth = r;
+  smooth.matrix.mu = 0.3;
+  EXPECT_LT(prior_confined(smooth, 90.0, 10e6) - prior(smooth, 90.0), 0.9 * N * 10e6);
+}
+
+// Rows of the map, as the program sees them: UCS and growth together.
+TEST(PriorRegression, MeetsTheMapUnderConfinement) {
+  for (const ModelFamily& family : model_families()) {
+    if (family.layered || family.base.matrix.model != MatrixModel::parallel_bond) continue;
+    const ReachTable& table = reach_of(family);
+    double squares = 0.0;
+    int n = 0;
+    for (std::size_t row = 0; row < table.n_rows(); row += 7) {
+      const double sigma_3 = table.at(row, "sigma_3/sigma_c #2"), q = table.at(row, "q/sigma_c #2");
+      if (!table.is_dense(row) || !std::isfinite(q)) continue;
+      Recipe recipe = family.base;
+      for (const Lever& l : family.levers) l.set(recipe, table.at(row, l.name));
+      const double sigma_c = recipe.matrix.sigma_c;
+      const double error = std::log(prior_confined(recipe, 0.0, sigma_3 * sigma_c) / (q + sigma_3) / sigma_c);
+      squares += error * error, ++n;
+    }
+    ASSERT_GT(n, 20);
+    EXPECT_LT(std::sqrt(squares / n), 0.15);
+  }
 }
 
 // Points that took no part, of every layered family: what a calibration begins with.

@@ -254,6 +254,61 @@ TEST(StrengthStage, TheSameRatioAtEveryAngleIsOutOfReachToo) {
   EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0")));
 }
 
+/// UCS at five angles and, where asked for, strengths under three stresses at three of them.
+Rock confined_rock(const Recipe& rock, bool confined) {
+  Rock table = rock_of({}, true);
+  for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0})
+    table.readings.push_back(reading(Property::ucs, theta, response(rock, theta)));
+  for (const double theta : {0.0, 45.0, 90.0})
+    for (const double sigma_3 : {5e6, 15e6, 30e6}) {
+      if (!confined) continue;
+      Recipe tested = rock;
+      tested.bedding[0].theta = theta, tested.test.confining_stress = sigma_3;
+      table.readings.push_back(reading(Property::confined, theta, PaperPress::confined(tested)));
+      table.readings.back().confining = sigma_3;
+    }
+  return table;
+}
+
+const ParameterEstimate& estimate_of(const Calibration& c, const std::string& symbol) {
+  return *std::find_if(c.parameters.begin(), c.parameters.end(),
+                       [&](const ParameterEstimate& e) { return e.symbol == symbol; });
+}
+
+TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
+  const Recipe rock = truth(6);
+  CalibrationOptions options;
+  options.max_tests = 1000;
+  PaperPress press, blind;
+  const Calibration c = calibrate(Evidence(confined_rock(rock, true)), options, press);
+  const Calibration without = calibrate(Evidence(confined_rock(rock, false)), options, blind);
+  int n = 0;
+  for (const Comparison& row : c.verification) {
+    if (row.target.property != Property::confined) continue;
+    EXPECT_NEAR(row.error(), 0.0, 0.1) << cell_name(row.target);
+    ++n;
+  }
+  EXPECT_EQ(n, 9);
+  EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << c.verdict.sentence;
+  for (const char* symbol : {"mu", "mu_sj"}) {
+    const ParameterEstimate &told = estimate_of(c, symbol), &open = estimate_of(without, symbol);
+    const double value = told.number(rock);
+    EXPECT_TRUE(told.determined) << symbol;
+    EXPECT_TRUE(told.low <= value && value <= told.high) << symbol << ' ' << value;
+    EXPECT_LT(std::log(told.high / told.low), 0.7 * std::log(open.high / open.low)) << symbol;
+  }
+  EXPECT_EQ(c.n_tension_tests, 0);
+  EXPECT_EQ(c.n_strength_tests, 14 * (36 + 5));  // of the budget all
+}
+
+TEST(StrengthStage, ABudgetCountsStrengthsUnderConfinement) {
+  PaperPress press;
+  CalibrationOptions options;
+  options.max_tests = 14 * (least_points + verification_packings) - 1;
+  EXPECT_THROW(calibrate(Evidence(confined_rock(truth(6), true)), options, press), InputError);
+  EXPECT_EQ(press.n_tests, 0);
+}
+
 /// Mean logarithm of UCS at four angles over the posterior, for a table with BTS(0) of UCS(0)/ratio and
 /// eighty runs all over the box.
 std::vector<double> ucs_beside_bts(const Recipe& rock, double ratio) {

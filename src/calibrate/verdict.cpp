@@ -13,8 +13,7 @@ namespace phy::calibrate {
 namespace {
 
 constexpr double chance_limit = 2.0;  // and in units of what the scatter of laboratory and packings explains
-constexpr double strength_limit = 0.10;  // root mean square, from which a table is out of reach
-constexpr double hopeless = 0.20;        // the same whatever the scatter
+constexpr double hopeless = 0.20;     // the same whatever the scatter
 
 /// UCS over tension at each angle that has both and where they differ: the laboratory's and, where the
 /// strengths are out of reach, the nearest that the search found.

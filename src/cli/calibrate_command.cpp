@@ -28,7 +28,7 @@ namespace {
 struct Arguments {
   std::string rock, out = "results/calibration";
   bool elastic = false, resume = false, with_untrusted = false;
-  std::int64_t max_tests = 500;
+  std::int64_t max_tests = 1000;
 };
 
 /// Everything that the answer follows from.
@@ -181,7 +181,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "count tests that have a strength but are not to be trusted (docs/reliability.md)");
-  verb->add_option("--max-tests", args->max_tests, "budget: tests of UCS, verification included")
+  verb->add_option("--max-tests", args->max_tests, "budget: tests in compression, verification included")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   verb->callback([args, &session] {

@@ -5,8 +5,12 @@
 #include <cmath>
 
 #include "base/in_folder_fixture.hpp"
+#include "base/rng.hpp"
 #include "io/rock_in.hpp"
 #include "io/table.hpp"
+#include "records/calibration.hpp"
+#include "theory/envelope_fit.hpp"
+#include "theory/jaeger.hpp"
 
 namespace phy::io {
 namespace {
@@ -177,9 +181,86 @@ TEST_F(RockFile, SeveralConfiningPressuresAskForOne) {
   EXPECT_THAT(rock(csv, "confining = \"50 MPa\"\n").readings, SizeIs(3));
 }
 
-TEST_F(RockFile, StrengthsUnderConfiningPressureAloneAreSaidNotToBeFitted) {
-  const Rock r = rock("theta [deg],confining [MPa],UCS [MPa]\n0,5,100\n45,5,60\n90,5,120\n");
-  EXPECT_THAT(r.notes, Contains(HasSubstr("not fitted")));
+TEST_F(RockFile, APressureThatIsChosenIsThatOfModuliAlone) {
+  const Rock r = rock(
+      "theta [deg],confining [MPa],E [GPa],UCS [MPa]\n0,0,18,90\n0,10,20,120\n45,10,21,80\n90,10,33,140\n",
+      "confining = \"10 MPa\"\n");
+  EXPECT_THAT(of_property(targets_of(r), Property::E), SizeIs(3));
+  EXPECT_EQ(of_property(targets_of(r), Property::E).front().mean, 20e9);
+  EXPECT_THAT(of_property(targets_of(r), Property::ucs), SizeIs(1));
+  EXPECT_THAT(of_property(targets_of(r), Property::confined), SizeIs(3));
+}
+
+TEST_F(RockFile, UcsUnderConfinementAndSigma1AreOneAndTheSame) {
+  const Rock r = rock(
+      "theta [deg],confining [MPa],UCS [MPa],sigma_1 [MPa],sigma_1_sd [MPa],n\n0,5,100,,,2\n0,5,,110,5,3\n"
+      "0,,80,,,1\n45,10,,90,,1\n90,0,,95,,1\n");
+  const std::vector<Target> confined = of_property(targets_of(r), Property::confined);
+  ASSERT_THAT(confined, SizeIs(2));
+  EXPECT_EQ(confined[0].n, 5);
+  EXPECT_NEAR(confined[0].mean, 106e6, 1.0);
+  EXPECT_EQ(confined[1].confining, 10e6);
+  EXPECT_EQ(cell_name(confined[1]), "sigma_1(45, 10 MPa)");
+  EXPECT_THAT(of_property(targets_of(r), Property::ucs), SizeIs(2));  // at 0 and, without pressure, at 90
+}
+
+TEST_F(RockFile, TensionUnderConfiningPressureIsSaidNotToBeFitted) {
+  const Rock r = rock("theta [deg],confining [MPa],UCS [MPa],BTS [MPa]\n0,5,100,9\n45,5,60,\n90,5,120,\n");
+  EXPECT_THAT(r.notes, Contains(HasSubstr("tensile strengths under confining pressure")));
+  EXPECT_THAT(of_property(targets_of(r), Property::brazilian), IsEmpty());
+  EXPECT_THAT(rock("theta [deg],confining [MPa],UCS [MPa]\n0,5,100\n45,5,60\n90,5,120\n").notes,
+              Each(testing::Not(HasSubstr("not fitted"))));
+}
+
+const std::string envelope_head =
+    "theta [deg],UCS [MPa],c [MPa],phi [deg],confining_min [MPa],confining_max [MPa],n\n";
+
+// N = tan^2 60 = 3, 2 c sqrt(N) = 34.641 MPa; three tests at 0, 10, 20 MPa have a mean of 10 and a standard
+// deviation of sqrt(200/3) = 8.165 MPa.
+TEST_F(RockFile, AnEnvelopeIsTwoStrengthsInsideItsPressures) {
+  const Rock r = rock(envelope_head + "0,40,10,30,0,20,3\n45,30,,,,,3\n90,45,,,,,3\n");
+  const std::vector<Target> two = of_property(targets_of(r), Property::confined);
+  ASSERT_THAT(two, SizeIs(2));
+  EXPECT_NEAR(two[0].confining, 1.835e6, 1e3);
+  EXPECT_NEAR(two[1].confining, 18.165e6, 1e3);
+  EXPECT_NEAR(two[0].mean, 40.146e6, 2e3);
+  EXPECT_NEAR(two[1].mean, 89.136e6, 2e3);
+  EXPECT_EQ(two[0].n, 1);
+  EXPECT_THAT(r.notes, Contains(HasSubstr("c and phi of 1 row(s)")));
+}
+
+// What the reading rests on: a line through noisy strengths at four pressures, read at two, 4,000 times.
+TEST_F(RockFile, ErrorsOfTheTwoStrengthsOfAnEnvelopeDoNotDependOnEachOther) {
+  const Rock r = rock(envelope_head + "0,40,10,30,5,35,4\n45,30,,,,,3\n90,45,,,,,3\n");
+  const std::vector<Target> two = of_property(targets_of(r), Property::confined);
+  constexpr int n_draws = 4000;
+  double aa = 0.0, bb = 0.0, ab = 0.0;
+  for (std::uint32_t k = 0; k < n_draws; ++k) {
+    std::vector<theory::EnvelopeReading> tests;
+    for (const double sigma_3 : {5e6, 15e6, 25e6, 35e6})
+      tests.push_back({sigma_3, 35e6 + 3.0 * sigma_3 +
+                                    1e6 * normal(3, Stream::test, k, static_cast<std::uint32_t>(sigma_3))});
+    const theory::MohrCoulombFit line = theory::fit_mohr_coulomb(tests);
+    ASSERT_TRUE(line.ok);
+    const auto error = [&](double sigma_3) {
+      const theory::Coulomb rock_read{line.cohesion.value, line.friction.value};
+      return theory::coulomb_sigma_1(rock_read, sigma_3) - 35e6 - 3.0 * sigma_3;
+    };
+    const double a = error(two[0].confining), b = error(two[1].confining);
+    aa += a * a / n_draws, bb += b * b / n_draws, ab += a * b / n_draws;
+  }
+  EXPECT_NEAR(ab / std::sqrt(aa * bb), 0.0, 0.05);
+  EXPECT_NEAR(std::sqrt(aa), 1e6 / std::sqrt(2.0), 3e4);  // each as of two of the four tests
+  EXPECT_NEAR(std::sqrt(bb), 1e6 / std::sqrt(2.0), 3e4);
+  EXPECT_EQ(two[0].n, 2);
+}
+
+TEST_F(RockFile, AnEnvelopeWithoutItsPressuresIsRefused) {
+  EXPECT_THAT(problems("theta [deg],UCS [MPa],c [MPa],phi [deg]\n0,40,10,30\n45,30,,\n90,45,,\n"),
+              Contains(AllOf(HasSubstr("r.csv:1: c, phi"), HasSubstr("confining_min and confining_max"))));
+  EXPECT_THAT(
+      problems(envelope_head + "0,40,10,30,20,20,3\n45,30,8,,,,3\n90,45,,,,,3\n"),
+      AllOf(SizeIs(2), Contains(HasSubstr("r.csv:2: c, phi")), Contains(HasSubstr("r.csv:3: c, phi"))));
 }
 
 TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {

@@ -58,6 +58,34 @@ TEST(RockWarnings, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   EXPECT_THAT(warnings_about(rock), IsEmpty());
 }
 
+RockReading confined(double theta, double sigma_3, double value) {
+  RockReading r = cell(Property::confined, theta, value);
+  r.confining = sigma_3;
+  return r;
+}
+
+TEST(RockWarnings, UcsThatNoEnvelopeMeetsIsDoubted) {
+  // through (5, 140) and (20, 200) MPa: 120 MPa without confinement
+  const std::vector<RockReading> envelope = {confined(45, 5e6, 140e6), confined(45, 20e6, 200e6)};
+  const auto about = [&](double ucs) {
+    std::vector<RockReading> all = envelope;
+    all.push_back(cell(Property::ucs, 45, ucs));
+    return warnings_about(with(all));
+  };
+  EXPECT_THAT(about(60e6), ElementsAre(AllOf(HasSubstr("UCS(45) = 60 MPa, and 120 MPa by the line"),
+                                             HasSubstr("under 5 and 20 MPa"))));
+  EXPECT_THAT(about(100e6), IsEmpty());
+}
+
+TEST(RockWarnings, StrengthThatFallsUnderConfinementIsDoubted) {
+  EXPECT_THAT(
+      warnings_about(with({cell(Property::ucs, 0, 100e6), confined(0, 10e6, 90e6)})),
+      ElementsAre(AllOf(HasSubstr("sigma_1(0) = 90 MPa after 100 MPa"), HasSubstr("takes no rock's"))));
+  EXPECT_THAT(warnings_about(with({cell(Property::ucs, 0, 100e6), confined(0, 10e6, 150e6),
+                                   confined(30, 10e6, 90e6)})),  // another angle
+              IsEmpty());
+}
+
 TEST(RockWarnings, AConversionInPartIsTold) {
   Rock rock = with({cell(Property::E, 0, 20e9), cell(Property::nu, 30, 0.2), cell(Property::E, 60, 30e9),
                     cell(Property::nu, 60, 0.25)});
