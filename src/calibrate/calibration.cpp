@@ -15,6 +15,7 @@
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/identifiability.hpp"
+#include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/verdict.hpp"
@@ -22,11 +23,11 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr int n_fit = 5;  // packings of the elastic fit
-constexpr int n_unseen = verification_packings;
-constexpr int n_spare = 15;    // more for the elastic fit, where packings differ much
-constexpr int n_softened = 5;  // on which softening is measured at the estimate
-constexpr int n_search = 12;   // of the search of the strengths: those of the fit and some of the spare ones
+constexpr int n_fit = 5;                         // packings of the elastic fit
+constexpr int n_unseen = verification_packings;  // at first
+constexpr int n_spare = 15;                      // more for the elastic fit, where packings differ much
+constexpr int n_softened = 5;                    // on which softening is measured at the estimate
+constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
 constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 
 /// Seeds from `first` on.
@@ -93,12 +94,12 @@ void report_quality(Calibration& result) {
 }
 
 /// Strengths of which not every unseen packing has one.
-void report_missing(Calibration& result) {
+void report_missing(Calibration& result, int n_tested) {
   for (const Comparison& c : result.verification)
-    if (is_strength(c.target.property) && c.answered() && c.n_packings < n_unseen)
+    if (is_strength(c.target.property) && c.answered() && c.n_packings < n_tested)
       add_line(result.notes, cell_name(c.target),
                fmt::format("{} of {} tests on unseen packings gave no usable peak ({})",
-                           n_unseen - c.n_packings, n_unseen, c.missing));
+                           n_tested - c.n_packings, n_tested, c.missing));
 }
 
 /// Are there strengths to fit? What is not fitted is noted; a table with nothing to fit is an InputError.
@@ -159,6 +160,7 @@ struct Work {
   const CalibrationOptions& options;
   Simulator& simulator;
   std::vector<std::int64_t> fit, spare, search, unseen;  ///< packings
+  std::int64_t next_unseen = 0;                          ///< seed of the next packing that nothing has seen
   ElasticFit elastic;
   StrengthFit strength;
 
@@ -167,6 +169,7 @@ struct Work {
     const std::int64_t first = evidence.rock.model.packing.seed;
     fit = seeds_from(first, n_fit), unseen = seeds_from(first + n_fit, n_unseen);
     spare = seeds_from(first + n_fit + n_unseen, n_spare);
+    next_unseen = first + n_fit + n_unseen + n_spare;
     search = fit;
     search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   }
@@ -225,6 +228,40 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   return true;
 }
 
+/// Strengths on unseen packings, and on more of them where they differ much and the budget allows it.
+std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
+  const Evidence& evidence = work.evidence;
+  const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
+  const std::int64_t n = evidence.n_compressive(),
+                     n_tension = static_cast<std::int64_t>(evidence.strengths.size()) - n;
+  std::vector<Comparison> rows;
+  for (std::int64_t n_tested = 0;;) {
+    work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
+    from_test.clear();
+    rows = strength_response(result.recipe, evidence.strengths, work.unseen, work.simulator, reading,
+                             &from_test);
+    const auto n_packings = static_cast<std::int64_t>(work.unseen.size());
+    result.n_strength_tests += (n + n_tension) * (n_packings - n_tested);
+    result.n_tension_tests += n_tension * (n_packings - n_tested);
+    n_tested = n_packings;
+    const bool paid =
+        result.n_strength_tests - result.n_tension_tests + n * n_unseen <= work.options.max_tests;
+    if (work.simulator.stopped() || !wants_packings(rows) || !paid || work.unseen.size() >= most_packings)
+      break;
+    const std::vector<std::int64_t> more = seeds_from(work.next_unseen, n_unseen);
+    work.unseen.insert(work.unseen.end(), more.begin(), more.end()), work.next_unseen += n_unseen;
+  }
+  if (work.unseen.size() == first_packings) return rows;
+  result.notes.push_back(fmt::format(
+      "strengths of packings of this size differ so much that {} unseen ones were taken instead of {}",
+      work.unseen.size(), n_unseen));
+  if (work.softens()) return rows;
+  result.n_elastic +=
+      static_cast<std::int64_t>(n_angles(result.verification) * (work.unseen.size() - n_unseen));
+  result.verification = elastic_response(result.recipe, evidence.moduli, work.unseen, work.simulator);
+  return rows;
+}
+
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, Work& work) {
   const Evidence& evidence = work.evidence;
@@ -250,17 +287,12 @@ bool calibrate_strength(Calibration& result, Work& work) {
   if (fit.interrupted) return false;
   if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
   if (work.softens() && !measure_softening(result, work, remodel)) return false;
-  work.options.say("verification of the strengths on unseen packings");
   std::vector<Comparison> from_test;
-  const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
-  const std::vector<Comparison> rows =
-      strength_response(result.recipe, evidence.strengths, work.unseen, work.simulator, reading, &from_test);
+  const std::vector<Comparison> rows = verify_strength(result, work, from_test);
   if (work.softens())
     take_as_measured(result, work, from_test);
   else
     add_tangents_from_test(result, from_test);
-  const auto n_all = static_cast<std::int64_t>(evidence.strengths.size());
-  result.n_strength_tests += n_all * n_unseen, result.n_tension_tests += (n_all - n) * n_unseen;
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
   return !work.simulator.stopped();
 }
@@ -313,7 +345,8 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   estimates = work.elastic.parameters;
   estimates.insert(estimates.end(), work.strength.parameters.begin(), work.strength.parameters.end());
   make_ready(result.recipe, evidence);
-  report_validity(result), report_quality(result), report_missing(result);
+  report_validity(result), report_quality(result),
+      report_missing(result, static_cast<int>(work.unseen.size()));
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
         !work.strength.softenings.empty());
   result.short_search = work.strength.short_search;

@@ -56,6 +56,17 @@ double margin(const Comparison& row) {
 
 bool misses(const Comparison& row) { return std::fabs(miss_of(row)) > margin(row); }
 
+bool wants_packings(const std::vector<Comparison>& verification) {
+  constexpr double enough = 1.0 / 3.0;
+  double squares = 0.0;
+  int n = 0;
+  for (const Comparison& c : verification) {
+    if (!is_strength(c.target.property) || !std::isfinite(c.sd)) continue;
+    squares += std::pow(c.sd / c.mean / tolerance(c.target.property), 2.0) / c.n_packings, ++n;
+  }
+  return squares > n * enough * enough;
+}
+
 bool unresolved(const Comparison& row) { return margin(row) > coarsest(row.target.property); }
 
 std::optional<int> specimens_missing(const Comparison& row) {

@@ -7,6 +7,7 @@
 // nothing, whether it is met or not.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "records/calibration.hpp"
 
@@ -29,6 +30,12 @@ double miss_of(const Comparison& row);
 double margin(const Comparison& row);
 
 bool misses(const Comparison& row);
+
+/// Unseen packings of a verification. Five are enough where the means over them are known to a third of the
+/// tolerance (standard error, root mean square over the strengths); where packings differ by more, a margin
+/// that counts their scatter would hide misses, so five more are tested, and once more.
+constexpr std::size_t first_packings = 5, most_packings = 15;
+bool wants_packings(const std::vector<Comparison>& verification);
 
 /// Is the row too coarse to be judged by?
 bool unresolved(const Comparison& row);

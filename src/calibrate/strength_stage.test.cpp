@@ -301,6 +301,27 @@ TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
   EXPECT_EQ(c.n_strength_tests, 14 * (36 + 5));  // of the budget all
 }
 
+TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
+  const Rock rock = confined_rock(truth(6), false);
+  const auto n_unseen = [&](double scatter, std::int64_t max_tests) {
+    PaperPress press;
+    press.packing_scatter = scatter;
+    CalibrationOptions options;
+    options.max_tests = max_tests;
+    const Calibration c = calibrate(Evidence(rock), options, press);
+    for (const Comparison& row : c.verification) EXPECT_EQ(row.n_packings, c.verification.front().n_packings);
+    const bool told = std::any_of(c.notes.begin(), c.notes.end(), [](const std::string& note) {
+      return note.find("unseen ones were taken") != note.npos;
+    });
+    EXPECT_EQ(told, c.verification.front().n_packings > 5);
+    EXPECT_EQ(c.n_strength_tests, 5 * (36 + c.verification.front().n_packings));
+    return c.verification.front().n_packings;
+  };
+  EXPECT_EQ(n_unseen(0.02, 1000), 5);
+  EXPECT_EQ(n_unseen(0.12, 1000), 15);
+  EXPECT_EQ(n_unseen(0.12, 5 * (36 + 10)), 10);
+}
+
 TEST(StrengthStage, ABudgetCountsStrengthsUnderConfinement) {
   PaperPress press;
   CalibrationOptions options;
