@@ -16,6 +16,7 @@
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/identifiability.hpp"
 #include "calibrate/model_choice.hpp"
+#include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/verdict.hpp"
 
@@ -158,6 +159,7 @@ struct Work {
   const CalibrationOptions& options;
   Simulator& simulator;
   std::vector<std::int64_t> fit, spare, search, unseen;  ///< packings
+  std::int64_t first_of_ensemble = 0;                    ///< of those that nothing before has seen
   ElasticFit elastic;
   StrengthFit strength;
 
@@ -166,6 +168,7 @@ struct Work {
     const std::int64_t first = evidence.rock.model.packing.seed;
     fit = seeds_from(first, n_fit), unseen = seeds_from(first + n_fit, n_unseen);
     spare = seeds_from(first + n_fit + n_unseen, n_spare);
+    first_of_ensemble = first + n_fit + n_unseen + n_spare;
     search = fit;
     search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   }
@@ -318,6 +321,8 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
     result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
+  result.ensemble =
+      posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);
   return true;
 }
 
