@@ -25,9 +25,10 @@ std::vector<Point> gaussian_draws(const Point& mean, const std::vector<double>& 
                                   const std::vector<LogBox>& boxes, std::size_t n, std::uint32_t seed) {
   const auto m = static_cast<Eigen::Index>(mean.size());
   const Eigen::Map<const Eigen::VectorXd> centre(mean.data(), m);
-  const Eigen::LLT<Eigen::MatrixXd> root(Eigen::MatrixXd::Map(covariance.data(), m, m));
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Map(covariance.data(), m, m);
+  const Eigen::LLT<Eigen::MatrixXd> root(matrix);
   std::vector<Point> draws;
-  if (root.info() != Eigen::Success) return draws;
+  if (!matrix.allFinite() || root.info() != Eigen::Success) return draws;
   for (std::uint32_t k = 0; k < n; ++k) {
     Eigen::VectorXd x(m);
     for (std::uint32_t attempt = 0; attempt < most_tries; ++attempt) {

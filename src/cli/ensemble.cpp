@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "base/check.hpp"
-#include "base/lines.hpp"
 #include "base/quote.hpp"
 #include "base/text_table.hpp"
 #include "base/units.hpp"
@@ -91,7 +90,10 @@ bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Sessi
   for (const Job& job : jobs) recipes.push_back(job.single);
   const auto simulator = calibrate::make_simulator(machine);
   std::vector<TestResult> results = simulator->test(recipes);
-  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].result = std::move(results[i]);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].result = std::move(results[i]);
+    jobs[i].result.kind = recipes[i].test.kind;  // the store does not say it
+  }
   line.finish();
   return !simulator->stopped();
 }
@@ -179,6 +181,20 @@ const std::vector<TableColumn> columns_of_envelope = {{"sigma_1", "MPa", "sigma_
                                                       {"phi", "deg", "friction", 1.0, 2},
                                                       {"m_i", "", "m_i", 1.0, 2}};
 
+/// Tests that are in no band: how many of each kind, and the first of them.
+void print_left_out(const std::vector<Job>& jobs, int width) {
+  for (const Status status : all_statuses) {
+    if (has_strength(status)) continue;
+    const auto is = [&](const Job& job) { return job.result.outcome.status == status; };
+    const auto first = std::find_if(jobs.begin(), jobs.end(), is);
+    if (first == jobs.end()) continue;
+    const Outcome& o = first->result.outcome;
+    print_wrapped(width, 2, "left out, {}: {} of {} tests; {}: {}{}{}\n", to_string(status),
+                  std::count_if(first, jobs.end(), is), jobs.size(), first->name(), o.reason,
+                  o.advice.empty() ? "" : "; ", o.advice);
+  }
+}
+
 void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>& bands, std::size_t n_draws,
                     bool envelope, int width) {
   for (const TableColumn& c : envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind))
@@ -187,13 +203,7 @@ void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>
                 "\nmedian, smallest and largest of the draws: {} of them hold one more with a probability of "
                 "{:.1f} %, n of them with (n - 1)/(n + 1)\n",
                 n_draws, 100.0 * study::band_probability(n_draws));
-  std::vector<std::string> findings;
-  for (const Job& job : jobs)
-    if (const Outcome& o = job.result.outcome; !has_strength(o.status))
-      add_line(findings, job.name(),
-               fmt::format("left out, {}: {}{}{}", to_string(o.status), o.reason,
-                           o.advice.empty() ? "" : "; ", o.advice));
-  for (const std::string& finding : findings) print_wrapped(width, 2, "{}\n", finding);
+  print_left_out(jobs, width);
 }
 
 /// The recipe of the command line; InputError for several.

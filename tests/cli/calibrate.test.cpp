@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "../program.hpp"
@@ -44,7 +45,11 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
   EXPECT_THAT(read(out() + "/calibrated-yade.py"), HasSubstr("JCFpmMat"));
   EXPECT_THAT(read(out() + "/calibrated.toml"), HasSubstr("# The data do not constrain"));
-  ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;  // a recipe that the program reads
+  for (const char* recipe : {"/calibrated.toml", "/ensemble/01.toml", "/ensemble/20.toml"})
+    ASSERT_EQ(run("recipe " + out() + recipe), 0) << output;  // a recipe that the program reads
+  EXPECT_THAT(read(out() + "/ensemble/20.toml"),
+              testing::AllOf(HasSubstr("# rock: draw 20 of 20"), HasSubstr("seed = 45\n")));
+  EXPECT_FALSE(fs::exists(out() + "/ensemble/21.toml"));
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
   for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder
@@ -62,6 +67,62 @@ TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
   ASSERT_THAT(run(calibrate(at("parts") + " --resume")), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(at("parts") + "/calibration.json"), expected);
   EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));
+  EXPECT_EQ(read(at("parts") + "/ensemble/07.toml"), read(at("whole") + "/ensemble/07.toml"));
+}
+
+/// A test of a few tenths of a second, in the place of that of a calibrated recipe.
+class EnsembleCli : public CalibrateCli {
+ protected:
+  void SetUp() override {
+    CalibrateCli::SetUp();
+    ASSERT_THAT(run(calibrate(at("rock")) + " --elastic"), testing::AnyOf(0, 1)) << output;
+    std::string text = read(recipe());
+    const std::size_t begin = text.find("\n[test]") + 1, end = text.find("\n[", begin);
+    text.replace(begin, end - begin,
+                 "[test]\nkind = \"direct_tension\"\nangles = [\"45 deg\"]\nplaten_speed = \"0.05 m/s\"\n");
+    write("rock/calibrated.toml", text);
+  }
+  std::string recipe() const { return at("rock") + "/calibrated.toml"; }
+  static long n_lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+};
+
+TEST_F(EnsembleCli, RunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {
+  ASSERT_EQ(run("run " + recipe() + " --ensemble --threads 2 --out " + out()), 0) << output;
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("20 draws"), HasSubstr("sigma_t"), HasSubstr("width"),
+                                     HasSubstr("90.5 %")));
+  const std::string tests = read(out() + "/ensemble.csv"), band = read(out() + "/band.csv");
+  EXPECT_EQ(n_lines(tests), 21);
+  EXPECT_THAT(tests, testing::AllOf(HasSubstr("\n1,26,"), HasSubstr("\n20,45,")));
+  EXPECT_THAT(band, HasSubstr("\ntheta = 45 deg,45,,sigma_t,Pa,20,0,"));
+  // killed in the middle, and once more: finished tests are kept, and nothing of the result changes
+  const std::string again = "run " + recipe() + " --ensemble --threads 2 --out " + at("parts");
+  EXPECT_EQ(run_to_event(150, SIGKILL, again), 128 + SIGKILL) << output;
+  EXPECT_FALSE(fs::exists(at("parts") + "/band.csv"));
+  ASSERT_EQ(run(again), 0) << output;
+  EXPECT_EQ(read(at("parts") + "/ensemble.csv"), tests);
+  EXPECT_EQ(read(at("parts") + "/band.csv"), band);
+  ASSERT_EQ(run("envelope " + recipe() + " --ensemble --threads 2 --confining \"0 MPa,5 MPa,10 MPa\" --out " +
+                at("envelope")),
+            0)
+      << output;
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("sigma_1"), HasSubstr("phi"), HasSubstr("m_i")));
+  EXPECT_EQ(n_lines(read(at("envelope") + "/ensemble.csv")), 61);
+  EXPECT_THAT(read(at("envelope") + "/band.csv"),
+              testing::AllOf(HasSubstr("45,5e+06,sigma_1,Pa,20,0,"), HasSubstr("45,,cohesion,Pa,")));
+}
+
+TEST_F(EnsembleCli, WithoutDrawsBesideTheRecipeItSaysWhereTheyWouldBe) {
+  fs::remove_all(at("rock") + "/ensemble");
+  for (const std::string verb : {"run ", "envelope "}) {
+    ASSERT_EQ(run(verb + recipe() + " --ensemble --out " + out()), 2);
+    EXPECT_THAT(output, testing::AllOf(HasSubstr("calibrated.toml"), HasSubstr("rock/ensemble/01.toml"),
+                                       HasSubstr("phyllite calibrate")));
+  }
+  ASSERT_EQ(run("run " + recipe() + " " + recipe() + " --ensemble --out " + out()), 2);
+  EXPECT_THAT(output, HasSubstr("one calibrated.toml"));
+  EXPECT_NE(run("run " + recipe() + " --ensemble --replace --out " + out()), 0);
+  EXPECT_NE(run("run " + recipe() + " --with-untrusted --out " + out()), 0);
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
