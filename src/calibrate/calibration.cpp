@@ -17,6 +17,7 @@
 #include "calibrate/identifiability.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
+#include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/verdict.hpp"
 
@@ -160,7 +161,8 @@ struct Work {
   const CalibrationOptions& options;
   Simulator& simulator;
   std::vector<std::int64_t> fit, spare, search, unseen;  ///< packings
-  std::int64_t next_unseen = 0;                          ///< seed of the next packing that nothing has seen
+  std::int64_t next_unseen = 0;        ///< of the verification, where it asks for more packings
+  std::int64_t first_of_ensemble = 0;  ///< of those that nothing before has seen
   ElasticFit elastic;
   StrengthFit strength;
 
@@ -170,6 +172,7 @@ struct Work {
     fit = seeds_from(first, n_fit), unseen = seeds_from(first + n_fit, n_unseen);
     spare = seeds_from(first + n_fit + n_unseen, n_spare);
     next_unseen = first + n_fit + n_unseen + n_spare;
+    first_of_ensemble = next_unseen + static_cast<std::int64_t>(most_packings - first_packings);
     search = fit;
     search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   }
@@ -354,6 +357,8 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
     result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
   add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
+  result.ensemble =
+      posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);
   return true;
 }
 

@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <tuple>
 
+#include "base/stats.hpp"
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"
 #include "calibrate/softening.hpp"
+#include "records/recipe_schema.hpp"
 #include "theory/goodman.hpp"
 
 namespace phy::calibrate {
@@ -158,6 +161,56 @@ TEST(Calibrate, AnOpenStrengthIsPinnedByWhatPinsTheNearestOpenRatio) {
     ASSERT_FALSE(of(open).determined) << open;
   EXPECT_THAT(of("tau_c").next_test, HasSubstr("direct tension at 90"));
   EXPECT_THAT(of("sigma_n,sj").next_test, HasSubstr("direct tension at 0"));
+}
+
+/// Scatter of log UCS(90) over draws, without that of packings. `shift`: sigma_c from that many draws further
+/// on, so that it is no longer the one that belongs to the rest.
+double spread_of_ucs(const std::vector<Recipe>& draws, std::size_t shift) {
+  std::vector<double> logs;
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    Recipe r = draws[k];
+    r.matrix.sigma_c = draws[(k + shift) % draws.size()].matrix.sigma_c;
+    r.bedding[0].theta = 90.0;
+    logs.push_back(std::log(PaperPress::ucs(r)));
+  }
+  return summarise(logs).sd;
+}
+
+TEST(Calibrate, TheEnsembleIsJointInTheBoxesAndOnPackingsOfItsOwn) {
+  PaperPress press;
+  const Calibration c = calibrated(rock(), press), again = calibrated(rock(), press);
+  ASSERT_EQ(c.ensemble.size(), 20U);
+  for (std::size_t k = 0; k < 20; ++k) {
+    const Recipe& r = c.ensemble[k];
+    EXPECT_EQ(r.packing.seed, 26 + static_cast<std::int64_t>(k));  // 1 ... 25: fit, verification, reserve
+    EXPECT_EQ(r.test.angles, c.recipe.test.angles);
+    EXPECT_EQ(r.matrix.E_b, r.matrix.E_c);
+    EXPECT_DOUBLE_EQ(r.matrix.tau_c_sd / r.matrix.tau_c, 0.1);
+    EXPECT_EQ(keys_not_by_default(r), keys_not_by_default(again.ensemble[k]));
+    for (const ParameterEstimate& e : c.parameters) {
+      if (e.number == nullptr) continue;
+      EXPECT_GE(e.number(r), e.box_low * (1.0 - 1e-12)) << e.key;
+      EXPECT_LE(e.number(r), e.box_high * (1.0 + 1e-12)) << e.key;
+    }
+  }
+  // Numbers drawn apart from each other would spread least by chance in one of twenty cases.
+  for (std::size_t shift = 1; shift < 20; ++shift)
+    EXPECT_LT(spread_of_ucs(c.ensemble, 0), spread_of_ucs(c.ensemble, shift)) << shift;
+}
+
+TEST(Calibrate, WithoutStrengthsTheEnsembleHasThoseOfTheRecipe) {
+  PaperPress press;
+  const Calibration c = calibrated(rock(), press, true);
+  ASSERT_EQ(c.ensemble.size(), 20U);
+  EXPECT_NE(c.ensemble[0].matrix.E_c, c.ensemble[1].matrix.E_c);
+  for (const Recipe& r : c.ensemble) EXPECT_EQ(r.matrix.sigma_c, c.recipe.matrix.sigma_c);
+  Rock strengths = rock();
+  std::erase_if(strengths.readings, [](const RockReading& r) { return r.property != Property::ucs; });
+  strengths.model.matrix.E_b = 0.5 * strengths.model.matrix.E_c;
+  for (const Recipe& r : calibrated(strengths, press).ensemble) {
+    EXPECT_EQ(r.matrix.E_c, strengths.model.matrix.E_c);
+    EXPECT_EQ(r.matrix.E_b, strengths.model.matrix.E_b);
+  }
 }
 
 TEST(Calibrate, StopsInTheMiddleOfTheDirectSolutions) {

@@ -11,6 +11,7 @@
 #include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
 #include "calibrate/margin.hpp"
+#include "calibrate/posterior_ensemble.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -24,6 +25,7 @@ constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
 constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
+constexpr std::uint32_t draws_seed = 20100102;
 
 Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
@@ -101,6 +103,16 @@ Estimate estimate(const ElasticParameter& p, const LogBox& box, double x, double
   return e;
 }
 
+std::vector<Recipe> draws_of(const ElasticProblem& problem, const Point& x, const MatrixXd& covariance) {
+  std::vector<LogBox> boxes;
+  for (std::size_t j = 0; j < problem.n_parameters(); ++j) boxes.push_back(problem.box(j));
+  const std::vector<double> numbers(covariance.reshaped().begin(), covariance.reshaped().end());
+  std::vector<Recipe> draws;
+  for (const Point& draw : gaussian_draws(x, numbers, boxes, ensemble_size, draws_seed))
+    draws.push_back(problem.recipe_at(draw));
+  return draws;
+}
+
 void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
   const MatrixXd covariance = covariance_at(problem, x);
   fit.recipe = problem.recipe_at(x);
@@ -109,6 +121,7 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
     fit.parameters.push_back(
         estimate(problem.parameter(j), problem.box(j), x[j], std::sqrt(covariance(d, d))));
   }
+  fit.draws = draws_of(problem, x, covariance);
   fit.comparisons = problem.comparisons(x);
   const std::vector<ElasticAnswer>& answers = problem.answers(x);
   for (std::size_t i = 0; i < answers.size(); ++i) {

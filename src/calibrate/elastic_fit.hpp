@@ -25,6 +25,7 @@ struct ElasticFit {
   Recipe recipe;                        ///< the rock's model with the fitted parameters
   std::vector<Estimate> parameters;     ///< elastic_parameters(), those that the rock has
   std::vector<Comparison> comparisons;  ///< in the order of the targets
+  std::vector<Recipe> draws;            ///< of the moduli, jointly (posterior_ensemble.hpp); empty without E
   bool nu_gave_way = false;
   double E_before = 0.0;  ///< where it did: largest relative error of E before
   std::int64_t n_solutions = 0;

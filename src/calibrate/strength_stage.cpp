@@ -11,6 +11,7 @@
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/nearest.hpp"
+#include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/strength_posterior.hpp"
 
 namespace phy::calibrate {
@@ -221,6 +222,8 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
             std::size_t n_packings, StrengthFit& fit) {
   fit.recipe = posterior.recipe_at(fit.recipe, best);
   report_parameters(posterior, draws, best, fit);
+  for (const Point& x : evenly_taken(draws, ensemble_size))
+    fit.draws.push_back(posterior.recipe_at(fit.recipe, x));
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
     Comparison c = predicted(posterior, draws, posterior.predict(best, i).mean, i, false);
     c.n_packings = static_cast<int>(n_packings);

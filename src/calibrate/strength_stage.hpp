@@ -32,6 +32,7 @@ struct StrengthFit {
   std::vector<Estimate> parameters;  ///< what was sought, then the strengths that the ratios stand for
   std::vector<Comparison> fitted;    ///< what the surrogate predicts at the estimate
   std::vector<Comparison> left_out;  ///< each target predicted without it; empty below four targets
+  std::vector<Recipe> draws;         ///< of the strengths, jointly (posterior_ensemble.hpp)
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
   std::int64_t n_solutions = 0;  ///< of the direct solution, for what softens
   bool interrupted = false;

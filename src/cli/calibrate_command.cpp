@@ -7,6 +7,8 @@
 #include "base/hash.hpp"
 #include "base/quote.hpp"
 #include "calibrate/calibration.hpp"
+#include "calibrate/posterior_ensemble.hpp"
+#include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
@@ -77,6 +79,7 @@ std::vector<std::string> files_in(const std::string& folder) {
   for (const char* name : {"calibration-of.txt", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
                            "calibration.json", "tables.txt", "report.html"})
     files.push_back((std::filesystem::path(folder) / name).string());
+  for (std::size_t k = 0; k < calibrate::ensemble_size; ++k) files.push_back(ensemble_file(folder, k));
   return files;
 }
 
@@ -125,6 +128,9 @@ void write_files(const std::string& folder, const Calibration& c, const std::str
   const std::filesystem::path out(folder);
   io::write_output((out / "calibrated.toml").string(),
                    report::recipe_comments(c) + io::write_recipe(c.recipe));
+  for (std::size_t k = 0; k < c.ensemble.size(); ++k)
+    io::write_output(ensemble_file(folder, k),
+                     report::draw_comments(c, k + 1) + io::write_recipe(c.ensemble[k]));
   io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
   io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
   io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
@@ -164,8 +170,10 @@ int run_calibration(const Arguments& args, const Session& session) {
     return 1;
   }
   write_report(args.out);
-  print_wrapped(width, 2, "calibrated.toml, PFC and Yade files, calibration.json and every run in {}\n",
-                args.out);
+  print_wrapped(
+      width, 2,
+      "calibrated.toml, {} draws in ensemble, PFC and Yade files, calibration.json and every run in {}\n",
+      result.ensemble.size(), args.out);
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }

@@ -11,6 +11,7 @@
 #include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
+#include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
 #include "cli/other_results.hpp"
 #include "cli/progress.hpp"
@@ -35,7 +36,7 @@ namespace fs = std::filesystem;
 struct EnvelopeArguments {
   std::string recipe, out = "results/envelope";
   std::vector<std::string> confining = {"0 MPa", "5 MPa", "10 MPa", "20 MPa"};
-  bool with_untrusted = false;
+  bool ensemble = false, with_untrusted = false;
 };
 
 /// Tests of one stress stand in a folder as `phyllite run` leaves it.
@@ -238,6 +239,7 @@ study::EnvelopeTests run_all(const std::vector<std::shared_ptr<const Specimen>>&
 
 int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::vector<double> confining = read_stresses(args.confining);
+  if (args.ensemble) return run_ensemble({{args.recipe}, args.out, args.with_untrusted}, session, confining);
   const Recipe recipe = io::read_recipe(args.recipe);
   const fs::path out(args.out);
   const int width = session.terminal_width;
@@ -296,6 +298,9 @@ void add_envelope_command(CLI::App& app, Session& session) {
       ->allow_extra_args(false)
       ->capture_default_str();
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  verb->add_flag("--ensemble", args->ensemble,
+                 "every draw of the calibration that the recipe is from, and the band of all "
+                 "(docs/calibration.md)");
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "fit tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->callback([args, &session] {

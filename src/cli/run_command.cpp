@@ -9,6 +9,7 @@
 #include "base/clock.hpp"
 #include "base/units.hpp"
 #include "cli/commands.hpp"
+#include "cli/ensemble.hpp"
 #include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
 #include "cli/other_results.hpp"
@@ -37,6 +38,7 @@ struct RunArguments {
   int lanes = 0;
   int skew = 4;
   bool no_cache = false, replace = false;
+  bool ensemble = false, with_untrusted = false;
 };
 
 void print_packing(const Packing& p, double seconds, bool cached, int width) {
@@ -263,8 +265,20 @@ void add_run_command(CLI::App& app, Session& session) {
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
   run->add_flag("--replace", args->replace, "remove results of another recipe from the folder");
   run->add_flag("--no-cache", args->no_cache, "make the packing anew");
+  CLI::Option* ensemble = run->add_flag("--ensemble", args->ensemble,
+                                        "the test of calibrated.toml on every draw of the calibration, and "
+                                        "the band of all (docs/calibration.md)");
+  for (const char* other : {"--lanes", "--skew", "--replace", "--no-cache"})
+    ensemble->excludes(run->get_option(other));
+  run->add_flag("--with-untrusted", args->with_untrusted,
+                "count tests that have a strength but are not to be trusted (docs/reliability.md)")
+      ->needs(ensemble);
   run->callback([args, &session] {
     stop_on_interrupt();
+    if (args->ensemble) {
+      session.exit_code = run_ensemble({args->recipes, args->out, args->with_untrusted}, session);
+      return;
+    }
     for (const RecipeRun& job : jobs_of(*args))
       session.exit_code = std::max(session.exit_code, run_one(job, *args, session));
   });

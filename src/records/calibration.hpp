@@ -83,6 +83,7 @@ struct Calibration {
   bool layers_chosen = false;                          ///< by the program, from rivals
   bool short_search = false;                           ///< the budget did not allow all points
   Recipe recipe;                                       ///< the calibrated model, ready to run
+  std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit
   std::vector<Comparison> verification;  ///< on packings that the fit has not seen

@@ -84,6 +84,15 @@ std::string friendly(double value, const std::string& unit) {
   return fmt::format("{:.3g} {}{}", value * (giga ? 1e-9 : 1e-6), giga ? 'G' : 'M', unit);
 }
 
+/// Lines of comments in a recipe.
+std::string as_comments(const std::string& text) {
+  const std::string broken = wrapped(text, 98, 4);
+  std::string lines;
+  for (std::size_t from = 0; from < broken.size(); from = broken.find('\n', from) + 1)
+    lines += "# " + broken.substr(from, broken.find('\n', from) - from + 1);
+  return lines + "\n";
+}
+
 }  // namespace
 
 std::string calibration_json(const Calibration& c, const std::string& version) {
@@ -125,11 +134,16 @@ std::string recipe_comments(const Calibration& c) {
   text += open.empty()
               ? "The data constrain every parameter that was sought.\n"
               : "The data do not constrain (within the values that the calibration admits):\n" + open;
-  text = wrapped(text, 98, 4);
-  std::string lines;
-  for (std::size_t from = 0; from < text.size(); from = text.find('\n', from) + 1)
-    lines += "# " + text.substr(from, text.find('\n', from) - from + 1);
-  return lines + "\n";
+  return as_comments(text);
+}
+
+std::string draw_comments(const Calibration& c, std::size_t number) {
+  return as_comments(fmt::format(
+      "{}: draw {} of {}. Moduli and strengths are one of many sets that the table leaves possible, on a "
+      "packing of their own; a single one is no estimate: `--ensemble` runs all of them "
+      "(docs/calibration.md, "
+      "\"Ensemble\"). The calibration says:\n{}\n",
+      comment_text(c.rock), number, c.ensemble.size(), comment_text(c.verdict.sentence)));
 }
 
 std::string yade_script(const Recipe& r) {

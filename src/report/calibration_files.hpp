@@ -16,6 +16,9 @@ std::string calibration_json(const Calibration& calibration, const std::string& 
 /// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.
 std::string recipe_comments(const Calibration& calibration);
 
+/// Head of the file of an ensemble's recipe, as comments: `number` counts from 1.
+std::string draw_comments(const Calibration& calibration, std::size_t number);
+
 /// Python for Yade's JCFpm model: materials, and a function that marks the joints. Yade's spheres are another
 /// model; the head of the file says where the two differ.
 std::string yade_script(const Recipe& recipe);

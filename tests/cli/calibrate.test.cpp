@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 class CalibrateCli : public ProgramTest {
  protected:
@@ -44,7 +45,11 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
   EXPECT_THAT(read(out() + "/calibrated-yade.py"), HasSubstr("JCFpmMat"));
   EXPECT_THAT(read(out() + "/calibrated.toml"), HasSubstr("# The data do not constrain"));
-  ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;  // a recipe that the program reads
+  for (const char* recipe : {"/calibrated.toml", "/ensemble/01.toml", "/ensemble/20.toml"})
+    ASSERT_EQ(run("recipe " + out() + recipe), 0) << output;  // a recipe that the program reads
+  EXPECT_THAT(read(out() + "/ensemble/20.toml"),
+              testing::AllOf(HasSubstr("# rock: draw 20 of 20"), HasSubstr("seed = 45\n")));
+  EXPECT_FALSE(fs::exists(out() + "/ensemble/21.toml"));
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
   for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder
@@ -62,6 +67,54 @@ TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
   ASSERT_THAT(run(calibrate(at("parts") + " --resume")), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(at("parts") + "/calibration.json"), expected);
   EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));
+  EXPECT_EQ(read(at("parts") + "/ensemble/07.toml"), read(at("whole") + "/ensemble/07.toml"));
+}
+
+TEST_F(CalibrateCli, EnsembleRunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {
+  ASSERT_THAT(run(calibrate(at("rock")) + " --elastic"), testing::AnyOf(0, 1)) << output;
+  for (int k = 7; k <= 20; ++k)  // six draws are enough to try it
+    fs::remove(at("rock") + "/ensemble/" + (k < 10 ? "0" : "") + std::to_string(k) + ".toml");
+  std::string text = read(at("rock") + "/calibrated.toml");
+  const std::size_t begin = text.find("\n[test]") + 1, end = text.find("\n[", begin);
+  text.replace(begin, end - begin,
+               "[test]\nkind = \"direct_tension\"\nangles = [\"45 deg\"]\nplaten_speed = \"0.05 m/s\"\n");
+  const std::string recipe = write("rock/calibrated.toml", text);
+
+  const std::string tested = "run " + recipe + " --ensemble --threads 1 --out ";
+  const long n = n_events(tested + out());
+  ASSERT_EQ(run(tested + out()), 0) << output;
+  EXPECT_THAT(output,
+              testing::AllOf(HasSubstr("6 draws"), HasSubstr("sigma_t"), HasSubstr("71.4 %")));  // 5/7
+  const std::string tests = read(out() + "/ensemble.csv"), band = read(out() + "/band.csv");
+  EXPECT_THAT(tests, testing::AllOf(HasSubstr("\n1,26,"), HasSubstr("\n6,31,"), Not(HasSubstr("\n7,"))));
+  EXPECT_THAT(band, HasSubstr("\ntheta = 45 deg,45,,sigma_t,Pa,6,0,"));
+  // killed in the middle, and once more: finished tests are kept, and nothing of the result changes
+  EXPECT_EQ(run_to_event(n / 2, SIGKILL, tested + at("parts")), 128 + SIGKILL) << output;
+  EXPECT_FALSE(fs::exists(at("parts") + "/band.csv"));
+  ASSERT_EQ(run(tested + at("parts")), 0) << output;
+  EXPECT_EQ(read(at("parts") + "/ensemble.csv"), tests);
+  EXPECT_EQ(read(at("parts") + "/band.csv"), band);
+
+  const std::string confined = "envelope " + recipe + " --ensemble --threads 2 --with-untrusted --out ";
+  fs::remove(at("rock") + "/ensemble/03.toml");  // two draws
+  ASSERT_EQ(run(confined + at("envelope") + " --confining \"0 MPa,5 MPa,10 MPa\""), 0) << output;
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("sigma_1"), HasSubstr("phi"), HasSubstr("m_i")));
+  EXPECT_THAT(read(at("envelope") + "/band.csv"),
+              testing::AllOf(HasSubstr("45,5e+06,sigma_1,Pa,2,0,"), HasSubstr("45,,cohesion,Pa,")));
+}
+
+TEST_F(CalibrateCli, EnsembleWithoutDrawsBesideTheRecipeSaysWhereTheyWouldBe) {
+  const std::string recipe = small_recipe();
+  for (const std::string verb : {"run ", "envelope "}) {
+    ASSERT_EQ(run(verb + recipe + " --ensemble --out " + out()), 2);
+    EXPECT_THAT(output, testing::AllOf(HasSubstr("small.toml"), HasSubstr("ensemble/01.toml"),
+                                       HasSubstr("phyllite calibrate")));
+  }
+  ASSERT_EQ(run("run " + recipe + " " + recipe + " --ensemble --out " + out()), 2);
+  EXPECT_THAT(output, HasSubstr("one calibrated.toml"));
+  EXPECT_NE(run("run " + recipe + " --ensemble --replace --out " + out()), 0);
+  EXPECT_NE(run("run " + recipe + " --with-untrusted --out " + out()), 0);
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {

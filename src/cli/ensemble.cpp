@@ -1,0 +1,258 @@
+#include "cli/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/check.hpp"
+#include "base/quote.hpp"
+#include "base/text_table.hpp"
+#include "base/units.hpp"
+#include "calibrate/simulator.hpp"
+#include "cli/machine.hpp"
+#include "cli/progress.hpp"
+#include "cli/terminal.hpp"
+#include "io/file.hpp"
+#include "io/output.hpp"
+#include "io/toml_in.hpp"
+#include "records/quality.hpp"
+#include "records/test_description.hpp"
+#include "study/band.hpp"
+#include "study/experiment.hpp"
+#include "study/table.hpp"
+
+namespace phy::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t fewest_draws = 2;
+
+/// The draws beside a recipe, each with its test and its settings of the engine.
+std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
+  const std::string folder = fs::path(path).parent_path().string();
+  std::vector<Recipe> draws;
+  for (std::string file; fs::exists(file = ensemble_file(folder, draws.size()));) {
+    draws.push_back(io::read_recipe(file));
+    draws.back().test = recipe.test, draws.back().engine = recipe.engine;
+    draws.back().test.n_snapshots = draws.back().test.n_frames = 0;  // the store keeps no pictures
+  }
+  if (draws.size() < fewest_draws)
+    throw InputError(Problem{
+        path, "--ensemble", "",
+        "the draws of a calibration beside it, " + ensemble_file(folder, 0) + " and so on",
+        "give calibrated.toml in the folder where `phyllite calibrate` has left it; a calibration of before "
+        "this version gets its draws by `phyllite calibrate ROCK --out FOLDER --resume`"});
+  return draws;
+}
+
+/// A test of an ensemble.
+struct Job {
+  std::size_t draw = 0;
+  double sigma_3 = nan;  ///< [Pa] of an envelope; NaN: the test is that of the recipe
+  Recipe single;
+  TestResult result = {};
+
+  std::string name() const {
+    return fmt::format("draw {}, {}{}", draw + 1, result.name,
+                       std::isnan(sigma_3) ? "" : fmt::format(" at {:g} MPa", sigma_3 * 1e-6));
+  }
+};
+
+/// Draw by draw, stress by stress, the specimens in the order of the recipe's.
+std::vector<Job> jobs_of(const std::vector<Recipe>& draws, const std::vector<double>& confining) {
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    if (confining.empty())
+      for (Recipe& single : study::single_recipes(draws[k])) jobs.push_back({k, nan, std::move(single)});
+    for (const double sigma_3 : confining)
+      for (Recipe& single : study::single_recipes(study::confined_recipe(draws[k], sigma_3)))
+        jobs.push_back({k, sigma_3, std::move(single)});
+  }
+  return jobs;
+}
+
+/// Runs what the store does not hold yet. False: stopped by the user.
+bool run_jobs(std::vector<Job>& jobs, const EnsembleArguments& args, const Session& session) {
+  calibrate::SimulatorOptions machine;
+  machine.threads = n_threads(session), machine.stop = stop_on_interrupt();
+  machine.with_untrusted = args.with_untrusted;
+  machine.store = (fs::path(args.out) / "runs.sqlite").string();
+  ProgressLine line;
+  machine.on_progress = [&](const calibrate::TestProgress& p) {
+    line.show([&](double) {
+      return fmt::format("{}/{} tests, time left: {:.1f} min", p.n_done, p.n_total, p.seconds_left / 60.0);
+    });
+  };
+  std::vector<Recipe> recipes;
+  for (const Job& job : jobs) recipes.push_back(job.single);
+  const auto simulator = calibrate::make_simulator(machine);
+  std::vector<TestResult> results = simulator->test(recipes);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].result = std::move(results[i]);
+    jobs[i].result.kind = recipes[i].test.kind;  // the store does not say it
+  }
+  line.finish();
+  return !simulator->stopped();
+}
+
+/// Of draw k, the fits of an envelope after the tests.
+study::Predictions predictions_of(const std::vector<Job>& jobs, std::size_t k,
+                                  const std::vector<double>& confining) {
+  study::Predictions all;
+  study::EnvelopeTests tests{confining, std::vector<std::vector<TestResult>>(confining.size())};
+  const Recipe* rock = nullptr;
+  for (const Job& job : jobs) {
+    if (job.draw != k) continue;
+    for (study::Prediction& p : study::predictions_of(job.result, job.sigma_3)) all.push_back(std::move(p));
+    const auto at = std::find(confining.begin(), confining.end(), job.sigma_3) - confining.begin();
+    if (!confining.empty()) tests.results[static_cast<std::size_t>(at)].push_back(job.result);
+    rock = &job.single;
+  }
+  if (!confining.empty() && rock != nullptr)
+    for (study::Prediction& p : study::predictions_of(study::fit_envelope(tests, *rock)))
+      all.push_back(std::move(p));
+  return all;
+}
+
+/// A row per test: draw, packing, place, outcome and every number.
+std::string tests_csv(const std::vector<Job>& jobs) {
+  std::vector<std::string> heads;
+  const auto head_of = [](const Number& n) { return n.name + " [" + n.unit + "]"; };
+  for (const Job& job : jobs)
+    for (const Number& n : job.result.numbers)
+      if (std::find(heads.begin(), heads.end(), head_of(n)) == heads.end()) heads.push_back(head_of(n));
+  std::string text = "draw,packing,specimen,theta [deg],sigma_3 [Pa],status,quality,result_hash";
+  for (const std::string& head : heads) text += "," + head;
+  text += "\n";
+  for (const Job& job : jobs) {
+    const TestResult& r = job.result;
+    text += fmt::format("{},{},{},{},{},{},{},{}", job.draw + 1, job.single.packing.seed, csv_cell(r.name),
+                        r.intact ? "" : print_number(r.theta), study::csv_cell(job.sigma_3),
+                        to_string(r.outcome.status), to_string(grade_of(r.numbers)), r.hash);
+    for (const std::string& head : heads) {
+      const auto it = std::find_if(r.numbers.begin(), r.numbers.end(),
+                                   [&](const Number& n) { return head_of(n) == head; });
+      text += "," + (it == r.numbers.end() ? "" : study::csv_cell(it->value));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// The bands of one number; nothing where no test has it.
+void print_bands(const std::vector<study::Band>& all, const TableColumn& c, int width) {
+  std::vector<study::Band> bands;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(bands),
+               [&](const study::Band& b) { return b.number == c.number; });
+  if (bands.empty()) return;
+  using B = const study::Band&;
+  const auto number = [](double value, double scale, int digits) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value * scale, digits) : "-";
+  };
+  const auto of = [&](const char* head, double study::Band::*value) {
+    return column_of(head, c.unit, bands, [&](B b) { return number(b.*value, c.scale, c.digits); });
+  };
+  Columns columns = {
+      of(c.head, &study::Band::median), of("from", &study::Band::low), of("to", &study::Band::high),
+      column_of("width", "%", bands, [&](B b) { return number(b.width(), 100.0, 0); }),
+      column_of("without", "draws", bands, [](B b) { return fmt::format("{}", b.n_without); })};
+  if (std::any_of(bands.begin(), bands.end(), [](B b) { return std::isfinite(b.place.sigma_3); }))
+    columns.insert(columns.begin(),
+                   column_of("sigma_3", "MPa", bands, [&](B b) { return number(b.place.sigma_3, 1e-6, 1); }));
+  const Column label = column_of("theta", "deg", bands, [](B b) {
+    return b.place.intact ? "intact" : fmt::format("{:g}", b.place.theta);
+  });
+  print_out("\n{}", text_table(label, {columns}, width));
+}
+
+/// What a table shows of a test: the number that it is made for, and the modulus.
+std::vector<TableColumn> columns_of(const TestKind& kind) {
+  std::vector<TableColumn> columns;
+  for (const TableColumn& c : kind->table)
+    if (c.number == kind->curve.quantity().number || std::string(c.number) == "E_tangent")
+      columns.push_back(c);
+  return columns;
+}
+const std::vector<TableColumn> columns_of_envelope = {{"sigma_1", "MPa", "sigma_1", 1e-6, 2},
+                                                      {"c", "MPa", "cohesion", 1e-6, 2},
+                                                      {"phi", "deg", "friction", 1.0, 2},
+                                                      {"m_i", "", "m_i", 1.0, 2}};
+
+/// Tests that are in no band: how many of each kind, and the first of them.
+void print_left_out(const std::vector<Job>& jobs, int width) {
+  for (const Status status : all_statuses) {
+    if (has_strength(status)) continue;
+    const auto is = [&](const Job& job) { return job.result.outcome.status == status; };
+    const auto first = std::find_if(jobs.begin(), jobs.end(), is);
+    if (first == jobs.end()) continue;
+    const Outcome& o = first->result.outcome;
+    print_wrapped(width, 2, "left out, {}: {} of {} tests; {}: {}{}{}\n", to_string(status),
+                  std::count_if(first, jobs.end(), is), jobs.size(), first->name(), o.reason,
+                  o.advice.empty() ? "" : "; ", o.advice);
+  }
+}
+
+void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>& bands, std::size_t n_draws,
+                    bool envelope, int width) {
+  for (const TableColumn& c : envelope ? columns_of_envelope : columns_of(jobs.front().single.test.kind))
+    print_bands(bands, c, width);
+  print_wrapped(width, 2,
+                "\nmedian, smallest and largest of the draws: {} of them hold one more with a probability of "
+                "{:.1f} %, n of them with (n - 1)/(n + 1)\n",
+                n_draws, 100.0 * study::band_probability(n_draws));
+  print_left_out(jobs, width);
+}
+
+/// The recipe of the command line; InputError for several.
+std::string only_recipe(const std::vector<std::string>& recipes) {
+  if (recipes.size() > 1)
+    throw InputError(Problem{"command line", "recipe", fmt::format("{}", recipes[1]),
+                             "one calibrated.toml with --ensemble",
+                             "run them one by one, with an --out each"});
+  return recipes.front();
+}
+
+}  // namespace
+
+std::string ensemble_file(const std::string& folder, std::size_t k) {
+  return (fs::path(folder) / "ensemble" / fmt::format("{:02}.toml", k + 1)).string();
+}
+
+int run_ensemble(const EnsembleArguments& args, const Session& session,
+                 const std::vector<double>& confining) {
+  const std::string path = only_recipe(args.recipes);
+  const int width = session.terminal_width;
+  const Recipe recipe = io::read_recipe(path);
+  const std::vector<Recipe> draws = read_draws(path, recipe);
+  const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
+  const std::string band = (fs::path(args.out) / "band.csv").string();
+  io::check_outputs({tests, band});
+  io::check_writable(args.out);
+  std::vector<Job> jobs = jobs_of(draws, confining);
+  print_wrapped(width, 10,
+                "ensemble  {} draws beside {}, {} tests; of the file itself: [test] and [engine]\n",
+                draws.size(), path, jobs.size());
+  print_notes(recipe.notes, width);
+  flush_out();
+  if (!run_jobs(jobs, args, session)) {
+    print_wrapped(width, 2, "stopped: what was finished is in {}; the same command goes on with it\n",
+                  args.out);
+    return 1;
+  }
+  std::vector<study::Predictions> predictions;
+  for (std::size_t k = 0; k < draws.size(); ++k) predictions.push_back(predictions_of(jobs, k, confining));
+  const std::vector<study::Band> bands = study::bands_of(predictions);
+  io::write_output(tests, tests_csv(jobs));
+  io::write_output(band, study::bands_csv(bands));
+  print_ensemble(jobs, bands, draws.size(), !confining.empty(), width);
+  print_wrapped(width, 2, "in {}: band.csv, ensemble.csv (every draw), runs.sqlite (every test)\n", args.out);
+  return std::all_of(jobs.begin(), jobs.end(),
+                     [](const Job& job) { return has_strength(job.result.outcome.status); })
+             ? 0
+             : 1;
+}
+
+}  // namespace phy::cli

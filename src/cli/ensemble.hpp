@@ -1,0 +1,25 @@
+// `--ensemble` of the verbs `run` and `envelope`: one test on every draw of a calibration, and the band of
+// all draws (study/band.hpp).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+
+namespace phy::cli {
+
+/// File of draw k, from 0, in the folder of a calibration.
+std::string ensemble_file(const std::string& folder, std::size_t k);
+
+struct EnsembleArguments {
+  std::vector<std::string> recipes;  ///< of the command line; one is wanted
+  std::string out;
+  bool with_untrusted = false;
+};
+
+/// The test of the recipe, on the draws that lie beside it. With confining stresses [Pa]: biaxial tests under
+/// each of them, and the envelopes that fit them. The exit code.
+int run_ensemble(const EnsembleArguments& args, const Session& session,
+                 const std::vector<double>& confining = {});
+
+}  // namespace phy::cli

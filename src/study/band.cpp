@@ -1,0 +1,93 @@
+#include "study/band.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/quote.hpp"
+#include "base/units.hpp"
+#include "records/test_description.hpp"
+#include "study/table.hpp"
+
+namespace phy::study {
+namespace {
+
+bool same_stress(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// A band with the values that will make it.
+struct Gathered {
+  Band band;
+  std::vector<double> values;
+};
+
+Gathered& gathered_at(std::vector<Gathered>& all, const Prediction& p) {
+  const auto it = std::find_if(all.begin(), all.end(), [&](const Gathered& g) {
+    return g.band.number == p.number && g.band.place.specimen == p.place.specimen &&
+           same_stress(g.band.place.sigma_3, p.place.sigma_3);
+  });
+  return it != all.end() ? *it : all.emplace_back(Gathered{{p.place, p.number, p.unit}, {}});
+}
+
+Band finished(Gathered g, std::size_t n_draws) {
+  std::vector<double>& v = g.values;
+  std::sort(v.begin(), v.end());
+  g.band.n = v.size(), g.band.n_without = n_draws - v.size();
+  if (!v.empty())
+    g.band.low = v.front(), g.band.high = v.back(),
+    g.band.median = 0.5 * (v[(v.size() - 1) / 2] + v[v.size() / 2]);
+  return std::move(g.band);
+}
+
+}  // namespace
+
+std::vector<Band> bands_of(const std::vector<Predictions>& draws) {
+  std::vector<Gathered> all;
+  for (const Predictions& draw : draws)
+    for (const Prediction& p : draw) {
+      Gathered& g = gathered_at(all, p);
+      // A draw without the number may have come first, and does not know its unit.
+      if (g.band.unit.empty()) g.band.unit = p.unit;
+      if (std::isfinite(p.value)) g.values.push_back(p.value);
+    }
+  std::vector<Band> bands;
+  for (Gathered& g : all) bands.push_back(finished(std::move(g), draws.size()));
+  return bands;
+}
+
+double band_probability(std::size_t n) {
+  return n == 0 ? 0.0 : static_cast<double>(n - 1) / static_cast<double>(n + 1);
+}
+
+Predictions predictions_of(const TestResult& result, double sigma_3) {
+  const Place place{result.name, result.intact, result.theta, sigma_3};
+  if (!has_strength(result.outcome.status)) return {{place, result.kind->curve.quantity().number, ""}};
+  Predictions all;
+  for (const Number& n : result.numbers) all.push_back({place, n.name, n.unit, n.value});
+  return all;
+}
+
+Predictions predictions_of(const Envelope& envelope) {
+  Predictions all;
+  for (const SpecimenEnvelope& s : envelope.specimens) {
+    const Place place{s.name, s.intact, s.theta};
+    const theory::MohrCoulombFit& mc = s.mohr_coulomb;
+    const theory::HoekBrownFit& hb = s.hoek_brown;
+    all.push_back({place, "cohesion", "Pa", mc.ok ? mc.cohesion.value : nan});
+    all.push_back({place, "friction", "deg", mc.ok ? mc.friction.value : nan});
+    all.push_back({place, "ucs_hb", "Pa", hb.ok ? hb.ucs.value : nan});
+    all.push_back({place, "m_i", "1", hb.ok ? hb.m_i.value : nan});
+  }
+  return all;
+}
+
+std::string bands_csv(const std::vector<Band>& bands) {
+  std::string text = "specimen,theta [deg],sigma_3 [Pa],number,unit,draws,without,median,low,high,width\n";
+  for (const Band& b : bands)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", phy::csv_cell(b.place.specimen),
+                        b.place.intact ? "" : print_number(b.place.theta), csv_cell(b.place.sigma_3),
+                        phy::csv_cell(b.number), phy::csv_cell(b.unit), b.n, b.n_without, csv_cell(b.median),
+                        csv_cell(b.low), csv_cell(b.high), csv_cell(b.width()));
+  return text;
+}
+
+}  // namespace phy::study
