@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 class CalibrateCli : public ProgramTest {
  protected:
@@ -80,6 +81,29 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
   ASSERT_THAT(run(own), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
+}
+
+TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
+  ASSERT_THAT(run(calibrate(out() + " --method sequence")), testing::AnyOf(0, 1)) << output;
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("Laboratory and model, on unseen packings"),
+                                     HasSubstr("Cohesion C_sj [MPa]"), Not(HasSubstr("95 % interval"))));
+  EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Eq. 2 on these packings: K_n = "),
+                                                          HasSubstr("one after the other by bisection")));
+  EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"method\": \"sequence\""));
+  EXPECT_TRUE(fs::exists(out() + "/report.html"));
+  ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;
+  ASSERT_EQ(run(calibrate(out() + " --resume")), 2);  // by the other method
+  EXPECT_THAT(output, HasSubstr("--method sequence"));
+  EXPECT_EQ(run(calibrate(at("other") + " --method newton")), 2);
+}
+
+TEST_F(CalibrateCli, AStoppedSequenceGoesOnToTheIdenticalResult) {
+  const std::string expected_in = at("whole"), sequence = " --method sequence";
+  ASSERT_THAT(run(calibrate(expected_in + sequence)), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(run_to_event(300, SIGINT, calibrate(at("parts") + sequence)), 1) << output;
+  EXPECT_THAT(output, HasSubstr("--method sequence --resume"));
+  ASSERT_THAT(run(calibrate(at("parts") + sequence + " --resume")), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(read(at("parts") + "/calibration.json"), read(expected_in + "/calibration.json"));
 }
 
 TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {
