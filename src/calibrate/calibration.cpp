@@ -342,7 +342,8 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
   if (!rock.bedded || rock.layers == LayerModel::planes) return evidence;
   LayerModel layers = rock.layers;
   if (layers == LayerModel::choose && options.method == CalibrationMethod::sequence) {
-    layers = LayerModel::planes;  // it knows no other
+    layers = LayerModel::planes;
+    result.notes.emplace_back("layers = \"choose\": planes, the only model of the sequence");
   } else if (layers == LayerModel::choose) {
     const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
     layers = choice.layers;
