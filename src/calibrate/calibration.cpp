@@ -18,6 +18,7 @@
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/posterior_ensemble.hpp"
+#include "calibrate/sequence.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/verdict.hpp"
 
@@ -128,11 +129,11 @@ bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_o
 void check_budget(std::int64_t n, int n_packings, std::int64_t max_tests) {
   const std::int64_t least = n * (n_packings + least_points);
   if (max_tests < least)
-    throw InputError(Problem{
-        "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
-        fmt::format(
-            "{} strengths in compression, each on {} packings at the estimate and at {} points of the search",
-            n, n_packings, least_points)});
+    throw InputError(Problem{"command line", "--max-tests", fmt::format("{}", max_tests),
+                             fmt::format("at least {}", least),
+                             fmt::format("{} strengths in compression, each on {} packings at the estimate "
+                                         "and with {} tests of the search",
+                                         n, n_packings, least_points)});
 }
 
 /// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
@@ -181,7 +182,16 @@ struct Work {
     return evidence.rock.E_is != ModulusReading::small_strain && !evidence.moduli.empty() &&
            !options.elastic_only && evidence.has(Property::ucs);
   }
-  void fit_moduli(const Evidence& table) { elastic = fit_elastic(table, fit, spare, simulator, options.say); }
+  bool by_sequence() const { return options.method == CalibrationMethod::sequence; }
+  void fit_moduli(const Evidence& table) {
+    elastic = by_sequence() ? moduli_by_sequence(table, fit, simulator, options.say)
+                            : fit_elastic(table, fit, spare, simulator, options.say);
+  }
+  StrengthFit fit_strengths(const Recipe& recipe, std::int64_t max_tests, const Remodel& remodel) {
+    return by_sequence() ? strengths_by_sequence(evidence, recipe, search.front(), max_tests, simulator,
+                                                 options.say, remodel)
+                         : fit_strength(evidence, recipe, search, max_tests, simulator, options.say, remodel);
+  }
 };
 
 /// A modulus at small strain as the laboratory would read it.
@@ -278,8 +288,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
       return work.elastic.recipe;
     };
   StrengthFit& fit = work.strength;
-  fit = fit_strength(evidence, result.recipe, work.search, work.options.max_tests - reserved, work.simulator,
-                     work.options.say, remodel);
+  fit = work.fit_strengths(result.recipe, work.options.max_tests - reserved, remodel);
   result.recipe = fit.recipe;
   result.n_strength_tests = fit.n_tests, result.n_coarse_tests = fit.n_coarse;
   result.n_tension_tests = fit.n_tension, result.n_elastic += fit.n_solutions;
@@ -355,10 +364,13 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   result.short_search = work.strength.short_search;
   if (result.short_search)
     result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
-  add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
+  result.notes.insert(result.notes.end(), work.elastic.notes.begin(), work.elastic.notes.end());
+  if (!work.by_sequence())
+    add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
-  result.ensemble =
-      posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);
+  if (!work.by_sequence())
+    result.ensemble =
+        posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);
   return true;
 }
 
@@ -368,7 +380,10 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
   const Rock& rock = evidence.rock;
   if (!rock.bedded || rock.layers == LayerModel::planes) return evidence;
   LayerModel layers = rock.layers;
-  if (layers == LayerModel::choose) {
+  if (layers == LayerModel::choose && options.method == CalibrationMethod::sequence) {
+    layers = LayerModel::planes;
+    result.notes.emplace_back("layers = \"choose\": planes, the only model of the sequence");
+  } else if (layers == LayerModel::choose) {
     const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
     layers = choice.layers;
     result.layers_chosen = !choice.rivals.empty();
@@ -384,7 +399,8 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
   const auto start = std::chrono::steady_clock::now();
   Calibration result;
-  result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is;
+  result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;
+  if (options.method == CalibrationMethod::sequence) check_sequence(evidence);
   std::vector<Estimate> estimates;
   bool done = false;
   try {

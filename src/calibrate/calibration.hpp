@@ -15,14 +15,15 @@
 namespace phy::calibrate {
 
 struct CalibrationOptions {
+  CalibrationMethod method = CalibrationMethod::posterior;
   bool elastic_only = false;
   std::int64_t max_tests = 1000;  ///< in compression, verification included; tests in tension come on top
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
 };
 
 /// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the
-/// budget is too small or the recipe's joints dilate too much. An interrupted calibration has
-/// VerdictStatus::interrupted.
+/// budget is too small, the method cannot work with the rock (sequence.hpp) or the recipe's joints dilate too
+/// much. An interrupted calibration has VerdictStatus::interrupted.
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator);
 
 }  // namespace phy::calibrate

@@ -294,13 +294,14 @@ std::string good_news(const View& v) {
                                  c.verification.empty() ? "" : " on packings the fit has not seen");
   std::vector<std::string> open, next;
   for (const ParameterEstimate& e : c.parameters) {
-    if (e.determined) continue;
+    if (!e.open()) continue;
     open.push_back(e.symbol);
     if (!e.next_test.empty()) next.push_back(e.next_test);
   }
   const std::string gap = gap_of(v);
-  text += open.empty() ? "; the data determine every parameter"
-                       : fmt::format("; its data leave {} open", fmt::join(open, ", "));
+  text += c.method == CalibrationMethod::sequence ? "; a sequence does not tell what its data leave open"
+          : open.empty()                          ? "; the data determine every parameter"
+                         : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
   if (c.short_search) text += "; the search was short";
   if (!next.empty()) return text + "; next: " + next.front();

@@ -28,9 +28,10 @@ namespace phy::cli {
 namespace {
 
 struct Arguments {
-  std::string rock, out = "results/calibration";
+  std::string rock, out = "results/calibration", method = "posterior";
   bool elastic = false, resume = false, with_untrusted = false;
   std::int64_t max_tests = 1000;
+  bool by_sequence() const { return method == "sequence"; }
 };
 
 /// Everything that the answer follows from.
@@ -42,6 +43,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
   hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
+  if (args.by_sequence()) hash.add(args.method);
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
@@ -52,10 +54,10 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
 std::string label(const calibrate::Evidence& evidence, const Arguments& args) {
-  return fmt::format("calibration of \"{}\" ({}){}{}, --max-tests {}\n{}\n", evidence.rock.name,
-                     comment_text(args.rock), args.elastic ? ", --elastic" : "",
-                     args.with_untrusted ? ", --with-untrusted" : "", args.max_tests,
-                     fingerprint(evidence, args));
+  return fmt::format("calibration of \"{}\" ({}){}{}{}, --max-tests {}\n{}\n", evidence.rock.name,
+                     comment_text(args.rock), args.by_sequence() ? ", --method sequence" : "",
+                     args.elastic ? ", --elastic" : "", args.with_untrusted ? ", --with-untrusted" : "",
+                     args.max_tests, fingerprint(evidence, args));
 }
 
 /// Throws InputError where --resume would write one calibration over another.
@@ -155,6 +157,7 @@ int run_calibration(const Arguments& args, const Session& session) {
     line.show([&](double) { return progress_text(p); });
   };
   calibrate::CalibrationOptions options;
+  if (args.by_sequence()) options.method = CalibrationMethod::sequence;
   options.elastic_only = args.elastic, options.max_tests = args.max_tests;
   options.say = [&](const std::string& text) { line.note(text); };
   const auto simulator = calibrate::make_simulator(machine);
@@ -164,8 +167,9 @@ int run_calibration(const Arguments& args, const Session& session) {
   if (!interrupted) write_files(args.out, result, tables_of(result));  // first: the output may be full
   print_out("{}{:.1f} s in all\n", screen_of(result, width), result.seconds);
   if (interrupted) {
-    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{} --resume\n",
-                  sh_word(args.rock), sh_word(args.out), args.max_tests, args.elastic ? " --elastic" : "",
+    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{}{} --resume\n",
+                  sh_word(args.rock), sh_word(args.out), args.max_tests,
+                  args.by_sequence() ? " --method sequence" : "", args.elastic ? " --elastic" : "",
                   args.with_untrusted ? " --with-untrusted" : "");
     return 1;
   }
@@ -187,6 +191,10 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
+  verb->add_option("--method", args->method,
+                   "posterior, or sequence: the paper's way, one parameter after the other")
+      ->check(CLI::IsMember({"posterior", "sequence"}))
+      ->capture_default_str();
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->add_option("--max-tests", args->max_tests, "budget: tests in compression, verification included")

@@ -15,7 +15,11 @@ namespace phy {
 /// A number of the recipe.
 using RecipeNumber = const double&(const Recipe&);
 
-/// What the data say about one parameter. `low`, `high`: 95 % interval within the box of admissible values.
+/// How parameters were found: from a posterior, this program's own way, or step by step as the paper does.
+enum class CalibrationMethod { posterior, sequence };
+
+/// What the data say about one parameter. `low`, `high`: 95 % interval within the box of admissible values;
+/// NaN where the method gives none.
 struct ParameterEstimate {
   std::string key;     ///< of the recipe: "matrix.E_c", "bedding[0].k_n"; or a ratio, "tau_c/sigma_c"
   std::string symbol;  ///< "E_c"
@@ -28,6 +32,8 @@ struct ParameterEstimate {
   std::string next_test;    ///< the laboratory test that would pin it; empty if determined
   /// Which number of the recipe it is; nullptr: a ratio of two.
   RecipeNumber* number = nullptr;
+  bool has_interval() const { return std::isfinite(low); }
+  bool open() const { return has_interval() && !determined; }  ///< left so by the data
 };
 
 /// One row of the macro table: laboratory beside model.
@@ -78,6 +84,7 @@ struct Mixing {
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
+  CalibrationMethod method = CalibrationMethod::posterior;
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool layers_chosen = false;                          ///< by the program, from rivals

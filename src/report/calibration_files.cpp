@@ -50,7 +50,7 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
               {"low", e.low},
               {"high", e.high},
               {"box", {e.box_low, e.box_high}},
-              {"determined", e.determined}};
+              {"determined", e.has_interval() ? Json(e.determined) : Json(nullptr)}};
     if (!e.rests_on.empty()) j["rests_on"] = e.rests_on;
     if (!e.next_test.empty()) j["next_test"] = e.next_test;
     list.push_back(std::move(j));
@@ -100,6 +100,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["format"] = calibration_format;
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
+  if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
   j["verdict"] = {{"status", to_string(c.verdict.status)},
                   {"sentence", c.verdict.sentence},
                   {"summary", summary_lines(c)},
@@ -128,12 +129,14 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
 std::string recipe_comments(const Calibration& c) {
   std::string text = comment_text(c.rock + ": " + c.verdict.sentence) + "\n", open;
   for (const ParameterEstimate& e : c.parameters)
-    if (!e.determined)
+    if (e.open())
       open += fmt::format("  {} = {}, 95 % interval {} to {}\n", comment_text(e.key),
                           friendly(e.value, e.unit), friendly(e.low, e.unit), friendly(e.high, e.unit));
-  text += open.empty()
-              ? "The data constrain every parameter that was sought.\n"
-              : "The data do not constrain (within the values that the calibration admits):\n" + open;
+  text +=
+      c.method == CalibrationMethod::sequence
+          ? "Found step by step, as the paper does: no intervals, nothing said of what the data leave open.\n"
+      : open.empty() ? "The data constrain every parameter that was sought.\n"
+                     : "The data do not constrain (within the values that the calibration admits):\n" + open;
   return as_comments(text);
 }
 

@@ -52,5 +52,19 @@ TEST(CalibrationJson, HoldsVerdictAndTablesAndNullForNoNumber) {
   EXPECT_FALSE(j.contains("seconds"));
 }
 
+TEST(CalibrationJson, AnEstimateWithoutAnIntervalIsNeitherDeterminedNorOpen) {
+  Calibration c;
+  c.method = CalibrationMethod::sequence;
+  ParameterEstimate e{"matrix.E_c", "E_c", "Pa", 3e10, nan, nan, 1e9, 1e11, false, "E of Eq. 1", ""};
+  c.parameters = {e};
+  const auto j = nlohmann::json::parse(calibration_json(c, "1.2"));
+  EXPECT_EQ(j["method"], "sequence");
+  EXPECT_TRUE(j["parameters"][0]["determined"].is_null());
+  EXPECT_TRUE(j["parameters"][0]["low"].is_null());
+  EXPECT_THAT(recipe_comments(c), testing::AllOf(HasSubstr("no intervals"), Not(HasSubstr("constrain"))));
+  c.method = CalibrationMethod::posterior;
+  EXPECT_FALSE(nlohmann::json::parse(calibration_json(c, "1.2")).contains("method"));
+}
+
 }  // namespace
 }  // namespace phy::report

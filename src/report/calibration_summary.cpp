@@ -105,7 +105,7 @@ void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property 
 std::vector<std::string> open_lines(const Calibration& c) {
   std::vector<std::string> open;
   for (const ParameterEstimate& e : c.parameters)
-    if (!e.determined)
+    if (e.open())
       add_line(open, e.symbol,
                e.next_test.empty() ? "left open by the data; no test that a table holds tells much of it"
                                    : "left open by the data; would tell more: " + e.next_test);
@@ -121,7 +121,7 @@ std::vector<std::string> summary_lines(const Calibration& c) {
   for (const Property p : {Property::direct_tension, Property::brazilian}) add_ratios(lines, c, p);
   const std::vector<std::string> rest = of_no_cell(c.verdict.findings, c);
   for (const ParameterEstimate& e : c.parameters)
-    if (!e.determined) open.push_back(e.symbol);
+    if (e.open()) open.push_back(e.symbol);
   if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));
   lines.insert(lines.end(), rest.begin(), rest.end());
   return lines;

@@ -23,8 +23,9 @@ double shown(Property p) { return p == Property::E ? 1e-9 : p == Property::nu ? 
 std::string cell(const Calibration& c, const double& number, double unit) {
   for (const ParameterEstimate& e : c.parameters)
     if (e.number != nullptr && &e.number(c.recipe) == &number)
-      return fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit, e.high / unit,
-                         e.determined ? "" : " open");
+      return !e.has_interval() ? fmt::format("{:.4g}", number / unit)
+                               : fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit,
+                                             e.high / unit, e.determined ? "" : " open");
   return fmt::format("{:.4g} (given)", number / unit);
 }
 
@@ -158,9 +159,10 @@ std::vector<ParameterTable> parameter_rows(const Calibration& c) {
 }
 
 std::string parameter_tables(const Calibration& c, int terminal_width) {
+  const bool intervals = c.method == CalibrationMethod::posterior;
   std::string text;
   for (const ParameterTable& t : parameter_rows(c)) {
-    Column name{t.head, "", {}, true}, value{"value [95 % interval]", "", {}, true};
+    Column name{t.head, "", {}, true}, value{intervals ? "value [95 % interval]" : "value", "", {}, true};
     for (const auto& [n, v] : t.rows) name.cells.push_back(n), value.cells.push_back(v);
     text += (text.empty() ? "" : "\n") + (t.title.empty() ? "" : t.title + "\n") +
             text_table(name, {{value}}, terminal_width);

@@ -91,6 +91,9 @@ TEST(CalibrationTables, AnEstimateStandsWithItsNumberOfTheRecipeAndOthersAreGive
   c.parameters = {e};
   EXPECT_THAT(parameter_tables(c, 0), HasSubstr("Friction coefficient mu_sj        0.4 [0.3, 0.5]"));
   EXPECT_THAT(parameter_tables(c, 0), HasSubstr("Friction coefficient mu  0.4 (given)"));
+  c.method = CalibrationMethod::sequence, c.parameters[0].low = c.parameters[0].high = nan;
+  EXPECT_THAT(parameter_tables(c, 0), HasSubstr("Friction coefficient mu_sj        0.4\n"));
+  EXPECT_THAT(parameter_tables(c, 0), Not(HasSubstr("interval")));
 }
 
 TEST(CalibrationTables, WhatNoTestTellsIsNotAdvised) {

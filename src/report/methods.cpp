@@ -300,11 +300,20 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text +=
         " The layers are represented by smooth joints between bonds whose strength depends on their "
         "direction.";
-  text +=
-      fmt::format(" Moduli were fitted by least squares ({} direct elastic solutions in all)", c.n_elastic);
+  const bool posterior = c.method == CalibrationMethod::posterior;
+  text += fmt::format(
+      " Moduli were {} ({} direct elastic solutions in all)",
+      posterior
+          ? "fitted by least squares"
+          : "found step by step: Eq. 1 through E(theta), the matrix from E and nu along the layers, joint "
+            "stiffnesses by the linear relation between macro and micro stiffness (Eq. 2), made anew on "
+            "the packings at hand",
+      c.n_elastic);
   if (n_ucs > 0)
     text += fmt::format(
-        ", strengths by a surrogate and its posterior ({} compression{} tests in all, verification included)",
+        ", strengths {} ({} compression{} tests in all, verification included)",
+        posterior ? "by a surrogate and its posterior"
+                  : "one after the other by bisection, each against UCS at one angle on one packing",
         n_ucs, c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
@@ -324,7 +333,7 @@ std::string outcome_text(const Calibration& c) {
   }
   std::vector<std::string> open;
   for (const ParameterEstimate& e : c.parameters)
-    if (!e.determined) open.push_back(e.symbol);
+    if (e.open()) open.push_back(e.symbol);
   return fmt::format("Root mean square errors:{}. Verdict: {}.{}", text, c.verdict.sentence,
                      open.empty() ? ""
                                   : fmt::format(" The data do not constrain {}: 95 % intervals over half of "

@@ -169,10 +169,15 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
        {"1197 per specimen", "phyllite 0.9",
         "grey shale: UCS at inclinations of 0, 45, 90 deg (3 means of 12 "
         "values)",
-        "E was compared as secant 50 %", "200 uniaxial and 100 tensile tests", "700 direct elastic",
+        "E was compared as secant 50 %", "200 compression and 100 tensile tests", "700 direct elastic",
         "verified on 5 packings", "UCS 5.0 % (5 unseen packings)", "Verdict: calibrated: UCS within 5.0 %",
         "do not constrain mu_sj", "tensile strength 19.97 MPa", "Potyondy & P.A. Cundall", "smooth joints"})
     EXPECT_THAT(text, testing::HasSubstr(part));
+  c.method = CalibrationMethod::sequence;
+  text.clear();
+  for (const std::string& paragraph : methods_text(c, "0.9")) text += paragraph + "\n";
+  EXPECT_THAT(text, AllOf(HasSubstr("step by step: Eq. 1"), HasSubstr("one after the other by bisection"),
+                          Not(HasSubstr("posterior")), Not(HasSubstr("least squares"))));
 }
 
 }  // namespace

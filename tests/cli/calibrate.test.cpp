@@ -36,10 +36,10 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   ASSERT_THAT(run(calibrate(out())), testing::AnyOf(0, 1)) << output;  // 1: verdict "out of reach"
   for (const char* text :
        {"Table 1. Intact rock", "Cohesion C_sj [MPa]", "95 % interval",
-        "Laboratory and model, on unseen packings", "root mean square error", "72 tests of UCS"})
+        "Laboratory and model, on unseen packings", "root mean square error", "72 tests in compression"})
     EXPECT_THAT(output, HasSubstr(text));
   const std::string all = output, first = all.substr(all.find("next: "), 30);  // of the sentence of verdict
-  EXPECT_GT(all.rfind(first), all.find("tests of UCS")) << "and where the output ends";
+  EXPECT_GT(all.rfind(first), all.find("tests in compression")) << "and where the output ends";
   EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Details\n"), HasSubstr("verdict: ")));
   EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"verification\""));
   EXPECT_THAT(read(out() + "/calibrated.p2dat"), HasSubstr("'smoothjoint'"));
@@ -133,6 +133,24 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
   ASSERT_THAT(run(own), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
+}
+
+TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervalsAndGoesOnAfterAStop) {
+  ASSERT_THAT(run(calibrate(out() + " --method sequence")), testing::AnyOf(0, 1)) << output;
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("Laboratory and model, on unseen packings"),
+                                     HasSubstr("Cohesion C_sj [MPa]"), Not(HasSubstr("95 % interval"))));
+  EXPECT_THAT(read(out() + "/tables.txt"), testing::AllOf(HasSubstr("Eq. 2 on these packings: K_n = "),
+                                                          HasSubstr("one after the other by bisection")));
+  EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"method\": \"sequence\""));
+  EXPECT_TRUE(fs::exists(out() + "/report.html"));
+  ASSERT_EQ(run("recipe " + out() + "/calibrated.toml"), 0) << output;
+  ASSERT_EQ(run(calibrate(out() + " --resume")), 2);  // by the other method
+  EXPECT_THAT(output, HasSubstr("--method sequence"));
+  EXPECT_EQ(run(calibrate(at("other") + " --method newton")), 2);
+  EXPECT_EQ(run_to_event(300, SIGINT, calibrate(at("parts") + " --method sequence")), 1) << output;
+  EXPECT_THAT(output, HasSubstr("--method sequence --resume"));
+  ASSERT_THAT(run(calibrate(at("parts") + " --method sequence --resume")), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(read(at("parts") + "/calibration.json"), read(out() + "/calibration.json"));
 }
 
 TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {

@@ -1,11 +1,11 @@
 // The same budget of UCS tests spent three ways on synthetic rocks: by this calibration, by the paper's
-// sequential recipe, by a global optimiser (NLopt, controlled random search). What counts is the error of
-// UCS(theta) on five packings that none has used. PHY_TWIN_MAGNIFICATION, PHY_TWIN_FIRST and PHY_TWIN_ROCKS
-// as in twin_trials.test.cpp; docs/calibration.md, "Compared".
+// sequence (`--method sequence`, calibrate/sequence.hpp), by a global optimiser (NLopt, controlled random
+// search). What counts is the error of UCS(theta) on five packings that none has used.
+// PHY_TWIN_MAGNIFICATION, PHY_TWIN_FIRST and PHY_TWIN_ROCKS as in twin_trials.test.cpp; docs/calibration.md,
+// "Compared".
 //
-// The optimiser gets the moduli of our elastic stage for nothing; the sequential recipe has its own: E, K_n,
-// K_s by least squares of Eq. 1, the paper's Eq. 2 inverted, E_c in proportion. Both work on one packing, as
-// their users do: the objective of an optimiser must not change between its calls.
+// The optimiser gets the moduli of our elastic stage for nothing, and works on one packing: its objective
+// must not change between calls.
 #ifdef PHY_NLOPT
 #include <gtest/gtest.h>
 
@@ -21,7 +21,6 @@
 #include "calibrate/parameters.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "setting.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy {
 namespace {
@@ -131,50 +130,10 @@ std::vector<Recipe> by_optimiser(const Recipe& elastic, const std::vector<Target
   return laboratory.best();
 }
 
-/// The paper's order, each strength against the angle that feels it most, by secants, round after round.
-std::vector<Recipe> by_sequence(const Rock& rock, const Recipe& settings, const std::vector<Target>& targets,
-                                calibrate::Simulator& simulator) {
-  std::vector<theory::ModulusReading> moduli;
-  for (const Target& t : of_property(targets, Property::E)) moduli.push_back({t.theta, t.mean});
-  theory::Eq1Options options;
-  options.reference = theory::Eq1Reference::free;
-  const theory::Eq1Fit fit = theory::fit_eq1(moduli, options);
-  Recipe r = settings;
-  r.matrix = rock.model.matrix, r.bedding = rock.model.bedding;
-  const double spacing = r.bedding[0].spacing;
-  if (fit.ok()) {
-    const double magnification =
-        spacing / 0.005;  // Eq. 2 is of the paper's grains; stiffness goes with 1/size
-    r.matrix.E_c = r.matrix.E_b = fit.rock.E / (0.9 * 2.0);
-    r.bedding[0].k_n =
-        std::max(1e10, (fit.rock.K_n_delta / spacing * magnification - 312.4e9) / 1.8135 / magnification);
-    r.bedding[0].k_s =
-        std::max(1e10, (fit.rock.K_s_delta / spacing * magnification - 44.1e9) / 1.6895 / magnification);
-  }
-  const std::vector<Target> ucs = of_property(targets, Property::ucs);
-  const double largest = largest_of(ucs);
-  std::vector<double> x = usual_start();
-  Laboratory laboratory(simulator);
-  // parameter, angle: sigma_c, C, sigma_n, mu of the joints, tau_c/sigma_c
-  const std::vector<std::pair<std::size_t, std::size_t>> steps = {{0, 6}, {3, 4}, {4, 2}, {5, 5}, {1, 0}};
-  for (bool more = true; more;)
-    for (const auto& [parameter, angle] : steps) {
-      if (!(more = laboratory.can_pay(3))) break;
-      const auto error = [&, p = parameter, at = angle](double v) {
-        std::vector<double> y = x;
-        y[p] = v;
-        return std::log(laboratory.ucs(strengths_at(r, y, largest), {angles[at]})[0] / ucs[at].mean);
-      };
-      double a = x[parameter], fa = error(a), b = a < 0.5 ? a + 0.1 : a - 0.1, fb = error(b);
-      double c = std::abs(fb - fa) > 1e-3 ? b - fb * (b - a) / (fb - fa) : a;
-      c = std::clamp(c, std::max(0.0, a - 0.3), std::min(1.0, a + 0.3));
-      const double fc = error(c);
-      x[parameter] = std::abs(fc) < std::min(std::abs(fa), std::abs(fb)) ? c
-                     : std::abs(fb) < std::abs(fa)                       ? b
-                                                                         : a;
-      laboratory.note(strengths_at(r, x, largest));
-    }
-  return laboratory.best();
+Recipe by_sequence(const Rock& rock, std::int64_t budget, calibrate::Simulator& simulator) {
+  calibrate::CalibrationOptions how;
+  how.method = CalibrationMethod::sequence, how.max_tests = budget;
+  return calibrate::calibrate(calibrate::Evidence(rock), how, simulator).recipe;
 }
 
 TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
@@ -185,14 +144,13 @@ TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
   double ours_sum = 0.0, others_sum = 0.0;
   for (std::uint32_t k = first; k < last; ++k) {
     const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
-    std::vector<Recipe> paper, global;
+    std::vector<Recipe> global;
     for (std::size_t b = 0; b < budgets.size(); ++b) {
       const Trial t = run_trial(k, model, angles, budgets[b], *simulator, 15);
       const Rock rock = rock_of(t, k, model, angles);
       const std::vector<Target> targets = targets_of(rock), ucs = of_property(targets, Property::ucs);
       if (b == 0) {
         const Recipe settings = calibrate::test_settings(t.found.recipe, ucs, 1, *simulator);
-        paper = by_sequence(rock, settings, targets, *simulator);
         global = by_optimiser(settings, ucs, *simulator);
       }
       const auto error = [&](const Recipe& r) {
@@ -200,7 +158,7 @@ TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
                             Property::ucs);
       };
       const double ours = rmse_against(t.found.verification, t.unseen, Property::ucs),
-                   sequential = error(paper[b]), crs2 = error(global[b]);
+                   sequential = error(by_sequence(rock, budgets[b], *simulator)), crs2 = error(global[b]);
       std::printf("rock %2u, %3lld tests: RMSE of UCS ours %5.1f %%, sequential %5.1f %%, CRS2 %5.1f %%\n", k,
                   static_cast<long long>(budgets[b]), 100.0 * ours, 100.0 * sequential, 100.0 * crs2);
       std::fflush(stdout);

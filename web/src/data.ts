@@ -31,7 +31,7 @@ export interface Estimate {
   low: number | null;
   high: number | null;
   box: [number, number]; // values that the calibration admits
-  determined: boolean;
+  determined: boolean | null; // null: the method gives no intervals
   rests_on?: string;
   next_test?: string;
 }
@@ -54,6 +54,7 @@ export interface Comparison {
 
 export interface Calibration {
   rock: string;
+  method?: "sequence"; // none: a posterior
   verdict: { status: string; sentence?: string; summary?: string[]; findings: string[] };
   tables?: { title: string; head: string; rows: [string, string][] }[]; // parameters in words; not in older files
   errors?: ({ of: string } & Record<string, number | string>)[]; // root mean squares

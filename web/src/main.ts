@@ -619,7 +619,7 @@ function cost(c: Calibration): Child {
 
 /** Parameters as the paper's Tables 1 and 2 have them. */
 function parameterTables(c: Calibration): Child[] {
-  return (c.tables ?? []).map((t) => table(t.head, [t.head, "value [95 % interval]"], t.rows, t.title || null));
+  return (c.tables ?? []).map((t) => table(t.head, [t.head, c.method === "sequence" ? "value" : "value [95 % interval]"], t.rows, t.title || null));
 }
 
 function compared(c: Calibration, test: string): HTMLElement {
@@ -641,7 +641,7 @@ function calibrationLegend(c: Calibration): HTMLElement {
     c.fitted.some((r) => (r.laboratory.specimens ?? []).length > 0) && mark("•", "var(--ink)", "specimens"),
     mark("◇", "var(--ink)", "laboratory, mean and its 95 %"),
     mark("━●━", "var(--accent)", "model"),
-    h("li", {}, h("i", { style: "background:color-mix(in srgb, var(--accent) 25%, var(--surface))" }), "95 % of the rock's value by the fit"),
+    h("li", {}, h("i", { style: "background:color-mix(in srgb, var(--accent) 25%, var(--surface))" }), c.method === "sequence" ? "model ± standard deviation of the packings" : "95 % of the rock's value by the fit"),
     c.left_out.length > 0 && mark("×", "var(--pull)", "model, predicted without it"),
     report.curves.E.theta.length + report.curves.ucs.theta.length > 0 && h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "Goodman, Jaeger"),
   );
@@ -651,7 +651,7 @@ function whatIsDetermined(c: Calibration): HTMLElement {
   return table(
     "Parameters",
     ["parameter", "value", "95 % interval", "in the admitted range", "determined", "rests on, or would tell more"],
-    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined ? "yes" : "no", p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
+    c.parameters.map((p) => [p.key, friendly(p.value, p.unit), p.low === null ? "–" : `${friendly(p.low, p.unit)} … ${friendly(p.high, p.unit)}`, intervalBar(p), p.determined === null ? "–" : p.determined ? "yes" : "no", p.determined !== false ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much"]),
     null,
     [5],
   );

@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/stats.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "calibrate/sequence.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double factors[] = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
+constexpr int most_bases = 4;
+constexpr double usual_slope = 1.5;   // K/k, for the first base only
+constexpr double nu_settled = 0.005;  // of the logarithm of k_s/k_n
+
+const ElasticParameter& parameter(const Recipe& model, double theory::JointedRock::*acts_on) {
+  const std::vector<const ElasticParameter*> list = elastic_parameters(model);
+  const auto it =
+      std::find_if(list.begin(), list.end(), [&](const auto* p) { return p->acts_on == acts_on; });
+  PHY_CHECK(it != list.end(), "the model has the parameter");
+  return **it;
+}
+
+theory::Eq1Fit eq1(const Evidence& evidence, const std::vector<theory::ModulusReading>& readings) {
+  theory::Eq1Options options;
+  options.reference =
+      evidence.has(Property::E, 90.0) ? theory::Eq1Reference::measured_90 : theory::Eq1Reference::free;
+  return theory::fit_eq1(readings, options);
+}
+
+/// Joints that add no compliance are infinitely stiff.
+struct Macro {
+  double E = 0.0, K_n_delta = infinity, K_s_delta = infinity;
+  std::string refused;  ///< why Eq. 1 does not hold; empty: it does
+};
+double inverse(double compliance) { return compliance > 0.0 ? 1.0 / compliance : infinity; }
+Macro macro_of(const Evidence& evidence, const std::vector<theory::ModulusReading>& readings) {
+  const theory::Eq1Fit fit = eq1(evidence, readings);
+  const double E = inverse(fit.e);
+  return {std::isfinite(E) ? E : evidence.scales.modulus, inverse(fit.a), inverse(fit.b), fit.reason};
+}
+
+std::vector<theory::ModulusReading> readings_of(const Evidence& evidence) {
+  std::vector<theory::ModulusReading> readings;
+  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
+  return readings;
+}
+
+/// nu along the layers, by the table; NaN without.
+double nu_of(const Evidence& evidence, double E) {
+  const std::vector<Target> all = of_property(evidence.moduli, Property::nu);
+  const auto at = [&](double from, double to) {
+    return std::find_if(all.rbegin(), all.rend(),
+                        [&](const Target& t) { return t.theta >= from && t.theta <= to; });
+  };
+  if (const auto along = evidence.rock.bedded ? at(80.0, 90.0) : all.rbegin(); along != all.rend())
+    return along->mean;
+  const auto across = at(0.0, 15.0);
+  if (across == all.rend()) return std::nan("");
+  for (const Target& t : of_property(evidence.moduli, Property::E))
+    if (t.theta == across->theta) return across->mean * E / t.mean;
+  return std::nan("");
+}
+
+/// The steps, each on what the one before has found.
+class Moduli {
+ public:
+  Moduli(const Evidence& evidence, const std::vector<std::int64_t>& seeds, Simulator& simulator)
+      : evidence_(evidence), seeds_(seeds), simulator_(simulator) {
+    fit_.recipe = evidence.rock.model;
+  }
+  ElasticFit found() {
+    const bool bedded = !fit_.recipe.bedding.empty();
+    Macro rock;
+    if (bedded)
+      rock = macro_of(evidence_, readings_of(evidence_));
+    else
+      rock.E = evidence_.scales.modulus;
+    if (!rock.refused.empty())
+      fit_.notes.push_back("Eq. 1 through the table: " + rock.refused + "; such joints are the stiffest");
+    fit_matrix(rock.E);
+    if (bedded) fit_joints(rock);
+    fit_.comparisons = elastic_response(fit_.recipe, evidence_.moduli, seeds_, simulator_);
+    fit_.n_solutions += n_angles() * n_seeds();
+    return fit_;
+  }
+
+ private:
+  const Evidence& evidence_;
+  const std::vector<std::int64_t>& seeds_;
+  Simulator& simulator_;
+  ElasticFit fit_;
+
+  std::int64_t n_seeds() const { return static_cast<std::int64_t>(seeds_.size()); }
+  std::int64_t n_angles() const {
+    std::set<double> angles;
+    for (const Target& t : evidence_.moduli) angles.insert(t.theta);
+    return static_cast<std::int64_t>(angles.size());
+  }
+  double in_box(const ElasticParameter& p, double value) const {
+    const LogBox box = p.box(evidence_.scales);
+    return std::clamp(value, std::exp(box.low), std::exp(box.high));
+  }
+  void take(const ElasticParameter& p, double value, std::string rests_on) {
+    const LogBox box = p.box(evidence_.scales);
+    p.set(fit_.recipe, value);
+    Estimate e = sought(p);
+    e.value = value, e.low = e.high = nan;
+    e.box_low = std::exp(box.low), e.box_high = std::exp(box.high), e.rests_on = std::move(rests_on);
+    fit_.parameters.push_back(e);
+  }
+
+  /// Mean E or nu of the packings without joints.
+  double intact(const Recipe& recipe, Property property) {
+    std::vector<Recipe> recipes;
+    for (const std::int64_t seed : seeds_) recipes.push_back(single_at(recipe, 0.0, seed));
+    for (Recipe& r : recipes) r.bedding.clear();
+    std::vector<double> values;
+    for (const ElasticResult& r : simulator_.elastic(recipes, false))
+      values.push_back(reading_of(r, property));
+    fit_.n_solutions += n_seeds();
+    return summarise(values).mean;
+  }
+
+  void fit_matrix(double E) {
+    const ElasticParameter& E_c = parameter(fit_.recipe, &theory::JointedRock::E);
+    const ElasticParameter& q = parameter(fit_.recipe, &theory::JointedRock::nu);
+    const double nu = nu_of(evidence_, E);
+    E_c.set(fit_.recipe, E_c.get(fit_.recipe));  // contacts and bonds alike, as it is sought
+    double ratio = q.get(fit_.recipe);
+    if (std::isfinite(nu)) {
+      LogBox x = q.box(evidence_.scales);
+      while (x.high - x.low > nu_settled) {  // nu falls with k_s/k_n
+        const double middle = 0.5 * (x.low + x.high);
+        q.set(fit_.recipe, std::exp(middle));
+        (intact(fit_.recipe, Property::nu) > nu ? x.low : x.high) = middle;
+      }
+      ratio = std::exp(0.5 * (x.low + x.high));
+    }
+    q.set(fit_.recipe, ratio);
+    const double found = E_c.get(fit_.recipe) * E / intact(fit_.recipe, Property::E);
+    take(E_c, in_box(E_c, found), "E of Eq. 1");
+    if (std::isfinite(nu)) take(q, ratio, "nu along the layers");
+  }
+
+  Macro macro_at(const Recipe& recipe) {
+    const std::vector<Target> moduli = of_property(evidence_.moduli, Property::E);
+    std::vector<theory::ModulusReading> readings;
+    for (const Comparison& c : elastic_response(recipe, moduli, seeds_, simulator_))
+      readings.push_back({c.target.theta, c.mean});
+    fit_.n_solutions += static_cast<std::int64_t>(moduli.size()) * n_seeds();
+    return macro_of(evidence_, readings);
+  }
+
+  LineFit line_about(const ElasticParameter& p, double Macro::*K, double base) {
+    std::vector<double> micro, macro;
+    for (const double factor : factors) {
+      Recipe recipe = fit_.recipe;
+      p.set(recipe, factor * base);
+      const double found = macro_at(recipe).*K / spacing();
+      if (std::isfinite(found)) micro.push_back(factor * base), macro.push_back(found);
+    }
+    return fit_line(micro, macro);
+  }
+  double spacing() const { return fit_.recipe.bedding.front().spacing; }
+
+  /// One parameter by Eq. 2, regenerated.
+  void fit_joint(const ElasticParameter& p, double Macro::*K, const char* name, double K_delta) {
+    const double wanted = K_delta / spacing();
+    double k = p.get(fit_.recipe);
+    LineFit line;
+    for (int i = 0; i < most_bases; ++i) {
+      const double base = k;
+      line = line_about(p, K, base);
+      if (!(line.slope > 0.0)) break;
+      k = in_box(p, std::max(0.0, (wanted - line.intercept) / line.slope));
+      if (k >= factors[0] * base && k <= 2.0 * base) break;
+    }
+    fit_.notes.push_back(
+        fmt::format("Eq. 2 on these packings: K_{0} = {1:.4g} k_{0} {2:+.4g} GPa/m, R2 = "
+                    "{3:.5f}; K_{0} = {4:.4g} GPa/m by Eq. 1 through the table",
+                    name, line.slope, line.intercept * 1e-9, line.R2, wanted * 1e-9));
+    take(p, k, fmt::format("K_{} of Eq. 1, by Eq. 2", name));
+  }
+
+  void fit_joints(const Macro& rock) {
+    const ElasticParameter& k_n = parameter(fit_.recipe, &theory::JointedRock::K_n_delta);
+    const ElasticParameter& k_s = parameter(fit_.recipe, &theory::JointedRock::K_s_delta);
+    const double per_slope = 1.0 / (usual_slope * spacing());
+    k_n.set(fit_.recipe, in_box(k_n, rock.K_n_delta * per_slope));
+    k_s.set(fit_.recipe, in_box(k_s, rock.K_s_delta * per_slope));
+    fit_joint(k_n, &Macro::K_n_delta, "n", rock.K_n_delta);
+    fit_joint(k_s, &Macro::K_s_delta, "s", rock.K_s_delta);
+  }
+};
+
+/// What Eq. 1 asks of a table before it can be tried; empty: nothing is missing.
+std::string missing_for_eq1(const Evidence& evidence) {
+  const theory::Eq1Fit fit = eq1(evidence, readings_of(evidence));
+  const bool missing =
+      fit.status == theory::Eq1Status::too_few_angles || fit.status == theory::Eq1Status::no_oblique_angle;
+  return missing ? fit.reason : "";
+}
+
+}  // namespace
+
+void check_sequence(const Evidence& evidence) {
+  const Rock& rock = evidence.rock;
+  std::vector<Problem> problems;
+  const auto add = [&](const char* key, std::string value, const char* expected, std::string remedy) {
+    problems.push_back({rock.name, key, std::move(value), expected, std::move(remedy)});
+  };
+  const std::string otherwise = "leave --method out, or change the table";
+  if (rock.bedded &&
+      (rock.layers == LayerModel::directions || rock.layers == LayerModel::planes_and_directions))
+    add("layers", fmt::format("\"{}\"", to_string(rock.layers)), "\"planes\" for --method sequence",
+        "Eq. 1 and Eq. 2 are of joints on planes: leave --method out, or change layers");
+  if (!evidence.has(Property::E))
+    add("table", "no E", "values of E for --method sequence", "it begins with them: " + otherwise);
+  else if (const std::string missing = rock.bedded ? missing_for_eq1(evidence) : ""; !missing.empty())
+    add("table", "E", "E(theta) that Eq. 1 can be fitted to, for --method sequence",
+        missing + "; " + otherwise);
+  if (!problems.empty()) throw InputError(problems);
+}
+
+ElasticFit moduli_by_sequence(const Evidence& evidence, const std::vector<std::int64_t>& seeds,
+                              Simulator& simulator, const std::function<void(const std::string&)>& say) {
+  say("moduli by Eq. 1, joints by Eq. 2 on the packings of the fit");
+  return Moduli(evidence, seeds, simulator).found();
+}
+
+}  // namespace phy::calibrate

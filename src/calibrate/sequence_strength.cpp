@@ -1,0 +1,232 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "calibrate/sequence.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr double met = 0.02;            // of a UCS: a third of what the verdict tolerates
+constexpr double first_stride = 0.7;    // of the logarithm: a factor of two
+constexpr double least_bracket = 0.01;  // of the logarithm
+constexpr int most_rounds = 4;
+constexpr std::size_t usual_tests = 8;  // of one strength, for the remaining time
+
+/// A strength and the UCS that is to tell it, by its place among the strengths of the table.
+struct Step {
+  const StrengthParameter* parameter;
+  std::size_t target;
+};
+
+std::vector<std::size_t> places_of_ucs(const std::vector<Target>& strengths) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < strengths.size(); ++i)
+    if (strengths[i].property == Property::ucs) places.push_back(i);
+  return places;
+}
+
+/// Takes the first by `before` of those with an inclination in between out of the list.
+template <class Before>
+std::optional<std::size_t> take(std::vector<std::size_t>& places, const std::vector<Target>& all, double from,
+                                double to, const Before& before) {
+  auto best = places.end();
+  for (auto it = places.begin(); it != places.end(); ++it)
+    if (const double theta = all[*it].theta; theta >= from && theta <= to)
+      if (best == places.end() || before(all[*it], all[*best])) best = it;
+  if (best == places.end()) return {};
+  const std::size_t place = *best;
+  places.erase(best);
+  return place;
+}
+
+/// Who is told by what, in their order; see the head of sequence.hpp.
+std::vector<Step> steps_of(const Evidence& evidence) {
+  const std::vector<Target>& all = evidence.strengths;
+  std::vector<std::size_t> left = places_of_ucs(all);
+  const auto steeper = [](const Target& a, const Target& b) { return a.theta > b.theta; };
+  const auto weaker = [](const Target& a, const Target& b) { return a.mean < b.mean; };
+  auto matrix = take(left, all, 80.0, 90.0, steeper);
+  if (!matrix)
+    matrix = take(left, all, 0.0, 15.0, [&](const Target& a, const Target& b) { return steeper(b, a); });
+  if (!matrix)
+    matrix = take(left, all, 0.0, 90.0, [&](const Target& a, const Target& b) { return weaker(b, a); });
+  std::vector<Step> steps = {{&matrix_sigma_c, matrix.value()}};
+  if (!evidence.rock.bedded) return steps;
+  if (const auto at = take(left, all, 0.0, 90.0, weaker)) steps.push_back({&joint_cohesion, *at});
+  // at 0 and 90 degrees nothing slides nor opens
+  if (const auto at = take(left, all, 20.0, 80.0, steeper)) steps.push_back({&joint_sigma_n, *at});
+  return steps;
+}
+
+class Sequence {
+ public:
+  /// `recipe`: with test_settings().
+  Sequence(const Evidence& evidence, const Recipe& recipe, std::int64_t seed, std::int64_t max_tests,
+           Simulator& simulator, const std::function<void(const std::string&)>& say)
+      : evidence_(evidence),
+        seed_(seed),
+        simulator_(simulator),
+        say_(say),
+        steps_(steps_of(evidence)),
+        left_(max_tests - evidence.n_compressive()),
+        tests_(recipe, evidence.strengths, seed, simulator) {
+    fit_.recipe = recipe;
+  }
+
+  StrengthFit found(const Remodel& remodel) {
+    announce();
+    try {
+      bool settled = false;
+      for (int round = 1; round <= most_rounds && !settled && left_ > 0; ++round) {
+        settled = !moved_in(round);
+        if (!settled && remodel) read_moduli_anew(remodel);
+      }
+      fit_.short_search = !settled && left_ <= 0;
+      if (!settled && !fit_.short_search)
+        fit_.notes.push_back(fmt::format("the strengths still moved in round {}, the last", most_rounds));
+      conclude();
+    } catch (const Stopped&) {
+      fit_.interrupted = true;
+    }
+    return fit_;
+  }
+
+ private:
+  const Evidence& evidence_;
+  std::int64_t seed_;
+  Simulator& simulator_;
+  const std::function<void(const std::string&)>& say_;
+  std::vector<Step> steps_;
+  std::int64_t left_;  ///< tests in compression, those of all strengths at the end put aside
+  StrengthTests tests_;
+  StrengthFit fit_;
+
+  /// One strength after the other. False: none had to move.
+  bool moved_in(int round) {
+    bool moved = false;
+    for (const Step& step : steps_) {
+      if (left_ <= 0) return true;
+      say_(fmt::format("sequence, round {}: {} against {}", round, step.parameter->symbol, name(step)));
+      moved = seek(step) || moved;
+    }
+    return moved;
+  }
+
+  std::string name(const Step& step) const { return cell_name(evidence_.strengths[step.target]); }
+
+  /// log(UCS of the model/UCS of the table) with the strength at exp(x), one test; NaN without a peak.
+  double miss_at(const Step& step, double x) {
+    Recipe recipe = fit_.recipe;
+    step.parameter->set(recipe, std::exp(x));
+    const std::vector<TestResult> results = simulator_.test({tests_.of(recipe, step.target, seed_)});
+    if (simulator_.stopped()) throw Stopped{};
+    --left_, ++fit_.n_tests;
+    const Target& t = evidence_.strengths[step.target];
+    const double ucs = strength_of(results.front(), t.property);
+    if (!std::isfinite(ucs)) ++fit_.n_without_peak;
+    return std::log(ucs / t.mean);
+  }
+
+  /// Strides towards the target until it lies between two trials, then halves. True: the strength has moved.
+  bool seek(const Step& step) {
+    const LogBox box = step.parameter->box(evidence_.scales);
+    const double start = std::log(step.parameter->get(fit_.recipe));
+    double x = std::clamp(start, box.low, box.high), miss = miss_at(step, x), best = x,
+           least = std::fabs(miss);
+    double low = box.low, high = box.high;  // UCS grows with every strength
+    bool low_tried = false, high_tried = false;
+    while (least > met && high - low > least_bracket && left_ > 0 && std::isfinite(miss)) {
+      (miss < 0.0 ? low : high) = x;
+      (miss < 0.0 ? low_tried : high_tried) = true;
+      const double next = low_tried && high_tried ? 0.5 * (low + high)
+                          : miss < 0.0            ? std::min(x + first_stride, high)
+                                                  : std::max(x - first_stride, low);
+      if (next == x) break;  // at the end of the box
+      x = next, miss = miss_at(step, x);
+      if (std::fabs(miss) < least) best = x, least = std::fabs(miss);
+    }
+    step.parameter->set(fit_.recipe, std::exp(best));
+    return best != start;
+  }
+
+  /// What tests have made of the moduli by where the table reads them, at the present strengths.
+  void read_moduli_anew(const Remodel& remodel) {
+    const std::int64_t n = static_cast<std::int64_t>(places_of_ucs(evidence_.strengths).size());
+    if (left_ < n) return;
+    left_ -= n, fit_.n_tests += n, fit_.n_solutions += n;
+    fit_.softenings =
+        softenings_of(fit_.recipe, evidence_.strengths, {seed_}, evidence_.rock.E_is, simulator_);
+    if (simulator_.stopped()) throw Stopped{};
+    fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings));
+  }
+
+  void add_estimate(const StrengthParameter& p, std::string rests_on) {
+    const LogBox box = p.box(evidence_.scales);
+    const double unit = p.over == nullptr ? 1.0 : p.over->number(fit_.recipe);
+    Estimate e = number_of_recipe(p);
+    e.value = p.number(fit_.recipe), e.low = e.high = nan, e.rests_on = std::move(rests_on);
+    e.box_low = unit * std::exp(box.low), e.box_high = unit * std::exp(box.high);
+    fit_.parameters.push_back(e);
+  }
+
+  /// All strengths of the table at the estimate, and what is said of it.
+  void conclude() {
+    for (const Step& step : steps_) {
+      add_estimate(*step.parameter, name(step));
+      if (step.parameter == &matrix_sigma_c)
+        add_estimate(matrix_tau_c, "sigma_c, in the ratio of the recipe");
+    }
+    fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, simulator_);
+    if (simulator_.stopped()) throw Stopped{};
+    const auto n = static_cast<std::int64_t>(evidence_.strengths.size());
+    fit_.n_tests += n, fit_.n_tension += n - evidence_.n_compressive();
+    report_unused();
+    if (fit_.n_without_peak > 0)
+      fit_.notes.push_back(
+          fmt::format("{} of {} tests of the search gave no usable peak: the strength was "
+                      "left at the best so far",
+                      fit_.n_without_peak, fit_.n_tests));
+    for (const Step& step : steps_)  // of this packing, at the end
+      if (const Comparison& c = fit_.fitted[step.target];
+          !(std::fabs(std::log(c.mean / c.target.mean)) <= met))
+        fit_.notes.push_back(fmt::format("{} could not be met within {:.0f} % by {}", name(step), 100.0 * met,
+                                         step.parameter->symbol));
+  }
+
+  /// What the table has and a sequence does not ask.
+  void report_unused() {
+    std::vector<std::string> unused;
+    for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
+      if (std::none_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.target == i; }))
+        unused.push_back(cell_name(evidence_.strengths[i]));
+    if (!unused.empty())
+      fit_.notes.push_back(fmt::format(
+          "the sequence does not use {}: the model is compared with them, no more", fmt::join(unused, ", ")));
+  }
+
+  /// About as many as it takes, the verification included.
+  void announce() {
+    std::vector<Recipe> all;
+    for (const Step& step : steps_)
+      for (std::size_t k = 0; k < usual_tests; ++k) all.push_back(tests_.of(fit_.recipe, step.target, seed_));
+    for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
+      for (int k = 0; k <= verification_packings; ++k) all.push_back(tests_.of(fit_.recipe, i, seed_));
+    simulator_.announce(all);
+  }
+};
+
+}  // namespace
+
+StrengthFit strengths_by_sequence(const Evidence& evidence, const Recipe& recipe, std::int64_t seed,
+                                  std::int64_t max_tests, Simulator& simulator,
+                                  const std::function<void(const std::string&)>& say,
+                                  const Remodel& remodel) {
+  const Recipe with_settings = test_settings(recipe, evidence.strengths, seed, simulator);
+  return Sequence(evidence, with_settings, seed, max_tests, simulator, say).found(remodel);
+}
+
+}  // namespace phy::calibrate
