@@ -259,6 +259,10 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
     n_tested = n_packings;
     const bool paid =
         result.n_strength_tests - result.n_tension_tests + n * n_unseen <= work.options.max_tests;
+    if (!paid && wants_packings(rows))
+      result.notes.emplace_back(
+          "strengths of packings of this size differ much: more unseen ones would tell more, and a larger "
+          "--max-tests takes them");
     if (work.simulator.stopped() || !wants_packings(rows) || !paid || work.unseen.size() >= most_packings)
       break;
     const std::vector<std::int64_t> more = seeds_from(work.next_unseen, n_unseen);
@@ -297,7 +301,9 @@ bool calibrate_strength(Calibration& result, Work& work) {
   result.verdict.findings = fit.findings;
   result.notes.insert(result.notes.end(), fit.notes.begin(), fit.notes.end());
   if (fit.interrupted) return false;
-  if (fit.fitted.empty()) return result.verdict.status = VerdictStatus::out_of_reach, true;
+  const auto is_silent = [](const Comparison& c) { return !c.answered(); };
+  if (std::any_of(fit.fitted.begin(), fit.fitted.end(), is_silent))
+    return result.verdict.status = VerdictStatus::out_of_reach, true;
   if (work.softens() && !measure_softening(result, work, remodel)) return false;
   std::vector<Comparison> from_test;
   const std::vector<Comparison> rows = verify_strength(result, work, from_test);

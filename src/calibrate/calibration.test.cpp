@@ -182,7 +182,7 @@ TEST(Calibrate, TheEnsembleIsJointInTheBoxesAndOnPackingsOfItsOwn) {
   ASSERT_EQ(c.ensemble.size(), 20U);
   for (std::size_t k = 0; k < 20; ++k) {
     const Recipe& r = c.ensemble[k];
-    EXPECT_EQ(r.packing.seed, 26 + static_cast<std::int64_t>(k));  // 1 ... 25: fit, verification, reserve
+    EXPECT_EQ(r.packing.seed, 36 + static_cast<std::int64_t>(k));  // 1 ... 35: fit, verification, reserve
     EXPECT_EQ(r.test.angles, c.recipe.test.angles);
     EXPECT_EQ(r.matrix.E_b, r.matrix.E_c);
     EXPECT_DOUBLE_EQ(r.matrix.tau_c_sd / r.matrix.tau_c, 0.1);

@@ -11,6 +11,7 @@
 namespace phy::calibrate {
 namespace {
 
+constexpr double least_R2 = 0.3;     // of a plane that shows
 constexpr double no_friction = 0.1;  // [deg] below which friction lies at the end of its range
 
 std::size_t n_angles(const std::vector<Target>& targets) {
@@ -59,7 +60,7 @@ std::string eq1_line(const Evidence& evidence) {
 
 std::string jaeger_line(const Evidence& evidence) {
   const std::vector<Target> ucs = of_property(evidence.targets, Property::ucs);
-  if (n_angles(ucs) < 2) return "";
+  if (n_angles(ucs) < 4) return "";
   std::vector<theory::StrengthReading> readings;
   for (const Target& t : ucs) readings.push_back({t.theta, t.mean, 0.0});
   const theory::JaegerFit fit = theory::fit_jaeger_and_matrix(readings);
@@ -73,7 +74,9 @@ std::string jaeger_line(const Evidence& evidence) {
       "degrees with {:.3g} MPa, shoulders {:.3g} MPa, R2 = {:.2f}, misses {:.0f} % (root mean square)",
       fit.plane.cohesion * 1e-6, fit.plane.friction, weakest.theta, weakest.sigma_1 * 1e-6,
       fit.matrix_ucs * 1e-6, fit.R2, 100.0 * std::sqrt(squares / static_cast<double>(ucs.size())));
-  if (const double at = ends_of(ucs).least->theta; fit.plane.friction < no_friction && at < weakest.theta)
+  if (fit.R2 < least_R2) return text + ": no plane shows";
+  if (const double at = ends_of(ucs).least->theta;
+      fit.plane.friction < no_friction && at > 0.0 && at < weakest.theta)
     text += fmt::format("; the table is weakest at {:g} degrees, which no such plane is", at);
   return text;
 }

@@ -13,7 +13,7 @@ namespace phy::calibrate {
 std::string eq1_line(const Evidence& evidence);
 
 /// Cohesion and friction of the plane, where it is weakest, shoulders, R2 and root mean square error, or why
-/// there is none; empty with UCS at fewer than two angles.
+/// there is none; empty with UCS at fewer than four angles.
 std::string jaeger_line(const Evidence& evidence);
 
 /// Largest over least value of E and of each strength, where they were tested at several angles.

@@ -308,7 +308,7 @@ std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   const Rock& rock = evidence.rock;
   std::vector<LayerModel> candidates = {rock.layers};
   if (rock.bedded && rock.layers == LayerModel::choose) candidates = {LayerModel::planes};
-  if (rock.bedded && rock.layers == LayerModel::choose && evidence.strengths.size() >= least_strengths)
+  if (rock.bedded && rock.layers == LayerModel::choose && can_choose(evidence))
     candidates = {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions};
   std::optional<Forecast> best;
   for (const LayerModel layers : candidates) {
@@ -328,8 +328,10 @@ std::string forecast_text(const Forecast& f) {
   for (const Property p : f.silent) silent += std::string(silent.empty() ? "" : ", ") + to_string(p);
   if (!silent.empty()) text += ". Not foretold, because not mapped: " + silent;
   return text +
-         ". No test has run: this rests on regressions over the maps, which miss a specimen that they were "
-         "not shown by 11 to 25 % of UCS, 5 to 13 % of E; one in ten such forecasts is wrong";
+         fmt::format(
+             ". No test has run: this rests on regressions over the maps, which miss a specimen that they "
+             "were not shown by {}5 to 13 % of E; of forty such forecasts two were wrong",
+             std::isfinite(f.rms(Property::ucs)) ? "11 to 25 % of UCS, " : "");
 }
 
 }  // namespace phy::calibrate

@@ -91,10 +91,17 @@ std::string ModelChoice::text() const {
   return text + " (before any test, from the maps of what models reach)";
 }
 
+bool can_choose(const Evidence& evidence) {
+  constexpr std::ptrdiff_t least_strengths = 4;
+  return evidence.has(Property::ucs) &&
+         std::count_if(evidence.strengths.begin(), evidence.strengths.end(),
+                       [](const Target& t) { return t.confining == 0.0; }) >= least_strengths;
+}
+
 ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator& simulator,
                           const std::function<void(const std::string&)>& say) {
   ModelChoice choice;
-  if (evidence.strengths.size() < least_strengths) return choice;
+  if (!can_choose(evidence)) return choice;
   say("which model of the layers predicts what it has not seen");
   const Evidence planes = with(evidence, LayerModel::planes),
                  directions = with(evidence, LayerModel::directions);

@@ -29,10 +29,11 @@ struct ModelChoice {
   std::string text() const;      ///< one sentence with all errors; "" where nothing was compared
 };
 
-/// Fewest strengths of which one can be left out.
-constexpr std::size_t least_strengths = 4;
+/// Does the table hold strengths enough, of tests that were mapped, that one can be left out: four, UCS among
+/// them?
+bool can_choose(const Evidence& evidence);
 
-/// Planes where the table holds fewer strengths than that.
+/// Planes where it does not.
 ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator& simulator,
                           const std::function<void(const std::string&)>& say);
 

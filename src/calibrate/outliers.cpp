@@ -37,7 +37,7 @@ double unit_of(Property p, double mean) { return p == Property::nu ? 1.0 : mean;
 std::map<Property, std::vector<Cell>> cells_of(const Rock& rock) {
   std::map<std::tuple<Property, double, double, double>, Cell> found;
   for (const RockReading& r : rock.readings)
-    if (r.n == 1) found[{r.property, r.theta, r.diameter, r.confining}].push_back(&r);
+    if (r.n == 1 && !r.derived) found[{r.property, r.theta, r.diameter, r.confining}].push_back(&r);
   std::map<Property, std::vector<Cell>> cells;
   for (auto& [key, cell] : found)
     if (cell.size() > 1) cells[std::get<0>(key)].push_back(std::move(cell));
@@ -65,6 +65,7 @@ Suspect farthest_out(Property p, std::vector<Cell>& cells) {
     for (const RockReading* r : cell) squares += std::pow((r->value - mean) / unit_of(p, mean), 2.0);
     degrees += static_cast<int>(cell.size()) - 1;
   }
+  const double least = 0.2 * tolerance(p);  // replicates that are rounded, or alike by chance
   Suspect worst;
   worst.degrees = degrees;
   if (degrees < least_degrees) return worst;
@@ -73,7 +74,8 @@ Suspect farthest_out(Property p, std::vector<Cell>& cells) {
     const double mean = mean_of(cell), share = 1.0 - 1.0 / static_cast<double>(cell.size());
     for (const RockReading* r : cell) {
       const double d = (r->value - mean) / unit_of(p, mean);
-      const double others = std::max(1e-12, squares - d * d / share) / degrees;  // variance without it
+      const double others =
+          std::max(0.0, squares - d * d / share) / degrees + least * least;  // variance without it
       if (const double t = d / std::sqrt(others * share); std::fabs(t) > std::fabs(worst.t))
         worst.reading = r, worst.cell = &cell, worst.t = t;
     }
@@ -133,7 +135,7 @@ double out_of_line(const std::vector<Target>& ucs, std::size_t cell) {
   if (!std::isfinite(line)) return nan;
   const double by_line = ucs[cell].mean / line - 1.0;
   const theory::JaegerFit fit = theory::fit_jaeger_and_matrix(others);
-  if (!fit.ok) return by_line;
+  if (!fit.ok) return nan;  // too few angles to tell a weak plane from an outlier
   const double by_plane =
       ucs[cell].mean / theory::jaeger_sigma_1(fit.plane, fit.matrix_ucs, ucs[cell].theta, 0.0) - 1.0;
   return std::fabs(by_plane) < std::fabs(by_line) ? by_plane : by_line;

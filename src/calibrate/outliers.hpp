@@ -20,7 +20,8 @@ namespace phy::calibrate {
 /// Single specimens of cells of three or more.
 std::vector<std::string> outlying_specimens(const Rock& rock);
 
-/// Relative deviation of a UCS from the nearer of the two predictions by the others; NaN at the ends.
+/// Relative deviation of a UCS from the nearer of the two predictions by the others; NaN at the ends and
+/// where these are too few for a plane.
 double out_of_line(const std::vector<Target>& ucs, std::size_t cell);
 
 /// Cells of UCS beyond three standard errors, of the cells and of the prediction, whose share is what it

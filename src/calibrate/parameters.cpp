@@ -131,8 +131,8 @@ Rule friction_rule(const Evidence& e) {
   const bool held = e.rock.bedded ? e.has(Property::confined, 0.0, 15.0) || e.has(Property::confined, 80.0)
                                   : e.has(Property::confined);
   const char* test =
-      e.rock.bedded ? "strength under confinement at 0 and 90 degrees" : "strength under confinement";
-  return {held, test, held ? "" : test, has_directions(e.rock.model)};
+      e.rock.bedded ? "strength under confinement near 0 or 90 degrees" : "strength under confinement";
+  return {held, test, held ? "strength under more confinement" : test, true};
 }
 Rule joint_friction_rule(const Evidence& e) {
   return {e.has(Property::confined, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",

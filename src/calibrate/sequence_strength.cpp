@@ -180,6 +180,14 @@ class Sequence {
       if (step.parameter == &matrix_sigma_c)
         add_estimate(matrix_tau_c, "sigma_c, in the ratio of the recipe");
     }
+    const auto is_step = [&](const StrengthParameter& p) {
+      return std::any_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.parameter == &p; });
+    };
+    if (evidence_.rock.bedded && !is_step(joint_cohesion))
+      add_estimate(joint_cohesion, "sigma_c, in the ratio of the recipe");
+    if (evidence_.rock.bedded && !is_step(joint_sigma_n))
+      add_estimate(joint_sigma_n, fmt::format("{}, in the ratio of the recipe",
+                                              is_step(joint_cohesion) ? "cohesion" : "sigma_c"));
     fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     const auto n = static_cast<std::int64_t>(evidence_.strengths.size());

@@ -79,8 +79,11 @@ void StrengthPosterior::take_moduli(const Evidence& evidence, const Recipe& reci
   }
 }
 
-bool StrengthPosterior::has_runs() const {
-  return std::all_of(runs_.begin(), runs_.end(), [](const auto& r) { return !r.empty(); });
+std::vector<Target> StrengthPosterior::without_runs() const {
+  std::vector<Target> silent;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (runs_[i].empty()) silent.push_back(targets_[i]);
+  return silent;
 }
 
 void StrengthPosterior::learn() {

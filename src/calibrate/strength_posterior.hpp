@@ -56,8 +56,8 @@ class StrengthPosterior {
   void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
   /// The rock has other moduli from here on: earlier runs move by what is expected of the change.
   void take_moduli(const Evidence& evidence, const Recipe& recipe);
-  /// Every target has an answer of its own.
-  bool has_runs() const;
+  /// Targets that no run has answered.
+  std::vector<Target> without_runs() const;
   /// From all runs so far; to be called before what follows.
   void learn();
   Surrogate::Value predict(const Point& x, std::size_t target) const;

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/lines.hpp"
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/nearest.hpp"
@@ -313,10 +314,15 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                     batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
                     batch.coarse ? " on coarse grains" : ""));
     if (!run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr) ||
-        !posterior.has_runs()) {
+        !posterior.without_runs().empty()) {
       fit.interrupted = simulator.stopped();
-      if (!fit.interrupted)
-        fit.findings.emplace_back("no test of some angle gave a usable peak: strengths were not fitted");
+      for (const Target& t : posterior.without_runs()) {
+        if (fit.interrupted) break;
+        Comparison silent;
+        silent.target = t;
+        fit.fitted.push_back(silent);
+        add_line(fit.findings, cell_name(t), "no test gave a usable peak: strengths were not fitted");
+      }
       report_without_peak(fit);
       return fit;
     }

@@ -30,7 +30,8 @@ constexpr int verification_packings = 5;
 struct StrengthFit {
   Recipe recipe;                     ///< with the estimated strengths and the settings of the tests
   std::vector<Estimate> parameters;  ///< what was sought, then the strengths that the ratios stand for
-  std::vector<Comparison> fitted;    ///< what the surrogate predicts at the estimate
+  std::vector<Comparison> fitted;  ///< what the surrogate predicts at the estimate; those without any answer
+                                   ///< alone, where nothing could be fitted
   std::vector<Comparison> left_out;  ///< each target predicted without it; empty below four targets
   std::vector<Recipe> draws;         ///< of the strengths, jointly (posterior_ensemble.hpp)
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;

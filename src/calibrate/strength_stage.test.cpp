@@ -254,13 +254,13 @@ TEST(StrengthStage, TheSameRatioAtEveryAngleIsOutOfReachToo) {
   EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0")));
 }
 
-/// UCS at five angles and, where asked for, strengths under three stresses at three of them.
+/// UCS at five angles and, where asked for, strengths under two stresses at three of them.
 Rock confined_rock(const Recipe& rock, bool confined) {
   Rock table = rock_of({}, true);
   for (const double theta : {0.0, 30.0, 45.0, 60.0, 90.0})
     table.readings.push_back(reading(Property::ucs, theta, response(rock, theta)));
   for (const double theta : {0.0, 45.0, 90.0})
-    for (const double sigma_3 : {5e6, 15e6, 30e6}) {
+    for (const double sigma_3 : {5e6, 30e6}) {
       if (!confined) continue;
       Recipe tested = rock;
       tested.bedding[0].theta = theta, tested.test.confining_stress = sigma_3;
@@ -288,7 +288,7 @@ TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
     EXPECT_NEAR(row.error(), 0.0, 0.1) << cell_name(row.target);
     ++n;
   }
-  EXPECT_EQ(n, 9);
+  EXPECT_EQ(n, 6);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << c.verdict.sentence;
   for (const char* symbol : {"mu", "mu_sj"}) {
     const ParameterEstimate &told = estimate_of(c, symbol), &open = estimate_of(without, symbol);
@@ -298,11 +298,11 @@ TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
     EXPECT_LT(std::log(told.high / told.low), 0.7 * std::log(open.high / open.low)) << symbol;
   }
   EXPECT_EQ(c.n_tension_tests, 0);
-  EXPECT_EQ(c.n_strength_tests, 14 * (36 + 5));  // of the budget all
+  EXPECT_EQ(c.n_strength_tests, 11 * (36 + 5));  // of the budget all
 }
 
 TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
-  const Rock rock = confined_rock(truth(6), false);
+  const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
   const auto n_unseen = [&](double scatter, std::int64_t max_tests) {
     PaperPress press;
     press.packing_scatter = scatter;
@@ -314,18 +314,18 @@ TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes)
       return note.find("unseen ones were taken") != note.npos;
     });
     EXPECT_EQ(told, c.verification.front().n_packings > 5);
-    EXPECT_EQ(c.n_strength_tests, 5 * (36 + c.verification.front().n_packings));
+    EXPECT_EQ(c.n_strength_tests, 36 + c.verification.front().n_packings);
     return c.verification.front().n_packings;
   };
   EXPECT_EQ(n_unseen(0.02, 1000), 5);
   EXPECT_EQ(n_unseen(0.12, 1000), 15);
-  EXPECT_EQ(n_unseen(0.12, 5 * (36 + 10)), 10);
+  EXPECT_EQ(n_unseen(0.12, 36 + 10), 10);
 }
 
 TEST(StrengthStage, ABudgetCountsStrengthsUnderConfinement) {
   PaperPress press;
   CalibrationOptions options;
-  options.max_tests = 14 * (least_points + verification_packings) - 1;
+  options.max_tests = 11 * (least_points + verification_packings) - 1;
   EXPECT_THROW(calibrate(Evidence(confined_rock(truth(6), true)), options, press), InputError);
   EXPECT_EQ(press.n_tests, 0);
 }

@@ -48,12 +48,12 @@ std::vector<double> peak_strains(const std::vector<Target>& targets, const std::
 }
 
 /// Speed of platens or grips at which a wave crosses the specimen a hundred times until the earliest peak of
-/// a property; infinite without targets.
+/// a property, under one confining stress; infinite without targets.
 double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
-                  const std::vector<double>& strains, Property property) {
+                  const std::vector<double>& strains, Property property, double confining = 0.0) {
   double speed = infinity;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    if (targets[i].property == property) {
+    if (targets[i].property == property && targets[i].confining == confining) {
       const double factor = property == Property::brazilian ? lab::disc_approach : 1.0;
       const double wave = std::sqrt(factor * stress_rise(targets[i]) / strains[i] / recipe.matrix.density);
       speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
@@ -123,8 +123,9 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
                              const std::vector<double>& moduli)
     : targets_(targets), strains_(peak_strains(targets, moduli)) {
   for (const Target& t : targets_)
-    speeds_.push_back(t.property == Property::ucs ? recipe.test.platen_speed
-                                                  : slow_speed(recipe, targets_, strains_, t.property));
+    speeds_.push_back(t.property == Property::ucs
+                          ? recipe.test.platen_speed
+                          : slow_speed(recipe, targets_, strains_, t.property, t.confining));
 }
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {

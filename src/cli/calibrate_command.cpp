@@ -174,10 +174,9 @@ int run_calibration(const Arguments& args, const Session& session) {
     return 1;
   }
   write_report(args.out);
-  print_wrapped(
-      width, 2,
-      "calibrated.toml, {} draws in ensemble, PFC and Yade files, calibration.json and every run in {}\n",
-      result.ensemble.size(), args.out);
+  print_wrapped(width, 2, "calibrated.toml, {}PFC and Yade files, calibration.json and every run in {}\n",
+                result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
+                args.out);
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }

@@ -39,12 +39,22 @@ std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
     draws.back().test = recipe.test, draws.back().engine = recipe.engine;
     draws.back().test.n_snapshots = draws.back().test.n_frames = 0;  // the store keeps no pictures
   }
-  if (draws.size() < fewest_draws)
+  std::size_t n_files = 0;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(fs::path(ensemble_file(folder, 0)).parent_path(), none))
+    n_files += entry.path().extension() == ".toml" ? 1 : 0;
+  if (n_files > draws.size())
     throw InputError(Problem{
-        path, "--ensemble", "",
-        "the draws of a calibration beside it, " + ensemble_file(folder, 0) + " and so on",
-        "give calibrated.toml in the folder where `phyllite calibrate` has left it; a calibration of before "
-        "this version gets its draws by `phyllite calibrate ROCK --out FOLDER --resume`"});
+        path, "--ensemble", fmt::format("{} files", n_files),
+        "draws that are numbered without a gap, " + ensemble_file(folder, draws.size()) + " among them",
+        "a band of some of the draws is another one: bring the file back"});
+  if (draws.size() < fewest_draws)
+    throw InputError(
+        Problem{path, "--ensemble", "",
+                "the draws of a calibration beside it, " + ensemble_file(folder, 0) + " and so on",
+                "give calibrated.toml in the folder where `phyllite calibrate` has left it; one of before "
+                "this version, "
+                "or by --method sequence, has no draws"});
   return draws;
 }
 
@@ -203,6 +213,13 @@ void print_ensemble(const std::vector<Job>& jobs, const std::vector<study::Band>
                 "\nmedian, smallest and largest of the draws: {} of them hold one more with a probability of "
                 "{:.1f} %, n of them with (n - 1)/(n + 1)\n",
                 n_draws, 100.0 * study::band_probability(n_draws));
+  const auto missing =
+      std::count_if(bands.begin(), bands.end(), [](const study::Band& b) { return b.n_without > 0; });
+  if (missing > 0)
+    print_wrapped(
+        width, 2,
+        "where draws are \"without\", the band is that of the others: what they have in common may be "
+        "why the number is missing, and no probability holds\n");
   print_left_out(jobs, width);
 }
 
@@ -229,6 +246,9 @@ int run_ensemble(const EnsembleArguments& args, const Session& session,
   const std::vector<Recipe> draws = read_draws(path, recipe);
   const std::string tests = (fs::path(args.out) / "ensemble.csv").string();
   const std::string band = (fs::path(args.out) / "band.csv").string();
+  if (fs::exists(fs::path(args.out) / "calibration.json"))
+    throw InputError(Problem{"command line", "--out", args.out, "a folder without a calibration",
+                             "tests of an ensemble have a folder of their own"});
   io::check_outputs({tests, band});
   io::check_writable(args.out);
   std::vector<Job> jobs = jobs_of(draws, confining);

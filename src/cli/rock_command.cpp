@@ -70,8 +70,7 @@ int rock_check(const std::string& path, int width) {
   print_out("\n{}\n", report::target_table(evidence.targets, width));
   print_what_the_table_says(evidence, width);
   print_out("{}", report::identifiability_table({expected.begin(), expected.end()}, width));
-  if (rock.bedded && rock.layers == LayerModel::choose &&
-      evidence.strengths.size() >= calibrate::least_strengths)
+  if (rock.bedded && rock.layers == LayerModel::choose && calibrate::can_choose(evidence))
     print_wrapped(
         width, 2,
         "- parameters as of joints on planes; calibrate may choose directions of the bonds, or both\n");

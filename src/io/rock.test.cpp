@@ -204,6 +204,23 @@ TEST_F(RockFile, UcsUnderConfinementAndSigma1AreOneAndTheSame) {
   EXPECT_THAT(of_property(targets_of(r), Property::ucs), SizeIs(2));  // at 0 and, without pressure, at 90
 }
 
+const std::string envelope_head =
+    "theta [deg],UCS [MPa],c [MPa],phi [deg],confining_min [MPa],confining_max [MPa],n\n";
+
+TEST_F(RockFile, StrengthsUnderConfinementThatNoRockHasAreRefused) {
+  const std::string head = "theta [deg],confining [MPa],UCS [MPa],sigma_1 [MPa],E [GPa]\n";
+  const std::string rest = "45,,80,,\n90,,120,,\n";
+  EXPECT_THAT(problems(head + "0,30,,25,\n" + rest),
+              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_1"), HasSubstr("deviatoric"))));
+  EXPECT_THAT(problems(head + "0,30,,50,\n" + rest), IsEmpty());
+  EXPECT_THAT(problems(head + "0,10,100,150,\n" + rest),
+              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_1"), HasSubstr("not both"))));
+  EXPECT_THAT(problems(head + "0,10,100,,20\n" + rest, "confining = \"7 MPa\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("confining"), HasSubstr("E and nu at that pressure"))));
+  EXPECT_THAT(problems(envelope_head + "0,40,0,0,0,20,3\n45,30,,,,,3\n90,45,,,,,3\n"),
+              Contains(AllOf(HasSubstr("r.csv:2: c, phi"), HasSubstr("above 1.1 times"))));
+}
+
 TEST_F(RockFile, TensionUnderConfiningPressureIsSaidNotToBeFitted) {
   const Rock r = rock("theta [deg],confining [MPa],UCS [MPa],BTS [MPa]\n0,5,100,9\n45,5,60,\n90,5,120,\n");
   EXPECT_THAT(r.notes, Contains(HasSubstr("tensile strengths under confining pressure")));
@@ -211,9 +228,6 @@ TEST_F(RockFile, TensionUnderConfiningPressureIsSaidNotToBeFitted) {
   EXPECT_THAT(rock("theta [deg],confining [MPa],UCS [MPa]\n0,5,100\n45,5,60\n90,5,120\n").notes,
               Each(testing::Not(HasSubstr("not fitted"))));
 }
-
-const std::string envelope_head =
-    "theta [deg],UCS [MPa],c [MPa],phi [deg],confining_min [MPa],confining_max [MPa],n\n";
 
 // N = tan^2 60 = 3, 2 c sqrt(N) = 34.641 MPa; three tests at 0, 10, 20 MPa have a mean of 10 and a standard
 // deviation of sqrt(200/3) = 8.165 MPa.
@@ -226,6 +240,7 @@ TEST_F(RockFile, AnEnvelopeIsTwoStrengthsInsideItsPressures) {
   EXPECT_NEAR(two[0].mean, 40.146e6, 2e3);
   EXPECT_NEAR(two[1].mean, 89.136e6, 2e3);
   EXPECT_EQ(two[0].n, 1);
+  EXPECT_THAT(two[0].specimens, IsEmpty());  // nobody tested it
   EXPECT_THAT(r.notes, Contains(HasSubstr("c and phi of 1 row(s)")));
 }
 

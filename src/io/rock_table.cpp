@@ -20,6 +20,7 @@ namespace {
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
 constexpr int least_with_sd = 2;    // specimens
 constexpr int least_of_envelope = 3;
+constexpr double least_over_sides = 1.1;  // sigma_1 over sigma_3; a friction angle of 3 degrees has as much
 
 /// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
 /// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`.
@@ -140,6 +141,12 @@ class ReadingReader {
     bedded = find(Column::theta) || find(Column::beta);
     for (const TableRow& row : table_.rows) read_row(row, confining);
     check_repeats();
+    check_confined();
+    const bool moduli = std::any_of(readings_.begin(), readings_.end(),
+                                    [](const RockReading& r) { return !is_strength(r.property); });
+    if (n_elsewhere_ > 0 && !moduli)
+      problems_.push_back({where_, "confining", fmt::format("{:g} MPa", confining * 1e-6),
+                           "E and nu at that pressure", "the table has them at others alone"});
     if (n_envelopes_ > 0)
       notes_.push_back(
           fmt::format("c and phi of {} row(s) are read as two strengths each, inside confining_min to "
@@ -164,6 +171,7 @@ class ReadingReader {
   std::vector<RockReading> readings_;
   int n_assumed_ = 0;    // values with an SD of an unknown number of specimens
   int n_envelopes_ = 0;  // rows with c and phi
+  int n_elsewhere_ = 0;  // E and nu under another pressure than the one asked for
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
@@ -293,8 +301,18 @@ class ReadingReader {
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
       r.property = heads_[i].property, r.value = v[i];
-      if (!asked && !is_strength(r.property)) continue;
-      if (is_compressive(r.property)) r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
+      if (!asked && !is_strength(r.property)) {
+        ++n_elsewhere_;
+        continue;
+      }
+      if (is_compressive(r.property)) {
+        const auto other =
+            find(Column::value, r.property == Property::ucs ? Property::confined : Property::ucs);
+        if (r.property == Property::confined && other && std::isfinite(v[*other]))
+          problems_.push_back({at(row.line), "sigma_1", "", "UCS or sigma_1 in a row, not both",
+                               "they are the same number under `confining`: a row of its own for each test"});
+        r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
+      }
       const auto sd = find(Column::scatter, heads_[i].property);
       // A scatter of zero is no measurement of scatter.
       r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
@@ -324,11 +342,22 @@ class ReadingReader {
     const int n = std::max(least_of_envelope, r.n);
     const double spread = (to - from) * std::sqrt((n + 1.0) / (12.0 * (n - 1.0)));
     for (const double sigma_3 : {0.5 * (from + to) - spread, 0.5 * (from + to) + spread}) {
-      r.property = Property::confined, r.confining = sigma_3, r.sd = nan, r.n = n / 2;
+      r.property = Property::confined, r.confining = sigma_3, r.sd = nan, r.n = n / 2, r.derived = true;
       r.value = theory::coulomb_sigma_1({c, phi}, sigma_3);
       readings_.push_back(r);
     }
     ++n_envelopes_;
+  }
+
+  /// Nothing has been told of the rock where the peak is hardly above the confining stress.
+  void check_confined() {
+    for (const RockReading& r : readings_)
+      if (r.property == Property::confined && !(r.value > least_over_sides * r.confining))
+        problems_.push_back(
+            {at(r.line), r.derived ? "c, phi" : "sigma_1", fmt::format("{:.4g} MPa", r.value * 1e-6),
+             fmt::format("an axial stress at the peak above {:g} times the confining stress, {:.4g} MPa",
+                         least_over_sides, r.confining * 1e-6),
+             r.derived ? "" : "is it the deviatoric stress? add the confining stress to it"});
   }
 
   /// Two rows of one cell that cannot be the same rock.

@@ -96,6 +96,29 @@ void to_plane_stress(std::vector<Target>& targets) {
   }
 }
 
+/// Confining stress of a reading as the tests of the table are told apart: of those within 5 % the mean.
+class ConfiningStresses {
+ public:
+  explicit ConfiningStresses(const std::vector<RockReading>& readings) {
+    constexpr double alike = 1.05;
+    std::vector<double> all;
+    for (const RockReading& r : readings)
+      if (r.property == Property::confined) all.push_back(r.confining);
+    std::sort(all.begin(), all.end());
+    for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
+      double sum = 0.0;
+      while (to < all.size() && all[to] <= alike * all[from]) sum += all[to++];
+      classes_[all[to - 1]] = sum / static_cast<double>(to - from);
+    }
+  }
+  double of(const RockReading& r) const {
+    return r.property == Property::confined ? classes_.lower_bound(r.confining)->second : 0.0;
+  }
+
+ private:
+  std::map<double, double> classes_;  // mean by the largest
+};
+
 }  // namespace
 
 const char* to_string(Property property) {
@@ -154,11 +177,11 @@ double Target::normal_error() const { return half_width() / z_95; }
 
 std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;
+  const ConfiningStresses stresses(rock.readings);
   for (const RockReading& r : rock.readings)
     if (r.confining == 0.0 || !is_tensile(r.property))
       cells[{r.property, std::lround(r.theta / same_angle),
-             r.property == Property::brazilian ? r.diameter : 0.0,
-             r.property == Property::confined ? r.confining : 0.0}]
+             r.property == Property::brazilian ? r.diameter : 0.0, stresses.of(r)}]
           .push_back(&r);
   std::vector<Target> targets;
   std::map<Property, Pool> pooled;  // relative, but absolute for nu
@@ -169,7 +192,7 @@ std::vector<Target> targets_of(const Rock& rock) {
     t.confining = std::get<3>(key), t.n = 0;
     for (const RockReading* r : rows) {
       t.mean += r->n * r->value, t.n += r->n;
-      if (r->n == 1) t.specimens.push_back(r->value);
+      if (r->n == 1 && !r->derived) t.specimens.push_back(r->value);
     }
     t.mean /= t.n;
     Pool cell = pool_of(rows, t.mean);

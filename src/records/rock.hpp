@@ -50,6 +50,7 @@ struct RockReading {
   double confining = 0.0;  ///< [Pa]
   int line = 0;            ///< of the table
   double diameter = 0.0;   ///< [m] of the disc of a Brazilian test; 0: the model's
+  bool derived = false;    ///< from an envelope: no specimen has it
 };
 
 /// All cells of one property and angle together.
@@ -88,7 +89,8 @@ void remove_layers(Recipe& model);
 bool same_cell(const Target& a, const Target& b);
 bool same_test(const Target& a, const Target& b);
 
-/// One target per property, angle, diameter of disc and confining stress, ordered in this way. Replicates are
+/// One target per property, angle, diameter of disc and confining stress, ordered in this way; stresses that
+/// differ by less than 5 % are one, their mean. Replicates are
 /// averaged, weighted by n. Scatter of single specimens, relative but of nu absolute: a scaled inverse
 /// chi-square distribution that begins with 8 % of E, 0.03 of nu, 10 % of strengths in compression and 15 %
 /// of those in tension, as if seen with four degrees of freedom, and learns from all deviations inside the

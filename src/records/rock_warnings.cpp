@@ -70,31 +70,47 @@ void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vec
   warn(warnings, tension, "most rocks have about a tenth of UCS in tension; check units and columns");
 }
 
+/// Where a straight line through strengths over confining stress meets that of none; NaN: they are too near
+/// to each other.
+double intercept_of(const std::vector<const Target*>& confined) {
+  constexpr double least_range = 2.0;
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const Target* t : confined)
+    n += 1.0, x += t->confining, y += t->mean, xx += t->confining * t->confining,
+        xy += t->confining * t->mean;
+  if (confined.size() < 2 || confined.back()->confining < least_range * confined.front()->confining)
+    return std::nan("");
+  return (y * xx - x * xy) / (n * xx - x * x);
+}
+
 /// Strengths under confinement against UCS at the same angle, and against each other.
 void doubt_confined(const Rock& rock, const std::vector<Target>& targets,
                     std::vector<std::string>& warnings) {
+  constexpr double surely = 2.0;                           // standard errors
   std::map<double, std::vector<const Target*>> at_angles;  // by stress
   for (const Target& t : targets)
     if (t.property == Property::confined) at_angles[t.theta].push_back(&t);
   std::vector<std::string> falls, conflicts;
   for (const auto& [theta, confined] : at_angles) {
     const Target* ucs = at_angle(targets, Property::ucs, theta);
-    for (std::size_t i = 0; i < confined.size(); ++i) {
-      const Target* below = i > 0 ? confined[i - 1] : ucs;
-      if (below != nullptr && confined[i]->mean - confined[i]->confining < below->mean - below->confining)
-        falls.push_back(fmt::format("{} = {:.4g} MPa after {:.4g} MPa under {:.3g} MPa",
-                                    name_at(rock, "sigma_1", theta), confined[i]->mean * 1e-6,
-                                    below->mean * 1e-6, below->confining * 1e-6));
+    const Target* below = ucs;
+    for (const Target* t : confined) {
+      if (below != nullptr && (t->mean - t->confining) - (below->mean - below->confining) <
+                                  -surely * std::hypot(t->normal_error(), below->normal_error()))
+        falls.push_back(
+            fmt::format("sigma_1 - sigma_3 of {} falls from {:.4g} MPa under {:.3g} to {:.4g} MPa "
+                        "under {:.3g} MPa",
+                        name_at(rock, "sigma_1", theta), (below->mean - below->confining) * 1e-6,
+                        below->confining * 1e-6, (t->mean - t->confining) * 1e-6, t->confining * 1e-6));
+      below = t;
     }
-    if (ucs == nullptr || confined.size() < 2) continue;
-    const Target &a = *confined[0], &b = *confined[1];
-    const double intercept = a.mean - a.confining * (b.mean - a.mean) / (b.confining - a.confining);
-    if (intercept < least_intercept * ucs->mean || intercept > most_intercept * ucs->mean)
+    const double intercept = intercept_of(confined);
+    if (ucs != nullptr && (intercept < least_intercept * ucs->mean || intercept > most_intercept * ucs->mean))
       conflicts.push_back(
           fmt::format("{} = {:.4g} MPa, and {:.4g} MPa by the line through its strengths under "
-                      "{:.3g} and {:.3g} MPa",
-                      name_at(rock, "UCS", theta), ucs->mean * 1e-6, intercept * 1e-6, a.confining * 1e-6,
-                      b.confining * 1e-6));
+                      "{:.3g} to {:.3g} MPa",
+                      name_at(rock, "UCS", theta), ucs->mean * 1e-6, intercept * 1e-6,
+                      confined.front()->confining * 1e-6, confined.back()->confining * 1e-6));
   }
   warn(warnings, falls, "confinement takes no rock's strength away; check pressures and angles");
   warn(

@@ -73,17 +73,34 @@ TEST(RockWarnings, UcsThatNoEnvelopeMeetsIsDoubted) {
     return warnings_about(with(all));
   };
   EXPECT_THAT(about(60e6), ElementsAre(AllOf(HasSubstr("UCS(45) = 60 MPa, and 120 MPa by the line"),
-                                             HasSubstr("under 5 and 20 MPa"))));
+                                             HasSubstr("under 5 to 20 MPa"))));
   EXPECT_THAT(about(100e6), IsEmpty());
 }
 
+TEST(RockWarnings, StressesThatAreAlikeAreOneTestAndNoEnvelope) {
+  const std::vector<RockReading> readings = {cell(Property::ucs, 45, 97e6), confined(45, 4.98e6, 128e6),
+                                             confined(45, 5.02e6, 121e6), confined(45, 5.05e6, 131e6)};
+  EXPECT_THAT(warnings_about(with(readings)), IsEmpty());
+  const std::vector<Target> targets = of_property(targets_of(with(readings)), Property::confined);
+  ASSERT_EQ(targets.size(), 1U);
+  EXPECT_EQ(targets[0].n, 3);
+  EXPECT_NEAR(targets[0].confining, 5.0167e6, 1e3);
+}
+
 TEST(RockWarnings, StrengthThatFallsUnderConfinementIsDoubted) {
-  EXPECT_THAT(
-      warnings_about(with({cell(Property::ucs, 0, 100e6), confined(0, 10e6, 90e6)})),
-      ElementsAre(AllOf(HasSubstr("sigma_1(0) = 90 MPa after 100 MPa"), HasSubstr("takes no rock's"))));
-  EXPECT_THAT(warnings_about(with({cell(Property::ucs, 0, 100e6), confined(0, 10e6, 150e6),
-                                   confined(30, 10e6, 90e6)})),  // another angle
-              IsEmpty());
+  // three specimens each that scatter by 2 %
+  const auto of_three = [](RockReading r) {
+    r.n = 3, r.sd = 0.02 * r.value;
+    return r;
+  };
+  const auto about = [&](const RockReading& sigma_1) {
+    return warnings_about(with({of_three(cell(Property::ucs, 0, 100e6)), of_three(sigma_1)}));
+  };
+  EXPECT_THAT(about(confined(0, 10e6, 60e6)),
+              ElementsAre(AllOf(HasSubstr("falls from 100 MPa under 0 to 50 MPa under 10 MPa"),
+                                HasSubstr("takes no rock's"))));
+  EXPECT_THAT(about(confined(0, 10e6, 107e6)), IsEmpty());  // by chance, and the strength itself has grown
+  EXPECT_THAT(about(confined(30, 10e6, 60e6)), IsEmpty());  // another angle
 }
 
 TEST(RockWarnings, AConversionInPartIsTold) {
