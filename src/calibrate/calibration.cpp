@@ -241,32 +241,36 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   return true;
 }
 
-/// Strengths on unseen packings, and on more of them where they differ much and the budget allows it.
+/// Would more unseen packings tell more, and may they be had? Specimens so large that the search takes coarse
+/// grains keep to the first: theirs are most of what a calibration costs.
+bool takes_more_packings(Calibration& result, const Work& work, const std::vector<Comparison>& rows) {
+  if (work.simulator.stopped() || work.unseen.size() >= most_packings || !wants_packings(rows)) return false;
+  if (has_coarse(result.recipe)) return false;
+  const std::int64_t spent = result.n_strength_tests - result.n_tension_tests;
+  if (spent + work.evidence.n_compressive() * n_unseen <= work.options.max_tests) return true;
+  result.notes.emplace_back(
+      "strengths of packings of this size differ much: more unseen ones would tell more, and a larger "
+      "--max-tests takes them");
+  return false;
+}
+
+/// Strengths on unseen packings, and on more of them where they differ much; the moduli on as many.
 std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
   const Evidence& evidence = work.evidence;
   const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
-  const std::int64_t n = evidence.n_compressive(),
-                     n_tension = static_cast<std::int64_t>(evidence.strengths.size()) - n;
+  const auto n = static_cast<std::int64_t>(evidence.strengths.size()),
+             n_tension = n - evidence.n_compressive();
   std::vector<Comparison> rows;
-  for (std::int64_t n_tested = 0;;) {
+  for (;;) {
     work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
     rows = strength_response(result.recipe, evidence.strengths, work.unseen, work.simulator, reading,
                              &from_test);
-    const auto n_packings = static_cast<std::int64_t>(work.unseen.size());
-    result.n_strength_tests += (n + n_tension) * (n_packings - n_tested);
-    result.n_tension_tests += n_tension * (n_packings - n_tested);
-    n_tested = n_packings;
-    const bool paid =
-        result.n_strength_tests - result.n_tension_tests + n * n_unseen <= work.options.max_tests;
-    if (!paid && wants_packings(rows))
-      result.notes.emplace_back(
-          "strengths of packings of this size differ much: more unseen ones would tell more, and a larger "
-          "--max-tests takes them");
-    if (work.simulator.stopped() || !wants_packings(rows) || !paid || work.unseen.size() >= most_packings)
-      break;
-    const std::vector<std::int64_t> more = seeds_from(work.next_unseen, n_unseen);
-    work.unseen.insert(work.unseen.end(), more.begin(), more.end()), work.next_unseen += n_unseen;
+    result.n_strength_tests += n * n_unseen,
+        result.n_tension_tests += n_tension * n_unseen;  // the others are known
+    if (!takes_more_packings(result, work, rows)) break;
+    const std::vector<std::int64_t> next = seeds_from(work.next_unseen, n_unseen);
+    work.unseen.insert(work.unseen.end(), next.begin(), next.end()), work.next_unseen += n_unseen;
   }
   if (work.unseen.size() == first_packings) return rows;
   result.notes.push_back(fmt::format(

@@ -302,7 +302,8 @@ TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
 }
 
 TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
-  const Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
+  rock.model.packing.n_grains = 1197;
   const auto n_unseen = [&](double scatter, std::int64_t max_tests) {
     PaperPress press;
     press.packing_scatter = scatter;
@@ -320,6 +321,8 @@ TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes)
   EXPECT_EQ(n_unseen(0.02, 1000), 5);
   EXPECT_EQ(n_unseen(0.12, 1000), 15);
   EXPECT_EQ(n_unseen(0.12, 36 + 10), 10);
+  rock.model.packing.n_grains = 7481;  // too dear
+  EXPECT_EQ(n_unseen(0.12, 1000), 5);
 }
 
 TEST(StrengthStage, ABudgetCountsStrengthsUnderConfinement) {
