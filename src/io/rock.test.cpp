@@ -244,6 +244,13 @@ TEST_F(RockFile, AnEnvelopeIsTwoStrengthsInsideItsPressures) {
   EXPECT_THAT(r.notes, Contains(HasSubstr("c and phi of 1 row(s)")));
 }
 
+TEST_F(RockFile, TheNamesOfLaboratoriesForAnEnvelopeAreKnown) {
+  const Rock r = rock(
+      "theta [deg],UCS [MPa],cohesion [MPa],friction angle [deg],confining_min [MPa],confining_max [MPa],n\n"
+      "0,51,15.22,37.89,5,20,3\n45,43,11.68,34.95,5,20,3\n90,64,16.86,36.76,5,20,3\n");
+  EXPECT_THAT(of_property(targets_of(r), Property::confined), SizeIs(6));
+}
+
 // What the reading rests on: a line through noisy strengths at four pressures, read at two, 4,000 times.
 TEST_F(RockFile, ErrorsOfTheTwoStrengthsOfAnEnvelopeDoNotDependOnEachOther) {
   const Rock r = rock(envelope_head + "0,40,10,30,5,35,4\n45,30,,,,,3\n90,45,,,,,3\n");

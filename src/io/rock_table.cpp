@@ -88,6 +88,8 @@ Head head_of(const std::string& cell) {
                                                       {"diameter", Column::diameter},
                                                       {"n", Column::n},
                                                       {"c", Column::cohesion},
+                                                      {"cohesion", Column::cohesion},
+                                                      {"friction_angle", Column::friction},
                                                       {"phi", Column::friction},
                                                       {"confining_min", Column::least_confining},
                                                       {"confining_max", Column::most_confining}};
