@@ -264,8 +264,8 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   for (;;) {
     work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(result.recipe, evidence.strengths, work.unseen, work.simulator, reading,
-                             &from_test);
+    rows = strength_response(result.recipe, evidence.strengths, work.unseen, Loading::pre_strained,
+                             work.simulator, reading, &from_test);
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
     if (!takes_more_packings(result, work, rows)) break;

@@ -122,7 +122,8 @@ class Sequence {
   double miss_at(const Step& step, double x) {
     Recipe recipe = fit_.recipe;
     step.parameter->set(recipe, std::exp(x));
-    const std::vector<TestResult> results = simulator_.test({tests_.of(recipe, step.target, seed_)});
+    const std::vector<TestResult> results =
+        simulator_.test({tests_.of(recipe, step.target, seed_, Loading::pre_strained)});
     if (simulator_.stopped()) throw Stopped{};
     --left_, ++fit_.n_tests;
     const Target& t = evidence_.strengths[step.target];
@@ -188,7 +189,8 @@ class Sequence {
     if (evidence_.rock.bedded && !is_step(joint_sigma_n))
       add_estimate(joint_sigma_n, fmt::format("{}, in the ratio of the recipe",
                                               is_step(joint_cohesion) ? "cohesion" : "sigma_c"));
-    fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, simulator_);
+    fit_.fitted =
+        strength_response(fit_.recipe, evidence_.strengths, {seed_}, Loading::pre_strained, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     const auto n = static_cast<std::int64_t>(evidence_.strengths.size());
     fit_.n_tests += n, fit_.n_tension += n - evidence_.n_compressive();
@@ -220,9 +222,11 @@ class Sequence {
   void announce() {
     std::vector<Recipe> all;
     for (const Step& step : steps_)
-      for (std::size_t k = 0; k < usual_tests; ++k) all.push_back(tests_.of(fit_.recipe, step.target, seed_));
+      for (std::size_t k = 0; k < usual_tests; ++k)
+        all.push_back(tests_.of(fit_.recipe, step.target, seed_, Loading::pre_strained));
     for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
-      for (int k = 0; k <= verification_packings; ++k) all.push_back(tests_.of(fit_.recipe, i, seed_));
+      for (int k = 0; k <= verification_packings; ++k)
+        all.push_back(tests_.of(fit_.recipe, i, seed_, Loading::pre_strained));
     simulator_.announce(all);
   }
 };

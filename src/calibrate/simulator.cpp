@@ -15,7 +15,6 @@
 #include "study/effects.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
-#include "study/runner.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -160,7 +159,8 @@ class OwnSimulator : public Simulator {
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;
     machine.threads = options_.threads, machine.isa = engine::native_isa();
-    study::work_at(queue, plan, machine);
+    const study::WorkReport report = study::work_at(queue, plan, machine);
+    if (options_.on_work) options_.on_work(report);
     clockwork_.end(queue.progress());
   }
 };

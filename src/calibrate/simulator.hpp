@@ -10,6 +10,7 @@
 #include "records/elastic.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
+#include "study/runner.hpp"
 
 namespace phy::calibrate {
 
@@ -41,7 +42,8 @@ struct SimulatorOptions {
   int threads = 1;
   std::string store;  ///< SQLite file of finished tests (study/store.hpp); empty: kept until the end only
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(const TestProgress&)> on_progress;  ///< from a worker, one at a time
+  std::function<void(const TestProgress&)> on_progress;             ///< from a worker, one at a time
+  std::function<void(const study::WorkReport&)> on_work = nullptr;  ///< after every batch of tests
   bool with_untrusted = false;  ///< tests that are not to be trusted count like the others
 };
 

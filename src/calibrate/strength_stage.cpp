@@ -85,7 +85,7 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
   for (std::size_t p = 0; p < design.points.size(); ++p) {
     const Recipe point = posterior.recipe_at(design.coarse ? coarse(recipe) : recipe, design.points[p]);
     for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-      recipes.push_back(tests.quick(point, i, seeds[design.packings[p]]));
+      recipes.push_back(tests.of(point, i, seeds[design.packings[p]], Loading::search));
   }
   return recipes;
 }
@@ -271,7 +271,7 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
   }
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
     for (int k = 0; k < verification_packings; ++k)
-      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front()));
+      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), Loading::pre_strained));
   simulator.announce(all);
 }
 

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
-constexpr double search_speed = 2.0;
+constexpr double search_speed = 1.4;
 constexpr double pre_strain_share = 0.35;   // of the expected peak strain
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
@@ -47,18 +47,12 @@ std::vector<double> peak_strains(const std::vector<Target>& targets, const std::
   return strains;
 }
 
-/// Speed of platens or grips at which a wave crosses the specimen a hundred times until the earliest peak of
-/// a property, under one confining stress; infinite without targets.
-double slow_speed(const Recipe& recipe, const std::vector<Target>& targets,
-                  const std::vector<double>& strains, Property property, double confining = 0.0) {
-  double speed = infinity;
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    if (targets[i].property == property && targets[i].confining == confining) {
-      const double factor = property == Property::brazilian ? lab::disc_approach : 1.0;
-      const double wave = std::sqrt(factor * stress_rise(targets[i]) / strains[i] / recipe.matrix.density);
-      speed = std::min(speed, 0.5 * strains[i] * wave / wave_transits);
-    }
-  return speed;
+/// Speed of platens or grips [m/s] at which a wave crosses the specimen a hundred times until it peaks at
+/// `strain`.
+double slow_speed(const Recipe& recipe, const Target& target, double strain) {
+  const double factor = target.property == Property::brazilian ? lab::disc_approach : 1.0;
+  const double wave = std::sqrt(factor * stress_rise(target) / strain / recipe.matrix.density);
+  return 0.5 * strain * wave / wave_transits;
 }
 
 /// A test and its number that is a property of the table; null: none.
@@ -122,16 +116,16 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets,
                              const std::vector<double>& moduli)
     : targets_(targets), strains_(peak_strains(targets, moduli)) {
-  for (const Target& t : targets_)
-    speeds_.push_back(t.property == Property::ucs
-                          ? recipe.test.platen_speed
-                          : slow_speed(recipe, targets_, strains_, t.property, t.confining));
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
 }
 
-Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
+Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
   one.test.kind = *test_of(targets_[target].property).test;
-  one.test.platen_speed = speeds_[target];
+  one.test.platen_speed = speeds_[target] * (loading == Loading::search ? search_speed : 1.0);
+  if (loading != Loading::from_rest && one.test.kind->may_pre_strain)
+    one.test.pre_strain = pre_strain_share * strains_[target];
   if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;
@@ -140,13 +134,6 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
     one.test.confining_stress = targets_[target].confining;
     one.test.max_strain = largest_strain(strains_[target]);
   }
-  return one;
-}
-
-Recipe StrengthTests::quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const {
-  Recipe one = of(recipe, target, seed);
-  one.test.platen_speed *= search_speed;
-  if (one.test.kind->may_pre_strain) one.test.pre_strain = pre_strain_share * strains_[target];
   return one;
 }
 
@@ -188,10 +175,12 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const std::vector<double>& moduli) {
   const std::vector<double> strains = peak_strains(targets, moduli);
-  const double speed = slow_speed(recipe, targets, strains, Property::ucs);
+  double slowest = infinity;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    slowest = std::min(slowest, slow_speed(recipe, targets[i], strains[i]));
   const double largest = strains.empty() ? 0.0 : *std::max_element(strains.begin(), strains.end());
   TestRecipe& test = recipe.test;
-  if (std::isfinite(speed)) test.platen_speed = speed, test.max_strain = largest_strain(largest);
+  if (std::isfinite(slowest)) test.platen_speed = slowest, test.max_strain = largest_strain(largest);
   test.stop_at = 0.8, test.post_peak = 1.0;
   test.n_snapshots = 0, test.n_frames = 0;
   test.angles.clear(), test.intact = false;
@@ -200,12 +189,13 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
 }
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Simulator& simulator,
-                                          ModulusReading reading, std::vector<Comparison>* moduli) {
+                                          const std::vector<std::int64_t>& seeds, Loading loading,
+                                          Simulator& simulator, ModulusReading reading,
+                                          std::vector<Comparison>* moduli) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed));
+    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, loading));
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -1,7 +1,8 @@
 // The tests of a table: what the laboratory did to its specimens, done to specimens of the model.
 //
-// Platens move at a speed at which a wave crosses the specimen a hundred times until the earliest peak. The
-// search of the strengths takes twice that and an affine pre-strain (docs/calibration.md, "Two speeds").
+// Every test has a platen speed of its own, at which a wave crosses its specimen a hundred times until the
+// peak that the laboratory's strength leads to expect: tests side by side then end together. How they begin,
+// and what the search of the strengths may do faster, is their Loading (docs/calibration.md, "Loading").
 #pragma once
 #include <vector>
 
@@ -13,8 +14,15 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// The tests for one packing each. UCS runs at the recipe's speed, every other kind of test at a slow speed
-/// of its own.
+/// How tests are loaded. Tests in compression without confinement may begin with an affine pre-strain to
+/// 35 % of the expected peak strain, all others begin at rest.
+enum class Loading {
+  from_rest,     ///< as a laboratory does: what tables of twins are made with
+  pre_strained,  ///< verification, softening at the estimate
+  search         ///< pre-strained and at 1.4 times the speed
+};
+
+/// The tests for one packing each.
 class StrengthTests {
  public:
   /// `recipe`: with test_settings(); the moduli on the packing `seed` say at which strain each target peaks.
@@ -22,10 +30,7 @@ class StrengthTests {
                 Simulator& simulator);
   /// The same with the moduli [Pa] at the angles of the targets, where they are known.
   StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, const std::vector<double>& moduli);
-  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
-  /// For the search: affine pre-strain and twice the speed halve the steps of a compression test and move UCS
-  /// by +0.7 +- 0.4 %.
-  Recipe quick(const Recipe& recipe, std::size_t target, std::int64_t seed) const;
+  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const;
 
  private:
   std::vector<Target> targets_;
@@ -42,13 +47,14 @@ double modulus_of(const TestResult& result, ModulusReading reading);
 /// `reading` has it and nu (over 40 - 60 % of the strength) of the tests of UCS; their targets have no
 /// values.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Simulator& simulator,
+                                          const std::vector<std::int64_t>& seeds, Loading loading,
+                                          Simulator& simulator,
                                           ModulusReading reading = ModulusReading::tangent_50,
                                           std::vector<Comparison>* moduli = nullptr);
 
-/// Settings of the tests of a rock: single precision, no snapshots, and a platen speed at which a
-/// wave crosses the specimen a hundred times until the earliest peak. `all`: their UCS over the modulus
-/// of the recipe (direct solution on the packing `seed`) is the strain of the peak.
+/// Settings of the tests of a rock: single precision, no snapshots, and the slowest of the platen speeds of
+/// its tests of UCS, so that one recipe suits all angles. `all`: their UCS over the modulus of the recipe
+/// (direct solution on the packing `seed`) is the strain of the peak.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
 /// The same for targets of UCS alone, with the moduli [Pa] at their angles.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& ucs, const std::vector<double>& moduli);

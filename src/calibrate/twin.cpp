@@ -22,8 +22,9 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
     strengths.push_back({Property::ucs, theta, 2.0 * truth.matrix.sigma_c, 1.0, 1, true});
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<std::int64_t> some = pass == 0 ? std::vector<std::int64_t>{seeds.front()} : seeds;
-    const std::vector<Comparison> found = strength_response(
-        test_settings(truth, strengths, seeds.front(), simulator), strengths, some, simulator);
+    const std::vector<Comparison> found =
+        strength_response(test_settings(truth, strengths, seeds.front(), simulator), strengths, some,
+                          Loading::from_rest, simulator);
     for (std::size_t i = 0; i < strengths.size(); ++i)
       if (std::isfinite(found[i].mean)) strengths[i].mean = found[i].mean;
     if (pass == 1) rows.insert(rows.end(), found.begin(), found.end());

@@ -11,6 +11,7 @@
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
@@ -156,6 +157,10 @@ int run_calibration(const Arguments& args, const Session& session) {
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) { return progress_text(p); });
   };
+  study::WorkReport work;
+  machine.on_work = [&](const study::WorkReport& some) {
+    work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
+  };
   calibrate::CalibrationOptions options;
   if (args.by_sequence()) options.method = CalibrationMethod::sequence;
   options.elastic_only = args.elastic, options.max_tests = args.max_tests;
@@ -165,7 +170,9 @@ int run_calibration(const Arguments& args, const Session& session) {
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) write_files(args.out, result, tables_of(result));  // first: the output may be full
-  print_out("{}{:.1f} s in all\n", screen_of(result, width), result.seconds);
+  const std::string lanes = lanes_text(work.lanes);
+  print_out("{}{:.1f} s in all{}\n", screen_of(result, width), result.seconds,
+            lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
   if (interrupted) {
     print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{}{} --resume\n",
                   sh_word(args.rock), sh_word(args.out), args.max_tests,

@@ -133,10 +133,11 @@ int finish_study(const study::Plan& plan, const study::Store& store, const std::
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
   const study::WorkReport& report = run.report;
+  const std::string lanes = lanes_text(report.lanes);
   print_wrapped(session.terminal_width, 2,
-                "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %\n", run.n_new,
+                "\n{} run in {:.1f} s ({:.1f} per minute), {:.1f} s CPU, idle tail {:.1f} %{}{}\n", run.n_new,
                 report.wall_seconds, 60.0 * static_cast<double>(run.n_new) / report.wall_seconds,
-                report.cpu_seconds, 100.0 * report.idle);
+                report.cpu_seconds, 100.0 * report.idle, lanes.empty() ? "" : ", ", lanes);
   if (run.n_guest > 0) print_out("{} of them on other ranks\n", run.n_guest);
   print_out("{} finished with hash {}\n", n_finished(rows), study::hash_of(rows));
   if (n_left > 0) print_out("{} specimens are left: phyllite study resume {}\n", n_left, sh_word(folder));

@@ -98,6 +98,12 @@ std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) 
   return n;
 }
 
+std::string lanes_text(const study::LaneUse& use) {
+  if (!(use.contact_steps > 0.0)) return "";
+  return fmt::format("lanes {:.0f} % full, {:.1f} ns per contact, cycle and test", 100.0 * use.occupancy(),
+                     1e9 * use.seconds_per_step());
+}
+
 std::string progress_text(const study::StudyProgress& p, double seconds) {
   std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
   if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);

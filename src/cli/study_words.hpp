@@ -17,6 +17,9 @@ std::size_t print_failures(const study::Plan& plan, const study::StudyRows& rows
 /// Tests of this part that have no result yet.
 std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows);
 
+/// How full the lanes were and how fast tests went in them; "" where none ran.
+std::string lanes_text(const study::LaneUse& use);
+
 /// One line on how far a study has come.
 std::string progress_text(const study::StudyProgress& p, double seconds);
 

@@ -159,7 +159,8 @@ bool Procedure::after_block() {
   ++blocks_;
   read_row();
   const HistoryRow& row = row_;
-  if (const engine::LaneHealth& health = group_->health(lane_); !health.ok) return end_unstable(health);
+  if (const engine::LaneHealth& health = group_->health(lane_); !health.ok)
+    return !(phase_ == Phase::prepare && begin_without()) && end_unstable(health);
   if (phase_ == Phase::settle) {
     const std::int64_t cycles = blocks_ * recipe_.test.history_interval;
     if (row.unbalanced <= settled) {

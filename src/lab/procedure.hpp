@@ -62,6 +62,8 @@ class Procedure {
   virtual void on_placed() { start_loading(); }
   /// After a block of preparation: ends with start_loading or begin. True when the test is over.
   virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
+  /// The watchdog has rejected what was prepared: begin without it? False: there is no other way.
+  virtual bool begin_without() { return false; }
   /// Sets the bodies in motion, at the start of loading.
   virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }

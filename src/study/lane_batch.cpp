@@ -16,6 +16,11 @@ int fitting_lanes(std::size_t n, Precision precision, int widest) {
   return lanes;
 }
 
+void LaneUse::add(const LaneUse& other) {
+  test_steps += other.test_steps, lane_steps += other.lane_steps;
+  contact_steps += other.contact_steps, seconds += other.seconds;
+}
+
 LaneBatch::LaneBatch(std::shared_ptr<const Packing> packing, const LaneBatchOptions& options)
     : packing_(std::move(packing)),
       options_(options),
@@ -43,16 +48,21 @@ void LaneBatch::hand_over(const LaneHooks& hooks, LaneSlot& slot) {
 
 void LaneBatch::work(const LaneHooks& hooks) {
   const auto n = static_cast<double>(n_tests());
+  const double cycles = options_.group.interval;
+  LaneUse use = {n * cycles, static_cast<double>(slots_.size()) * cycles, 0.0, 0.0};
+  for (std::size_t lane = 0; lane < slots_.size(); ++lane)
+    if (slots_[lane].test)
+      use.contact_steps += cycles * static_cast<double>(group_->n_contacts(static_cast<int>(lane)));
   // Time on the processor, not on the clock: other workers and programs do not count.
   const double before = thread_seconds();
   group_->advance();
-  const double seconds = thread_seconds() - before;
-  hooks.block(n * options_.group.interval, packing_->discs.size());
+  use.seconds = thread_seconds() - before;
+  hooks.block(use, packing_->discs.size());
   for (std::size_t lane = 0; lane < slots_.size(); ++lane) {
     LaneSlot& slot = slots_[lane];
     if (!slot.test) continue;
     // A block advances all lanes at once; its time is shared equally among the tests in them.
-    slot.seconds += seconds / n;
+    slot.seconds += use.seconds / n;
     bool over = slot.test->after_block();
     if (const lab::Procedure::Reading r = slot.test->latest(); hooks.reading)
       hooks.reading(slot.job.index, r.strain, r.stress);

@@ -30,11 +30,24 @@ struct Job {
   std::size_t index = 0;                 ///< given back with the result
 };
 
+/// What lanes did: how many of them held a test, and how fast they went.
+struct LaneUse {
+  double test_steps = 0.0;     ///< cycles times tests
+  double lane_steps = 0.0;     ///< cycles times lanes, empty ones too
+  double contact_steps = 0.0;  ///< cycles times contacts of the tests
+  double seconds = 0.0;        ///< of the processor, in cycles
+  void add(const LaneUse& other);
+  /// Share of the lanes that held a test; NaN before the first cycle, as the next.
+  double occupancy() const { return test_steps / lane_steps; }
+  /// Time per contact, cycle and test [s].
+  double seconds_per_step() const { return seconds / contact_steps; }
+};
+
 /// Where a lane batch gets its work and leaves its results. Called from the thread that runs the lane batch.
 struct LaneHooks {
   std::function<std::optional<Job>()> next;  ///< nothing: no more work of this packing
   std::function<void(std::size_t index, TestResult)> done;
-  std::function<void(double steps, std::size_t n_grains)> block;  ///< steps: cycles times specimens
+  std::function<void(const LaneUse& use, std::size_t n_grains)> block;
   std::function<bool()> stopped;
   std::function<void(std::size_t index, double strain, double stress)> reading = nullptr;
 };

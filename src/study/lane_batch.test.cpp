@@ -47,7 +47,7 @@ class Bench {
               const std::lock_guard lock(mutex_);
               found[i] = result.hash;
             },
-            [](double, std::size_t) {}, [] { return false; }};
+            [](const LaneUse&, std::size_t) {}, [] { return false; }};
   }
   LaneHooks no_more() {
     LaneHooks h = hooks();
@@ -120,7 +120,7 @@ TEST(LaneBatch, AWorkerWhoHasRunDryIsGivenTests) {
   auto lane_batch = std::make_unique<LaneBatch>(bench.packing(), eight(false));
   lane_batch->fill(bench.hooks());
   LaneHooks hooks = bench.no_more();
-  hooks.block = [&](double, std::size_t) {  // it waits before the tests are over
+  hooks.block = [&](const LaneUse&, std::size_t) {  // it waits before the tests are over
     if (taken == 0) std::this_thread::sleep_for(milliseconds(1));
   };
   run_lane_batch(std::move(lane_batch), hooks, exchange);

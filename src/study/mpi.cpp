@@ -115,7 +115,12 @@ class RemoteQueue : public TaskQueue {
   void count(double work) override { stopped_ = ask({{"ask", "count"}, {"work", work}}).get<bool>(); }
   bool stopped() override { return stop_ || stopped_; }  // of rank 0: as of the last block
   void end(const WorkReport& report) {
-    ask({{"ask", "end"}, {"cpu", report.cpu_seconds}, {"wall", report.wall_seconds}, {"idle", report.idle}});
+    const LaneUse& use = report.lanes;
+    ask({{"ask", "end"},
+         {"cpu", report.cpu_seconds},
+         {"wall", report.wall_seconds},
+         {"idle", report.idle},
+         {"lanes", {use.test_steps, use.lane_steps, use.contact_steps, use.seconds}}});
   }
 
  private:
@@ -189,7 +194,11 @@ class Server {
     if (what == "deliver") queue_.deliver_from(q["host"], q["test"], unpacked(q["result"]));
     if (what == "count") queue_.count(q["work"]);
     // An ended rank asks no more: the server runs until all have ended.
-    if (what == "end") --n_left_, reports.push_back({q["cpu"], q["wall"], q["idle"]});
+    if (what == "end") {
+      --n_left_;
+      const json& use = q["lanes"];
+      reports.push_back({q["cpu"], q["wall"], q["idle"], {use[0], use[1], use[2], use[3]}});
+    }
     return queue_.stopped();
   }
 };
@@ -252,6 +261,7 @@ WorkReport work_as_host(const Ranks& ranks, StoreQueue& queue, const Plan& plan,
   double busy = report.wall_seconds * (1.0 - report.idle), wall = report.wall_seconds;
   for (const WorkReport& r : server.reports) {
     report.cpu_seconds += r.cpu_seconds;
+    report.lanes.add(r.lanes);
     busy += r.wall_seconds * (1.0 - r.idle);
     wall = std::max(wall, r.wall_seconds);
   }

@@ -36,6 +36,8 @@ class Worker {
          const std::atomic<bool>& broken)
       : queue_(queue), plan_(plan), machine_(machine), exchange_(exchange), broken_(broken) {}
 
+  const LaneUse& use() const { return use_; }
+
   void run() {
     // The queue may have nothing for now (other processes run the rest): then a lane batch of another
     // worker is waited for, but not for long, as claims elsewhere may lapse.
@@ -65,6 +67,7 @@ class Worker {
   std::shared_ptr<const Packing> packing_;
   std::optional<std::size_t> last_;  // of this batch
   statics::UniaxialStatics statics_;
+  LaneUse use_;
 
   bool stopped() { return broken_.load() || queue_.stopped(); }
 
@@ -101,11 +104,13 @@ class Worker {
   }
   LaneHooks hooks(std::function<std::optional<Job>()> next_job) {
     if (!next_job) next_job = [] { return std::optional<Job>(); };
-    return {
-        std::move(next_job),
-        [this](std::size_t test, const TestResult& result) { queue_.deliver(test, result); },
-        [this](double steps, std::size_t n_grains) { queue_.count(steps * static_cast<double>(n_grains)); },
-        [this] { return stopped(); }};
+    return {std::move(next_job),
+            [this](std::size_t test, const TestResult& result) { queue_.deliver(test, result); },
+            [this](const LaneUse& use, std::size_t n_grains) {
+              use_.add(use);
+              queue_.count(use.test_steps * static_cast<double>(n_grains));
+            },
+            [this] { return stopped(); }};
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {
@@ -314,9 +319,11 @@ WorkReport work_at(TaskQueue& queue, const Plan& plan, const MachineOptions& mac
       static_cast<std::size_t>(machine.threads), broken,
       [&](std::size_t) {
         // Each thread adds its own time, since the clock of a thread is gone with it.
-        Worker(queue, plan, machine, exchange, broken).run();
+        Worker worker(queue, plan, machine, exchange, broken);
+        worker.run();
         const std::lock_guard lock(mutex);
         report.cpu_seconds += thread_seconds();
+        report.lanes.add(worker.use());
       },
       [&] { exchange.leave(); });
   report.wall_seconds = seconds_since(start);

@@ -117,6 +117,7 @@ struct WorkReport {
   double cpu_seconds = 0.0;   ///< of all workers
   double wall_seconds = 0.0;  ///< from the first start to the last end
   double idle = 0.0;          ///< share of workers' time without work
+  LaneUse lanes;              ///< of tests, not of direct solutions
 };
 
 /// Runs tests of the queue until none is left or it is stopped. Rethrows the first exception of a worker.

@@ -64,7 +64,7 @@ struct SharedTests {
   LaneHooks for_lanes(std::deque<std::size_t>& chunk) {
     return {[this, &chunk] { return next(chunk); },
             [this](std::size_t i, TestResult result) { done(i, std::move(result)); },
-            [this](double steps, std::size_t) { block(steps); }, [this] { return stopped(); },
+            [this](const LaneUse& use, std::size_t) { block(use.test_steps); }, [this] { return stopped(); },
             hooks.on_reading
                 ? [this](std::size_t i, double strain, double stress) { reading(i, strain, stress); }
                 : std::function<void(std::size_t, double, double)>()};

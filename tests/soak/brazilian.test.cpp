@@ -40,7 +40,8 @@ std::vector<Comparison> response(const Recipe& truth, calibrate::Simulator& simu
     strengths.push_back({Property::brazilian, theta, 0.3 * truth.matrix.sigma_c, 1.0, 1, true});
   std::vector<Comparison> rows = calibrate::elastic_response(truth, moduli, seeds, simulator);
   const Recipe settings = calibrate::test_settings(truth, strengths, seeds.front(), simulator);
-  for (const Comparison& c : calibrate::strength_response(settings, strengths, seeds, simulator))
+  for (const Comparison& c :
+       calibrate::strength_response(settings, strengths, seeds, calibrate::Loading::from_rest, simulator))
     rows.push_back(c);
   return rows;
 }

@@ -154,8 +154,9 @@ TEST(Comparison, MisfitOverBudgetOfThreeMethods) {
         global = by_optimiser(settings, ucs, *simulator);
       }
       const auto error = [&](const Recipe& r) {
-        return rmse_against(calibrate::strength_response(r, ucs, unseen_packings(), *simulator), t.unseen,
-                            Property::ucs);
+        return rmse_against(calibrate::strength_response(r, ucs, unseen_packings(),
+                                                         calibrate::Loading::from_rest, *simulator),
+                            t.unseen, Property::ucs);
       };
       const double ours = rmse_against(t.found.verification, t.unseen, Property::ucs),
                    sequential = error(by_sequence(rock, budgets[b], *simulator)), crs2 = error(global[b]);

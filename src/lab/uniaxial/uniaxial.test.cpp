@@ -52,6 +52,22 @@ TEST(JumpStart, SpecimenAtItsStrengthIsRunWithoutIt) {
   EXPECT_FALSE(number(too_far, "sigma_ci").note.starts_with("below")) << "nothing was jumped over";
 }
 
+// Layers a thousand times softer than the grains take nearly all of the strain; spread evenly it throws the
+// grains about, and the watchdog rejects it.
+TEST(JumpStart, StrainThatThrowsGrainsAboutIsTakenBack) {
+  Recipe r = small_rock(TestKind("uniaxial"));
+  r.bedding = {BeddingRecipe{}};
+  r.bedding[0].theta = 30.0;
+  r.bedding[0].spacing = 0.002;
+  r.bedding[0].k_n /= 1000.0, r.bedding[0].k_s /= 1000.0;
+  r.test.platen_speed = 0.5, r.test.max_strain = 0.02;
+  const TestResult plain = run_alone(r);
+  r.test.pre_strain = 0.03;
+  const TestResult thrown = run_alone(r);
+  EXPECT_NE(thrown.outcome.status, Status::unstable) << thrown.outcome.reason;
+  EXPECT_EQ(thrown.hash, plain.hash);
+}
+
 // 330 grains loose in four times their place: nothing to go on for.
 TEST(Uniaxial, SpecimenOfLooseGrainsIsNotToBePressedFurther) {
   Recipe r = small_rock(TestKind("uniaxial"));
