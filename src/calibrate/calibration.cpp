@@ -264,7 +264,7 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   for (;;) {
     work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(result.recipe, evidence.strengths, work.unseen, Loading::pre_strained,
+    rows = strength_response(result.recipe, evidence.strengths, work.unseen, Loading::from_rest,
                              work.simulator, reading, &from_test);
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
@@ -401,7 +401,9 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
     result.n_elastic += choice.n_solutions;
   }
   result.layers = layers;
-  return Evidence(with_layers(rock, layers), evidence.targets);
+  Evidence with(with_layers(rock, layers), evidence.targets);
+  with.maps = evidence.maps;
+  return with;
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct Evidence {
   std::vector<Target> moduli;     ///< of these, E and nu: against the direct solution
   std::vector<Target> strengths;  ///< of these, those that the program can test: against the press
   Scales scales;
+  bool maps = true;  ///< what maps of models tell before the first test counts (prior_regression.hpp)
 
   explicit Evidence(Rock of);
   /// With targets that are not the rock's own readings.

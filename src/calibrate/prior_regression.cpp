@@ -113,6 +113,7 @@ PriorMean confined_strength(const Evidence& evidence, const Recipe& recipe, cons
 }  // namespace
 
 PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const Target& target) {
+  if (!evidence.maps) return {};
   const ModelFamily* family = family_of(recipe);
   if (family == nullptr) return {};
   const Property property = target.property;

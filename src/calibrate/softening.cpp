@@ -64,7 +64,7 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
   const StrengthTests tests(recipe, ucs, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < ucs.size(); ++i)
-    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, Loading::pre_strained));
+    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, Loading::from_rest));
   const std::vector<TestResult> results = simulator.test(recipes);
   const std::vector<ElasticResult> solutions = simulator.elastic(recipes, false);
   SofteningRecord record(reading);

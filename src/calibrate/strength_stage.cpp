@@ -271,7 +271,7 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
   }
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
     for (int k = 0; k < verification_packings; ++k)
-      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), Loading::pre_strained));
+      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), Loading::from_rest));
   simulator.announce(all);
 }
 

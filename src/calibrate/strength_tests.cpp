@@ -123,9 +123,9 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
   one.test.kind = *test_of(targets_[target].property).test;
-  one.test.platen_speed = speeds_[target] * (loading == Loading::search ? search_speed : 1.0);
-  if (loading != Loading::from_rest && one.test.kind->may_pre_strain)
-    one.test.pre_strain = pre_strain_share * strains_[target];
+  const bool quick = loading == Loading::search;
+  one.test.platen_speed = speeds_[target] * (quick ? search_speed : 1.0);
+  if (quick && one.test.kind->may_pre_strain) one.test.pre_strain = pre_strain_share * strains_[target];
   if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;

@@ -14,13 +14,10 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// How tests are loaded. Tests in compression without confinement may begin with an affine pre-strain to
-/// 35 % of the expected peak strain, all others begin at rest.
-enum class Loading {
-  from_rest,     ///< as a laboratory does: what tables of twins are made with
-  pre_strained,  ///< verification, softening at the estimate
-  search         ///< pre-strained and at 1.4 times the speed
-};
+/// How tests are loaded: from rest, as a laboratory does, wherever a number is compared with one of the
+/// laboratory; in the search of the strengths 1.4 times as fast, and in compression without confinement after
+/// an affine pre-strain to 35 % of the expected peak strain.
+enum class Loading { from_rest, search };
 
 /// The tests for one packing each.
 class StrengthTests {

@@ -12,23 +12,28 @@
 namespace phy::calibrate {
 
 std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<double>& angles,
-                                      const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+                                      const std::vector<std::int64_t>& seeds, Simulator& simulator,
+                                      ModulusReading E_is) {
+  const bool at_small_strain = E_is == ModulusReading::small_strain;
   std::vector<Target> moduli, strengths;
   for (const Property p : {Property::E, Property::nu})
     for (const double theta : angles) moduli.push_back({p, theta, 1.0, 1.0, 1, true});
-  std::vector<Comparison> rows = elastic_response(truth, moduli, seeds, simulator);
   // the press runs at a speed that suits the strength: a first guess, then the strength found
   for (const double theta : angles)
     strengths.push_back({Property::ucs, theta, 2.0 * truth.matrix.sigma_c, 1.0, 1, true});
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<std::int64_t> some = pass == 0 ? std::vector<std::int64_t>{seeds.front()} : seeds;
-    const std::vector<Comparison> found =
-        strength_response(test_settings(truth, strengths, seeds.front(), simulator), strengths, some,
-                          Loading::from_rest, simulator);
-    for (std::size_t i = 0; i < strengths.size(); ++i)
-      if (std::isfinite(found[i].mean)) strengths[i].mean = found[i].mean;
-    if (pass == 1) rows.insert(rows.end(), found.begin(), found.end());
-  }
+  const auto pressed = [&](const std::vector<std::int64_t>& some, std::vector<Comparison>* read) {
+    return strength_response(test_settings(truth, strengths, seeds.front(), simulator), strengths, some,
+                             Loading::from_rest, simulator, E_is, read);
+  };
+  const std::vector<Comparison> first = pressed({seeds.front()}, nullptr);
+  for (std::size_t i = 0; i < strengths.size(); ++i)
+    if (std::isfinite(first[i].mean)) strengths[i].mean = first[i].mean;
+  std::vector<Comparison> read;  // E and nu of each angle in turn
+  const std::vector<Comparison> ucs = pressed(seeds, at_small_strain ? nullptr : &read);
+  std::vector<Comparison> rows;
+  if (at_small_strain) rows = elastic_response(truth, moduli, seeds, simulator);
+  for (const Target& t : at_small_strain ? std::vector<Target>() : moduli) rows.push_back(*row_of(read, t));
+  rows.insert(rows.end(), ucs.begin(), ucs.end());
   return rows;
 }
 

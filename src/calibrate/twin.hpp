@@ -1,8 +1,9 @@
 // A twin: a synthetic table made by the model itself from known parameters, to try the calibration on.
 //
-// Response: E and nu by the direct solution (one-sided contacts), UCS by the press, mean over packings that
-// the calibration never uses. A specimen of the laboratory is that response times 1 + noise, independent for
-// every quantity, angle and specimen.
+// Response: UCS by the press, loaded from rest; E and nu by the direct solution (one-sided contacts) where
+// the table is to hold those at small strain, else as a laboratory reads them off the same tests. Means over
+// packings that the calibration never uses. A specimen of the laboratory is that response times 1 + noise,
+// independent for every quantity, angle and specimen.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -20,10 +21,11 @@ struct TwinOptions {
   std::uint32_t noise_seed = 1;
 };
 
-/// Noise-free E, nu and UCS of a model at angles, mean over packings, with the settings of the calibration's
-/// tests.
+/// Noise-free E, nu and UCS of a model at angles, in this order, mean over packings, with the settings of the
+/// calibration's tests.
 std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<double>& angles,
-                                      const std::vector<std::int64_t>& seeds, Simulator& simulator);
+                                      const std::vector<std::int64_t>& seeds, Simulator& simulator,
+                                      ModulusReading E_is = ModulusReading::small_strain);
 
 /// Readings of specimens with that response; one row per angle and specimen.
 std::vector<RockReading> twin_readings(const std::vector<Comparison>& response, const TwinOptions& options);

@@ -81,7 +81,8 @@ int rock_check(const std::string& path, int width) {
   return 0;
 }
 
-int rock_twin(const std::string& recipe_file, const std::string& name, const Session& session) {
+int rock_twin(const std::string& recipe_file, const std::string& name, ModulusReading E_is,
+              const Session& session) {
   check_free("rock twin", name, {".csv"});
   Recipe truth = io::read_recipe(recipe_file);
   print_notes(truth.notes, session.terminal_width);
@@ -96,16 +97,16 @@ int rock_twin(const std::string& recipe_file, const std::string& name, const Ses
   const auto simulator = calibrate::make_simulator(machine);
   std::vector<Comparison> response;
   try {
-    response = calibrate::twin_response(truth, options.angles, options.seeds, *simulator);
+    response = calibrate::twin_response(truth, options.angles, options.seeds, *simulator, E_is);
   } catch (
       const calibrate::Stopped&) {  // in the middle of elastic solutions; the flag tells the same elsewhere
   }
   if (simulator->stopped()) return print_out("stopped, nothing was written\n"), 1;
   const std::string about = fmt::format(
       "# Made by `phyllite rock twin {}`: mean response of {} packings (seeds {} ... {}), {} specimens per\n"
-      "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number.\n",
+      "# angle, each quantity of each specimen times 1 + {:g} x a standard normal number; E_is = \"{}\".\n",
       comment_text(recipe_file), options.seeds.size(), options.seeds.front(), options.seeds.back(),
-      options.n_specimens, options.noise);
+      options.n_specimens, options.noise, to_string(E_is));
   io::write_file(name + ".csv", about + calibrate::readings_csv(calibrate::twin_readings(response, options),
                                                                 !truth.bedding.empty()));
   print_out("{:>6} {:>10} {:>8} {:>10}\n", "theta", "E [GPa]", "nu", "UCS [MPa]");
@@ -149,9 +150,15 @@ void add_rock_command(CLI::App& app, Session& session) {
       "twin", "write NAME.csv: a synthetic table made by the model itself, with 5 % noise");
   twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required();
   twin->add_option("name", *name, "name of the table")->required();
-  twin->callback([recipe, name, &session] {
+  auto E_is = std::make_shared<std::string>(to_string(ModulusReading::tangent_50));
+  const std::vector<std::string> readings = find_field(io::rock_schema().fields, "E_is")->choices;
+  twin->add_option("--E-is", *E_is, "what the table calls E, as in a rock file")
+      ->check(CLI::IsMember(readings))
+      ->capture_default_str();
+  twin->callback([=, &session] {
     stop_on_interrupt();
-    session.exit_code = rock_twin(*recipe, *name, session);
+    const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
+    session.exit_code = rock_twin(*recipe, *name, static_cast<ModulusReading>(which), session);
   });
 }
 

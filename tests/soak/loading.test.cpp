@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -21,6 +22,7 @@ namespace {
 using calibrate::Loading;
 using calibrate::StrengthTests;
 
+constexpr double search_speed = 1.4;
 const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
 
 struct NamedRock {
@@ -106,24 +108,23 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
     const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
     const Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
     const StrengthTests tests(settings, targets, 1, *simulator);
-    // `slow`: all angles at one speed, a hundred transits until the earliest of their peaks
-    const auto tested = [&](Loading loading, std::int64_t bond_seed, bool slow = false) {
+    const auto tested = [&](Loading loading, const std::function<void(Recipe&)>& change) {
       std::vector<Recipe> recipes;
       for (std::size_t i = 0; i < targets.size(); ++i)
         for (const std::int64_t seed : packings_from(2, n)) {
           recipes.push_back(tests.of(settings, i, seed, loading));
-          recipes.back().matrix.bond_seed = bond_seed;
-          if (slow) recipes.back().test.platen_speed = settings.test.platen_speed;
+          change(recipes.back());
         }
       return simulator->test(recipes);
     };
-    const std::int64_t draw = settings.matrix.bond_seed;
-    const std::vector<TestResult> from_rest = tested(Loading::from_rest, draw);
+    const std::vector<TestResult> from_rest = tested(Loading::from_rest, [](Recipe&) {});
     Effect a, b, c, d;
-    a.add(tested(Loading::pre_strained, draw), from_rest);
-    b.add(tested(Loading::search, draw), from_rest);
-    c.add(tested(Loading::from_rest, draw + 1), from_rest);
-    d.add(tested(Loading::from_rest, draw, true), from_rest);
+    a.add(tested(Loading::search, [](Recipe& t) { t.test.platen_speed /= search_speed; }), from_rest);
+    b.add(tested(Loading::search, [](Recipe&) {}), from_rest);
+    c.add(tested(Loading::from_rest, [](Recipe& t) { ++t.matrix.bond_seed; }), from_rest);
+    // all angles at one speed: a hundred transits until the earliest of their peaks
+    d.add(tested(Loading::from_rest, [&](Recipe& t) { t.test.platen_speed = settings.test.platen_speed; }),
+          from_rest);
     std::printf("%s\n", r.name.c_str());
     a.print("pre-strained"), b.print("search"), d.print("one speed"), c.print("other draw");
     std::fflush(stdout);
@@ -133,8 +134,8 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
   pre_strained.print("pre-strained"), search.print("search"), one_speed.print("one speed");
   other_draw.print("other draw");
   EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
-  for (const Pairs* moved : {&pre_strained.ucs, &pre_strained.E})
-    EXPECT_LE(std::fabs(summarise(moved->percent).mean), 0.3 + 2.0 * moved->error());
+  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E})
+    EXPECT_LE(std::fabs(summarise(moved->percent).mean), 1.0);
 }
 
 }  // namespace
