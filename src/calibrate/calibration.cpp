@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -106,21 +107,22 @@ void report_missing(Calibration& result, int n_tested) {
 
 /// Are there strengths to fit? What is not fitted is noted; a table with nothing to fit is an InputError.
 bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_only) {
-  const bool moduli = evidence.has(Property::E), strength = !elastic_only && evidence.has(Property::ucs);
+  const bool moduli = evidence.has(Property::E), strength = !elastic_only && evidence.fits_strength();
   if (!moduli && !strength)
-    throw InputError(
-        Problem{result.rock, "table", "",
-                elastic_only ? "values of E" : "values of E, or of UCS without confining pressure",
-                "there is nothing to fit; `phyllite rock check` tells what the table holds"});
+    throw InputError(Problem{result.rock, "table", "",
+                             elastic_only ? "values of E" : "values of E, or of a strength in compression",
+                             "there is nothing to fit; `phyllite rock check` tells what the table holds"});
   if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
-  if (moduli && !strength && evidence.rock.E_is != ModulusReading::small_strain)
-    result.notes.push_back(fmt::format(
-        "E_is = \"{}\": without strengths nothing tells how far a test softens until then; E and nu "
-        "are compared at small strain",
-        to_string(evidence.rock.E_is)));
+  if (moduli && !(strength && evidence.has(Property::ucs)) &&
+      evidence.rock.E_is != ModulusReading::small_strain)
+    result.notes.push_back(
+        fmt::format("E_is = \"{}\": without {} nothing tells how far a test softens until then; E and nu "
+                    "are compared at small strain",
+                    to_string(evidence.rock.E_is), strength ? "UCS" : "strengths"));
   if (!strength)
-    result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
-                                       elastic_only ? "the elastic part only" : "no UCS in the table"));
+    result.notes.push_back(
+        fmt::format("{}: the strengths are those of the recipe, not calibrated",
+                    elastic_only ? "the elastic part only" : "no strength in compression in the table"));
   return strength;
 }
 
@@ -224,20 +226,52 @@ void take_as_measured(Calibration& result, const Work& work, const std::vector<C
         fmt::join(without, ", ")));
 }
 
-/// What tests make of the moduli, measured at the estimate, and the moduli once more. False: stopped.
+/// Root mean square error of E as the laboratory reads it, of a model whose softenings were measured.
+double misfit_as_read(const Work& work, const Softenings& measured) {
+  double squares = 0.0;
+  int n = 0;
+  for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
+    const Target& t = work.evidence.moduli[i];
+    if (t.property != Property::E) continue;
+    const double E = work.elastic.comparisons[i].mean * softening_at(measured, t.theta).factor;
+    squares += std::pow(E / t.mean - 1.0, 2), ++n;
+  }
+  return std::sqrt(squares / n);
+}
+
+/// What tests make of the moduli, measured at the estimate, and the moduli that follow from it, in turn until
+/// E as it is read is settled. The last may not be the nearest: how far a test softens depends on the moduli,
+/// so that the steps are damped, and the best of them is taken. False: stopped.
 bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
-  work.options.say("moduli as the laboratory reads them, at the estimate");
+  constexpr int most_passes = 4;
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
-  const Softenings measured =
-      softenings_of(result.recipe, work.evidence.strengths, some, work.evidence.rock.E_is, work.simulator);
-  if (work.simulator.stopped()) return false;
-  if (!measured.empty()) work.strength.softenings = measured;
-  result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
+  const std::vector<Target>& strengths = work.evidence.strengths;
+  const auto n = static_cast<std::int64_t>(of_property(strengths, Property::ucs).size() * some.size());
+  const std::int64_t reserved = work.evidence.n_compressive() * n_unseen;
+  double nearest = std::numeric_limits<double>::infinity();
+  Softenings of_nearest;
+  ElasticFit elastic = work.elastic;
+  Recipe recipe = result.recipe;
+  for (int pass = 1;; ++pass) {
+    work.options.say("moduli as the laboratory reads them, at the estimate");
+    const Softenings measured =
+        softenings_of(result.recipe, strengths, some, work.evidence.rock.E_is, work.simulator);
+    if (work.simulator.stopped()) return false;
+    result.n_strength_tests += n, result.n_elastic += n;
+    if (measured.empty()) break;
+    if (const double misfit = misfit_as_read(work, measured); misfit < nearest)
+      nearest = misfit, of_nearest = measured, elastic = work.elastic, recipe = result.recipe;
+    const std::int64_t spent = result.n_strength_tests - result.n_tension_tests;
+    if (pass == most_passes || spent + n + reserved > work.options.max_tests ||
+        settled(work.strength.softenings, measured))
+      break;
+    work.strength.softenings = stepped(work.strength.softenings, measured);
+    result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
+  }
+  if (!of_nearest.empty()) work.strength.softenings = of_nearest;
+  work.elastic = elastic, result.recipe = recipe;
   result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
-  const auto n = static_cast<std::int64_t>(of_property(work.evidence.strengths, Property::ucs).size() *
-                                           std::size_t{n_softened});
-  result.n_strength_tests += n;
-  result.n_elastic += n + static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
+  result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   return true;
 }
 

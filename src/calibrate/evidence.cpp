@@ -7,16 +7,30 @@
 
 namespace phy::calibrate {
 
+namespace {
+
+/// About what is left of a strength under confinement without the stress on the sides, in a rock of 35
+/// degrees of friction; no less than a quarter of it.
+double unconfined(const Target& t) {
+  constexpr double growth = 3.7, least = 0.25;
+  return std::max(t.mean - growth * t.confining, least * t.mean);
+}
+
+}  // namespace
+
 Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
 
 Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), targets(std::move(read)) {
   if (!rock.bedded) remove_layers(rock.model);
+  double expected = 0.0;  // of strengths under confinement alone
   for (const Target& t : targets) {
     if (!is_strength(t.property)) moduli.push_back(t);
     if (can_test(t.property)) strengths.push_back(t);
     if (can_test(t.property) && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
+    if (can_test(t.property) && t.confining > 0.0) expected = std::max(expected, unconfined(t));
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);
   }
+  if (!has(Property::ucs)) scales.strength = std::max(scales.strength, expected);
   if (!rock.model.bedding.empty()) scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;
 }
 
@@ -34,6 +48,10 @@ std::int64_t Evidence::n_compressive() const {
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
   return std::max(least, modulus.normal_error());
+}
+
+std::string compression_in_words(const Evidence& e) {
+  return e.has(Property::ucs) || !e.has(Property::confined) ? "UCS" : "strength under confinement";
 }
 
 theory::Eq1Fit eq1_through(const Evidence& evidence) {

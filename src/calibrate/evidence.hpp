@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "records/rock.hpp"
@@ -13,7 +14,8 @@ namespace phy::calibrate {
 struct Scales {
   double modulus = 0.0;    ///< largest E of the table [Pa]; 0 without E
   double stiffness = 0.0;  ///< that over the spacing of the planes [Pa/m]; 0 without bedding
-  double strength = 0.0;   ///< largest strength of the table without confinement [Pa]; 0 without any
+  double strength =
+      0.0;  ///< largest strength without confinement [Pa], expected where none was tested; 0: none
 };
 
 struct Evidence {
@@ -30,6 +32,12 @@ struct Evidence {
   /// Is there a value between two inclinations [deg], both included?
   bool has(Property property, double from = -infinity, double to = infinity) const;
   std::int64_t n_compressive() const;  ///< of the strengths: UCS, and strengths under confinement
+  /// Strengths are fitted where there is one in compression: it tells sigma_c.
+  bool fits_strength() const { return n_compressive() > 0; }
+  /// Is there UCS, or a strength under confinement, between two inclinations [deg]?
+  bool compressed(double from = -infinity, double to = infinity) const {
+    return has(Property::ucs, from, to) || has(Property::confined, from, to);
+  }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,6 +48,9 @@ constexpr double least_error_E = 0.005, least_error_nu = 0.005;
 
 /// Standard error with which an E or nu counts: the laboratory's, but no less than what is taken at least.
 double counted_error(const Target& modulus);
+
+/// "UCS", or of a table that has none "strength under confinement".
+std::string compression_in_words(const Evidence& evidence);
 
 /// Eq. 1 through E(theta) with everything free; it may refuse.
 theory::Eq1Fit eq1_through(const Evidence& evidence);

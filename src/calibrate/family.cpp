@@ -114,8 +114,11 @@ std::vector<Lever> planes() {
           joint_shear};
 }
 std::vector<Lever> directed_strength() {
-  return {lever_of<&tension_ratio>("tension ratio"), lever_of<&cohesion_ratio>("cohesion ratio"),
-          lever_of<&cohesion_oblique>("cohesion oblique")};
+  // a calibration seeks the two ratios in wider boxes, where the regressions extrapolate
+  return {
+      of_matrix<&MatrixRecipe::tension_ratio>("tension ratio", 1.0 / 3.0, 3.0, true, &tension_ratio, false),
+      of_matrix<&MatrixRecipe::cohesion_ratio>("cohesion ratio", 0.2, 5.0, true, &cohesion_ratio, false),
+      lever_of<&cohesion_oblique>("cohesion oblique")};
 }
 std::vector<Lever> directions() { return std::vector<Lever>{stiffness_along} + directed_strength(); }
 

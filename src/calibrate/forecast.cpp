@@ -33,9 +33,7 @@ struct Answer {
 };
 
 /// Strengths are fitted where UCS is among them.
-bool is_fitted(const Evidence& evidence, Property p) {
-  return !is_strength(p) || evidence.has(Property::ucs);
-}
+bool is_fitted(const Evidence& evidence, Property p) { return !is_strength(p) || evidence.fits_strength(); }
 
 bool is_mapped(const Evidence& evidence, const ModelFamily& family, Property p) {
   if (p == Property::nu) return evidence.rock.E_is != ModulusReading::small_strain;

@@ -84,16 +84,16 @@ Estimate identified_modulus(const ElasticParameter& p, double sd, const Evidence
   return e;
 }
 
-/// The rule in terms of what the table holds: without UCS nothing is fitted, and where the tests of a rule
-/// are missing, UCS is all that the fit has.
+/// The rule in terms of what the table holds: without a strength in compression nothing is fitted, and where
+/// the tests of a rule are missing, those are all that the fit has.
 Estimate identified_strength(const StrengthParameter& p, const Evidence& evidence) {
   Estimate e = sought(p);
   e.box_low = p.range.low, e.box_high = p.range.high;
   e.low = e.high = std::nan("");
   const Rule rule = p.rule(evidence);
-  const bool fitted = evidence.has(Property::ucs);
+  const bool fitted = evidence.fits_strength();
   e.determined = fitted && rule.held && !rule.shared;
-  if (fitted) e.rests_on = rule.held ? rule.tests : "UCS";
+  if (fitted) e.rests_on = rule.held ? rule.tests : compression_in_words(evidence);
   if (!e.determined) e.next_test = rule.next_test;
   if (!fitted && e.next_test.find("UCS") == std::string::npos)
     e.next_test = e.next_test.empty() ? "UCS" : "UCS, and " + e.next_test;
@@ -142,7 +142,7 @@ std::vector<std::string> advice(const Evidence& evidence) {
     lines.emplace_back(
         "expected intervals count the scatter of the laboratory alone; what packings of the model differ by "
         "comes on top");
-  if (!evidence.has(Property::ucs))
+  if (!evidence.fits_strength())
     lines.emplace_back("no UCS: no strength is fitted, they stay those of the recipe");
   if (!evidence.rock.bedded) return lines;
   if (const std::string limit = elastic_limit(evidence.targets); !limit.empty())

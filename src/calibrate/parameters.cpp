@@ -104,8 +104,9 @@ void scale_joints(Recipe& r, double factor) {
 
 /// Without bedding any UCS will do; with it, one that planes do not decide.
 Rule sigma_c_rule(const Evidence& e) {
-  if (!e.rock.bedded) return {true, "UCS", ""};
-  return {e.has(Property::ucs, 0.0, 15.0) || e.has(Property::ucs, 80.0, 90.0), "UCS near 0 or 90 degrees",
+  const std::string test = compression_in_words(e);
+  if (!e.rock.bedded) return {true, test, ""};
+  return {e.compressed(0.0, 15.0) || e.compressed(80.0, 90.0), test + " near 0 or 90 degrees",
           "UCS at 0 and 90 degrees"};
 }
 
@@ -119,9 +120,10 @@ bool pulled_along(const Evidence& e) {
 
 Rule tau_c_rule(const Evidence& e) {
   if (!e.rock.bedded)
-    return {e.has(Property::direct_tension) || e.has(Property::brazilian), "UCS against tension",
-            "direct tension, or Brazilian"};
-  return {sigma_c_rule(e).held && pulled_along(e), "UCS against tension along the bedding",
+    return {e.has(Property::direct_tension) || e.has(Property::brazilian),
+            compression_in_words(e) + " against tension", "direct tension, or Brazilian"};
+  return {sigma_c_rule(e).held && pulled_along(e),
+          compression_in_words(e) + " against tension along the bedding",
           "direct tension at 90 degrees, or Brazilian at 0"};
 }
 
@@ -210,8 +212,8 @@ const StrengthParameter matrix_moment{
     of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta", {0.05, 1.0, 0.3},
                                                   has_moment),
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs) && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
-              "UCS against tension", "", true};
+      return {e.compressed() && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
+              compression_in_words(e) + " against tension", "", true};
     },
     true};
 
@@ -234,7 +236,7 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
 // ---- directions
 
 const StrengthParameter tension_ratio{
-    of_matrix<&MatrixRecipe::tension_ratio>("matrix.tension_ratio", "r_t", {1.0 / 3.0, 3.0, 1.2},
+    of_matrix<&MatrixRecipe::tension_ratio>("matrix.tension_ratio", "r_t", {1.0 / 6.0, 6.0, 1.2},
                                             has_directions),
     [](const Evidence& e) -> Rule {
       return {pulled_across(e) && pulled_along(e), "tension along and across the foliation",
@@ -243,9 +245,10 @@ const StrengthParameter tension_ratio{
     true};
 
 const StrengthParameter cohesion_ratio{
-    of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {0.2, 5.0, 1.2}, has_directions),
+    of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {1.0 / 8.0, 8.0, 1.2},
+                                             has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 0.0, 15.0) && e.has(Property::ucs, 75.0, 90.0), "UCS at both ends",
+      return {e.compressed(0.0, 15.0) && e.compressed(75.0, 90.0), compression_in_words(e) + " at both ends",
               "UCS at 0 and 90 degrees"};
     }};
 
@@ -253,8 +256,8 @@ const StrengthParameter cohesion_oblique{
     of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
                                                has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 30.0, 60.0), "UCS between 30 and 60 degrees", "UCS at 30 and 60 degrees",
-              has_joints(e.rock.model)};
+      return {e.compressed(30.0, 60.0), compression_in_words(e) + " between 30 and 60 degrees",
+              "UCS at 30 and 60 degrees", has_joints(e.rock.model)};
     }};
 
 // ---- joints
@@ -276,8 +279,8 @@ const StrengthParameter joint_cohesion{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 30.0, 75.0), "UCS between 30 and 75 degrees", "UCS at 45 and 60 degrees",
-              has_directions(e.rock.model)};
+      return {e.compressed(30.0, 75.0), compression_in_words(e) + " between 30 and 75 degrees",
+              "UCS at 45 and 60 degrees", has_directions(e.rock.model)};
     }};
 
 const StrengthParameter joint_sigma_n{

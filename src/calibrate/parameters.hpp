@@ -86,9 +86,9 @@ struct ElasticParameter : CalibratedParameter {
 /// What a table says about a strength, by the kind and angle of its tests alone.
 struct Rule {
   bool held = false;
-  const char* tests = "";      ///< that pin it
-  const char* next_test = "";  ///< that would; empty: no test that a table holds tells much
-  bool shared = false;         ///< these tests speak as much about others: it is sought, not determined
+  std::string tests;      ///< that pin it
+  std::string next_test;  ///< that would; empty: no test that a table holds tells much
+  bool shared = false;    ///< these tests speak as much about others: it is sought, not determined
 };
 
 /// A parameter that strengths show.

@@ -16,6 +16,8 @@ namespace {
 
 // Of one run, and how far the place in the box is believed to matter, in units of log E and of nu.
 constexpr double run_scatter = 0.03, slope = 0.1;
+constexpr double least_change = 0.01;  // of E, that is none
+constexpr double step = 0.65;
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
 
 double number(const TestResult& result, const char* name) {
@@ -71,6 +73,22 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
   for (std::size_t k = 0; k < recipes.size(); ++k)
     record.add(ucs[k / seeds.size()].theta, {}, results[k], solutions[k]);
   return record.at({});
+}
+
+bool settled(const Softenings& used, const Softenings& measured) {
+  return std::all_of(measured.begin(), measured.end(), [&](const auto& at) {
+    return std::fabs(at.second.factor / softening_at(used, at.first).factor - 1.0) < least_change;
+  });
+}
+
+Softenings stepped(const Softenings& used, const Softenings& measured) {
+  Softenings next = measured;
+  for (auto& [theta, s] : next) {
+    const Softening before = softening_at(used, theta);
+    s.factor = before.factor * std::pow(s.factor / before.factor, step);
+    s.addition = std::lerp(before.addition, s.addition, step);
+  }
+  return next;
 }
 
 Softening softening_at(const Softenings& softenings, double theta) {

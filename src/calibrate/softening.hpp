@@ -43,6 +43,12 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator);
 
+/// Do measured softenings differ from those that the moduli were fitted with by less than 1 % of E?
+bool settled(const Softenings& used, const Softenings& measured);
+/// From those that were used towards those that were measured. Whole steps oscillate (each undoes half of the
+/// one before), so two thirds of one are taken.
+Softenings stepped(const Softenings& used, const Softenings& measured);
+
 /// A table whose E and nu are what the direct solution must have for the press to give those of the
 /// laboratory.
 Evidence at_small_strain(const Evidence& evidence, const Softenings& softenings);

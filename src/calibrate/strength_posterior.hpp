@@ -103,6 +103,7 @@ class StrengthPosterior {
   bool inside(const Point& x) const;
   std::vector<Point> spread_points(int n) const;
   double best_sigma(const Point& x, std::size_t left_out) const;
+  double likeliest_sigma(Point x, std::size_t left_out) const;
 };
 
 /// `n` points far from each other: `first`, and draws.

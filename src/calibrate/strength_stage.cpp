@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/lines.hpp"
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/margin.hpp"
 #include "calibrate/nearest.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "calibrate/strength_posterior.hpp"
@@ -32,7 +34,15 @@ struct Batch {
   bool at_estimate;  ///< all at one point, on as many packings; else spread over the draws
   std::size_t n_points;
 };
-constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
+constexpr int per_round = 4;  // packings on which an estimate is tried
+// More rounds, six at most, while tests at the estimate are off what was predicted for it by more than chance
+// makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of UCS), or while
+// the estimate moves on to where less is known than where it was tried: the nearest of several valleys may
+// change with every round, and one that was never tried is no answer. Specimens so large that coarse grains
+// are taken keep to the plan: a round of them costs as much as all of that.
+constexpr double most_surprise = 0.6;  // tolerances
+constexpr double most_growth = 1.2;    // of the uncertainty
+constexpr std::size_t most_more = 6;
 /// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
 /// and rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
@@ -115,30 +125,61 @@ void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior
   }
 }
 
-/// Runs a batch and hands its answers to the surrogates. False: stopped.
-bool run_batch(StrengthPosterior& posterior, const StrengthTests& tests, const Design& design,
-               const std::vector<std::int64_t>& seeds, Simulator& simulator, StrengthFit& fit,
-               SofteningRecord* softening) {
+/// How far tests are off what was predicted for their points: mean per target, in tolerances, root mean
+/// square over the targets.
+class Surprise {
+ public:
+  explicit Surprise(std::size_t n_targets) : sums_(n_targets), counts_(n_targets) {}
+  void add(std::size_t target, double log_error, Property property) {
+    sums_[target] += log_error / tolerance(property), ++counts_[target];
+  }
+  double rms() const {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+      if (counts_[i] > 0) squares += std::pow(sums_[i] / counts_[i], 2);
+    return std::sqrt(squares / static_cast<double>(sums_.size()));
+  }
+
+ private:
+  std::vector<double> sums_;
+  std::vector<int> counts_;
+};
+
+/// How badly the surrogates know the strengths of a point: standard errors in tolerances, root mean square.
+double uncertainty_at(const StrengthPosterior& posterior, const Point& x) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < posterior.n_targets(); ++i)
+    sum += posterior.predict(x, i).variance / std::pow(tolerance(posterior.targets()[i].property), 2);
+  return std::sqrt(sum / static_cast<double>(posterior.n_targets()));
+}
+
+/// Runs a batch and hands its answers to the surrogates; tells by how much they surprise. Nothing: stopped.
+std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTests& tests,
+                                const Design& design, const std::vector<std::int64_t>& seeds,
+                                Simulator& simulator, StrengthFit& fit, SofteningRecord* softening) {
   const std::vector<Point>& points = design.points;
   const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds);
   const std::vector<TestResult> results = simulator.test(recipes);
-  if (simulator.stopped()) return false;
+  if (simulator.stopped()) return {};
+  Surprise surprise(posterior.n_targets());
   if (softening != nullptr)
     learn_softening(*softening, posterior, points, recipes, results, simulator, fit.n_solutions);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const Property property = posterior.targets()[i].property;
     const double strength = strength_of(results[k], property);
-    if (std::isfinite(strength))
+    if (std::isfinite(strength)) {
+      surprise.add(i, std::log(strength) - posterior.predict(points[p], i).mean, property);
       posterior.add_run(i, {posterior.inputs(points[p], i), static_cast<int>(design.packings[p]),
                             design.coarse, std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
-    else
+    } else {
       ++fit.n_without_peak;
+    }
     ++fit.n_tests;
     fit.n_tension += is_tensile(property) ? 1 : 0;
     fit.n_coarse += design.coarse ? 1 : 0;
   }
-  return true;
+  return surprise.rms();
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
@@ -292,7 +333,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::int64_t most = most_points(posterior.parameters().size() - 1);  // sigma_c costs no run
-  const std::vector<Batch> batches = plan(max_tests, n_compressive, most, has_coarse(fit.recipe));
+  std::vector<Batch> batches = plan(max_tests, n_compressive, most, has_coarse(fit.recipe));
+  const std::size_t n_planned = batches.size();
   fit.short_search = max_tests < most * n_compressive;
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
@@ -304,7 +346,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   SofteningRecord softening(evidence.rock.E_is);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
-    const Batch& batch = batches[b];
+    const Batch batch = batches[b];
     const Point estimate = nearest_point(posterior, draws);
     const Design design = {batch.coarse,
                            batch.at_estimate ? std::vector<Point>(batch.n_points, estimate)
@@ -313,8 +355,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(), batch.n_points,
                     batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
                     batch.coarse ? " on coarse grains" : ""));
-    if (!run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr) ||
-        !posterior.without_runs().empty()) {
+    const auto surprise =
+        run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr);
+    if (!surprise || !posterior.without_runs().empty()) {
       fit.interrupted = simulator.stopped();
       for (const Target& t : posterior.without_runs()) {
         if (fit.interrupted) break;
@@ -328,14 +371,21 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     }
     posterior.learn();
     draw(b + 1);
-    if (!remodel) continue;
-    const Point best = nearest_point(posterior, draws);
-    const std::span<const double> z = StrengthPosterior::ratios(best);
-    fit.softenings = softening.at({z.begin(), z.end()});
-    fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
-    posterior.take_moduli(evidence, fit.recipe);
-    posterior.learn();
-    draw(b + 1);
+    if (remodel) {
+      const Point best = nearest_point(posterior, draws);
+      const std::span<const double> z = StrengthPosterior::ratios(best);
+      fit.softenings = softening.at({z.begin(), z.end()});
+      fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
+      posterior.take_moduli(evidence, fit.recipe);
+      posterior.learn();
+      draw(b + 1);
+    }
+    const std::int64_t paid = fit.n_tests - fit.n_tension + n_compressive * std::int64_t{per_round};
+    if (b + 1 == batches.size() && b + 1 < n_planned + most_more && paid <= max_tests &&
+        !has_coarse(fit.recipe) &&
+        (*surprise > most_surprise || uncertainty_at(posterior, nearest_point(posterior, draws)) >
+                                          most_growth * uncertainty_at(posterior, estimate)))
+      batches.push_back({false, true, per_round});
   }
   const Point best = nearest_point(posterior, draws);
   posterior.count_errors();

@@ -301,6 +301,23 @@ TEST(StrengthStage, StrengthsUnderConfinementAreMetAndTellFriction) {
   EXPECT_EQ(c.n_strength_tests, 9 * (36 + 5));  // of the budget all
 }
 
+// As c and phi of envelopes are read: pressures inside the tested range, none of them 0.
+TEST(StrengthStage, StrengthsUnderConfinementAloneAreFitted) {
+  Recipe rock;
+  rock.bedding.resize(1);
+  rock.matrix.sigma_c = 60e6, rock.matrix.tau_c = 120e6, rock.matrix.mu = 0.6;
+  rock.bedding[0].cohesion = 15e6, rock.bedding[0].sigma_n = 8e6, rock.bedding[0].mu = 0.5;
+  Rock table = confined_rock(rock);
+  std::erase_if(table.readings, [](const RockReading& r) { return r.property == Property::ucs; });
+  PaperPress press;
+  const Calibration c = calibrate(Evidence(table), {}, press);
+  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.1) << cell_name(row.target);
+  EXPECT_EQ(c.verification.size(), 6U);
+  const ParameterEstimate& sigma = estimate_of(c, "sigma_c");
+  EXPECT_TRUE(sigma.low <= 60e6 && 60e6 <= sigma.high) << sigma.low << ' ' << sigma.high;
+  EXPECT_GT(sigma.high / sigma.low, 1.05) << "nobody knows it to the last digit";
+}
+
 TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
   Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
   rock.model.packing.n_grains = 1197;

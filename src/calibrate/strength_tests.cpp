@@ -21,7 +21,7 @@ constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 1.4;
-constexpr double pre_strain_share = 0.35;   // of the expected peak strain
+constexpr double pre_strain_share = 0.25;   // of the expected peak strain
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
 /// Moduli of the recipe at the angles of the targets.
@@ -169,7 +169,8 @@ bool has_coarse(const Recipe& r) {
 bool can_test(Property property) { return test_of(property).test != nullptr; }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
-  const std::vector<Target> targets = of_property(all, Property::ucs);
+  std::vector<Target> targets = of_property(all, Property::ucs);
+  if (targets.empty()) targets = of_property(all, Property::confined);
   return test_settings(recipe, targets, moduli_at(recipe, targets, seed, simulator));
 }
 
