@@ -11,6 +11,7 @@
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"
 #include "calibrate/softening.hpp"
+#include "calibrate/twin.hpp"
 #include "records/recipe_schema.hpp"
 #include "theory/goodman.hpp"
 
@@ -217,6 +218,26 @@ TEST(Calibrate, StopsInTheMiddleOfTheDirectSolutions) {
   PaperPress press;
   press.stops_statics = true;
   EXPECT_EQ(calibrated(rock(), press).verdict.status, VerdictStatus::interrupted);
+}
+
+// What a table of a twin holds is what a laboratory would have read, in the order of the readings.
+TEST(Twin, ModuliAreThoseOfTheTestsUnlessSmallStrainIsMeant) {
+  Recipe truth;
+  truth.bedding.resize(1);
+  PaperPress press;
+  press.tangent = 0.8;
+  const auto rows = [&](ModulusReading E_is) {
+    return twin_response(truth, {0.0, 90.0}, {1, 2}, press, E_is);
+  };
+  const std::vector<Comparison> waves = rows(ModulusReading::small_strain),
+                                read = rows(ModulusReading::tangent_50);
+  ASSERT_EQ(waves.size(), 6U);
+  ASSERT_EQ(read.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(read[i].target.property, waves[i].target.property);
+    EXPECT_EQ(read[i].target.theta, waves[i].target.theta);
+    EXPECT_NEAR(read[i].mean / waves[i].mean, i < 2 ? 0.8 : 1.0, 1e-9) << i;
+  }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ bool can_test(Property property);
 
 /// How tests are loaded: from rest, as a laboratory does, wherever a number is compared with one of the
 /// laboratory; in the search of the strengths 1.4 times as fast, and in compression without confinement after
-/// an affine pre-strain to 35 % of the expected peak strain.
+/// an affine pre-strain to a quarter of the expected peak strain.
 enum class Loading { from_rest, search };
 
 /// The tests for one packing each.
