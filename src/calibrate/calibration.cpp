@@ -106,8 +106,11 @@ void report_missing(Calibration& result, int n_tested) {
 }
 
 /// Are there strengths to fit? What is not fitted is noted; a table with nothing to fit is an InputError.
-bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_only) {
-  const bool moduli = evidence.has(Property::E), strength = !elastic_only && evidence.fits_strength();
+bool fits_strength(Calibration& result, const Evidence& evidence, const CalibrationOptions& options) {
+  const bool elastic_only = options.elastic_only, sequence = options.method == CalibrationMethod::sequence;
+  const bool moduli = evidence.has(Property::E),
+             strength = !elastic_only && evidence.fits_strength() &&
+                        !(sequence && !evidence.has(Property::ucs));  // which has no other way to sigma_c
   if (!moduli && !strength)
     throw InputError(Problem{result.rock, "table", "",
                              elastic_only ? "values of E" : "values of E, or of a strength in compression",
@@ -120,9 +123,10 @@ bool fits_strength(Calibration& result, const Evidence& evidence, bool elastic_o
                     "are compared at small strain",
                     to_string(evidence.rock.E_is), strength ? "UCS" : "strengths"));
   if (!strength)
-    result.notes.push_back(
-        fmt::format("{}: the strengths are those of the recipe, not calibrated",
-                    elastic_only ? "the elastic part only" : "no strength in compression in the table"));
+    result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
+                                       elastic_only ? "the elastic part only"
+                                       : sequence   ? "no UCS in the table"
+                                                    : "no strength in compression in the table"));
   return strength;
 }
 
@@ -181,7 +185,7 @@ struct Work {
   }
   /// The table's moduli are those of tests, softened by what breaks and slips until they are read.
   bool softens() const {
-    return evidence.rock.E_is != ModulusReading::small_strain && !evidence.moduli.empty() &&
+    return evidence.rock.E_is != ModulusReading::small_strain && evidence.has(Property::E) &&
            !options.elastic_only && evidence.has(Property::ucs);
   }
   bool by_sequence() const { return options.method == CalibrationMethod::sequence; }
@@ -239,37 +243,47 @@ double misfit_as_read(const Work& work, const Softenings& measured) {
   return std::sqrt(squares / n);
 }
 
+/// Moduli, what tests make of them, and how far that is off the table.
+struct Pass {
+  Recipe recipe;
+  ElasticFit elastic;
+  Softenings softenings;
+  double misfit = std::numeric_limits<double>::infinity();
+};
+
 /// What tests make of the moduli, measured at the estimate, and the moduli that follow from it, in turn until
 /// E as it is read is settled. The last may not be the nearest: how far a test softens depends on the moduli,
-/// so that the steps are damped, and the best of them is taken. False: stopped.
+/// so that the steps are damped, and the best of them is taken. Where one measurement is all that can be paid
+/// (or the specimens are so large that the search takes coarse grains) the moduli follow it once, unmeasured.
+/// False: stopped.
 bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
   constexpr int most_passes = 4;
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
   const std::vector<Target>& strengths = work.evidence.strengths;
   const auto n = static_cast<std::int64_t>(of_property(strengths, Property::ucs).size() * some.size());
   const std::int64_t reserved = work.evidence.n_compressive() * n_unseen;
-  double nearest = std::numeric_limits<double>::infinity();
-  Softenings of_nearest;
-  ElasticFit elastic = work.elastic;
-  Recipe recipe = result.recipe;
-  for (int pass = 1;; ++pass) {
+  Pass nearest;
+  for (int pass = 1; pass <= most_passes; ++pass) {
     work.options.say("moduli as the laboratory reads them, at the estimate");
     const Softenings measured =
         softenings_of(result.recipe, strengths, some, work.evidence.rock.E_is, work.simulator);
     if (work.simulator.stopped()) return false;
     result.n_strength_tests += n, result.n_elastic += n;
     if (measured.empty()) break;
-    if (const double misfit = misfit_as_read(work, measured); misfit < nearest)
-      nearest = misfit, of_nearest = measured, elastic = work.elastic, recipe = result.recipe;
+    if (const double misfit = misfit_as_read(work, measured); misfit < nearest.misfit)
+      nearest = {result.recipe, work.elastic, measured, misfit};
+    if (settled(work.strength.softenings, measured)) break;
     const std::int64_t spent = result.n_strength_tests - result.n_tension_tests;
-    if (pass == most_passes || spent + n + reserved > work.options.max_tests ||
-        settled(work.strength.softenings, measured))
-      break;
+    const bool again = spent + n + reserved <= work.options.max_tests && !has_coarse(result.recipe);
+    if (!again && pass > 1) break;
     work.strength.softenings = stepped(work.strength.softenings, measured);
     result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
+    if (!again) nearest = {result.recipe, work.elastic, measured, 0.0};
+    if (!again) break;
   }
-  if (!of_nearest.empty()) work.strength.softenings = of_nearest;
-  work.elastic = elastic, result.recipe = recipe;
+  if (!nearest.softenings.empty())
+    result.recipe = nearest.recipe, work.elastic = nearest.elastic,
+    work.strength.softenings = nearest.softenings;
   result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   return true;
@@ -381,8 +395,9 @@ std::string name_of(const Calibration& result, bool moduli, bool strength) {
 /// All stages one after the other. False: stopped by the user.
 bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evidence& evidence,
                 const CalibrationOptions& options, Simulator& simulator) {
-  bool strength = fits_strength(result, evidence, options.elastic_only);
+  bool strength = fits_strength(result, evidence, options);
   Work work(evidence, options, simulator);
+  if (!work.softens()) result.E_is = ModulusReading::small_strain;
   if (strength) {
     for (const StrengthParameter* p : strength_parameters(evidence))
       if (p->check != nullptr) p->check(evidence.rock);

@@ -50,8 +50,9 @@ double counted_error(const Target& modulus) {
   return std::max(least, modulus.normal_error());
 }
 
-std::string compression_in_words(const Evidence& e) {
-  return e.has(Property::ucs) || !e.has(Property::confined) ? "UCS" : "strength under confinement";
+std::string compression_in_words(const Evidence& e, double from, double to) {
+  const bool ucs = e.has(Property::ucs, from, to) || !e.has(Property::confined, from, to);
+  return ucs ? "UCS" : "strength under confinement";
 }
 
 theory::Eq1Fit eq1_through(const Evidence& evidence) {

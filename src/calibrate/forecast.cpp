@@ -32,7 +32,7 @@ struct Answer {
   ReachRegression known;
 };
 
-/// Strengths are fitted where UCS is among them.
+/// Strengths are fitted where one in compression is among them.
 bool is_fitted(const Evidence& evidence, Property p) { return !is_strength(p) || evidence.fits_strength(); }
 
 bool is_mapped(const Evidence& evidence, const ModelFamily& family, Property p) {
@@ -301,8 +301,9 @@ double Forecast::rms(Property property) const {
 }
 
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
-  if (!evidence.has(Property::E) && !evidence.has(Property::ucs))
-    return std::nullopt;  // nor is it calibrated
+  if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
+  // most of such a table was not mapped
+  if (evidence.fits_strength() && !evidence.has(Property::ucs)) return std::nullopt;
   const Rock& rock = evidence.rock;
   std::vector<LayerModel> candidates = {rock.layers};
   if (rock.bedded && rock.layers == LayerModel::choose) candidates = {LayerModel::planes};

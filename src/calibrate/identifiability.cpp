@@ -143,7 +143,7 @@ std::vector<std::string> advice(const Evidence& evidence) {
         "expected intervals count the scatter of the laboratory alone; what packings of the model differ by "
         "comes on top");
   if (!evidence.fits_strength())
-    lines.emplace_back("no UCS: no strength is fitted, they stay those of the recipe");
+    lines.emplace_back("no strength in compression: none is fitted, they stay those of the recipe");
   if (!evidence.rock.bedded) return lines;
   if (const std::string limit = elastic_limit(evidence.targets); !limit.empty())
     lines.push_back(evidence.rock.E_is == ModulusReading::small_strain

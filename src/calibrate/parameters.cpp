@@ -104,9 +104,10 @@ void scale_joints(Recipe& r, double factor) {
 
 /// Without bedding any UCS will do; with it, one that planes do not decide.
 Rule sigma_c_rule(const Evidence& e) {
-  const std::string test = compression_in_words(e);
-  if (!e.rock.bedded) return {true, test, ""};
-  return {e.compressed(0.0, 15.0) || e.compressed(80.0, 90.0), test + " near 0 or 90 degrees",
+  if (!e.rock.bedded) return {true, compression_in_words(e), ""};
+  const bool ucs = e.has(Property::ucs, 0.0, 15.0) || e.has(Property::ucs, 80.0, 90.0);
+  return {e.compressed(0.0, 15.0) || e.compressed(80.0, 90.0),
+          (ucs ? compression_in_words(e) : "strength under confinement") + " near 0 or 90 degrees",
           "UCS at 0 and 90 degrees"};
 }
 
@@ -127,18 +128,34 @@ Rule tau_c_rule(const Evidence& e) {
           "direct tension at 90 degrees, or Brazilian at 0"};
 }
 
+/// Friction shows in how strength grows: it takes confinement, and another confinement or none at the same
+/// inclination.
+bool grows(const Evidence& e, double from, double to) {
+  for (const Target& t : e.strengths)
+    for (const Target& u : e.strengths)
+      if (is_compressive(t.property) && is_compressive(u.property) && t.theta == u.theta && t.theta >= from &&
+          t.theta <= to && t.confining < u.confining)
+        return true;
+  return false;
+}
+
 /// Friction of the grains shows in strengths under confinement that planes do not decide, beside that of the
 /// bonds where these have one.
 Rule friction_rule(const Evidence& e) {
-  const bool held = e.rock.bedded ? e.has(Property::confined, 0.0, 15.0) || e.has(Property::confined, 80.0)
-                                  : e.has(Property::confined);
+  const bool held = e.rock.bedded ? grows(e, 0.0, 15.0) || grows(e, 80.0, 90.0) : grows(e, 0.0, 90.0);
   const char* test =
       e.rock.bedded ? "strength under confinement near 0 or 90 degrees" : "strength under confinement";
-  return {held, test, held ? "strength under more confinement" : test, true};
+  return {held, test,
+          held                        ? "strength under more confinement"
+          : e.has(Property::confined) ? "strength under another confinement, or none, at the same angle"
+                                      : test,
+          true};
 }
 Rule joint_friction_rule(const Evidence& e) {
-  return {e.has(Property::confined, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",
-          "strength under confinement at 45 and 60 degrees"};
+  return {grows(e, 30.0, 75.0), "strength under confinement between 30 and 75 degrees",
+          e.has(Property::confined, 30.0, 75.0)
+              ? "strength under another confinement, or none, at the same angle"
+              : "strength under confinement at 45 and 60 degrees"};
 }
 
 void check_dilation(const Rock& rock) {
@@ -248,15 +265,15 @@ const StrengthParameter cohesion_ratio{
     of_matrix<&MatrixRecipe::cohesion_ratio>("matrix.cohesion_ratio", "r_c", {1.0 / 8.0, 8.0, 1.2},
                                              has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.compressed(0.0, 15.0) && e.compressed(75.0, 90.0), compression_in_words(e) + " at both ends",
-              "UCS at 0 and 90 degrees"};
+      return {e.compressed(0.0, 15.0) && e.compressed(75.0, 90.0),
+              compression_in_words(e, 0.0, 15.0) + " at both ends", "UCS at 0 and 90 degrees"};
     }};
 
 const StrengthParameter cohesion_oblique{
     of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
                                                has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.compressed(30.0, 60.0), compression_in_words(e) + " between 30 and 60 degrees",
+      return {e.compressed(30.0, 60.0), compression_in_words(e, 30.0, 60.0) + " between 30 and 60 degrees",
               "UCS at 30 and 60 degrees", has_joints(e.rock.model)};
     }};
 
@@ -279,8 +296,9 @@ const StrengthParameter joint_cohesion{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      return {e.compressed(30.0, 75.0), compression_in_words(e) + " between 30 and 75 degrees",
-              "UCS at 45 and 60 degrees", has_directions(e.rock.model)};
+      return {e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0),
+              compression_in_words(e, 30.0, 75.0) + " between 30 and 75 degrees", "UCS at 45 and 60 degrees",
+              has_directions(e.rock.model)};
     }};
 
 const StrengthParameter joint_sigma_n{

@@ -16,7 +16,7 @@ namespace {
 
 // Of one run, and how far the place in the box is believed to matter, in units of log E and of nu.
 constexpr double run_scatter = 0.03, slope = 0.1;
-constexpr double least_change = 0.01;  // of E, that is none
+constexpr double least_change = 0.01;  // of E, and to nu, that is none
 constexpr double step = 0.65;
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
 
@@ -77,7 +77,9 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
 
 bool settled(const Softenings& used, const Softenings& measured) {
   return std::all_of(measured.begin(), measured.end(), [&](const auto& at) {
-    return std::fabs(at.second.factor / softening_at(used, at.first).factor - 1.0) < least_change;
+    const Softening before = softening_at(used, at.first);
+    return std::fabs(at.second.factor / before.factor - 1.0) < least_change &&
+           std::fabs(at.second.addition - before.addition) < least_change;
   });
 }
 

@@ -43,7 +43,8 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator);
 
-/// Do measured softenings differ from those that the moduli were fitted with by less than 1 % of E?
+/// Do measured softenings differ from those that the moduli were fitted with by less than 1 % of E and 0.01
+/// of nu?
 bool settled(const Softenings& used, const Softenings& measured);
 /// From those that were used towards those that were measured. Whole steps oscillate (each undoes half of the
 /// one before), so two thirds of one are taken.

@@ -9,7 +9,9 @@ namespace phy::calibrate {
 namespace {
 
 TEST(Softening, IsSettledWhereNoModulusMovesByOnePercent) {
-  EXPECT_TRUE(settled({{0.0, {0.8, 0.02}}, {90.0, {0.9, 0.0}}}, {{0.0, {0.806, 0.1}}, {90.0, {0.893, 0.0}}}));
+  EXPECT_TRUE(
+      settled({{0.0, {0.8, 0.02}}, {90.0, {0.9, 0.0}}}, {{0.0, {0.806, 0.025}}, {90.0, {0.893, 0.0}}}));
+  EXPECT_FALSE(settled({{0.0, {0.8, 0.02}}}, {{0.0, {0.8, 0.04}}})) << "nu moves";
   EXPECT_FALSE(settled({{0.0, {0.8, 0.0}}, {90.0, {0.9, 0.0}}}, {{0.0, {0.8, 0.0}}, {90.0, {0.91, 0.0}}}));
   EXPECT_FALSE(settled({}, {{0.0, {0.95, 0.0}}})) << "nothing was taken off before";
   EXPECT_TRUE(settled({}, {{0.0, {0.995, 0.0}}}));

@@ -222,18 +222,6 @@ std::vector<Point> StrengthPosterior::spread_points(int n) const {
   return points;
 }
 
-/// The same by trial: strengths under confinement are not proportional to sigma_c.
-double StrengthPosterior::likeliest_sigma(Point x, std::size_t left_out) const {
-  constexpr int n_trials = 24;
-  const LogBox& sigma = box(matrix_sigma_c);
-  double best = middle_sigma_, highest = -infinity;
-  for (int i = 0; i < n_trials; ++i) {
-    x.front() = std::lerp(sigma.low, sigma.high, (i + 0.5) / n_trials);
-    if (const double log_p = log_density(x, left_out); log_p > highest) highest = log_p, best = x.front();
-  }
-  return best;
-}
-
 /// sigma_c that fits best with the ratios of a point.
 double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const {
   double weight = 0.0, sum = 0.0;
@@ -245,6 +233,18 @@ double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const
   }
   if (weight == 0.0) return likeliest_sigma(x, left_out);
   return std::clamp(sum / weight, box(matrix_sigma_c).low + 1e-6, box(matrix_sigma_c).high - 1e-6);
+}
+
+/// The same by trial: strengths under confinement are not proportional to sigma_c.
+double StrengthPosterior::likeliest_sigma(Point x, std::size_t left_out) const {
+  constexpr int n_trials = 24;
+  const LogBox& sigma = box(matrix_sigma_c);
+  double best = middle_sigma_, highest = -infinity;
+  for (int i = 0; i < n_trials; ++i) {
+    x.front() = std::lerp(sigma.low, sigma.high, (i + 0.5) / n_trials);
+    if (const double log_p = log_density(x, left_out); log_p > highest) highest = log_p, best = x.front();
+  }
+  return best;
 }
 
 std::vector<Point> spread_draws(const Point& first, const std::vector<Point>& draws, std::size_t n) {

@@ -135,8 +135,8 @@ class Surprise {
   }
   double rms() const {
     double squares = 0.0;
-    for (std::size_t i = 0; i < sums_.size(); ++i)
-      if (counts_[i] > 0) squares += std::pow(sums_[i] / counts_[i], 2);
+    for (std::size_t i = 0; i < sums_.size(); ++i)  // of a target without an answer nothing was right
+      squares += counts_[i] > 0 ? std::pow(sums_[i] / counts_[i], 2) : 1.0;
     return std::sqrt(squares / static_cast<double>(sums_.size()));
   }
 
@@ -180,6 +180,13 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
     fit.n_coarse += design.coarse ? 1 : 0;
   }
   return surprise.rms();
+}
+
+/// After a round at `tried`: were its tests a surprise, or is less known of the estimate that follows?
+bool is_untried(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& tried,
+                double surprise) {
+  return surprise > most_surprise || uncertainty_at(posterior, nearest_point(posterior, draws)) >
+                                         most_growth * uncertainty_at(posterior, tried);
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
@@ -291,6 +298,16 @@ void report_mixing(const std::vector<Point>& draws, StrengthFit& fit) {
                     draws.size(), fit.mixing.effective, fit.mixing.r_hat));
 }
 
+/// Targets that no test has answered.
+void report_silent(const StrengthPosterior& posterior, StrengthFit& fit) {
+  for (const Target& t : posterior.without_runs()) {
+    Comparison silent;
+    silent.target = t;
+    fit.fitted.push_back(silent);
+    add_line(fit.findings, cell_name(t), "no test gave a usable peak: strengths were not fitted");
+  }
+}
+
 /// Says once how many tests of all batches came to nothing.
 void report_without_peak(StrengthFit& fit) {
   if (fit.n_without_peak > 0)
@@ -358,14 +375,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     const auto surprise =
         run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr);
     if (!surprise || !posterior.without_runs().empty()) {
-      fit.interrupted = simulator.stopped();
-      for (const Target& t : posterior.without_runs()) {
-        if (fit.interrupted) break;
-        Comparison silent;
-        silent.target = t;
-        fit.fitted.push_back(silent);
-        add_line(fit.findings, cell_name(t), "no test gave a usable peak: strengths were not fitted");
-      }
+      fit.interrupted = !surprise;
+      if (surprise) report_silent(posterior, fit);
       report_without_peak(fit);
       return fit;
     }
@@ -380,12 +391,14 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       posterior.learn();
       draw(b + 1);
     }
+    if (b + 1 < batches.size() || has_coarse(fit.recipe) ||
+        !is_untried(posterior, draws, estimate, *surprise))
+      continue;
     const std::int64_t paid = fit.n_tests - fit.n_tension + n_compressive * std::int64_t{per_round};
-    if (b + 1 == batches.size() && b + 1 < n_planned + most_more && paid <= max_tests &&
-        !has_coarse(fit.recipe) &&
-        (*surprise > most_surprise || uncertainty_at(posterior, nearest_point(posterior, draws)) >
-                                          most_growth * uncertainty_at(posterior, estimate)))
+    if (b + 1 < n_planned + most_more && paid <= max_tests)
       batches.push_back({false, true, per_round});
+    else
+      fit.notes.emplace_back("the search ended with an estimate that it has not tried itself");
   }
   const Point best = nearest_point(posterior, draws);
   posterior.count_errors();

@@ -14,9 +14,9 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// How tests are loaded: from rest, as a laboratory does, wherever a number is compared with one of the
-/// laboratory; in the search of the strengths 1.4 times as fast, and in compression without confinement after
-/// an affine pre-strain to a quarter of the expected peak strain.
+/// How tests are loaded: from rest, as a laboratory does, in the verification, for the softening at the
+/// estimate, by the sequence and for tables of twins; in the search of the strengths 1.4 times as fast, and
+/// in compression without confinement after an affine pre-strain to a quarter of the expected peak strain.
 enum class Loading { from_rest, search };
 
 /// The tests for one packing each.
@@ -54,8 +54,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
 /// angles. `all`: their strength over the modulus of the recipe
 /// (direct solution on the packing `seed`) is the strain of the peak.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
-/// The same for targets of UCS alone, with the moduli [Pa] at their angles.
-Recipe test_settings(Recipe recipe, const std::vector<Target>& ucs, const std::vector<double>& moduli);
+/// The same for these targets alone, with the moduli [Pa] at their angles.
+Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const std::vector<double>& moduli);
 
 /// The same specimen with fewer, larger grains: planes, zone and joint stiffness in proportion, so that all
 /// dimensionless numbers stay.

@@ -30,6 +30,16 @@ inline Recipe magnified_model(double factor) {
   return r;
 }
 
+/// The matrix of a synthetic rock; `between` draws the next number, uniform in its logarithm.
+template <class Between>
+void draw_matrix(MatrixRecipe& m, const Between& between) {
+  m.E_c = m.E_b = between(10e9, 60e9);
+  m.ks_over_kn = m.bond_ks_over_kn = between(0.2, 0.6);
+  m.sigma_c = between(20e6, 120e6), m.sigma_c_sd = 0.1 * m.sigma_c;
+  m.tau_c = m.sigma_c * between(1.0, 4.0), m.tau_c_sd = 0.1 * m.tau_c;
+  m.mu = between(0.3, 1.0);
+}
+
 /// Rock k of the box of docs/calibration.md, everything uniform in its logarithm.
 inline Recipe trial_rock(std::uint32_t k, const Recipe& model) {
   std::uint32_t what = 0;
@@ -37,16 +47,11 @@ inline Recipe trial_rock(std::uint32_t k, const Recipe& model) {
     return low * std::pow(high / low, uniform(trial_seed, Stream::test, k, what++));
   };
   Recipe r = model;
-  MatrixRecipe& m = r.matrix;
   BeddingRecipe& b = r.bedding[0];
-  m.E_c = m.E_b = between(10e9, 60e9);
-  m.ks_over_kn = m.bond_ks_over_kn = between(0.2, 0.6);
-  m.sigma_c = between(20e6, 120e6), m.sigma_c_sd = 0.1 * m.sigma_c;
-  m.tau_c = m.sigma_c * between(1.0, 4.0), m.tau_c_sd = 0.1 * m.tau_c;
-  m.mu = between(0.3, 1.0);
-  b.k_n = m.E_c / b.spacing * 0.44 * between(0.25, 4.0);  // about the paper's joint, over a factor 16
-  b.k_s = m.E_c / b.spacing * 0.126 * between(0.25, 4.0);
-  b.cohesion = m.tau_c * between(0.1, 0.6);
+  draw_matrix(r.matrix, between);
+  b.k_n = r.matrix.E_c / b.spacing * 0.44 * between(0.25, 4.0);  // about the paper's joint, over a factor 16
+  b.k_s = r.matrix.E_c / b.spacing * 0.126 * between(0.25, 4.0);
+  b.cohesion = r.matrix.tau_c * between(0.1, 0.6);
   b.sigma_n = b.cohesion * between(0.1, 1.0);
   b.mu = between(0.2, 0.8);
   return r;
