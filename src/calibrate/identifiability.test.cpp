@@ -63,7 +63,7 @@ TEST(Identifiability, WithoutUcsNoStrengthIsDetermined) {
       EXPECT_THAT(e.next_test, testing::HasSubstr("UCS")) << e.key;
       EXPECT_EQ(e.rests_on, "") << e.key;
     }
-  EXPECT_THAT(advice(Evidence(rock)), testing::Contains(testing::HasSubstr("no strength is fitted")));
+  EXPECT_THAT(advice(Evidence(rock)), testing::Contains(testing::HasSubstr("no strength in compression")));
 }
 
 // The fit may pin a ratio that no rule says it would: its estimate then names data that are there.
@@ -106,9 +106,16 @@ TEST(Identifiability, FrictionRestsOnStrengthsUnderConfinement) {
   EXPECT_THAT(expected(rock, "C_sj/tau_c").next_test, testing::HasSubstr("UCS at 45"));
   rock.readings.push_back(reading(Property::confined, 45.0, 120e6));
   rock.readings.back().confining = 10e6;
+  EXPECT_FALSE(expected(rock, "bedding[0].mu").determined)
+      << "cohesion or friction, one stress does not tell";
+  EXPECT_EQ(expected(rock, "bedding[0].mu").next_test,
+            "strength under another confinement, or none, at the same angle");
+  RockReading& ucs = *(rock.readings.end() - 2);
+  ASSERT_EQ(ucs.property, Property::ucs);
+  ucs.theta = 45.0;
   EXPECT_TRUE(expected(rock, "bedding[0].mu").determined);
   EXPECT_FALSE(expected(rock, "matrix.mu").determined);
-  rock.readings.back().theta = 90.0;
+  ucs.theta = rock.readings.back().theta = 90.0;
   EXPECT_EQ(expected(rock, "matrix.mu").next_test,
             "strength under more confinement");  // tau_c has a share in it
   EXPECT_FALSE(expected(rock, "bedding[0].mu").determined);

@@ -133,8 +133,8 @@ Rule tau_c_rule(const Evidence& e) {
 bool grows(const Evidence& e, double from, double to) {
   for (const Target& t : e.strengths)
     for (const Target& u : e.strengths)
-      if (is_compressive(t.property) && is_compressive(u.property) && t.theta == u.theta && t.theta >= from &&
-          t.theta <= to && t.confining < u.confining)
+      if (is_compressive(t.property) && is_compressive(u.property) && t.confining < u.confining &&
+          (!e.rock.bedded || (t.theta == u.theta && t.theta >= from && t.theta <= to)))
         return true;
   return false;
 }
