@@ -278,8 +278,10 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
     if (!again && pass > 1) break;
     work.strength.softenings = stepped(work.strength.softenings, measured);
     result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
-    if (!again) nearest = {result.recipe, work.elastic, measured, 0.0};
-    if (!again) break;
+    if (!again) {
+      nearest = {result.recipe, work.elastic, measured, nearest.misfit};
+      break;
+    }
   }
   if (!nearest.softenings.empty())
     result.recipe = nearest.recipe, work.elastic = nearest.elastic,

@@ -182,11 +182,11 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
   return surprise.rms();
 }
 
-/// After a round at `tried`: were its tests a surprise, or is less known of the estimate that follows?
-bool is_untried(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& tried,
+/// After a round at `tried`: were its tests no surprise, and is as much known of the estimate that follows?
+bool is_settled(const StrengthPosterior& posterior, const Point& estimate, const Point& tried,
                 double surprise) {
-  return surprise > most_surprise || uncertainty_at(posterior, nearest_point(posterior, draws)) >
-                                         most_growth * uncertainty_at(posterior, tried);
+  return surprise <= most_surprise &&
+         uncertainty_at(posterior, estimate) <= most_growth * uncertainty_at(posterior, tried);
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
@@ -355,19 +355,21 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   fit.short_search = max_tests < most * n_compressive;
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
-  const auto draw = [&](std::size_t n_batches) {
+  Point estimate;
+  const auto learn = [&](std::size_t n_batches) {
+    posterior.learn();
     draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
+    estimate = nearest_point(posterior, draws);
   };
-  posterior.learn();
-  draw(0);  // from the prior mean alone
+  learn(0);  // from the prior mean alone
   SofteningRecord softening(evidence.rock.E_is);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];
-    const Point estimate = nearest_point(posterior, draws);
+    const Point tried = estimate;
     const Design design = {batch.coarse,
-                           batch.at_estimate ? std::vector<Point>(batch.n_points, estimate)
-                                             : spread_draws(estimate, draws, batch.n_points),
+                           batch.at_estimate ? std::vector<Point>(batch.n_points, tried)
+                                             : spread_draws(tried, draws, batch.n_points),
                            packings.of(batch)};
     say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(), batch.n_points,
                     batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
@@ -380,30 +382,25 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       report_without_peak(fit);
       return fit;
     }
-    posterior.learn();
-    draw(b + 1);
+    learn(b + 1);
     if (remodel) {
-      const Point best = nearest_point(posterior, draws);
-      const std::span<const double> z = StrengthPosterior::ratios(best);
+      const std::span<const double> z = StrengthPosterior::ratios(estimate);
       fit.softenings = softening.at({z.begin(), z.end()});
       fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
       posterior.take_moduli(evidence, fit.recipe);
-      posterior.learn();
-      draw(b + 1);
+      learn(b + 1);
     }
-    if (b + 1 < batches.size() || has_coarse(fit.recipe) ||
-        !is_untried(posterior, draws, estimate, *surprise))
+    if (b + 1 < batches.size() || has_coarse(fit.recipe) || is_settled(posterior, estimate, tried, *surprise))
       continue;
     const std::int64_t paid = fit.n_tests - fit.n_tension + n_compressive * std::int64_t{per_round};
     if (b + 1 < n_planned + most_more && paid <= max_tests)
       batches.push_back({false, true, per_round});
     else
-      fit.notes.emplace_back("the search ended with an estimate that it has not tried itself");
+      fit.notes.emplace_back("the estimate of the strengths had not settled when the search ended");
   }
-  const Point best = nearest_point(posterior, draws);
   posterior.count_errors();
   draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(batches.size()), final_length);
-  report(posterior, draws, best, packings.behind(), fit);
+  report(posterior, draws, estimate, packings.behind(), fit);
   report_mixing(draws, fit);
   report_without_peak(fit);
   return fit;

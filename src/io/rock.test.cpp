@@ -279,7 +279,8 @@ TEST_F(RockFile, ErrorsOfTheTwoStrengthsOfAnEnvelopeDoNotDependOnEachOther) {
 
 TEST_F(RockFile, AnEnvelopeWithoutItsPressuresIsRefused) {
   EXPECT_THAT(problems("theta [deg],UCS [MPa],c [MPa],phi [deg]\n0,40,10,30\n45,30,,\n90,45,,\n"),
-              Contains(AllOf(HasSubstr("r.csv:1: c, phi"), HasSubstr("confining_min and confining_max"))));
+              testing::ElementsAre(
+                  AllOf(HasSubstr("r.csv:1: c, phi"), HasSubstr("confining_min and confining_max"))));
   EXPECT_THAT(
       problems(envelope_head + "0,40,10,30,20,20,3\n45,30,8,,,,3\n90,45,,,,,3\n"),
       AllOf(SizeIs(2), Contains(HasSubstr("r.csv:2: c, phi")), Contains(HasSubstr("r.csv:3: c, phi"))));

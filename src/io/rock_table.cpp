@@ -236,13 +236,14 @@ class ReadingReader {
       notes_.push_back("columns passed over: " + fmt::format("{}", fmt::join(ignored, ", ")));
   }
 
-  /// A line over confining stress needs both of its numbers, and where it was measured.
-  void check_envelope_columns() {
+  std::ptrdiff_t n_envelope_columns() const {
     const Column all[] = {Column::cohesion, Column::friction, Column::least_confining,
                           Column::most_confining};
-    const auto n =
-        std::count_if(std::begin(all), std::end(all), [&](Column c) { return find(c).has_value(); });
-    if (n != 0 && n != 4)
+    return std::count_if(std::begin(all), std::end(all), [&](Column c) { return find(c).has_value(); });
+  }
+  /// A line over confining stress needs both of its numbers, and where it was measured.
+  void check_envelope_columns() {
+    if (const std::ptrdiff_t n = n_envelope_columns(); n != 0 && n != 4)
       report_problem("c, phi", "", "the columns c, phi, confining_min and confining_max together",
                      "an envelope is read as strengths, and only inside the pressures that were tested");
   }
@@ -334,7 +335,7 @@ class ReadingReader {
     const double all[] = {c, phi, from, to};
     const auto given =
         std::count_if(std::begin(all), std::end(all), [](double x) { return std::isfinite(x); });
-    if (given == 0) return;
+    if (given == 0 || n_envelope_columns() < 4) return;  // columns that are missing were told once
     if (given < 4 || !(from < to)) {
       problems_.push_back({at(r.line), "c, phi", "",
                            "c, phi, and confining_min below confining_max in the same row",

@@ -1,0 +1,93 @@
+// The strength stage on tables with strengths under confinement, with and without UCS.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "calibrate/calibration.hpp"
+#include "calibrate/paper_press_fixture.hpp"
+#include "calibrate/reading_fixture.hpp"
+#include "calibrate/strength_stage.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+/// Its joints slide at 45 degrees under every stress, and nowhere at 0 and 90.
+Recipe sliding_rock() {
+  Recipe rock;
+  rock.bedding.resize(1);
+  rock.matrix.sigma_c = 60e6, rock.matrix.tau_c = 120e6, rock.matrix.mu = 0.6;
+  rock.bedding[0].cohesion = 15e6, rock.bedding[0].sigma_n = 8e6, rock.bedding[0].mu = 0.5;
+  return rock;
+}
+
+/// UCS at three angles, and strengths under two stresses.
+Rock confined_rock(const Recipe& rock) {
+  Rock table;
+  table.model.bedding.resize(1);
+  for (const double theta : {0.0, 45.0, 90.0}) {
+    Recipe tested = rock;
+    tested.bedding[0].theta = theta;
+    table.readings.push_back(reading(Property::ucs, theta, PaperPress::ucs(tested)));
+    for (const double sigma_3 : {5e6, 30e6}) {
+      tested.test.confining_stress = sigma_3;
+      table.readings.push_back(reading(Property::confined, theta, PaperPress::confined(tested)));
+      table.readings.back().confining = sigma_3;
+    }
+  }
+  return table;
+}
+
+const ParameterEstimate& estimate_of(const Calibration& c, const std::string& symbol) {
+  return *std::find_if(c.parameters.begin(), c.parameters.end(),
+                       [&](const ParameterEstimate& e) { return e.symbol == symbol; });
+}
+
+TEST(ConfinedStrength, StrengthsUnderConfinementAreMetAndTellFriction) {
+  const Recipe rock = sliding_rock();
+  CalibrationOptions options;
+  options.max_tests = 1000;
+  PaperPress press;
+  const Calibration c = calibrate(Evidence(confined_rock(rock)), options, press);
+  int n = 0;
+  for (const Comparison& row : c.verification) {
+    if (row.target.property != Property::confined) continue;
+    EXPECT_NEAR(row.error(), 0.0, 0.1) << cell_name(row.target);
+    ++n;
+  }
+  EXPECT_EQ(n, 6);
+  EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << c.verdict.sentence;
+  for (const char* symbol : {"mu", "mu_sj"}) {
+    const ParameterEstimate& told = estimate_of(c, symbol);
+    const double value = told.number(rock);
+    EXPECT_TRUE(told.determined) << symbol;
+    EXPECT_TRUE(told.low <= value && value <= told.high) << symbol << ' ' << value;
+  }
+  EXPECT_EQ(c.n_tension_tests, 0);
+  EXPECT_EQ(c.n_strength_tests, 9 * (36 + 5));  // of the budget all
+}
+
+// As c and phi of envelopes are read: pressures inside the tested range, none of them 0.
+TEST(ConfinedStrength, StrengthsUnderConfinementAloneAreFitted) {
+  const Recipe rock = sliding_rock();
+  Rock table = confined_rock(rock);
+  std::erase_if(table.readings, [](const RockReading& r) { return r.property == Property::ucs; });
+  PaperPress press;
+  const Calibration c = calibrate(Evidence(table), {}, press);
+  for (const Comparison& row : c.verification) EXPECT_NEAR(row.error(), 0.0, 0.1) << cell_name(row.target);
+  EXPECT_EQ(c.verification.size(), 6U);
+  const ParameterEstimate& sigma = estimate_of(c, "sigma_c");
+  EXPECT_TRUE(sigma.low <= 60e6 && 60e6 <= sigma.high) << sigma.low << ' ' << sigma.high;
+  EXPECT_GT(sigma.high / sigma.low, 1.05) << "nobody knows it to the last digit";
+}
+
+TEST(ConfinedStrength, ABudgetCountsStrengthsUnderConfinement) {
+  PaperPress press;
+  CalibrationOptions options;
+  options.max_tests = 9 * (least_points + verification_packings) - 1;
+  EXPECT_THROW(calibrate(Evidence(confined_rock(sliding_rock())), options, press), InputError);
+  EXPECT_EQ(press.n_tests, 0);
+}
+
+}  // namespace
+}  // namespace phy::calibrate
