@@ -139,8 +139,10 @@ std::optional<Cause> weakest_angle(const View& v) {
   const Comparison& model =
       *std::min_element(ucs.begin(), ucs.end(), [](const auto& a, const auto& b) { return a.mean < b.mean; });
   if (!stronger(model, rock) || !stronger_in_model(rock, model)) return {};
+  // of bonds with directions it is no reason
+  const bool of_planes = v.of.layers == LayerModel::planes && no_plane(ucs, rock);
   return Cause{fmt::format("the model is weakest at {:g} degrees, the rock at {:g}{}", model.target.theta,
-                           rock.target.theta, no_plane(ucs, rock) ? ": no single weak plane does that" : ""),
+                           rock.target.theta, of_planes ? ": no single weak plane does that" : ""),
                other_layers(v, fmt::format("more specimens at {:g} and {:g} degrees", rock.target.theta,
                                            model.target.theta))};
 }

@@ -47,8 +47,13 @@ const std::vector<double> weakest_at_30 = {57, 51, 42, 50, 52, 61, 67},
                           weakest_at_60 = {60, 58, 52, 45, 42, 55, 62};
 
 TEST(Cause, ThePlaceOfTheLeastStrength) {
-  const std::string text = sentence({cells(Property::ucs, weakest_at_30, weakest_at_60)});
-  EXPECT_THAT(text,
+  const auto text_of = [](LayerModel layers) {
+    return sentence({cells(Property::ucs, weakest_at_30, weakest_at_60)}, VerdictStatus::out_of_reach,
+                    layers);
+  };
+  const std::string text = text_of(LayerModel::directions);
+  EXPECT_THAT(text, HasSubstr("weakest at 60 degrees, the rock at 30; next"));  // what planes do is no reason
+  EXPECT_THAT(text_of(LayerModel::planes),
               HasSubstr("100 % of the misfit is in UCS: the model is weakest at 60 degrees, the rock at "
                         "30: no single weak plane does that"));
   EXPECT_THAT(text, HasSubstr("next: more specimens at 30 and 60 degrees"));
