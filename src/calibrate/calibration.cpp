@@ -277,7 +277,7 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
     const bool again = spent + n + reserved <= work.options.max_tests && !has_coarse(result.recipe);
     if (!again && pass > 1) break;
     work.strength.softenings = stepped(work.strength.softenings, measured);
-    result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings));
+    result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings).recipe);
     if (!again) {
       nearest = {result.recipe, work.elastic, measured, nearest.misfit};
       break;
@@ -343,7 +343,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
     remodel = [&](const Softenings& s) {
       work.fit_moduli(at_small_strain(evidence, s));
       result.n_elastic += work.elastic.n_solutions;
-      return work.elastic.recipe;
+      return Remodelled{work.elastic.recipe, work.elastic.comparisons};
     };
   StrengthFit& fit = work.strength;
   fit = work.fit_strengths(result.recipe, work.options.max_tests - reserved, remodel);
@@ -435,24 +435,24 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   return true;
 }
 
-/// The rock with the model of its layers, which is chosen here where nobody has said it.
+/// The rock with its model, which is chosen here where nobody has said it.
 Evidence with_model(const Evidence& evidence, Calibration& result, const CalibrationOptions& options,
                     Simulator& simulator) {
-  const Rock& rock = evidence.rock;
-  if (!rock.bedded || rock.layers == LayerModel::planes) return evidence;
-  LayerModel layers = rock.layers;
-  if (layers == LayerModel::choose && options.method == CalibrationMethod::sequence) {
-    layers = LayerModel::planes;
-    result.notes.emplace_back("layers = \"choose\": planes, the only model of the sequence");
-  } else if (layers == LayerModel::choose) {
-    const ModelChoice choice = choose_layers(evidence, rock.model.packing.seed, simulator, options.say);
-    layers = choice.layers;
-    result.layers_chosen = !choice.rivals.empty();
-    if (result.layers_chosen) result.notes.push_back(choice.text());
+  const std::vector<Rock> candidates = candidates_of(evidence);
+  Rock rock = candidates.front();
+  if (candidates.size() > 1 && options.method == CalibrationMethod::sequence) {
+    result.notes.push_back(
+        fmt::format("the model is {}: a sequence compares no rivals", model_in_words(rock)));
+  } else if (candidates.size() > 1) {
+    const ModelChoice choice =
+        choose_model(evidence, candidates, rock.model.packing.seed, simulator, options.say);
+    rock = choice.rock();
+    result.model_chosen = true;
+    result.notes.push_back(choice.text());
     result.n_elastic += choice.n_solutions;
   }
-  result.layers = layers;
-  Evidence with(with_layers(rock, layers), evidence.targets);
+  result.layers = rock.layers;
+  Evidence with(rock, evidence.targets);
   with.maps = evidence.maps;
   return with;
 }

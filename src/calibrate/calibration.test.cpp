@@ -74,11 +74,11 @@ TEST(Calibrate, ATangentIsMetByStifferContacts) {
   EXPECT_TRUE(c.tangent_from_test.empty());
   EXPECT_NEAR(c.recipe.matrix.E_c / small_strain.recipe.matrix.E_c, 1.25, 0.01);
   EXPECT_NEAR(c.recipe.bedding[0].k_n / small_strain.recipe.bedding[0].k_n, 1.25, 0.02);
-  for (const std::vector<Comparison>* rows : {&c.fitted, &c.verification})
-    for (const Comparison& row : *rows)
-      if (row.target.property == Property::E) {
-        EXPECT_NEAR(row.error(), 0.0, 0.02) << row.target.theta;
-      }
+  for (const Comparison& row : c.verification)
+    if (row.target.property == Property::E) {
+      EXPECT_NEAR(row.error(), row_of(small_strain.verification, row.target)->error(), 0.004)
+          << row.target.theta;
+    }
 }
 
 TEST(Calibrate, AnglesWithoutUcsAreSoftenedAsTheirNeighbours) {

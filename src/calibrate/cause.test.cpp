@@ -81,7 +81,7 @@ TEST(Cause, OfPlanesTheRivalsAreAdvisedUnlessTheyWereTried) {
   c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes;
   c.fitted = c.verification = cells(Property::ucs, weakest_at_30, weakest_at_60);
   EXPECT_THAT(verdict_sentence(c), HasSubstr("next: layers = \"choose\""));
-  c.layers_chosen = true;
+  c.model_chosen = true;
   EXPECT_THAT(verdict_sentence(c), HasSubstr("next: more specimens at 30 and 60 degrees"));
 }
 
@@ -93,6 +93,23 @@ TEST(Cause, UcsAcrossOverUcsAlong) {
               Not(HasSubstr("UCS(0)/UCS(90)")));
   EXPECT_THAT(sentence({cells(Property::ucs, table, {80, 42, 30, 42, 80}, 0.5)}),  // packings as different
               Not(HasSubstr("UCS(0)/UCS(90)")));
+}
+
+TEST(Cause, FlatJointsAreAdvisedWhereTensionIsTooHighAndNobodyHasComparedThem) {
+  Calibration c;
+  c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes;
+  c.fitted = cells(Property::ucs, {100, 60, 90}, {100, 60, 90});
+  const auto discs = cells(Property::brazilian, {7, 4, 6}, {11, 7, 10});
+  c.fitted.insert(c.fitted.end(), discs.begin(), discs.end()), c.verification = c.fitted;
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: --matrix flat_joint"));
+  const auto otherwise = HasSubstr("next: leave the tensile strengths out");
+  Calibration compared = c;
+  compared.model_chosen = true;
+  EXPECT_THAT(verdict_sentence(compared), otherwise);
+  c.layers = LayerModel::directions;  // flat joints have none
+  EXPECT_THAT(verdict_sentence(c), otherwise);
+  c.layers = LayerModel::planes, c.recipe.matrix.model = MatrixModel::flat_joint;
+  EXPECT_THAT(verdict_sentence(c), otherwise);
 }
 
 TEST(Cause, UcsOverTension) {

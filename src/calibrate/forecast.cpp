@@ -304,14 +304,9 @@ std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
   // most of such a table was not mapped
   if (evidence.fits_strength() && !evidence.has(Property::ucs)) return std::nullopt;
-  const Rock& rock = evidence.rock;
-  std::vector<LayerModel> candidates = {rock.layers};
-  if (rock.bedded && rock.layers == LayerModel::choose) candidates = {LayerModel::planes};
-  if (rock.bedded && rock.layers == LayerModel::choose && can_choose(evidence))
-    candidates = {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions};
   std::optional<Forecast> best;
-  for (const LayerModel layers : candidates) {
-    std::optional<Forecast> one = foretell_one(Evidence(with_layers(rock, layers), evidence.targets), fold);
+  for (const Rock& rock : candidates_of(evidence)) {
+    std::optional<Forecast> one = foretell_one(Evidence(rock, evidence.targets), fold);
     if (one && (!best || one->distance < best->distance)) best = std::move(one);
   }
   if (best) best->status = status_of(*best);

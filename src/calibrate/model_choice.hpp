@@ -1,5 +1,6 @@
-// What makes a rock's layers: the model whose expectation (prior_regression.hpp), fitted to all values of the
-// table but one, predicts that one better. Fit alone would always prefer the model with more parameters.
+// Which model a rock is given: what makes its layers and what holds its grains together. Taken is the model
+// whose expectation (prior_regression.hpp), fitted to all values of the table but one, predicts that one
+// better. Fit alone would always prefer the model with more parameters.
 #pragma once
 #include <functional>
 #include <string>
@@ -10,31 +11,36 @@
 
 namespace phy::calibrate {
 
-/// A rock with the layers of one model. Directions: of parallel bonds in which the moment counts little,
-/// since with moment contribution 1 bonds break at the rim and hardly feel the directions of their shear
-/// strength.
-Rock with_layers(Rock rock, LayerModel layers);
+/// A rock with one model; nothing: the matrix that it has. Directions: of parallel bonds in which the moment
+/// counts little, since with moment contribution 1 bonds break at the rim and hardly feel the directions of
+/// their shear strength. Another matrix is as stiff as the one before.
+Rock with_model(Rock rock, LayerModel layers, std::optional<MatrixModel> matrix);
+
+/// The rock with every model that its file and table leave to choose from; the first is taken where nothing
+/// can be compared. Layers take four strengths without confinement, UCS among them, so that one can be left
+/// out; flat joints, which have no directions, UCS and tension, whose ratio is what they differ in.
+std::vector<Rock> candidates_of(const Evidence& evidence);
+
+/// "joints on planes", "directions of the bonds", "flat joints".
+std::string model_in_words(const Rock& rock);
 
 struct Rival {
-  LayerModel layers;
+  Rock rock;
   double modulus_error = 0.0;   ///< of E, as fitted on one packing, root mean square
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
 };
 
 struct ModelChoice {
-  LayerModel layers = LayerModel::planes;
-  std::vector<Rival> rivals;     ///< empty: nothing was compared
+  std::vector<Rival> rivals;     ///< in the order of the candidates
+  std::size_t best = 0;          ///< of them
   std::int64_t n_solutions = 0;  ///< of the direct solution
-  std::string text() const;      ///< one sentence with all errors; "" where nothing was compared
+  const Rock& rock() const { return rivals[best].rock; }
+  std::string text() const;  ///< one sentence with all errors
 };
 
-/// Does the table hold strengths enough, of tests that were mapped, that one can be left out: four, UCS among
-/// them?
-bool can_choose(const Evidence& evidence);
-
-/// Planes where it does not.
-ModelChoice choose_layers(const Evidence& evidence, std::int64_t seed, Simulator& simulator,
-                          const std::function<void(const std::string&)>& say);
+/// Of the candidates, two or more.
+ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,
+                         Simulator& simulator, const std::function<void(const std::string&)>& say);
 
 }  // namespace phy::calibrate

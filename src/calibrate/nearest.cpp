@@ -19,21 +19,20 @@ constexpr std::size_t n_starts = 6;
 
 struct Misfit {
   const StrengthPosterior& posterior;
-  VectorXd mean, sd;  ///< of the draws
+  VectorXd mean, sd;      ///< of the draws
+  Eigen::Index n_misses;  ///< of strengths, and of moduli as they are read
 
-  Eigen::Index n_targets() const { return static_cast<Eigen::Index>(posterior.n_targets()); }
   int inputs() const { return static_cast<int>(mean.size()); }
-  int values() const { return static_cast<int>(2 * n_targets() + 2 * mean.size()); }
+  int values() const { return static_cast<int>(2 * n_misses + 2 * mean.size()); }
   /// Errors, ignorance, distances from the draws, and from the box.
   int operator()(const VectorXd& x, VectorXd& r) const {
     const Point held = posterior.held(Point(x.begin(), x.end()));
-    const Eigen::Index n = n_targets(), m = mean.size();
+    const Eigen::Index n = n_misses, m = mean.size();
+    const std::vector<StrengthPosterior::Miss> misses = posterior.misses(held);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const auto target = static_cast<std::size_t>(i);
-      const Target& t = posterior.targets()[target];
-      const Surrogate::Value v = posterior.predict(held, target);
-      const double unit = 0.5 * tolerance(t.property);
-      r[i] = softened((std::log(t.mean) - v.mean) / unit), r[n + i] = std::sqrt(v.variance) / unit;
+      const StrengthPosterior::Miss& miss = misses[static_cast<std::size_t>(i)];
+      const double unit = 0.5 * tolerance(miss.property);
+      r[i] = softened(miss.error / unit), r[n + i] = std::sqrt(miss.variance) / unit;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
       r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
@@ -60,7 +59,8 @@ struct Misfit {
 
 Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
   const auto m = static_cast<Eigen::Index>(draws.front().size());
-  Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m)};
+  const auto n_misses = static_cast<Eigen::Index>(posterior.misses(draws.front()).size());
+  Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m), n_misses};
   const double n = static_cast<double>(draws.size());
   for (const Point& x : draws) misfit.mean += Eigen::Map<const VectorXd>(x.data(), m) / n;
   for (const Point& x : draws)

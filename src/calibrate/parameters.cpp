@@ -17,7 +17,10 @@ bool has_joints(const Recipe& r) { return !r.bedding.empty(); }
 bool has_directions(const Recipe& r) { return r.matrix.directional(); }
 /// Between joints on planes the stiffness of bonds has none: E(theta) would not tell the two apart.
 bool has_directions_alone(const Recipe& r) { return has_directions(r) && !has_joints(r); }
-bool has_moment(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
+bool has_parallel_bonds(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
+/// Bonds for which the program seeks a friction angle; plain parallel bonds keep the paper's constant
+/// strength.
+bool may_rub(const Recipe& r) { return has_directions(r) || !has_parallel_bonds(r); }
 
 /// A pure number of the matrix that is sought as it stands.
 template <double MatrixRecipe::*member>
@@ -39,7 +42,11 @@ const ElasticParameter matrix_E_c{{.key = "matrix.E_c",
                                    .unit = "Pa",
                                    .number = [](const Recipe& r) -> const double& { return r.matrix.E_c; },
                                    .range = {0.05, 3.0, 0.5, &Scales::modulus},
-                                   .set = [](Recipe& r, double v) { r.matrix.E_c = r.matrix.E_b = v; }},
+                                   .set =
+                                       [](Recipe& r, double v) {
+                                         r.matrix.E_c = v;
+                                         if (has_parallel_bonds(r)) r.matrix.E_b = v;
+                                       }},
                                   {"matrix.E_c", "matrix.E_b"},
                                   &theory::JointedRock::E,
                                   [](const FirstSight& s) { return s.E_c * s.macro.E / s.E; },
@@ -54,8 +61,12 @@ const ElasticParameter matrix_ks_over_kn{
      .unit = "1",
      .number = [](const Recipe& r) -> const double& { return r.matrix.ks_over_kn; },
      .range = {0.05, 1.0, 0.3},
-     .set = [](Recipe& r, double v) { r.matrix.ks_over_kn = r.matrix.bond_ks_over_kn = v; }},
-    {"ks_over_kn"},
+     .set =
+         [](Recipe& r, double v) {
+           r.matrix.ks_over_kn = v;
+           if (has_parallel_bonds(r)) r.matrix.bond_ks_over_kn = v;
+         }},
+    {"matrix.ks_over_kn", "matrix.bond_ks_over_kn"},
     &theory::JointedRock::nu,
     nullptr,
     {"Poisson's ratio, best at 0 and 90 degrees", Property::nu},
@@ -227,7 +238,7 @@ const StrengthParameter matrix_mu{{.key = "matrix.mu",
 /// (docs/theory/reach.md).
 const StrengthParameter matrix_moment{
     of_matrix<&MatrixRecipe::moment_contribution>("matrix.moment_contribution", "beta", {0.05, 1.0, 0.3},
-                                                  has_moment),
+                                                  has_parallel_bonds),
     [](const Evidence& e) -> Rule {
       return {e.compressed() && (e.has(Property::direct_tension) || e.has(Property::brazilian)),
               compression_in_words(e) + " against tension", "", true};
@@ -246,7 +257,7 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
                                           r.matrix.shear_strength = ShearStrength::cohesion_friction;
                                           r.matrix.phi = v;
                                         },
-                                    .belongs = has_directions},
+                                    .belongs = may_rub},
                                    matrix_moment.rule,
                                    true};
 

@@ -101,6 +101,21 @@ TEST(CalibratedParameters, BondsKeepTheShareOfTheirScatterAndFollowTheContacts) 
   EXPECT_EQ(r.matrix.bond_ks_over_kn, r.matrix.ks_over_kn);
 }
 
+TEST(CalibratedParameters, FlatJointsHaveNeitherBondsOfTheirOwnNorAMomentContribution) {
+  Recipe r = bedded();
+  r.matrix.model = MatrixModel::flat_joint;
+  const MatrixRecipe usual = r.matrix;
+  const std::vector<const CalibratedParameter*> list = all(r);
+  for (const CalibratedParameter* p : list) p->set(r, 1.5 * p->get(r));
+  EXPECT_EQ(r.matrix.E_b, usual.E_b);
+  EXPECT_EQ(r.matrix.bond_ks_over_kn, usual.bond_ks_over_kn);
+  const auto has = [&](const CalibratedParameter& p) {
+    return std::find(list.begin(), list.end(), &p) != list.end();
+  };
+  EXPECT_FALSE(has(matrix_moment));
+  EXPECT_TRUE(has(matrix_phi));
+}
+
 // Other programs read these names in calibration.json.
 TEST(CalibratedParameters, RatiosAreNamedByTheirTwoNumbers) {
   std::vector<std::string> names;

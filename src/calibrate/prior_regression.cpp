@@ -20,14 +20,37 @@ struct Belief {
 constexpr Belief compression = {0.15, 0.06, 0.04}, tension = {0.3, 0.15, 0.06}, stand_in = {0.4, 0.2, 0.06},
                  confinement = {0.2, 0.1, 0.06};
 
-/// Made once for a column of a table.
-const ReachRegression& regression_of(const ModelFamily& family, const std::string& column) {
+using LogAnswer = std::function<double(std::size_t row)>;
+
+/// Made once for what is asked of a family.
+const ReachRegression& made_once(const ModelFamily& family, const std::string& what,
+                                 const LogAnswer& answer) {
   static std::mutex mutex;
   static std::map<std::pair<std::string, std::string>, std::unique_ptr<ReachRegression>> made;
   const std::scoped_lock lock(mutex);
-  std::unique_ptr<ReachRegression>& one = made[{family.name, column}];
-  if (!one) one = std::make_unique<ReachRegression>(reach_of(family), column);
+  std::unique_ptr<ReachRegression>& one = made[{family.name, what}];
+  if (!one) one = std::make_unique<ReachRegression>(reach_of(family), answer);
   return *one;
+}
+
+const ReachRegression& regression_of(const ModelFamily& family, const std::string& column) {
+  return made_once(family, column,
+                   [&](std::size_t row) { return std::log(reach_of(family).at(row, column)); });
+}
+
+/// Direct tension over Brazilian strength of bonds without layers.
+const ReachRegression& tension_ratio_of(const ModelFamily& intact) {
+  return made_once(intact, "DTS/BTS", [&table = reach_of(intact)](std::size_t row) {
+    return std::log(table.at(row, "DTS/sigma_c") / table.at(row, "BTS/sigma_c"));
+  });
+}
+
+/// What confining stress adds to the strength, per unit of that stress, of bonds without layers.
+const ReachRegression& growth_of(const ModelFamily& intact) {
+  return made_once(intact, "growth", [&table = reach_of(intact)](std::size_t row) {
+    const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // a quarter of UCS, median
+    return std::log(1.0 + (table.at(row, "q/sigma_c #2") - table.at(row, "UCS/sigma_c")) / sigma_3);
+  });
 }
 
 /// Between the mapped angles.
@@ -38,21 +61,6 @@ ReachRegression regression_at(const ModelFamily& family, Property property, doub
   const Bracket b = bracket_of(mapped, stands_in ? 90.0 - theta : theta);
   return {regression_of(family, column_at(family, stem, b.low)),
           regression_of(family, column_at(family, stem, b.high)), b.share};
-}
-
-/// What confining stress adds to the strength, per unit of that stress, of bonds without layers.
-const ReachRegression& growth_of(const ModelFamily& intact) {
-  static std::mutex mutex;
-  static std::map<std::string, std::unique_ptr<ReachRegression>> made;
-  const std::scoped_lock lock(mutex);
-  std::unique_ptr<ReachRegression>& one = made[intact.name];
-  const ReachTable& table = reach_of(intact);
-  if (!one)
-    one = std::make_unique<ReachRegression>(table, [&](std::size_t row) {
-      const double sigma_3 = table.at(row, "sigma_3/sigma_c #2");  // a quarter of UCS, median
-      return std::log(1.0 + (table.at(row, "q/sigma_c #2") - table.at(row, "UCS/sigma_c")) / sigma_3);
-    });
-  return *one;
 }
 
 /// The family of the same bonds without layers.
@@ -118,9 +126,16 @@ PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const T
   if (family == nullptr) return {};
   const Property property = target.property;
   if (property == Property::confined) return confined_strength(evidence, recipe, *family, target);
-  PriorRegression known(strength_ratios(evidence), recipe, property, target.theta);
-  const bool stands_in = property == Property::direct_tension && family->layered;
-  const Belief& believed = property == Property::ucs ? compression : stands_in ? stand_in : tension;
+  const std::vector<const StrengthParameter*> ratios = strength_ratios(evidence);
+  PriorRegression known(ratios, recipe, property, target.theta);
+  if (property == Property::direct_tension && family->layered) {
+    const ModelFamily& intact = without_layers(*family);
+    return {
+        [disc = std::move(known), ratio = PriorRegression(ratios, recipe, intact, tension_ratio_of(intact))](
+            std::span<const double> z) { return disc.at(z) + ratio.at(z); },
+        stand_in.constant, stand_in.slope, stand_in.curvature};
+  }
+  const Belief& believed = property == Property::ucs ? compression : tension;
   return {[k = std::move(known)](std::span<const double> z) { return k.at(z); }, believed.constant,
           believed.slope, believed.curvature};
 }

@@ -7,8 +7,9 @@
 // bedding and grains, lies from it.
 //
 // Direct tension of layered rock was not mapped: a disc is pulled a quarter turn from its load, so its
-// strength at 90 degrees less stands in, and is believed less. Strengths under confinement were mapped
-// without layers alone: UCS of the layered rock plus what the stress adds to the same bonds without layers.
+// strength at 90 degrees less stands in, times direct tension over Brazilian strength of the same bonds
+// without layers, and is believed less. Strengths under confinement were mapped without layers alone: UCS of
+// the layered rock plus what the stress adds to the same bonds without layers.
 #pragma once
 #include <span>
 #include <vector>

@@ -126,7 +126,7 @@ std::vector<std::string> place_in_maps(const Evidence& evidence) {
     lines.push_back("in the maps of what models reach, the nearest sensible specimen misses this table by " +
                     text +
                     " (root mean square over what E and strengths of it were mapped, scales free; a "
-                    "search, of parallel bonds alone, may come nearer)");
+                    "search may come nearer)");
   add_ratios(evidence, families, lines);
   return lines;
 }

@@ -169,6 +169,9 @@ TEST(Sequence, RefusesWhatItCannotWorkWithAllAtOnce) {
     EXPECT_THAT(to_line(e.problems()[0]), AllOf(HasSubstr("layers"), HasSubstr("planes")));
     EXPECT_THAT(to_line(e.problems()[1]), HasSubstr("no E"));
   }
+  Rock flat = rock();
+  flat.matrix = MatrixModel::flat_joint;
+  EXPECT_THROW(calibrated(flat, press), InputError);
   Rock few = rock();
   std::erase_if(few.readings, [](const RockReading& one) { return one.theta > 20.0 && one.theta < 80.0; });
   EXPECT_THROW(calibrated(few, press), InputError);  // nothing oblique: K_s would rest on nothing

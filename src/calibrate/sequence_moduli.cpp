@@ -218,10 +218,12 @@ void check_sequence(const Evidence& evidence) {
     problems.push_back({rock.name, key, std::move(value), expected, std::move(remedy)});
   };
   const std::string otherwise = "leave --method out, or change the table";
-  if (rock.bedded &&
-      (rock.layers == LayerModel::directions || rock.layers == LayerModel::planes_and_directions))
+  if (rock.bedded && is_directed(rock.layers))
     add("layers", fmt::format("\"{}\"", to_string(rock.layers)), "\"planes\" for --method sequence",
         "Eq. 1 and Eq. 2 are of joints on planes: leave --method out, or change layers");
+  if (rock.matrix == MatrixModel::flat_joint)
+    add("matrix", "\"flat_joint\"", "\"parallel_bond\" for --method sequence",
+        "the paper's sequence is of parallel bonds: leave --method out, or change matrix");
   if (!evidence.has(Property::E))
     add("table", "no E", "values of E for --method sequence", "it begins with them: " + otherwise);
   else if (const std::string missing = rock.bedded ? missing_for_eq1(evidence) : ""; !missing.empty())

@@ -162,7 +162,7 @@ class Sequence {
     fit_.softenings =
         softenings_of(fit_.recipe, evidence_.strengths, {seed_}, evidence_.rock.E_is, simulator_);
     if (simulator_.stopped()) throw Stopped{};
-    fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings));
+    fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings).recipe);
   }
 
   void add_estimate(const StrengthParameter& p, std::string rests_on) {

@@ -1,6 +1,5 @@
 #include "calibrate/softening.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,8 +13,6 @@
 namespace phy::calibrate {
 namespace {
 
-// Of one run, and how far the place in the box is believed to matter, in units of log E and of nu.
-constexpr double run_scatter = 0.03, slope = 0.1;
 constexpr double least_change = 0.01;  // of E, and to nu, that is none
 constexpr double step = 0.65;
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
@@ -25,38 +22,14 @@ double number(const TestResult& result, const char* name) {
   return n != nullptr ? n->value : nan;
 }
 
-/// Value at z of a ridge regression linear in z.
-template <class Pairs, class Value>
-double regressed(const Pairs& pairs, const std::vector<double>& z, const Value& value) {
-  const auto n = static_cast<Eigen::Index>(z.size() + 1);
-  const auto features = [&](const std::vector<double>& at) {
-    Eigen::VectorXd f(n);
-    f[0] = 1.0;
-    for (Eigen::Index i = 1; i < n; ++i) f[i] = at[static_cast<std::size_t>(i - 1)];
-    return f;
-  };
-  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) * (run_scatter * run_scatter / (slope * slope));
-  A(0, 0) = 1e-6;
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
-  for (const auto& p : pairs) A += features(p.z) * features(p.z).transpose(), b += features(p.z) * value(p);
-  return features(z).dot(A.ldlt().solve(b));
-}
-
 }  // namespace
 
-void SofteningRecord::add(double theta, std::vector<double> z, const TestResult& test,
-                          const ElasticResult& solution) {
-  const Pair pair{std::move(z), std::log(modulus_of(test, reading_) / reading_of(solution, Property::E)),
-                  number(test, "nu") - reading_of(solution, Property::nu)};
-  if (std::isfinite(pair.log_factor) && std::isfinite(pair.addition)) pairs_[theta].push_back(pair);
-}
-
-Softenings SofteningRecord::at(const std::vector<double>& z) const {
-  Softenings all;
-  for (const auto& [theta, pairs] : pairs_)
-    all[theta] = {std::exp(regressed(pairs, z, [](const Pair& p) { return p.log_factor; })),
-                  regressed(pairs, z, [](const Pair& p) { return p.addition; })};
-  return all;
+std::optional<Softening> softening_of(const TestResult& test, const ElasticResult& solution,
+                                      ModulusReading reading) {
+  const Softening s = {modulus_of(test, reading) / reading_of(solution, Property::E),
+                       number(test, "nu") - reading_of(solution, Property::nu)};
+  if (!(s.factor > 0.0) || !std::isfinite(s.factor) || !std::isfinite(s.addition)) return {};
+  return s;
 }
 
 Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& strengths,
@@ -69,10 +42,16 @@ Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& streng
     for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, Loading::from_rest));
   const std::vector<TestResult> results = simulator.test(recipes);
   const std::vector<ElasticResult> solutions = simulator.elastic(recipes, false);
-  SofteningRecord record(reading);
-  for (std::size_t k = 0; k < recipes.size(); ++k)
-    record.add(ucs[k / seeds.size()].theta, {}, results[k], solutions[k]);
-  return record.at({});
+  Softenings mean;  // over packings: of the factor the geometric one
+  for (std::size_t i = 0; i < ucs.size(); ++i) {
+    double log_factor = 0.0, addition = 0.0;
+    int n = 0;
+    for (std::size_t k = i * seeds.size(); k < (i + 1) * seeds.size(); ++k)
+      if (const auto s = softening_of(results[k], solutions[k], reading))
+        log_factor += std::log(s->factor), addition += s->addition, ++n;
+    if (n > 0) mean[ucs[i].theta] = {std::exp(log_factor / n), addition / n};
+  }
+  return mean;
 }
 
 bool settled(const Softenings& used, const Softenings& measured) {

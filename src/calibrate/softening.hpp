@@ -3,10 +3,10 @@
 // The direct solution gives E and nu of unbroken rock. A tangent or a secant of a test is another number:
 // bonds, bridges and joints have broken or slipped by then. Both are taken on the same packing, so that what
 // packings differ by drops out: s = E of the press / E of the direct solution, d = nu of the press - nu of
-// the direct solution, one of each per inclination. s depends on the strengths, too: it is learnt from the
-// tests of the search, as a linear function of the place in their box.
+// the direct solution, one of each per inclination. They depend on the strengths, too (read_moduli.hpp).
 #pragma once
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "calibrate/evidence.hpp"
@@ -21,22 +21,9 @@ using Softenings = std::map<double, Softening>;  ///< by the inclination [deg]
 /// Between the inclinations that have one linear, beyond them as at the last; none at all: 1 and 0.
 Softening softening_at(const Softenings& softenings, double theta);
 
-class SofteningRecord {
- public:
-  explicit SofteningRecord(ModulusReading reading) : reading_(reading) {}
-  /// A test of UCS at an inclination and the solution of the same specimen. `z`: place in the box.
-  void add(double theta, std::vector<double> z, const TestResult& test, const ElasticResult& solution);
-  /// Where the search has come to. No entry where no test has said anything.
-  Softenings at(const std::vector<double>& z) const;
-
- private:
-  struct Pair {
-    std::vector<double> z;
-    double log_factor, addition;
-  };
-  ModulusReading reading_;
-  std::map<double, std::vector<Pair>> pairs_;
-};
+/// A test of UCS and the solution of the same specimen. Nothing: the test was not read there.
+std::optional<Softening> softening_of(const TestResult& test, const ElasticResult& solution,
+                                      ModulusReading reading);
 
 /// Measured: tests of UCS of a recipe at the speed of a verification, on each of the packings.
 Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& strengths,

@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_starts = 2048, n_walkers = 64, n_sweeps = 600, thin = 15;
 constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c
 constexpr int most_passes = 2;       // of draws with another discrepancy
-constexpr double settled = 0.3;      // change of a squared discrepancy, of itself, that is none
+constexpr double no_change = 0.3;    // change of a squared discrepancy, of itself, that is none
 
 double squared_distance(std::span<const double> a, std::span<const double> b) {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
@@ -28,14 +28,14 @@ double squared_distance(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe)
+StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read)
     : runs_(evidence.strengths.size()),
       targets_(evidence.strengths),
       parameters_(strength_parameters(evidence)),
-      middle_sigma_(std::log(evidence.scales.strength / usual_ratio)) {
-  for (const Target& t : targets_) prior_.push_back(prior_strength(evidence, recipe, t));
+      middle_sigma_(std::log(evidence.scales.strength / usual_ratio)),
+      read_(read) {
   for (const Target& t : targets_)
-    scatter_.push_back(std::min(variance(t), std::pow(0.5 * tolerance(t.property), 2.0)));
+    prior_.push_back(prior_strength(evidence, recipe, t)), variances_.push_back(variance(t));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
   for (const StrengthParameter* p : strength_ratios(evidence))
     least_.push_back(
@@ -112,8 +112,10 @@ double StrengthPosterior::variance(const Target& t) {
   return relative * relative;
 }
 
-void StrengthPosterior::count_errors() {
-  for (std::size_t i = 0; i < targets_.size(); ++i) scatter_[i] = variance(targets_[i]);
+void StrengthPosterior::count_errors() { errors_count_ = true; }
+
+double StrengthPosterior::counted(Property property, double squared) const {
+  return errors_count_ ? squared : std::min(squared, std::pow(0.5 * tolerance(property), 2.0));
 }
 
 bool StrengthPosterior::inside(const Point& x) const {
@@ -125,24 +127,41 @@ bool StrengthPosterior::inside(const Point& x) const {
   return true;
 }
 
+std::vector<StrengthPosterior::Miss> StrengthPosterior::misses(const Point& x) const {
+  std::vector<Miss> all;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const Surrogate::Value model = predict(x, i);
+    all.push_back(
+        {targets_[i].property, std::log(targets_[i].mean) - model.mean, model.variance, scatter_of(i)});
+  }
+  if (read_ != nullptr)
+    for (Miss m : read_->misses(ratios(x))) m.scatter = counted(m.property, m.scatter), all.push_back(m);
+  return all;
+}
+
 double StrengthPosterior::log_density(const Point& x, std::size_t left_out) const {
   if (!inside(x)) return -infinity;
+  const std::vector<Miss> all = misses(x);
   double sum = 0.0;
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == left_out) continue;
-    const Surrogate::Value model = predict(x, i);
-    const double error = std::log(targets_[i].mean) - model.mean, v = model.variance + tolerated(i);
-    sum -= 0.5 * (error * error / v + std::log(v)) + pull(i, error);
+    const Miss& m = all[i];
+    const double v = m.variance + m.scatter + discrepancy_of(m.property);
+    sum -= 0.5 * (m.error * m.error / v + std::log(v)) + pull(m);
   }
   return sum;
 }
 
-double StrengthPosterior::pull(std::size_t target, double error) const {
-  return discrepancy(target) > 0.0 ? std::fabs(error) / std::sqrt(scatter_[target]) : 0.0;
+double StrengthPosterior::pull(const Miss& m) const {
+  return discrepancy_of(m.property) > 0.0 ? std::fabs(m.error) / std::sqrt(m.scatter) : 0.0;
 }
 
 double StrengthPosterior::discrepancy(std::size_t target) const {
-  const auto it = discrepancy_.find(targets_[target].property);
+  return discrepancy_of(targets_[target].property);
+}
+
+double StrengthPosterior::discrepancy_of(Property property) const {
+  const auto it = discrepancy_.find(property);
   return it == discrepancy_.end() ? 0.0 : it->second;
 }
 
@@ -156,13 +175,11 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   for (const Point& x : draws) {
     double expected = 0.0;
     std::map<Property, Beyond> here;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Surrogate::Value model = predict(x, i);
-      const double error = std::log(targets_[i].mean) - model.mean;
+    for (const Miss& m : misses(x)) {
       // no squares: a row that cannot be met must not decide for the others
-      expected += std::sqrt((error * error + model.variance) / scatter_[i]);
-      Beyond& b = here[targets_[i].property];
-      b.sum += error * error - model.variance - scatter_[i], ++b.n;
+      expected += std::sqrt((m.error * m.error + m.variance) / m.scatter);
+      Beyond& b = here[m.property];
+      b.sum += m.error * m.error - m.variance - m.scatter, ++b.n;
     }
     if (expected < least) least = expected, beyond = std::move(here);
   }
@@ -170,7 +187,7 @@ bool StrengthPosterior::find_discrepancy(const std::vector<Point>& draws) {
   for (const auto& [property, b] : beyond) {
     const double found = std::max(0.0, b.sum / b.n);
     double& known = discrepancy_[property];
-    if (std::fabs(found - known) <= settled * std::max(found, known)) continue;
+    if (std::fabs(found - known) <= no_change * std::max(found, known)) continue;
     known = found, changed = true;
   }
   return changed;

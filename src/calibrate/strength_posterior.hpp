@@ -23,6 +23,7 @@
 
 #include "calibrate/ensemble.hpp"
 #include "calibrate/parameters.hpp"
+#include "calibrate/read_moduli.hpp"
 #include "calibrate/surrogate.hpp"
 
 namespace phy::calibrate {
@@ -32,8 +33,9 @@ class StrengthPosterior {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);  ///< target to leave out
 
-  /// `recipe`: moduli of the rock.
-  StrengthPosterior(const Evidence& evidence, const Recipe& recipe);
+  /// `recipe`: moduli of the rock. `read`: E and nu as the laboratory reads them, which are wanted beside the
+  /// strengths; it outlives the posterior. nullptr: those of small strain, which strengths leave alone.
+  StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read = nullptr);
 
   const std::vector<Target>& targets() const { return targets_; }
   std::size_t n_targets() const { return targets_.size(); }
@@ -61,6 +63,9 @@ class StrengthPosterior {
   /// From all runs so far; to be called before what follows.
   void learn();
   Surrogate::Value predict(const Point& x, std::size_t target) const;
+  /// A value of the table against the model: of the targets, in their order, then of moduli as they are read.
+  using Miss = ReadModuli::Miss;
+  std::vector<Miss> misses(const Point& x) const;
   double log_density(const Point& x, std::size_t left_out) const;
   /// By walkers that begin at the likeliest of many points of the box: one that starts where nothing fits
   /// may not find out of there.
@@ -78,7 +83,7 @@ class StrengthPosterior {
   /// count in full, as the intervals have to.
   void count_errors();
   /// What a logarithm of the laboratory may be off a rock of which all is known: scatter and discrepancy.
-  double tolerated(std::size_t target) const { return scatter_[target] + discrepancy(target); }
+  double tolerated(std::size_t target) const { return scatter_of(target) + discrepancy(target); }
 
   /// Squared relative standard error of the laboratory, as of a normal distribution.
   static double variance(const Target& t);
@@ -93,10 +98,18 @@ class StrengthPosterior {
   std::vector<double> least_;  // places of the ratios: -1, or what the recipe asks of them
   double middle_sigma_ = 0.0;  // logarithm
   std::map<Property, double> discrepancy_;
-  std::vector<double> scatter_;  // squared, per target
+  std::vector<double> variances_;  // of the targets
+  const ReadModuli* read_ = nullptr;
+  bool errors_count_ = false;
 
+  /// What counts of a laboratory's squared scatter.
+  double counted(Property property, double squared) const;
+  double scatter_of(std::size_t target) const {
+    return counted(targets_[target].property, variances_[target]);
+  }
+  double discrepancy_of(Property property) const;
   /// What a miss costs of a property that has a discrepancy, in units of log p.
-  double pull(std::size_t target, double error) const;
+  double pull(const Miss& miss) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
   std::size_t index_of(const CalibratedParameter& p) const;

@@ -60,15 +60,15 @@ std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std:
 }
 
 /// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
-/// sixteen lanes. At one point every test has a packing of its own.
+/// sixteen lanes; of tables with few angles four do. At one point every test has a packing of its own.
 class Packings {
  public:
-  explicit Packings(std::size_t n) : n_(n) {}
+  Packings(std::size_t n, std::int64_t n_compressive)
+      : n_(n), points_per_packing_(n_compressive <= 4 ? 4 : 2) {}
   std::vector<std::size_t> of(const Batch& batch) {
-    constexpr std::size_t points_per_packing = 2;
     std::vector<std::size_t> dealt;
     for (std::size_t p = 0; p < batch.n_points; ++p) {
-      if (p > 0 && (batch.at_estimate || p % points_per_packing == 0)) ++next_;
+      if (p > 0 && (batch.at_estimate || p % points_per_packing_ == 0)) ++next_;
       dealt.push_back(next_ % n_);
     }
     ++next_;
@@ -78,7 +78,7 @@ class Packings {
   std::size_t behind() const { return std::min(n_, next_); }
 
  private:
-  std::size_t n_, next_ = 0;
+  std::size_t n_, points_per_packing_, next_ = 0;
 };
 
 /// Points of a batch and the packing of each, by its place among the seeds.
@@ -102,10 +102,9 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
 
 /// Solutions of the specimens behind tests of UCS, one of those that lie on the same packing at the same
 /// inclination: they differ in strengths alone.
-void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior,
-                     const std::vector<Point>& points, const std::vector<Recipe>& recipes,
-                     const std::vector<TestResult>& results, Simulator& simulator,
-                     std::int64_t& n_solutions) {
+void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const Design& design,
+                     const std::vector<Recipe>& recipes, const std::vector<TestResult>& results,
+                     Simulator& simulator, std::int64_t& n_solutions) {
   std::map<std::pair<std::int64_t, double>, std::size_t> solved;
   std::vector<Recipe> specimens;
   const auto name_of = [&](std::size_t k) {
@@ -120,9 +119,14 @@ void learn_softening(SofteningRecord& record, const StrengthPosterior& posterior
   n_solutions += static_cast<std::int64_t>(specimens.size());
   for (std::size_t k = 0; k < recipes.size(); ++k) {
     if (!is_ucs(k)) continue;
-    const std::span<const double> z = StrengthPosterior::ratios(points[k / posterior.n_targets()]);
-    record.add(name_of(k).second, {z.begin(), z.end()}, results[k], solutions[solved.at(name_of(k))]);
+    const std::size_t p = k / posterior.n_targets();
+    const std::span<const double> z = StrengthPosterior::ratios(design.points[p]);
+    // coarse grains soften alike, on packings of their own
+    const std::size_t packing = design.packings[p] + (design.coarse ? 1000 : 0);
+    read.add(name_of(k).second, {{z.begin(), z.end()}, static_cast<int>(packing)}, results[k],
+             solutions[solved.at(name_of(k))]);
   }
+  read.learn();
 }
 
 /// How far tests are off what was predicted for their points: mean per target, in tolerances, root mean
@@ -156,14 +160,14 @@ double uncertainty_at(const StrengthPosterior& posterior, const Point& x) {
 /// Runs a batch and hands its answers to the surrogates; tells by how much they surprise. Nothing: stopped.
 std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTests& tests,
                                 const Design& design, const std::vector<std::int64_t>& seeds,
-                                Simulator& simulator, StrengthFit& fit, SofteningRecord* softening) {
+                                Simulator& simulator, StrengthFit& fit, ReadModuli* read) {
   const std::vector<Point>& points = design.points;
   const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return {};
   Surprise surprise(posterior.n_targets());
-  if (softening != nullptr)
-    learn_softening(*softening, posterior, points, recipes, results, simulator, fit.n_solutions);
+  if (read != nullptr)
+    learn_softening(*read, posterior, design, recipes, results, simulator, fit.n_solutions);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const Property property = posterior.targets()[i].property;
@@ -321,7 +325,9 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               Simulator& simulator) {
   std::vector<Recipe> all;
   const Point middle = posterior.middle_of_box();
-  Packings packings(seeds.size());
+  std::int64_t n_compressive = 0;
+  for (const Target& t : posterior.targets()) n_compressive += is_compressive(t.property) ? 1 : 0;
+  Packings packings(seeds.size(), n_compressive);
   for (const Batch& b : batches) {
     const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
     const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds);
@@ -346,7 +352,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   StrengthFit fit;
   const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
-  StrengthPosterior posterior(evidence, recipe);
+  ReadModuli read(evidence);
+  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::int64_t most = most_points(posterior.parameters().size() - 1);  // sigma_c costs no run
@@ -362,8 +369,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     estimate = nearest_point(posterior, draws);
   };
   learn(0);  // from the prior mean alone
-  SofteningRecord softening(evidence.rock.E_is);
-  Packings packings(seeds.size());
+  Packings packings(seeds.size(), n_compressive);
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];
     const Point tried = estimate;
@@ -375,21 +381,23 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                     batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
                     batch.coarse ? " on coarse grains" : ""));
     const auto surprise =
-        run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &softening : nullptr);
+        run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &read : nullptr);
     if (!surprise || !posterior.without_runs().empty()) {
       fit.interrupted = !surprise;
       if (surprise) report_silent(posterior, fit);
       report_without_peak(fit);
       return fit;
     }
-    learn(b + 1);
-    if (remodel) {
-      const std::span<const double> z = StrengthPosterior::ratios(estimate);
-      fit.softenings = softening.at({z.begin(), z.end()});
-      fit.recipe = with_moduli(fit.recipe, remodel(fit.softenings));
+    if (remodel) {  // for where the new tests put the estimate among the draws of before
+      posterior.learn();
+      estimate = nearest_point(posterior, draws);
+      fit.softenings = read.at(StrengthPosterior::ratios(estimate));
+      const Remodelled anew = remodel(fit.softenings);
+      fit.recipe = with_moduli(fit.recipe, anew.recipe);
+      read.take_solution(anew.solution);
       posterior.take_moduli(evidence, fit.recipe);
-      learn(b + 1);
     }
+    learn(b + 1);
     if (b + 1 < batches.size() || has_coarse(fit.recipe) || is_settled(posterior, estimate, tried, *surprise))
       continue;
     const std::int64_t paid = fit.n_tests - fit.n_tension + n_compressive * std::int64_t{per_round};

@@ -44,8 +44,13 @@ struct StrengthFit {
   Softenings softenings;  ///< at the estimate; empty: the moduli were not asked for again
 };
 
-/// The moduli anew, for a table whose E the press has softened so far: a recipe with them.
-using Remodel = std::function<Recipe(const Softenings&)>;
+/// The moduli anew, for a table whose E the press has softened so far: a recipe with them, and what its
+/// direct solution has for the moduli of the table.
+struct Remodelled {
+  Recipe recipe;
+  std::vector<Comparison> solution;
+};
+using Remodel = std::function<Remodelled(const Softenings&)>;
 
 /// The settings of the tests stay, the elastic parameters are those of another recipe.
 Recipe with_moduli(Recipe recipe, const Recipe& moduli);

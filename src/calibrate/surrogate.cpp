@@ -1,6 +1,6 @@
 #include "calibrate/surrogate.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,75 +20,95 @@ constexpr double packing_fine = 0.035, run_fine = 0.04;
 // How far the factors on response and scatter lie from one: standard deviations of their logarithms.
 constexpr double response_spread = 0.7, scatter_spread = 0.5;
 
-using Vector = Eigen::Map<const Eigen::VectorXd>;
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-Vector vector_of(std::span<const double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+Eigen::Map<const VectorXd> vector_of(std::span<const double> v) {
+  return {v.data(), static_cast<Eigen::Index>(v.size())};
+}
 
 double square(double x) { return x * x; }
 
 }  // namespace
 
-/// Covariance of the response of fine grains, mean over packings.
-double Surrogate::response_kernel(std::span<const double> of, std::span<const double> other) const {
-  const Vector a = vector_of(of), b = vector_of(other);
-  const double dot = a.dot(b);
-  return square(response_) *
-         (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * square(dot) +
-          square(remainder_size) * std::exp(-0.5 * (a - b).squaredNorm() / square(length)));
+/// The parts of the covariance of the runs that the two factors multiply.
+struct Surrogate::Shared {
+  MatrixXd response, coarse, scatter;
+  Shared(const std::vector<SurrogateRun>& runs, const MatrixXd& response_of_runs);
+};
+
+Surrogate::Shared::Shared(const std::vector<SurrogateRun>& runs, const MatrixXd& response_of_runs)
+    : response(response_of_runs) {
+  const auto n = static_cast<Eigen::Index>(runs.size());
+  coarse = scatter = MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const SurrogateRun &a = runs[static_cast<std::size_t>(i)], &b = runs[static_cast<std::size_t>(j)];
+      if (a.coarse && b.coarse)
+        coarse(i, j) = square(coarse_constant) + square(coarse_slope) * vector_of(a.z).dot(vector_of(b.z));
+      if (a.packing == b.packing && a.coarse == b.coarse)
+        scatter(i, j) = square(a.coarse ? packing_coarse : packing_fine);
+      if (i == j) scatter(i, j) += square(a.coarse ? run_coarse : run_fine);
+    }
 }
 
-Surrogate::Surrogate(std::vector<SurrogateRun> runs, PriorMean prior_mean)
-    : runs_(std::move(runs)), prior_(std::move(prior_mean)) {
-  if (runs_.empty()) return;
+ArrayXd Surrogate::response_kernel(const VectorXd& z) const {
+  const ArrayXd dot = (places_ * z).array();
+  const ArrayXd distance = squares_ + z.squaredNorm() - 2.0 * dot;
+  return square(response_) *
+         (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * dot.square() +
+          square(remainder_size) * (distance * (-0.5 / square(length))).exp());
+}
+
+double Surrogate::response_variance(double squared_length) const {
+  return square(response_) * (square(prior_.constant) + square(prior_.slope) * squared_length +
+                              square(prior_.curvature * squared_length) + square(remainder_size));
+}
+
+Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean)
+    : prior_(std::move(prior_mean)) {
+  if (runs.empty()) return;
+  const auto n = static_cast<Eigen::Index>(runs.size());
+  places_.resize(n, static_cast<Eigen::Index>(runs.front().z.size()));
+  VectorXd y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SurrogateRun& run = runs[static_cast<std::size_t>(i)];
+    places_.row(i) = vector_of(run.z), y[i] = run.y - prior_.value(run.z);
+  }
+  squares_ = places_.rowwise().squaredNorm();
+  MatrixXd response(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) response.col(i) = response_kernel(places_.row(i));
+  const Shared shared(runs, response);
   double best = -std::numeric_limits<double>::infinity();
   std::pair<double, double> chosen{1.0, 1.0};
-  for (const double response : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6})
+  for (const double factor : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6})
     for (const double scatter : {0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
-      const double prior = -0.5 * square(std::log(response) / response_spread) -
+      const double prior = -0.5 * square(std::log(factor) / response_spread) -
                            0.5 * square(std::log(scatter) / scatter_spread);
-      if (const double density = prior + learn(response, scatter); density > best)
-        best = density, chosen = {response, scatter};
+      if (const double density = prior + learn(y, shared, factor, scatter); density > best)
+        best = density, chosen = {factor, scatter};
     }
-  learn(chosen.first, chosen.second);
+  learn(y, shared, chosen.first, chosen.second);
+  whitener_ = factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
 }
 
-double Surrogate::learn(double response, double scatter) {
+double Surrogate::learn(const VectorXd& y, const Shared& shared, double response, double scatter) {
   response_ = response;
-  const auto n = static_cast<Eigen::Index>(runs_.size());
-  Eigen::MatrixXd K(n, n);
-  Eigen::VectorXd y(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const SurrogateRun& a = runs_[static_cast<std::size_t>(i)];
-    y[i] = a.y - prior_.value(a.z);
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      const SurrogateRun& b = runs_[static_cast<std::size_t>(j)];
-      double k = response_kernel(a.z, b.z);
-      if (a.coarse && b.coarse)
-        k += square(coarse_constant) + square(coarse_slope) * vector_of(a.z).dot(vector_of(b.z));
-      if (a.packing == b.packing && a.coarse == b.coarse)
-        k += square(scatter * (a.coarse ? packing_coarse : packing_fine));
-      if (i == j) k += square(scatter * (a.coarse ? run_coarse : run_fine));
-      K(i, j) = K(j, i) = k;
-    }
-  }
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(K);
-  const Eigen::MatrixXd& factor = cholesky.matrixLLT();
-  const Eigen::VectorXd weights = cholesky.solve(y);
-  factor_.assign(factor.data(), factor.data() + factor.size());
-  weights_.assign(weights.begin(), weights.end());
-  double log_determinant = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) log_determinant += std::log(factor(i, i));
-  return -0.5 * y.dot(weights) - log_determinant;
+  const MatrixXd K = square(response) * shared.response + shared.coarse + square(scatter) * shared.scatter;
+  const Eigen::LLT<MatrixXd> cholesky(K);
+  factor_ = cholesky.matrixL();
+  weights_ = cholesky.solve(y);
+  return -0.5 * y.dot(weights_) - factor_.diagonal().array().log().sum();
 }
 
 Surrogate::Value Surrogate::at(std::span<const double> z) const {
-  const auto n = static_cast<Eigen::Index>(runs_.size());
-  Eigen::VectorXd k(n);
-  for (Eigen::Index i = 0; i < n; ++i) k[i] = response_kernel(z, runs_[static_cast<std::size_t>(i)].z);
-  const double prior = response_kernel(z, z);
-  const Eigen::Map<const Eigen::MatrixXd> factor(factor_.data(), n, n);
-  const double known = runs_.empty() ? 0.0 : factor.triangularView<Eigen::Lower>().solve(k).squaredNorm();
-  return {prior_.value(z) + k.dot(vector_of(weights_)), std::max(0.0, prior - known)};
+  const VectorXd place = vector_of(z);
+  const double prior = response_variance(place.squaredNorm());
+  if (weights_.size() == 0) return {prior_.value(z), prior};
+  const VectorXd k = response_kernel(place);
+  const double known = (whitener_ * k).squaredNorm();
+  return {prior_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
 
 }  // namespace phy::calibrate

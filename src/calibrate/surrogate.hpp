@@ -14,6 +14,7 @@
 // of k takes part, and its variance says how well the runs have settled it. Rejected: one length per
 // parameter by maximum likelihood, thirty runs do not fix it.
 #pragma once
+#include <Eigen/Dense>
 #include <functional>
 #include <span>
 #include <vector>
@@ -40,18 +41,23 @@ class Surrogate {
     double mean = 0.0, variance = 0.0;
   };
   /// Without runs it knows what is predicted.
-  explicit Surrogate(std::vector<SurrogateRun> runs, PriorMean prior_mean = {});
+  explicit Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean = {});
   Value at(std::span<const double> z) const;
 
  private:
-  std::vector<SurrogateRun> runs_;
   PriorMean prior_;
-  double response_ = 1.0;        // factor on the amplitudes
-  std::vector<double> factor_;   // columns, lower triangle: Cholesky factor of the covariance of the runs
-  std::vector<double> weights_;  // of the runs
+  Eigen::MatrixXd places_;             // of the runs, one per row
+  Eigen::ArrayXd squares_;             // of their lengths
+  double response_ = 1.0;              // factor on the amplitudes
+  Eigen::MatrixXd factor_, whitener_;  // Cholesky factor of the covariance of the runs, its inverse
+  Eigen::VectorXd weights_;            // of the runs
 
-  double learn(double response, double scatter);  // returns the log likelihood
-  double response_kernel(std::span<const double> a, std::span<const double> b) const;
+  struct Shared;  // parts of that covariance
+  /// Returns the log likelihood.
+  double learn(const Eigen::VectorXd& y, const Shared& shared, double response, double scatter);
+  /// Covariance of the response of fine grains, mean over packings, with every run.
+  Eigen::ArrayXd response_kernel(const Eigen::VectorXd& z) const;
+  double response_variance(double square) const;
 };
 
 }  // namespace phy::calibrate

@@ -29,7 +29,7 @@ namespace phy::cli {
 namespace {
 
 struct Arguments {
-  std::string rock, out = "results/calibration", method = "posterior";
+  std::string rock, out = "results/calibration", method = "posterior", matrix;
   bool elastic = false, resume = false, with_untrusted = false;
   std::int64_t max_tests = 1000;
   bool by_sequence() const { return method == "sequence"; }
@@ -42,6 +42,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
   hash.add(rock.name);
   hash.add(keys_not_by_default(rock.model));
   hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
+  hash.add(rock.matrix ? static_cast<int>(*rock.matrix) : -1);
   hash.add(args.elastic), hash.add(args.max_tests);
   if (args.with_untrusted) hash.add(true);
   if (args.by_sequence()) hash.add(args.method);
@@ -140,8 +141,22 @@ void write_files(const std::string& folder, const Calibration& c, const std::str
   io::write_output((out / "tables.txt").string(), tables);
 }
 
+/// The rock of the file, with the matrix that the command line asks for.
+Rock rock_of(const Arguments& args) {
+  Rock rock = io::read_rock(args.rock);
+  if (args.matrix.empty()) return rock;
+  rock.matrix.reset();
+  if (args.matrix != "choose")
+    rock.matrix = args.matrix == "flat_joint" ? MatrixModel::flat_joint : MatrixModel::parallel_bond;
+  if (rock.matrix == MatrixModel::flat_joint && rock.bedded && is_directed(rock.layers))
+    throw InputError(
+        Problem{"command line", "--matrix", args.matrix, "parallel_bond or choose",
+                "the layers of this rock are directions of bonds, which flat joints do not have"});
+  return rock;
+}
+
 int run_calibration(const Arguments& args, const Session& session) {
-  const calibrate::Evidence evidence(io::read_rock(args.rock));
+  const calibrate::Evidence evidence(rock_of(args));
   const Rock& rock = evidence.rock;
   const int width = session.terminal_width;
   calibrate::SimulatorOptions machine;
@@ -174,8 +189,9 @@ int run_calibration(const Arguments& args, const Session& session) {
   print_out("{}{:.1f} s in all{}\n", screen_of(result, width), result.seconds,
             lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
   if (interrupted) {
-    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{}{} --resume\n",
+    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{}{}{} --resume\n",
                   sh_word(args.rock), sh_word(args.out), args.max_tests,
+                  args.matrix.empty() ? "" : " --matrix " + args.matrix,
                   args.by_sequence() ? " --method sequence" : "", args.elastic ? " --elastic" : "",
                   args.with_untrusted ? " --with-untrusted" : "");
     return 1;
@@ -201,6 +217,10 @@ void add_calibrate_command(CLI::App& app, Session& session) {
                    "posterior, or sequence: the paper's way, one parameter after the other")
       ->check(CLI::IsMember({"posterior", "sequence"}))
       ->capture_default_str();
+  verb->add_option("--matrix", args->matrix,
+                   "what holds the grains together, whatever the rock file says: parallel_bond, flat_joint, "
+                   "or choose")
+      ->check(CLI::IsMember({"choose", "parallel_bond", "flat_joint"}));
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->add_option("--max-tests", args->max_tests, "budget: tests in compression, verification included")

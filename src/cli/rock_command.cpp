@@ -1,6 +1,7 @@
 // `phyllite rock new NAME`, `phyllite rock check ROCK` and `phyllite rock twin RECIPE NAME`: the laboratory's
 // side of a calibration.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -60,9 +61,15 @@ void print_what_the_table_says(const calibrate::Evidence& evidence, int width) {
   if (!lines.empty()) print_out("\n");
 }
 
+std::string all_in_words(const std::vector<Rock>& models) {
+  std::vector<std::string> words;
+  for (const Rock& rock : models) words.push_back(calibrate::model_in_words(rock));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
 int rock_check(const std::string& path, int width) {
   const Rock read = io::read_rock(path);
-  const calibrate::Evidence evidence(calibrate::with_layers(read, read.layers));
+  const calibrate::Evidence evidence(calibrate::with_model(read, read.layers, read.matrix));
   const Rock& rock = evidence.rock;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
   print_notes(rock.notes, width);
@@ -70,10 +77,9 @@ int rock_check(const std::string& path, int width) {
   print_out("\n{}\n", report::target_table(evidence.targets, width));
   print_what_the_table_says(evidence, width);
   print_out("{}", report::identifiability_table({expected.begin(), expected.end()}, width));
-  if (rock.bedded && rock.layers == LayerModel::choose && calibrate::can_choose(evidence))
-    print_wrapped(
-        width, 2,
-        "- parameters as of joints on planes; calibrate may choose directions of the bonds, or both\n");
+  if (const std::vector<Rock> models = calibrate::candidates_of(evidence); models.size() > 1)
+    print_wrapped(width, 2, "- parameters as of {}; calibrate chooses between {}\n",
+                  calibrate::model_in_words(models.front()), all_in_words(models));
   for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
   for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
   if (const auto forecast = calibrate::foretell(evidence))

@@ -306,10 +306,16 @@ TEST_F(RockFile, OnlyWholeParallelEquallySpacedPlanesAreCalibrated) {
   EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"), IsEmpty());
 }
 
-TEST_F(RockFile, ARecipeOfFlatJointsIsRefused) {
+TEST_F(RockFile, TheMatrixIsThatOfTheRecipeUnlessTheFileAsksForAnother) {
+  EXPECT_EQ(rock(good, "").matrix, std::nullopt);  // without a recipe: what predicts best
   write("m.toml", "[matrix]\nmodel = \"flat_joint\"\n[[bedding]]\nspacing = \"5 mm\"\n");
-  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"),
-              Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("model = \"parallel_bond\""))));
+  EXPECT_EQ(rock(good, "recipe = \"m.toml\"\n").matrix, MatrixModel::flat_joint);
+  EXPECT_EQ(rock(good, "recipe = \"m.toml\"\nmatrix = \"choose\"\n").matrix, std::nullopt);
+  EXPECT_EQ(rock(good, "matrix = \"flat_joint\"\n").matrix, MatrixModel::flat_joint);
+  EXPECT_EQ(rock(good, "matrix = \"parallel_bond\"\n").matrix, MatrixModel::parallel_bond);
+  EXPECT_THAT(problems(good, "matrix = \"flat_joint\"\nlayers = \"directions\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:2: matrix"), HasSubstr("layers = \"planes\""))));
+  EXPECT_THAT(problems(good, "matrix = \"glue\"\n"), Contains(HasSubstr("flat_joint")));
 }
 
 TEST_F(RockFile, PartsOfSpecimensAreRefused) {

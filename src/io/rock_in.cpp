@@ -54,6 +54,11 @@ const Fields& rock_fields() {
          {LayerModel::choose, LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions})
       layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
+    Field matrix = entry(K::choice, "matrix",
+                         "what holds the grains together, flat joints where UCS is many times the tensile "
+                         "strength, or what predicts best; with a recipe what that has");
+    matrix.choices = {"choose", "parallel_bond", "flat_joint"};
+    matrix.otherwise = "\"choose\"";
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "pressure of E and nu, of a table that has them at several");
     confining.otherwise.clear();
@@ -66,6 +71,7 @@ const Fields& rock_fields() {
         reading,
         E_is,
         layers,
+        matrix,
         confining,
         entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
@@ -96,7 +102,7 @@ class RockReader {
     // One set of bedding to magnify and complete; a rock without bedding has it removed with its table.
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
-    const bool has_model = read_recipe_file() && read_size() && read_layers();
+    const bool has_model = read_recipe_file() && read_size() && read_layers() && read_matrix();
     read_disc();
     if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
     rock_.E_is = static_cast<ModulusReading>(static_cast<int>(file_.number("E_is", 0.0)));
@@ -144,9 +150,6 @@ class RockReader {
           "matrix",
           "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, "
           "persistence, spacing_sd, theta_sd, sigma_n_sd and layer_thickness");
-    if (recipe->matrix.model != MatrixModel::parallel_bond)
-      good =
-          refuse("matrix.model = \"parallel_bond\"", "a calibration seeks the parameters of parallel bonds");
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");
@@ -182,6 +185,20 @@ class RockReader {
     if (is_given("bedding.spacing") && rock_.layers == LayerModel::directions)
       problems_.push_back({file_.place("bedding.spacing"), "bedding.spacing", "", "layers that are planes",
                            "directions of the bonds have no spacing: leave it out"});
+    return true;
+  }
+  /// The matrix of a recipe stays, unless this file asks for another.
+  bool read_matrix() {
+    if (!file_.is_known("matrix")) return false;
+    rock_.matrix = rock_.model.matrix.model;
+    if (!is_given("matrix") && is_given("recipe")) return true;
+    const int asked = static_cast<int>(file_.number("matrix", 0.0));
+    rock_.matrix.reset();
+    if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
+    if (is_directed(rock_.layers) && rock_.matrix == MatrixModel::flat_joint)
+      problems_.push_back({file_.place("matrix"), "matrix", "\"flat_joint\"",
+                           "parallel bonds, where bonds have directions",
+                           "leave it out, or choose layers = \"planes\""});
     return true;
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
@@ -394,6 +411,9 @@ std::string rock_template(const std::string& name) {
          "# layers = \"choose\"             # or \"planes\" (smooth joints), \"directions\" (of the bonds), "
          "\"planes and "
          "directions\"\n"
+         "# matrix = \"choose\"             # or \"parallel_bond\", \"flat_joint\" (UCS many times the "
+         "tensile "
+         "strength)\n"
          "\n"
          "[bedding]\n"
          "spacing = \"5 mm\"               # of bedding or foliation, as seen on the specimens\n"

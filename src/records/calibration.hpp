@@ -87,7 +87,7 @@ struct Calibration {
   CalibrationMethod method = CalibrationMethod::posterior;
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
-  bool layers_chosen = false;                          ///< by the program, from rivals
+  bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
   bool short_search = false;                           ///< the budget did not allow all points
   Recipe recipe;                                       ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)

@@ -145,6 +145,10 @@ const char* to_string(ModulusReading reading) {
   return "";
 }
 
+bool is_directed(LayerModel model) {
+  return model == LayerModel::directions || model == LayerModel::planes_and_directions;
+}
+
 const char* to_string(LayerModel model) {
   switch (model) {
     case LayerModel::choose: return "choose";

@@ -1,5 +1,6 @@
 // A rock as the laboratory saw it: the table of tests, and what the model takes as given.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ const char* to_string(ModulusReading reading);
 /// the table best that it was not shown.
 enum class LayerModel { choose, planes, directions, planes_and_directions };
 const char* to_string(LayerModel model);
+/// Do bonds have directions? Flat joints have none.
+bool is_directed(LayerModel model);
 
 /// One cell of the table.
 struct RockReading {
@@ -77,6 +80,9 @@ struct Rock {
   ElasticReading reading = ElasticReading::plane_stress;
   ModulusReading E_is = ModulusReading::small_strain;
   LayerModel layers = LayerModel::planes;
+  /// What holds the grains of the model together; nothing: whichever predicts values of the table best that
+  /// it was not shown.
+  std::optional<MatrixModel> matrix = MatrixModel::parallel_bond;
   Recipe model;  ///< everything that is not calibrated: specimen, packing, bedding geometry, test, engine
   std::vector<RockReading> readings;  ///< in the order of the table
   std::vector<std::string> notes;     ///< how the files were understood, for the user to see

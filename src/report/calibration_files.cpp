@@ -151,21 +151,23 @@ std::string draw_comments(const Calibration& c, std::size_t number) {
 
 std::string yade_script(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
-  const bool jointed = !r.bedding.empty();
+  const bool jointed = !r.bedding.empty(), flat = m.model == MatrixModel::flat_joint;
   const BeddingRecipe b = jointed ? r.bedding.front() : BeddingRecipe{};
   return fmt::format(
              "# -*- coding: utf-8 -*-\n"
              "# {} - written by phyllite calibrate, for Yade's JCFpm model. SI units.\n"
              "# Starting values, to be checked there: JCFpm joins spheres (bond area pi Rmin^2, no bond "
              "moments, friction\n"
-             "# inside the shear strength), this calibration discs with parallel bonds. `young` is matched "
-             "so that a contact\n"
-             "# has the same stiffness per bond area: young = pi/2 (E_c + lambda E_b).\n"
+             "# inside the shear strength), this calibration discs with {}. `young` is matched so that a "
+             "contact\n"
+             "# has the same stiffness per bond area: young = pi/2 {}.\n"
              "{}"
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
              comment_text(r.name),
+             flat ? "flat joints, whose grains do not roll once bonds are broken" : "parallel bonds",
+             flat ? "lambda E_c" : "(E_c + lambda E_b)",
              m.directional() || m.unbonded_fraction > 0.0
                  ? "# Directions of the matrix and contacts without a bond are left out: JCFpm has neither.\n"
                  : "",

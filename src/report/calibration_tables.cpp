@@ -110,7 +110,7 @@ std::string identifiability_table(const std::vector<ParameterEstimate>& estimate
 std::vector<std::pair<std::string, std::string>> departures(const Calibration& c) {
   const MatrixRecipe& m = c.recipe.matrix;
   std::vector<std::pair<std::string, std::string>> rows;
-  if (m.moment_contribution < 1.0)
+  if (m.model == MatrixModel::parallel_bond && m.moment_contribution < 1.0)
     rows.emplace_back("Moment contribution beta", cell(c, m.moment_contribution, 1.0));
   if (m.shear_strength == ShearStrength::cohesion_friction)
     rows.emplace_back("Friction angle phi [deg]", cell(c, m.phi, 1.0));
@@ -123,24 +123,34 @@ std::vector<std::pair<std::string, std::string>> departures(const Calibration& c
   return rows;
 }
 
-std::vector<ParameterTable> parameter_rows(const Calibration& c) {
+/// Table 1 of the paper; flat joints are what contacts and bonds are in one.
+std::vector<ParameterTable> matrix_tables(const Calibration& c) {
+  using Rows = std::vector<std::pair<std::string, std::string>>;
   const MatrixRecipe& m = c.recipe.matrix;
   const double GPa = 1e9, MPa = 1e6;
-  const std::string E_c = cell(c, m.E_c, GPa), q = cell(c, m.ks_over_kn, 1.0);
-  std::vector<ParameterTable> tables = {
-      {"Table 1. Intact rock",
-       "balls",
-       {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)},
-        {"Modulus E_c [GPa]", E_c},
-        {"Stiffness ratio k_s/k_n", q},
-        {"Friction coefficient mu", cell(c, m.mu, 1.0)}}},
-      {"",
-       "parallel bonds",
-       {{"Modulus E_c [GPa]", E_c},
-        {"Stiffness ratio k_s/k_n", q},
-        {"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
-        {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
-        {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}}}};
+  const Rows density = {{"Density [kg/m^3]", fmt::format("{:g} (given)", m.density)}},
+             stiffness = {{"Modulus E_c [GPa]", cell(c, m.E_c, GPa)},
+                          {"Stiffness ratio k_s/k_n", cell(c, m.ks_over_kn, 1.0)}},
+             friction = {{"Friction coefficient mu", cell(c, m.mu, 1.0)}},
+             strength = {{"Mean normal strength [MPa]", cell(c, m.sigma_c, MPa)},
+                         {"Mean shear strength [MPa]", cell(c, m.tau_c, MPa)},
+                         {"SD of both / mean", fmt::format("{:.3g} (given)", m.sigma_c_sd / m.sigma_c)}};
+  const auto joined = [](const std::vector<Rows>& parts) {
+    Rows all;
+    for (const Rows& rows : parts) all.insert(all.end(), rows.begin(), rows.end());
+    return all;
+  };
+  const char* title = "Table 1. Intact rock";
+  if (m.model == MatrixModel::parallel_bond)
+    return {{title, "balls", joined({density, stiffness, friction})},
+            {"", "parallel bonds", joined({stiffness, strength})}};
+  const Rows elements = {{"Elements of an interface", fmt::format("{} (given)", m.elements)}};
+  return {{title, "flat joints", joined({density, stiffness, friction, strength, elements})}};
+}
+
+std::vector<ParameterTable> parameter_rows(const Calibration& c) {
+  const double GPa = 1e9, MPa = 1e6;
+  std::vector<ParameterTable> tables = matrix_tables(c);
   if (auto more = departures(c); !more.empty()) tables.push_back({"", "bonds, more", std::move(more)});
   if (c.recipe.bedding.empty()) return tables;
   const BeddingRecipe& b = c.recipe.bedding.front();

@@ -1,5 +1,5 @@
-// Which model of the layers is chosen, for rocks whose model is known: rows of the maps as a laboratory would
-// report them, moduli by the direct solution of a small packing.
+// Which model is chosen, of layers and matrix, for rocks whose model is known: rows of the maps as a
+// laboratory would report them, moduli by the direct solution of a small packing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,6 +26,7 @@ const ModelFamily& family(const std::string& name) {
 
 Rock rock_of(const ReachTable& table, std::size_t row) {
   Rock rock;
+  rock.layers = LayerModel::choose, rock.matrix.reset();
   rock.model = magnified_model(5.0);
   rock.model.bedding[0].rule = BeddingRule::crossing;
   rock.E_is = ModulusReading::tangent_50;
@@ -42,28 +43,66 @@ Rock rock_of(const ReachTable& table, std::size_t row) {
   return rock;
 }
 
-/// How many of the first few sensible rows of a family are taken for what they are.
-int recognised(const std::string& name, LayerModel layers, int n, calibrate::Simulator& simulator) {
+calibrate::ModelChoice choice_for(const Rock& rock, calibrate::Simulator& simulator) {
+  const calibrate::Evidence evidence(rock);
+  return calibrate::choose_model(evidence, calibrate::candidates_of(evidence), 1, simulator,
+                                 [](const std::string&) {});
+}
+
+/// How many of some sensible rows of a family, from the first of them, are taken for what they are.
+int recognised(const std::string& name, const std::string& words, int n, calibrate::Simulator& simulator) {
   const ReachTable& table = calibrate::reach_of(family(name));
   int right = 0;
   for (std::size_t row = 0; n > 0; ++row) {
     if (!table.is_sensible(row)) continue;
     --n;
-    const calibrate::Evidence evidence(rock_of(table, row));
-    const calibrate::ModelChoice choice =
-        calibrate::choose_layers(evidence, 1, simulator, [](const std::string&) {});
-    right += choice.layers == layers ? 1 : 0;
+    const calibrate::ModelChoice choice = choice_for(rock_of(table, row), simulator);
+    right += calibrate::model_in_words(choice.rock()) == words ? 1 : 0;
     std::printf("%s, row %zu: %s\n", name.c_str(), row, choice.text().c_str());
   }
   return right;
 }
 
-TEST(ModelChoice, TellsRocksOfPlanesFromRocksWithDirections) {
-  const auto simulator = calibrate::make_simulator(
+std::unique_ptr<calibrate::Simulator> all_cores() {
+  return calibrate::make_simulator(
       {static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), "", nullptr, nullptr});
-  EXPECT_GE(recognised("parallel-bond-crossing", LayerModel::planes, 3, *simulator) +
-                recognised("parallel-bond-directions", LayerModel::directions, 3, *simulator),
+}
+
+TEST(ModelChoice, TellsRocksOfPlanesFromRocksWithDirections) {
+  const auto simulator = all_cores();
+  EXPECT_GE(recognised("parallel-bond-crossing", "joints on planes", 3, *simulator) +
+                recognised("parallel-bond-directions", "directions of the bonds", 3, *simulator),
             5);
+}
+
+// Flat joints are taken where UCS is more of the tensile strength than parallel bonds have.
+TEST(ModelChoice, TakesFlatJointsForWhatIsWeakInTension) {
+  const auto simulator = all_cores();
+  Rock rock;
+  rock.bedded = false, rock.matrix.reset(), rock.E_is = ModulusReading::tangent_50;
+  rock.model = magnified_model(5.0);
+  const auto words_at = [&](double ratio) {
+    rock.readings = {calibrate::reading(Property::E, 0.0, 50e9), calibrate::reading(Property::nu, 0.0, 0.25),
+                     calibrate::reading(Property::ucs, 0.0, 120e6),
+                     calibrate::reading(Property::brazilian, 0.0, 120e6 / ratio)};
+    const calibrate::ModelChoice choice = choice_for(rock, *simulator);
+    std::printf("UCS/BTS %g: %s\n", ratio, choice.text().c_str());
+    return calibrate::model_in_words(choice.rock());
+  };
+  EXPECT_EQ(words_at(7.0), "parallel bonds");
+  EXPECT_EQ(words_at(18.0), "flat joints");
+}
+
+TEST(ModelChoice, ATableWithoutTensionLeavesTheMatrixAsItIs) {
+  Rock rock = rock_of(calibrate::reach_of(family("parallel-bond-crossing")), 5);
+  EXPECT_EQ(calibrate::candidates_of(calibrate::Evidence(rock)).size(), 4U);
+  std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::brazilian; });
+  EXPECT_EQ(calibrate::candidates_of(calibrate::Evidence(rock)).size(), 3U);
+  rock.matrix = MatrixModel::flat_joint;  // asked for: planes alone
+  const std::vector<Rock> one = calibrate::candidates_of(calibrate::Evidence(rock));
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(calibrate::model_in_words(one.front()), "joints on planes between flat joints");
+  EXPECT_EQ(one.front().model.matrix.E_c, 76e9);  // as stiff as 38 + 38 GPa
 }
 
 }  // namespace
