@@ -211,7 +211,7 @@ TEST_F(Failure, AnUnreadableResultIsToldOnceAndPicturesNeedAFolder) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   fs::permissions(out() + "/intact/result.json", fs::perms::none);
   const std::string nobody = as_nobody() + PHY_PROGRAM;
-  EXPECT_EQ(run_line(nobody + " show " + out()), 1);
+  EXPECT_EQ(run_line(nobody + " show " + out()), 3);
   const std::size_t first = output.find("missing:");
   EXPECT_NE(first, output.npos);
   EXPECT_EQ(output.find("missing:", first + 1), output.npos) << output;
