@@ -170,9 +170,11 @@ void read_numbers(io::Database& database, StoredResult& r) {
 std::string checksum_of(const StoredResult& r) {
   std::string all;
   // With its length in front no text can pass for two.
-  const auto add = [&](std::string_view text) { all += fmt::format("{}:{}", text.size(), text); };
+  const auto add = [&](std::string_view text) {
+    all.append(std::to_string(text.size())).append(":").append(text);
+  };
   const TestResult& t = r.result;
-  for (const std::string& text :
+  for (const std::string_view text :
        {r.key, r.recipe, t.name, std::string(to_string(t.outcome.status)), t.outcome.reason, t.outcome.advice,
         t.hash, r.host, r.program, r.finished, r.series})
     add(text);

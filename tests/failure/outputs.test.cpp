@@ -123,7 +123,8 @@ TEST_P(Signals, EndLikeCtrlC) {
 INSTANTIATE_TEST_SUITE_P(
     Each, Signals,
     testing::Values(
-        Long{"run", {"run", "slow.toml", "--out", "out"}, 1, "no test was finished, nothing was written"},
+        Long{"run", {"run", "slow.toml", "--out", "out"}, 1, "no test was finished, nothing was written", 6},
+        Long{"packing", {"run", "slow.toml", "--out", "out"}, 1, "a packing was made: nothing was written"},
         Long{"study",
              {"study", "study.toml", "--out", "out"},
              1,
