@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -36,6 +37,20 @@ std::vector<Problem> by_line(const std::vector<Problem>& problems) {
   return sorted;
 }
 
+/// Of a kind - one key or column of one file - the first ones, and how many more there are.
+std::vector<Problem> limited(const std::vector<Problem>& problems) {
+  constexpr std::size_t most = 50;
+  std::map<std::pair<std::string_view, std::string>, std::size_t> counts;
+  std::vector<Problem> told;
+  for (const Problem& p : problems)
+    if (++counts[{place_of(p).first, p.key}] <= most) told.push_back(p);
+  for (const auto& [kind, n] : counts)
+    if (n > most)
+      told.push_back(
+          {std::string(kind.first), kind.second, "", "", std::to_string(n - most) + " more of this kind"});
+  return told;
+}
+
 std::string render(const std::vector<Problem>& problems) {
   std::string text;
   for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + to_line(p);
@@ -54,7 +69,7 @@ std::string to_line(const Problem& p) {
 }
 
 InputError::InputError(std::vector<Problem> problems)
-    : std::runtime_error(render(problems = by_line(problems))), problems_(std::move(problems)) {}
+    : std::runtime_error(render(problems = limited(by_line(problems)))), problems_(std::move(problems)) {}
 
 InputError::InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
 

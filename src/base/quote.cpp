@@ -81,6 +81,18 @@ std::string toml_string(std::string_view text) {
   return q + "\"";
 }
 
+std::string toml_list(const std::vector<std::string>& values) {
+  constexpr std::size_t longest = 1000;
+  std::string text = "[";
+  std::size_t line = 0;  // where the present one begins
+  for (const std::string& value : values) {
+    if (text.size() > 1) text += text.size() - line + value.size() > longest ? ",\n" : ", ";
+    if (text.back() == '\n') line = text.size();
+    text += value;
+  }
+  return text + "]";
+}
+
 std::string csv_cell(std::string_view text) {
   const std::string plain = comment_text(text);
   const bool bare = plain.find_first_of(",;\"") == plain.npos && !plain.starts_with('#') &&

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace phy {
 
@@ -26,6 +27,9 @@ std::string comment_text(std::string_view text);
 
 /// TOML: a basic string with its quotes, which reads back to the same bytes.
 std::string toml_string(std::string_view text);
+
+/// TOML: a list of finished values. A long one goes over several lines, as what reads it limits their length.
+std::string toml_list(const std::vector<std::string>& values);
 
 /// CSV: one cell of one line, in quotes where it holds separators, quotes, the mark of a comment or blanks at
 /// its ends.

@@ -1,5 +1,7 @@
 #include "base/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -91,6 +93,9 @@ std::string unit_of(double usual, Dimension dimension) {
   return text.substr(text.find(' ') + 1);
 }
 
+/// "-0" is 0: an angle has one name.
+double unsigned_zero(double value) { return value == 0.0 ? 0.0 : value; }
+
 /// What is wrong with a unit that was not found, with the likeliest cause first.
 std::string unit_problem(std::string_view unit, Dimension dimension) {
   std::string text = "has the wrong unit \"" + std::string(unit) + "\"; ";
@@ -106,6 +111,13 @@ std::string print_number(double value) {
   char buffer[64];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
+}
+
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  double nearest = value;  // what is no number stays
+  std::from_chars(text.data(), text.data() + text.size(), nearest);
+  return nearest;
 }
 
 std::string unit_names(Dimension dimension) {
@@ -132,7 +144,7 @@ Quantity parse_quantity(std::string_view text, Dimension dimension, double usual
   const std::string_view unit = trimmed(s.substr(length));
   if (dimension == Dimension::none)
     return unit.empty()
-               ? Quantity{error == std::errc(), number, error == std::errc() ? "" : beyond}
+               ? Quantity{error == std::errc(), unsigned_zero(number), error == std::errc() ? "" : beyond}
                : Quantity{false, 0.0, "has a unit, \"" + std::string(unit) + "\"; write a bare number"};
   if (unit.empty())
     return {false, 0.0,
@@ -142,7 +154,7 @@ Quantity parse_quantity(std::string_view text, Dimension dimension, double usual
     if (u.dimension != dimension || unit != u.name) continue;
     double value = 0.0;
     if (!read_shifted(s.substr(0, length), u.power, value)) return {false, 0.0, beyond};
-    return {true, value, ""};
+    return {true, unsigned_zero(value), ""};
   }
   return {false, 0.0, unit_problem(unit, dimension)};
 }

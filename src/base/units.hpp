@@ -29,6 +29,8 @@ std::string print_quantity(double value, Dimension dimension);
 std::string unit_names(Dimension dimension);
 /// The unit of the values inside the program: "m", "Pa", "Pa/m", "deg", "m/s", "kg/m^3", and "1" for none.
 std::string inner_unit(Dimension dimension);
+/// To so many decimal digits.
+double rounded(double value, int digits);
 /// Shortest text that reads back to the same bits ("nan" and "inf" for what is not finite).
 std::string print_number(double value);
 

@@ -12,6 +12,18 @@ struct Session {
   int terminal_width = 0;  ///< columns of the terminal; 0, no limit, when the output is no terminal
 };
 
+/// Of an option that is a number: unlike CLI::Range it refuses "nan".
+inline CLI::Validator within(double low, double high) {
+  const std::string range =
+      "a number from " + CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high);
+  return {[=](const std::string& text) {
+            double value = 0.0;
+            const bool ok = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            return ok ? std::string() : text + " is not " + range;
+          },
+          range};
+}
+
 void add_run_command(CLI::App& app, Session& session);
 void add_specimen_command(CLI::App& app, Session& session);
 void add_verify_command(CLI::App& app, Session& session);

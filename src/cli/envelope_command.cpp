@@ -256,7 +256,8 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   const std::string strengths = (out / "envelope.csv").string(), fits = (out / "fits.csv").string();
   io::check_outputs({strengths, fits});
   io::check_writable(args.out);
-  const auto packing = genesis::packing_of(recipe, genesis::default_cache_folder());
+  const auto packing = genesis::packing_of(recipe, genesis::default_cache_folder(),
+                                           [stop = stop_on_interrupt()] { return stop->load(); });
   std::vector<std::shared_ptr<const Specimen>> specimens;
   for (Specimen& s : genesis::make_specimens(packing, study::confined_recipe(recipe, confining.front())))
     specimens.push_back(std::make_shared<const Specimen>(std::move(s)));

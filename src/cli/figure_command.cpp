@@ -6,6 +6,7 @@
 
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
+#include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
@@ -56,7 +57,8 @@ std::string format_of(const FigureArguments& args) {
   return ending;
 }
 
-void draw(FigureArguments args) {
+/// The exit code.
+int draw(FigureArguments args) {
   const std::string format = format_of(args);
   const report::FigureKind& kind = report::figure_kind(args.kind);
   if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))
@@ -73,6 +75,7 @@ void draw(FigureArguments args) {
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.out);
+  return tell_provenance(data.run, 0);
 }
 
 std::string kinds_text() {
@@ -94,10 +97,7 @@ void add_figure_command(CLI::App& app, Session& session) {
   verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind");
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
   verb->add_option("--out", args->out, "file; default: KIND.FORMAT here");
-  verb->callback([args, &session] {
-    session.exit_code = 0;
-    draw(*args);
-  });
+  verb->callback([args, &session] { session.exit_code = draw(*args); });
 }
 
 }  // namespace phy::cli

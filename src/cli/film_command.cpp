@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "cli/machine.hpp"
+#include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/program.hpp"
@@ -18,7 +19,8 @@ struct FilmArguments {
   report::FilmOptions film;
 };
 
-void make_film(const FilmArguments& args) {
+/// The exit code.
+int make_film(const FilmArguments& args) {
   const RunRecord run = io::read_run(args.result);
   const report::Film film(run, args.film);
   const std::atomic<bool>* stop = stop_on_interrupt();
@@ -32,6 +34,7 @@ void make_film(const FilmArguments& args) {
   });
   print_out("{}: {} frames, {} x {}, {:.1f} MB\n", args.out, film.n_frames(), film.width(), film.height(),
             1e-6 * static_cast<double>(std::filesystem::file_size(args.out)));
+  return tell_provenance(run, 0);
 }
 
 }  // namespace
@@ -51,15 +54,12 @@ void add_film_command(CLI::App& app, Session& session) {
       ->check(CLI::Range(320, 3840))
       ->capture_default_str();
   verb->add_option("--seconds", args->film.seconds, "length")
-      ->check(CLI::Range(0.5, 120.0))
+      ->check(within(0.5, 120.0))
       ->capture_default_str();
   verb->add_option("--magnify", args->film.magnify, "of displacements")
-      ->check(CLI::Range(0.0, 200.0))
+      ->check(within(0.0, 200.0))
       ->capture_default_str();
-  verb->callback([args, &session] {
-    session.exit_code = 0;
-    make_film(*args);
-  });
+  verb->callback([args, &session] { session.exit_code = make_film(*args); });
 }
 
 }  // namespace phy::cli

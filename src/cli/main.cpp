@@ -13,6 +13,7 @@
 #include "base/spelling.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "genesis/settle.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace {
@@ -120,6 +121,8 @@ int main(int argc, char** argv) {
     return say(2, "", phy::terminal_text(e.what()).c_str());
   } catch (const phy::IoError& e) {
     return say(3, "", phy::terminal_text(e.what()).c_str());
+  } catch (const phy::genesis::Interrupted& e) {
+    return say(1, "", e.what());
   } catch (const std::bad_alloc&) {
     return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
   } catch (const std::system_error& e) {

@@ -17,6 +17,7 @@ std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(c
       if (const auto d = study::first_difference(io::read_result_recipe(result), recipe))
         others.emplace_back(result, *d);
     } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
+    } catch (const IoError&) {
     }
   }
   return others;

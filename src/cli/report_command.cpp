@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
+#include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/load.hpp"
@@ -32,7 +33,7 @@ bool has(const std::string& folder, const char* file) {
   return fs::exists(fs::path(folder) / file, none);
 }
 std::string text_of(const std::string& folder, const char* file) {
-  return has(folder, file) ? io::read_file((fs::path(folder) / file).string()) : "";
+  return has(folder, file) ? io::read_written((fs::path(folder) / file).string()) : "";
 }
 
 /// The table that a calibration went by.
@@ -79,7 +80,8 @@ report::PageExtras of_study(const std::string& folder) {
   return extras;
 }
 
-void report(const ReportArguments& args) {
+/// The exit code.
+int report(const ReportArguments& args) {
   RunRecord run;
   report::PageExtras extras;
   if (has(args.result, "calibration.json"))
@@ -98,7 +100,7 @@ void report(const ReportArguments& args) {
   print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
             run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
             1e-6 * static_cast<double>(page.size()), seconds);
-  for (const MissingTest& m : run.missing) print_out("{}: missing: {}\n", m.name, m.reason);
+  return tell_provenance(run, 0);
 }
 
 }  // namespace
@@ -112,10 +114,7 @@ void add_report_command(CLI::App& app, Session& session) {
       ->required();
   verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
   verb->add_option("--out", args->out, "file; default: report.html in the folder");
-  verb->callback([args, &session] {
-    session.exit_code = 0;
-    report(*args);
-  });
+  verb->callback([args, &session] { session.exit_code = report(*args); });
 }
 
 }  // namespace phy::cli

@@ -15,6 +15,7 @@
 #include "cli/other_results.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
+#include "engine/kernels.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/load.hpp"
@@ -87,7 +88,7 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   const fs::path folder = no_cache ? "" : genesis::default_cache_folder();
   const bool cached = genesis::is_cached(recipe, folder);
   Made made;
-  made.packing = genesis::packing_of(recipe, folder);
+  made.packing = genesis::packing_of(recipe, folder, [stop = stop_on_interrupt()] { return stop->load(); });
   const double seconds = seconds_since(start);
   print_packing(*made.packing, seconds, cached, width);
   for (Specimen& s : genesis::make_specimens(made.packing, recipe))
@@ -144,6 +145,15 @@ struct RecipeRun {
   Recipe recipe;
 };
 
+/// Whether the loop was built for so many lanes; 0: for as many as fit.
+bool has_lanes(const Recipe& r, int lanes) {
+  if (lanes == 0) return true;
+  const engine::ContactPhysics& physics = engine::physics_of(r.matrix, r.bedding);
+  const engine::Isa isa = engine::native_isa();
+  return r.engine.precision == Precision::double_precision ? physics.double_kernel(isa, lanes) != nullptr
+                                                           : physics.float_kernel(isa, lanes) != nullptr;
+}
+
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named
 /// after their files.
 std::vector<RecipeRun> jobs_of(const RunArguments& args) {
@@ -175,6 +185,13 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
                             "use another --out, or --replace to remove them when the run begins"))
       problems.push_back(std::move(p));
   }
+  for (const RecipeRun& job : jobs)
+    if (!has_lanes(job.recipe, args.lanes))
+      problems.push_back({"command line", "--lanes", std::to_string(args.lanes),
+                          job.recipe.engine.precision == Precision::double_precision
+                              ? "1, 2, 4 or 8, as " + job.path + " asks for double precision"
+                              : "4, 8 or 16, as " + job.path + " asks for single precision",
+                          "leave it out: lanes are chosen as they fit"});
   if (!problems.empty()) throw InputError(std::move(problems));
   io::check_outputs(pages);
   return jobs;

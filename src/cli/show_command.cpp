@@ -1,7 +1,10 @@
 // `phyllite show RESULT`: the tables of a result, read back from its folder.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
+#include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "report/tables.hpp"
@@ -24,8 +27,7 @@ int show(const std::string& path, const Session& session) {
                 first.packing.porosity, first.packing.coordination);
   print_out("{}\n", report::press_table(results, width));
   print_wrapped(width, 2, "{}", report::outcome_lines(results));
-  for (const MissingTest& m : run.missing) print_wrapped(width, 2, "{}: missing: {}\n", m.name, m.reason);
-  return all_strong ? 0 : 1;
+  return std::max(tell_provenance(run, width), all_strong ? 0 : 1);
 }
 
 }  // namespace

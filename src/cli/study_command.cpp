@@ -12,6 +12,7 @@
 #include "cli/keys.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/provenance.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
@@ -226,7 +227,7 @@ int run_study(const study::Study& study, const StudyFiles& files, const StudyArg
   const std::string file = store_file(folder, shard);
   if (args.dry_run) {
     study::StudyRows rows(plan.tests.size());
-    if (fs::exists(file)) rows = study::rows_of(plan, study::Store(file));
+    if (fs::exists(file)) rows = study::rows_of(plan, study::Store(file, study::Sharing::reading));
     print_plan(plan, rows, session);
     return 0;
   }
@@ -246,7 +247,7 @@ study::Store store_in(const std::string& folder) {
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
                               shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
-  return study::Store(file);
+  return study::Store(file, study::Sharing::reading);
 }
 
 int status_of(const StudyArguments& args, const Session& session) {
@@ -277,6 +278,7 @@ int effects_of_study(const StudyArguments& args, const Session& session) {
   check_effects(folder);
   const study::Plan plan = study::make_plan(study_in(args.folder));
   study::StudyRows rows = study::rows_of(plan, store_in(args.folder));
+  tell_versions(rows, session.terminal_width);
   if (args.with_untrusted) rows = study::with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cli/machine.hpp"
+#include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
 #include "study/expected.hpp"
@@ -53,6 +54,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   print_wrapped(width, 10, "study     {} ({}), {} parameter(s)\n", s.name, study::to_string(s.design),
                 s.vary.size());
   print_notes(s.base.notes, width);
+  tell_versions(rows, width);
   print_wrapped(width, 10,
                 "          {} points x {} packing(s) x {} bond seed(s) = {} specimens, {} of them distinct\n",
                 plan.points.size(), s.packings.size(), s.bond_seeds.size(), plan.runs.size(),

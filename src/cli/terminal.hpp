@@ -22,7 +22,8 @@ struct TerminalSize {
 TerminalSize terminal_size(int file_descriptor);
 
 /// Before anything else is opened. Gives descriptors 0, 1 and 2 that came closed to nobody: the next file
-/// would get their number, and be printed into. A closed pipe is an error of writing from here on, no signal.
+/// would get their number, and be printed into. A closed pipe is an error of writing from here on, no signal,
+/// and so is a file beyond the limit of its size (ulimit -f).
 void guard_standard_streams();
 
 /// Text to standard output: names and messages of others in it cannot act on the terminal (base/quote.hpp).

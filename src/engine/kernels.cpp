@@ -1,11 +1,13 @@
 #include "engine/kernels.hpp"
 
-#include "contact/models.hpp"
-
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
 #include <vector>
+
+#include "base/check.hpp"
+#include "contact/models.hpp"
 
 namespace phy::engine {
 
@@ -34,11 +36,12 @@ Isa native_isa() {
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
     best = Isa::avx512;
   const char* wish = std::getenv("PHYLLITE_ISA");
+  if (wish == nullptr || *wish == 0) return best;
   // The environment can lower the set (to compare them) but not raise it: the processor would stop at an
   // unknown instruction.
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
-    if (wish != nullptr && std::strcmp(wish, to_string(isa)) == 0 && isa < best) best = isa;
-  return best;
+    if (std::strcmp(wish, to_string(isa)) == 0) return std::min(isa, best);
+  throw InputError(Problem{"environment", "PHYLLITE_ISA", wish, "sse2, avx2 or avx512", "or leave it unset"});
 }
 
 template <class T>

@@ -12,6 +12,7 @@ enum class Isa { sse2, avx2, avx512 };
 
 const char* to_string(Isa isa);
 /// The best instruction set of this processor. PHYLLITE_ISA=sse2|avx2|avx512 in the environment lowers it.
+/// Throws InputError: another word there.
 Isa native_isa();
 /// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.
 template <class T>

@@ -74,7 +74,7 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
   for (double* number : numbers_of(p.report))
     if (!read_hex(in, *number)) return {};
   std::size_t n = 0;
-  if (!(in >> p.report.n_rattlers >> n)) return {};
+  if (!(in >> p.report.n_rattlers >> n) || n > text.size()) return {};
   p.discs.resize(n);
   for (Disc& d : p.discs)
     if (!read_hex(in, d.x) || !read_hex(in, d.y) || !read_hex(in, d.r)) return {};
@@ -130,16 +130,16 @@ bool is_cached(const Recipe& r, const std::filesystem::path& folder) {
 }
 
 std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
-                                              const MatrixRecipe& matrix,
-                                              const std::filesystem::path& folder) {
-  if (folder.empty()) return std::make_shared<Packing>(make_packing(size, recipe, matrix));
+                                              const MatrixRecipe& matrix, const std::filesystem::path& folder,
+                                              const std::function<bool()>& stop) {
+  if (folder.empty()) return std::make_shared<Packing>(make_packing(size, recipe, matrix, stop));
   const std::string key = packing_key(size, recipe, matrix);
   const std::filesystem::path file = cache_file(folder, key);
   if (std::ifstream in(file); in) {
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     if (std::optional<Packing> p = from_text(text, key)) return std::make_shared<Packing>(std::move(*p));
   }
-  auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix));
+  auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix, stop));
   try {
     io::write_file(file.string(), to_text(key, *packing));
   } catch (const IoError&) {  // made anew next time
@@ -147,8 +147,9 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
   return packing;
 }
 
-std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::filesystem::path& folder) {
-  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, folder);
+std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::filesystem::path& folder,
+                                          const std::function<bool()>& stop) {
+  if (r.packing.file.empty()) return cached_packing(r.specimen, r.packing, r.matrix, folder, stop);
   return std::make_shared<const Packing>(
       adopt_packing(r.specimen, r.packing, r.matrix, io::read_discs(r.packing.file)));
 }

@@ -7,6 +7,7 @@
 // work. The cache is a convenience: a folder that cannot be read or written is no error.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -30,10 +31,11 @@ bool is_cached(const Recipe& recipe, const std::filesystem::path& folder);
 
 /// The packing from the folder, or made (make_packing) and put there. An empty folder means no cache.
 std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const PackingRecipe& recipe,
-                                              const MatrixRecipe& matrix,
-                                              const std::filesystem::path& folder);
+                                              const MatrixRecipe& matrix, const std::filesystem::path& folder,
+                                              const std::function<bool()>& stop = {});
 
 /// The packing of a recipe: of its file if it names one, else as cached_packing.
-std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::filesystem::path& folder);
+std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::filesystem::path& folder,
+                                          const std::function<bool()>& stop = {});
 
 }  // namespace phy::genesis

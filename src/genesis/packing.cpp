@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
@@ -126,7 +127,8 @@ PackingReport report_on(const SettleBox& box, const std::vector<Disc>& discs, co
 /// Stress-free packings are settled with equal springs, so that E_c and its convention do not move the discs.
 SettleBox box_of(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix) {
   const bool stress_free = recipe.initial_stress == InitialStress::stress_free;
-  return {size.width, size.height, stress_free ? StiffnessConvention::pfc31 : matrix.stiffness_convention};
+  return {
+      size.width, size.height, stress_free ? StiffnessConvention::pfc31 : matrix.stiffness_convention, {}};
 }
 
 Packing finish(const SettleBox& box, const PackingRecipe& recipe, const MatrixRecipe& matrix,
@@ -144,7 +146,17 @@ Packing finish(const SettleBox& box, const PackingRecipe& recipe, const MatrixRe
 
 std::string number(double x) { return std::to_string(x); }
 
-void check_input(const SpecimenSize& size, const PackingRecipe& r) {
+/// Least isotropic stress that a packing can be brought to [Pa]: overlaps are the radius times stress over
+/// E_c, and below some the last bits of a coordinate across the specimen push more than the packing may be
+/// out of balance.
+double least_stress(const SpecimenSize& size, const PackingRecipe& r, const MatrixRecipe& matrix) {
+  constexpr double of_a_coordinate = 0.25;  // share of its rounding that is left in the mean over contacts
+  const double rounding =
+      of_a_coordinate * std::numeric_limits<double>::epsilon() * std::max(size.width, size.height);
+  return matrix.E_c * rounding / (balanced * 0.5 * (r.radius_min + r.radius_max));
+}
+
+void check_input(const SpecimenSize& size, const PackingRecipe& r, const MatrixRecipe& matrix) {
   std::vector<Problem> problems;
   const double room = 0.5 * std::min(size.width, size.height);
   if (!(r.radius_min > 0.0 && r.radius_min <= r.radius_max && r.radius_max < room))
@@ -160,6 +172,11 @@ void check_input(const SpecimenSize& size, const PackingRecipe& r) {
   if (r.initial_stress == InitialStress::isotropic && !(r.isotropic_stress > 0.0))
     problems.push_back({"", "packing.isotropic_stress", number(r.isotropic_stress) + " Pa", "> 0 Pa",
                         "give a stress, or initial_stress = \"stress_free\""});
+  else if (r.initial_stress == InitialStress::isotropic && r.isotropic_stress < least_stress(size, r, matrix))
+    problems.push_back(
+        {"", "packing.isotropic_stress", fmt::format("{:g} Pa", r.isotropic_stress),
+         fmt::format("at least {:.3g} Pa, as less is lost in rounding", least_stress(size, r, matrix)),
+         "give more, or initial_stress = \"stress_free\""});
   if (!problems.empty()) throw InputError(problems);
 }
 
@@ -175,9 +192,11 @@ std::string packing_hash(const std::vector<Disc>& discs) {
   return h.text();
 }
 
-Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix) {
-  check_input(size, recipe);
-  const SettleBox box = box_of(size, recipe, matrix);
+Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix,
+                     const std::function<bool()>& stop) {
+  check_input(size, recipe, matrix);
+  SettleBox box = box_of(size, recipe, matrix);
+  box.stop = stop;
   std::vector<Disc> discs = draw_radii(size, recipe);
   place_at_random(size, recipe.seed, discs);
   const double pressure =

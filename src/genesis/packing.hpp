@@ -17,6 +17,8 @@
 // diameter); it is used `stress_free`: the overlaps are declared to be the undeformed state. Uniform by area
 // they have 0.156, a packing that just holds, which can carry a small isotropic stress.
 #pragma once
+#include <functional>
+
 #include "records/recipe.hpp"
 #include "records/specimen.hpp"
 
@@ -27,8 +29,10 @@ constexpr int packing_generation = 1;
 
 /// Makes the packing of a recipe. A pure function: the same bits on every machine. Throws InputError if fewer
 /// than two discs or discs larger than the box are asked for. A stress that cannot be reached is reported,
-/// not thrown: report.stress_left says what there is. packing.file is not read here.
-Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix);
+/// not thrown: report.stress_left says what there is; one below what coordinates resolve is an InputError.
+/// packing.file is not read here. `stop` is asked now and then; where it says true, Interrupted is thrown.
+Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, const MatrixRecipe& matrix,
+                     const std::function<bool()>& stop = {});
 
 /// A packing of given discs (imported), taken as they are: checks that they lie in the box, measures,
 /// fingerprints.

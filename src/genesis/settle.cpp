@@ -48,6 +48,7 @@ class Fire {
     for (;; ++n) {
       const ContactSums sums = add_forces();
       if (n >= max_iterations || n % iterations_per_check == 0) {
+        if (box_.stop && box_.stop()) throw Interrupted();
         Equilibrium e = measure(sums);
         e.n_iterations = n;
         const double mean_force = sums.force / static_cast<double>(std::max(1L, sums.n_pairs + sums.n_walls));

@@ -11,17 +11,25 @@
 // growing from half the radii (Potyondy & Cundall 2004; the discs may overlap freely at the start of a
 // minimisation, so growing only costs time).
 #pragma once
+#include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "records/specimen.hpp"
 
 namespace phy::genesis {
 
+/// A wish to stop has come while discs were moved.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("stopped while a packing was made: nothing was written") {}
+};
+
 /// The box and the springs in it.
 struct SettleBox {
   double width = 0.0;   ///< [m]
   double height = 0.0;  ///< [m]
   StiffnessConvention stiffness = StiffnessConvention::pfc31;
+  std::function<bool()> stop = {};  ///< asked now and then; true: settle() throws Interrupted
 };
 
 /// State of a settled (or not settled) assembly.

@@ -12,6 +12,7 @@
 #include "base/units.hpp"
 #include "contact/model.hpp"
 #include "io/file.hpp"
+#include "io/table.hpp"
 #include "records/test_description.hpp"
 
 namespace phy::io {
@@ -112,10 +113,12 @@ void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& lin
 
 }  // namespace
 
-DiscFile parse_discs(std::string_view text, const std::string& where) {
+DiscFile parse_discs(std::string_view given, const std::string& where) {
   DiscFile file;
   BadLines bad;
-  std::vector<int> lines;  // of the discs
+  std::vector<int>& lines = file.lines;
+  const std::string plain = plain_text(given);
+  std::string_view text = plain;
   bool header = false;
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -189,6 +192,10 @@ namespace {
 /// The lines of a table below its header; `where` and the line number go to `read` for messages.
 void each_line(std::string_view text, const std::string& where, std::string_view header,
                const std::function<bool(std::string_view)>& read) {
+  // A line without its end may have been a longer one.
+  if (!text.ends_with('\n'))
+    throw IoError(where + ": " + (text.empty() ? "is empty" : "ends in the middle of a line") +
+                  "; bring it back from a copy, or make the result anew");
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);

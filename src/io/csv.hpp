@@ -15,6 +15,7 @@ struct DiscFile {
   double width = 0.0;   ///< [m]
   double height = 0.0;  ///< [m]
   std::vector<Disc> discs;
+  std::vector<int> lines;  ///< where each stands
 };
 
 /// Discs as CSV: "x [m],y [m],r [m]" after a comment line with the box. Reads back to the same bits.

@@ -99,7 +99,7 @@ bool take_value(const Field& field, const TomlValue& value, double& number, std:
   } else if (whole || (numeric && !wants_whole)) {
     // Dimensionless: TOML's own numbers; text such as "0.5" is refused. A whole number may stand for a real
     // one.
-    number = value.number;
+    number = value.number == 0.0 ? 0.0 : value.number;  // not -0
   } else {
     remedy = wants_whole ? "write a whole number" : "write a bare number";
     return false;

@@ -1,6 +1,7 @@
 #include "io/file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -31,6 +32,7 @@ int write_all(int fd, const std::string& text) {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr const char* temporary_mark = ".phyllite-";
 constexpr std::size_t max_bytes = 256U << 20U;
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
@@ -38,6 +40,7 @@ constexpr std::size_t max_bytes = 256U << 20U;
   std::string remedy;
   // What to do depends on why it failed; the text of the system says the rest.
   if (error == ENOENT) remedy = "; check the name";
+  if (error == EFBIG && !reading) remedy = "; it is beyond the limit of a file's size (ulimit -f)";
   if (error == EISDIR) remedy = "; name a file, not a folder";
   if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
   if (error == EACCES || error == EROFS || error == EPERM)
@@ -64,6 +67,7 @@ int write_and_close(int fd, const std::string& content) {
 void write_synced(const std::string& real, const std::string& path, const std::string& content) {
   const int fd = ::open(real.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (fd < 0) fail(path, "be written", errno);
+  ::flock(fd, LOCK_EX | LOCK_NB);  // until it is closed: not left over
   const int error = write_and_close(fd, content);
   if (error == 0) return;
   // No half file stays, not even under its temporary name.
@@ -89,7 +93,29 @@ std::string parent_of(const std::string& path) { return fs::path(path).parent_pa
 /// A temporary name that no other thread of any process has: the number of the thread, in the first one that
 /// of the process.
 std::string beside(const std::string& path, const char* what) {
-  return path + "." + what + "-" + std::to_string(::gettid());
+  return path + temporary_mark + what + "-" + std::to_string(::gettid());
+}
+
+/// The number of the thread that a temporary name tells; "" of other names.
+std::string thread_in(const std::string& path) {
+  const std::string name = fs::path(path).filename().string();
+  const std::size_t mark = name.find(temporary_mark), number = name.rfind('-') + 1;
+  const std::size_t end = std::min(name.find_first_not_of("0123456789", number), name.size());
+  // Of a picture the ending stands behind it (io/program.hpp).
+  const bool ours = mark != name.npos && end > number && (end == name.size() || name[end] == '.');
+  return ours ? name.substr(number, end - number) : "";
+}
+
+/// True where nobody is at it any more. What cannot be locked is left alone.
+bool is_left_over(const std::string& path) {
+  const std::string thread = thread_in(path);
+  std::error_code none;
+  if (thread.empty() || fs::exists("/proc/" + thread, none)) return false;
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (fd < 0) return false;
+  const bool free = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+  ::close(fd);
+  return free;
 }
 
 /// Files that have been read, by device, inode and time. The time, because the inode number of a deleted file
@@ -155,6 +181,15 @@ std::vector<std::string> list_folder(const std::string& path) {
   return entries;
 }
 
+bool is_temporary(const std::string& path) { return !thread_in(path).empty(); }
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored))
+    if (std::error_code kept; is_left_over(entry->path().string())) fs::remove_all(entry->path(), kept);
+}
+
 void make_folder(const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
@@ -188,7 +223,8 @@ void write_file(const std::string& path, const std::string& content) {
 void check_writable(const std::string& folder) {
   make_folder(folder);
   // Tried out, as permissions do not show quotas, full disks or read-only mounts.
-  const std::string probe = (fs::path(folder) / (".write-test-" + std::to_string(::getpid()))).string();
+  remove_leftovers(folder);
+  const std::string probe = beside((fs::path(folder) / "").string(), "test");
   write_synced(probe, folder, "phyllite\n");
   ::unlink(probe.c_str());
 }
@@ -229,14 +265,18 @@ NewFolder::NewFolder(std::string folder, std::string mark, std::string kind)
     folder_.pop_back();  // the part lies beside x/, not in it
   part_ = beside(folder_, "part");
   check_place(folder_, mark_, kind_);
+  make_folder(parent_of(folder_));
+  remove_leftovers(parent_of(folder_));
   // Left behind by a process of the same number that was killed.
   std::error_code ignored;
   fs::remove_all(part_, ignored);
-  make_folder(parent_of(folder_));
   make_folder(part_);
+  lock_ = ::open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);
 }
 
 NewFolder::~NewFolder() {
+  if (lock_ >= 0) ::close(lock_);
   std::error_code ignored;
   fs::remove_all(part_, ignored);
 }

@@ -1,6 +1,11 @@
 // Files, whole or not at all: content is written under a temporary name in the same folder, synced, and
 // renamed onto its place. A reader therefore sees the old file or the new one, never a part, also after a
 // power cut. Every failure is an IoError that names the file, the reason and what to do.
+//
+// Of a killed process the temporary names are left. They say so (".phyllite-part-" and the number of the
+// thread), count for nothing, and the next process that writes into the folder removes them: those whose
+// thread is no more and whose lock, which ends with its process, is free - also on a disk that other machines
+// write to.
 #pragma once
 #include <set>
 #include <string>
@@ -17,6 +22,11 @@ bool was_read(const std::string& path);
 /// What a folder holds: paths, sorted.
 std::vector<std::string> list_folder(const std::string& path);
 
+/// A temporary name of this program: of something in the making, or left of a killed process.
+bool is_temporary(const std::string& path);
+/// Removes from a folder what killed processes have left in the making.
+void remove_leftovers(const std::string& folder);
+
 /// A device or a pipe, such as /dev/stdout: it takes text as it comes, and nothing may be put in its place.
 bool is_stream(const std::string& path);
 
@@ -29,7 +39,7 @@ void write_file(const std::string& path, const std::string& content);
 /// Makes the folder and those above it, as far as they are missing.
 void make_folder(const std::string& path);
 
-/// Makes the folder if needed and tries to write into it, before hours of work are lost.
+/// Makes the folder if needed and tries to write into it, before hours of work are lost. Removes leftovers.
 void check_writable(const std::string& folder);
 
 /// Throws IoError where something else than an older folder of a kind stands in its place, or something in it
@@ -57,6 +67,7 @@ class NewFolder {
 
  private:
   std::string folder_, part_, mark_, kind_;
+  int lock_ = -1;                  // on the temporary folder, until it is published
   std::set<std::string> folders_;  // to be synced
   std::string list_;               // of its files, io/output.hpp
 };

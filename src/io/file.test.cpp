@@ -65,7 +65,7 @@ TEST_F(Files, AFileInTheWayIsToldWithARemedy) {
 }
 
 TEST_F(Files, AFullDiskLeavesNothingBehind) {
-  fs::create_symlink("/dev/full", at(("full.csv.part-" + std::to_string(::getpid())).c_str()));
+  fs::create_symlink("/dev/full", at(("full.csv.phyllite-part-" + std::to_string(::getpid())).c_str()));
   const std::string message = message_of<IoError>([&] { write_file(at("full.csv"), "some text"); });
   EXPECT_THAT(message, HasSubstr("free some space"));
   EXPECT_THAT(message, HasSubstr(at("full.csv") + ": cannot be written"));

@@ -9,6 +9,7 @@
 #include "base/quote.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
@@ -135,7 +136,7 @@ template <class Parse>
 auto parsed(const std::string& file, const Parse& parse) {
   // Missing keys and wrong types come as exceptions of the JSON library.
   try {
-    return parse(read_file(file));
+    return parse(read_written(file));
   } catch (const nlohmann::json::exception& e) {
     throw InputError(Problem{file, "", "", "a result of format 1", e.what()});
   } catch (const std::out_of_range& e) {
@@ -167,7 +168,7 @@ std::vector<std::string> result_folders(const std::string& path) {
   if (is_result(path)) return {path};
   std::vector<std::string> folders;
   for (const std::string& entry : list_folder(path))
-    if (is_result(entry)) folders.push_back(entry);
+    if (is_result(entry) && !is_temporary(entry)) folders.push_back(entry);
   return folders;
 }
 
@@ -181,13 +182,13 @@ SpecimenRecord read_result(const std::string& folder) {
   SpecimenRecord record = parsed(file, [&](const std::string& text) { return parse_result(text, file); });
   const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   History& history = record.result.history;
-  history = parse_history(read_file(path("history.csv")), path("history.csv"));
+  history = parse_history(read_written(path("history.csv")), path("history.csv"));
   // The columns of a history do not hold the size of the specimen.
   history.width = record.recipe.specimen.width, history.height = record.recipe.specimen.height;
-  record.result.cracks = parse_cracks(read_file(path("cracks.csv")), path("cracks.csv"));
+  record.result.cracks = parse_cracks(read_written(path("cracks.csv")), path("cracks.csv"));
   // Runs of older versions have no scene.
   if (fs::exists(path("scene.bin")))
-    record.scene = unpack_scene(read_file(path("scene.bin")), path("scene.bin"));
+    record.scene = unpack_scene(read_written(path("scene.bin")), path("scene.bin"));
   return record;
 }
 
@@ -203,9 +204,9 @@ RunRecord read_run(const std::string& path) {
     try {
       run.tests.push_back(read_result(folder));
     } catch (const InputError& e) {
-      run.missing.push_back({folder, last = e.what()});
+      run.missing.push_back({folder, last = e.what(), true});
     } catch (const IoError& e) {
-      run.missing.push_back({folder, last = e.what()});
+      run.missing.push_back({folder, last = e.what(), true});
     }
   }
   if (run.tests.empty()) throw InputError(Problem{path, "", "", "a result that can be read", last});

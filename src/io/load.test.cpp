@@ -199,6 +199,7 @@ TEST_F(Load, AnUnknownOutcomeIsNotTakenForAnother) {
   ASSERT_NE(json.find(known), json.npos);
   json.replace(json.find(known), known.size(), "\"status\": \"cracked\"");
   std::ofstream(folder / "a" / "result.json") << json;
+  std::filesystem::remove(folder / "a" / ".written-by-phyllite");
   try {
     read_result((folder / "a").string());
     FAIL() << "no error";
@@ -211,6 +212,7 @@ TEST_F(Load, AnUnknownOutcomeIsNotTakenForAnother) {
 TEST_F(Load, ATableWithABadCellNamesFileAndLine) {
   write("a");
   std::ofstream(folder / "a" / "cracks.csv", std::ios::app) << "1,x\n";
+  std::filesystem::remove(folder / "a" / ".written-by-phyllite");
   try {
     read_result((folder / "a").string());
     FAIL() << "no error";

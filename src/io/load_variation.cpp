@@ -13,6 +13,7 @@
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "io/output.hpp"
 #include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
@@ -35,7 +36,7 @@ double number_of(const std::string& cell) {
 /// A table whose columns are asked for by name.
 class Named {
  public:
-  explicit Named(const std::string& file) : file_(file), table_(parse_table(read_file(file), file)) {
+  explicit Named(const std::string& file) : file_(file), table_(parse_table(read_written(file), file)) {
     if (!table_.problems.empty()) throw InputError(table_.problems);
   }
   std::size_t column(const std::string& name) const {
@@ -112,7 +113,7 @@ std::string value_text(const std::string& column, const std::string& cell) {
   const double value = number_of(cell);
   const Field* field = find_field(recipe_fields(), without_index(column.substr(0, column.find(' '))));
   if (field == nullptr || !std::isfinite(value)) return cell;
-  return print_quantity(std::stod(fmt::format("{:.6g}", value)),
+  return print_quantity(rounded(value, 6),
                         field->dimension);  // no last digits of a product
 }
 

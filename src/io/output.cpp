@@ -80,6 +80,18 @@ bool is_as_written(const std::string& folder, const std::string& name) {
   return list && content && ("\n" + *list).find("\n" + list_line(name, *content)) != list->npos;
 }
 
+std::string read_written(const std::string& file) {
+  std::string content = read_file(file);
+  const auto list = content_of(fs::path(folder_of(file)) / written_list);
+  const std::string name = fs::path(file).filename().string();
+  const bool listed = list && list->find(" " + comment_text(name) + "\n") != list->npos;
+  if (listed && ("\n" + *list).find("\n" + list_line(name, content)) == list->npos)
+    throw IoError(file +
+                  ": is not as this program wrote it: cut short, damaged or changed by hand; bring it back "
+                  "from a copy, or make the result anew");
+  return content;
+}
+
 void list_written(const std::string& file, const std::string& part) {
   if (const auto content = content_of(part)) add_to_list(file, *content);
 }

@@ -1,7 +1,8 @@
 // What the program leaves for its user, and what it leaves alone. Beside its files it keeps a list of them,
 // each with the fingerprint of its content. It replaces a file only where that still stands as it was
 // written: files of others, or changed by hand, stay, and so does everything that the program has
-// read.
+// read. And what it reads of a result is held against the list: a table that was cut short or changed is told
+// and not shown.
 #pragma once
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ constexpr const char* written_list = ".written-by-phyllite";
 std::string list_line(const std::string& name, std::string_view content);
 /// Whether a file is in the list of `folder` and as it was written; `name` may lie in a subfolder.
 bool is_as_written(const std::string& folder, const std::string& name);
+/// The content of a file of a result. Where the list beside it has its name, it must be as it was written;
+/// what is in no list (of other programs, or moved without it) is read as it is. Throws IoError.
+std::string read_written(const std::string& file);
 /// Puts a file into the list beside it, before it appears, so that none is ever forgotten. It is written to
 /// `part` and will be renamed. A list that cannot be written is no failure: the file will then not be
 /// replaced.

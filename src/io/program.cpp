@@ -117,7 +117,7 @@ void make_file(const std::string& path, const std::function<void(const std::stri
   // Before minutes of drawing.
   check_writable(place.has_parent_path() ? place.parent_path().string() : ".");
   // The ending stays last, as programs choose the format by it.
-  const std::string part = (place.parent_path() / ("." + place.stem().string() + ".part-" +
+  const std::string part = (place.parent_path() / ("." + place.stem().string() + ".phyllite-part-" +
                                                    std::to_string(::getpid()) + place.extension().string()))
                                .string();
   std::error_code ignored;

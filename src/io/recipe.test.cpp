@@ -39,7 +39,9 @@ TEST(Recipe, WrittenRecipeReadsBackToTheSameBits) {
   r.packing.n_grains = 0;
   r.packing.porosity = 0.15600000000000003;
   r.test.angles = {0.1, 89.99999999999999};
+  for (int i = 0; i < 250; ++i) r.test.angles.push_back(0.7001 * i + 0.01);
   const Recipe back = parse_recipe(write_recipe(r), "r.toml");
+  EXPECT_EQ(back.test.angles, r.test.angles);
   EXPECT_EQ(write_recipe(back), write_recipe(r));
   EXPECT_EQ(back.bedding[1].theta, r.bedding[1].theta);
   EXPECT_EQ(back.matrix.E_c, r.matrix.E_c);

@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "base/nan.hpp"
 #include "base/units.hpp"
@@ -363,16 +365,28 @@ class ReadingReader {
              r.derived ? "" : "is it the deviatoric stress? add the confining stress to it"});
   }
 
+  /// Adds a reading to those that later ones of its cell are held against: all with an SD, and of the others,
+  /// which only another's SD can tell apart, the least and the largest.
+  void remember(std::size_t i, std::vector<std::size_t>& cell) const {
+    const auto farther = [&](std::size_t j, double side) {
+      return !std::isfinite(readings_[j].sd) && side * readings_[j].value >= side * readings_[i].value;
+    };
+    const auto any_farther = [&](double side) {
+      return std::any_of(cell.begin(), cell.end(), [&](std::size_t j) { return farther(j, side); });
+    };
+    if (std::isfinite(readings_[i].sd) || !any_farther(1.0) || !any_farther(-1.0)) cell.push_back(i);
+  }
+
   /// Two rows of one cell that cannot be the same rock.
   void check_repeats() {
     // Each line once, though it may disagree with several others.
     std::set<int> told;
-    for (std::size_t i = 0; i < readings_.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const RockReading &a = readings_[j], &b = readings_[i];
-        if (a.property != b.property || a.theta != b.theta || a.confining != b.confining ||
-            a.diameter != b.diameter)
-          continue;
+    std::map<std::tuple<Property, double, double, double>, std::vector<std::size_t>> cells;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      const RockReading& b = readings_[i];
+      std::vector<std::size_t>& cell = cells[{b.property, b.theta, b.confining, b.diameter}];
+      for (const std::size_t j : cell) {
+        const RockReading& a = readings_[j];
         // With one of the two unknown the other decides; with both unknown nothing is reported (comparison
         // with NaN).
         const double sd = std::fmax(a.sd, b.sd);  // passes over a NaN
@@ -382,6 +396,8 @@ class ReadingReader {
                                          a.line, a.value),
                              "one of the two is a slip, or the rows are two different rocks"});
       }
+      remember(i, cell);
+    }
   }
 };
 

@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 using Numbers = std::vector<std::int32_t>;
 
 constexpr int scene_format = 1;
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 constexpr double finest = 0.25e-6;       // [m]: far below a grain, also when drawn twenty times enlarged
 constexpr double largest_steps = 32000;  // displacements stay within 16 bits
 constexpr double size_steps = 65000;
@@ -208,8 +209,14 @@ Scene read_scene(std::string_view bytes) {
   if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
   const auto size = head.at("size").get<std::size_t>();
   // The size in the header bounds what is unpacked: a few bytes can unpack to gigabytes.
+  if (size > most_bytes) throw std::out_of_range("more than a gigabyte");
   const std::optional<std::string> plain = inflated(bytes.substr(end + 1), size);
   if (!plain || plain->size() != size) throw std::out_of_range("the compressed part is damaged");
+  // Every disc and link has a byte at least: what the header says is held against that before it is made
+  // room.
+  for (const char* count : {"n_discs", "n_links"})
+    if (head.at(count).get<std::size_t>() > size)
+      throw std::out_of_range(std::string(count) + " beyond the stream");
   Reader r{*plain, head.at("sections")};
   Scene scene;
   head.at("width [m]").get_to(scene.width);

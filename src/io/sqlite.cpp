@@ -1,6 +1,8 @@
 #include "io/sqlite.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -10,6 +12,8 @@
 
 namespace phy::io {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string remedy_for(int code) {
   // The lower byte is the primary code; the rest are refinements of it.
@@ -25,13 +29,34 @@ std::string remedy_for(int code) {
   }
 }
 
+bool is_writable(const std::string& file) {
+  const std::string folder = fs::path(file).parent_path().string();
+  return ::access(file.c_str(), W_OK) == 0 &&
+         ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
+}
+
+/// The name by which SQLite opens a file for reading. In a folder that cannot be written it has no place for
+/// the lock of a WAL file; where there is none ("immutable") it needs no lock.
+std::string uri_for_reading(const std::string& file) {
+  std::error_code none;
+  const std::uintmax_t wal = fs::file_size(file + "-wal", none);
+  std::string uri = "file:";
+  for (const char c : fs::absolute(file).string())
+    uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
+  return uri + (none || wal == 0 ? "?immutable=1" : "");
+}
+
 }  // namespace
 
-Database::Database(const std::string& path, int patience_ms) : path_(path) {
-  make_folder(std::filesystem::path(path).parent_path().string());
+Database::Database(const std::string& path, int patience_ms, Access access) : path_(path) {
+  std::error_code none;
+  can_write_ = access == Access::writing || !fs::exists(path, none) || is_writable(path);
+  if (can_write_) make_folder(fs::path(path).parent_path().string());
   // No mutex inside SQLite: the owner of the connection locks.
-  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-  if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+  const int flags = SQLITE_OPEN_NOMUTEX | (can_write_ ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                                                      : SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  if (sqlite3_open_v2((can_write_ ? path : uri_for_reading(path)).c_str(), &handle_, flags, nullptr) !=
+      SQLITE_OK) {
     // Even a failed open returns a handle, which holds the message and must be closed.
     const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : "not enough memory";
     const std::string remedy = remedy_for(handle_ != nullptr ? sqlite3_errcode(handle_) : SQLITE_NOMEM);

@@ -11,10 +11,13 @@ struct sqlite3_stmt;
 
 namespace phy::io {
 
+/// `reading`: a file that cannot be written, or in a folder that cannot, is opened all the same, for reading.
+enum class Access { writing, reading };
+
 class Database {
  public:
   /// Opens or makes the file. Waits up to `patience_ms` for other processes before any call gives up.
-  explicit Database(const std::string& path, int patience_ms = 60000);
+  explicit Database(const std::string& path, int patience_ms = 60000, Access access = Access::writing);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -26,11 +29,14 @@ class Database {
   /// Rows changed by the last INSERT, UPDATE or DELETE.
   std::int64_t n_changed() const;
   const std::string& path() const { return path_; }
+  /// False where the file was opened for reading only.
+  bool can_write() const { return can_write_; }
   [[noreturn]] void fail(const std::string& doing) const;
 
  private:
   friend class Statement;
   std::string path_;
+  bool can_write_ = true;
   sqlite3* handle_ = nullptr;
 };
 

@@ -79,11 +79,13 @@ class Reader {
           {where_, "", "UTF-16", "text in UTF-8", "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
       return std::move(table_);
     }
-    if (text_.starts_with("\xEF\xBB\xBF")) {
-      text_.remove_prefix(3);
+    if (text_.starts_with("\xEF\xBB\xBF"))
       table_.notes.emplace_back("a byte-order mark at the beginning was skipped");
-    }
     if (text_.find("\r\n") != text_.npos) table_.notes.emplace_back("line ends are those of Windows");
+    if (text_.find('\n') == text_.npos && text_.find('\r') != text_.npos)
+      table_.notes.emplace_back("line ends are those of old Macs");
+    plain_ = plain_text(text_);
+    text_ = plain_;
     for (int number = 1; !text_.empty(); ++number) {
       const std::size_t end = std::min(text_.find('\n'), text_.size());
       take_line(text_.substr(0, end), number);
@@ -99,6 +101,7 @@ class Reader {
 
  private:
   std::string_view text_;
+  std::string plain_;
   std::string where_;
   Table table_;
   char delimiter_ = 0;
@@ -167,6 +170,13 @@ class Reader {
 };
 
 }  // namespace
+
+std::string plain_text(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  std::string plain(text);
+  if (text.find('\n') == text.npos) std::replace(plain.begin(), plain.end(), '\r', '\n');
+  return plain;
+}
 
 Table parse_table(std::string_view text, const std::string& where) { return Reader(text, where).read(); }
 

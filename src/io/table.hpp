@@ -27,6 +27,10 @@ struct Table {
 };
 
 /// Never throws; `where` names the source in problems.
+/// A table as editors and spreadsheets save it: without the byte-order mark of UTF-8, and where lines end as
+/// on old Macs (CR alone) with line breaks.
+std::string plain_text(std::string_view text);
+
 Table parse_table(std::string_view text, const std::string& where);
 
 }  // namespace phy::io

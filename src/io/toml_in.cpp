@@ -80,6 +80,31 @@ std::string write(const Recipe& recipe, bool comments) {
   return text;
 }
 
+/// Discs of a file that no packing can hold, each with its line.
+std::vector<Problem> misplaced_discs(const DiscFile& file, const Recipe& recipe) {
+  std::vector<Problem> problems;
+  const SpecimenSize& size = recipe.specimen;
+  const double side = std::min(size.width, size.height), smallest = 1e-4 * side;  // as genesis::adopt_packing
+  for (std::size_t i = 0; i < file.discs.size(); ++i) {
+    const Disc& d = file.discs[i];
+    const auto report = [&](const std::string& value, const std::string& expected) {
+      problems.push_back({recipe.packing.file + ":" + std::to_string(file.lines[i]), "disc", value, expected,
+                          "check the units, and the origin: the lower left corner of the specimen"});
+    };
+    if (!(d.r >= smallest && d.r < 0.5 * side))
+      report(print_quantity(d.r, Dimension::length),
+             "a radius from 1/10000 to less than 1/2 of the smaller side");
+    if (!(d.x > 0.0 && d.x < size.width && d.y > 0.0 && d.y < size.height))
+      report(
+          "(" + print_quantity(d.x, Dimension::length) + ", " + print_quantity(d.y, Dimension::length) + ")",
+          "a centre inside the specimen, 0 < x < width, 0 < y < height");
+  }
+  if (file.discs.size() > static_cast<std::size_t>(max_recipe_grains))
+    problems.push_back({recipe.packing.file, "", std::to_string(file.discs.size()) + " discs",
+                        "at most " + std::to_string(max_recipe_grains), ""});
+  return problems;
+}
+
 /// Contradictions between a recipe and the disc file that it imports.
 std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& where) {
   const DiscFile file = parse_discs(read_file(recipe.packing.file), recipe.packing.file);
@@ -95,6 +120,13 @@ std::vector<Problem> disc_problems(const Recipe& recipe, const std::string& wher
       problems.push_back({where, std::string("specimen.") + key, length(size),
                           "the box of " + recipe.packing.file + ", " + length(box),
                           std::string("write ") + key + " = \"" + length(box) + "\" under [specimen]"});
+  for (Problem& p : misplaced_discs(file, recipe)) problems.push_back(std::move(p));
+  const std::int64_t n = recipe.packing.n_grains, usual = Recipe{}.packing.n_grains;
+  // Completed recipes of earlier versions hold the default beside the file.
+  if (n != usual && n > 0 && n != static_cast<std::int64_t>(file.discs.size()))
+    problems.push_back({where, "packing.n_grains", std::to_string(n),
+                        "no number of grains beside packing.file",
+                        "the file has " + std::to_string(file.discs.size()) + " discs: leave it out"});
   double largest = 0.0;
   for (const Disc& d : file.discs) largest = std::max(largest, 2.0 * d.r);
   for (std::size_t i = 0; i < recipe.bedding.size(); ++i)
@@ -118,8 +150,13 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   TomlValue root = parse_toml(text, where, problems);
   refuse_other_documents(root, where);
   take_out_sweep(root, where, problems);
+  const bool empty = root.keys.empty();
   Document file(std::move(root), where, recipe_schema(), std::move(problems));
   Recipe recipe;
+  if (empty)
+    file.notes.push_back("the file says nothing: this is the paper's intact specimen, of " +
+                         std::to_string(recipe.packing.n_grains) +
+                         " discs; `phyllite recipe --template` begins a recipe");
   // A set of defaults for each [[bedding]] table.
   recipe.bedding.resize(file.tables("bedding").size());
   for (const Field& f : recipe_fields())

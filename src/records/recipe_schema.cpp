@@ -420,11 +420,11 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
     case FieldKind::quantity: return toml_string(print_quantity(f.get(recipe, index), f.dimension));
     default: {
       Recipe copy = recipe;
-      std::string s;
+      std::vector<std::string> values;
       for (const double v : f.list(copy))
-        s += (s.empty() ? "" : ", ") +
-             (f.dimension == Dimension::none ? print_number(v) : toml_string(print_quantity(v, f.dimension)));
-      return "[" + s + "]";
+        values.push_back(f.dimension == Dimension::none ? print_number(v)
+                                                        : toml_string(print_quantity(v, f.dimension)));
+      return toml_list(values);
     }
   }
 }

@@ -31,8 +31,9 @@ struct SpecimenRecord {
 
 /// A specimen that a run should have and has not.
 struct MissingTest {
-  std::string name;    ///< "theta = 30 deg", or the folder
-  std::string reason;  ///< why, and what to do
+  std::string name;         ///< "theta = 30 deg", or the folder
+  std::string reason;       ///< why, and what to do
+  bool unreadable = false;  ///< it is there, and cannot be read
 };
 
 /// The specimens of one run, intact rock last.

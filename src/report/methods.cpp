@@ -254,7 +254,7 @@ std::string references_text(const Recipe& r) {
 /// Estimates with the four digits that a reader needs; calibrated.toml has them all.
 Recipe rounded(Recipe r) {
   const auto round = [](std::initializer_list<double*> numbers) {
-    for (double* v : numbers) *v = std::stod(fmt::format("{:.3e}", *v));
+    for (double* v : numbers) *v = phy::rounded(*v, 4);
   };
   MatrixRecipe& m = r.matrix;
   round({&m.E_c, &m.E_b, &m.sigma_c, &m.sigma_c_sd, &m.tau_c, &m.tau_c_sd});

@@ -238,8 +238,12 @@ TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
   io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
+  std::string many = "packings = [1000001", levels = "[[vary]]\nkey = \"bedding.k_n\"\nvalues = [";
+  for (int i = 2; i <= 1000; ++i) many += ",\n" + std::to_string(1000000 + i);
+  for (int i = 1; i <= 300; ++i) levels += "\"" + std::to_string(i) + ".123 GPa/m\",\n";
   for (const std::string& text :
-       {std::string(three_levels) + "[set]\n\"engine.precision\" = \"float\"\n",
+       {many + "]\n" + std::string(three_levels), levels + "]\n",
+        std::string(three_levels) + "[set]\n\"engine.precision\" = \"float\"\n",
         "design = \"sobol\"\n" + std::string(two_ranges),
         std::string("design = \"list\"\nfile = \"points.csv\"\npackings = [4, 5]\n")}) {
     const Study in = read(text);

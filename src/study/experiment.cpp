@@ -93,9 +93,9 @@ std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe
   return {};
 }
 
-std::shared_ptr<const Packing> packing_of(const Recipe& r) {
+std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::function<bool()>& stop) {
   if (r.packing.file.empty())
-    return genesis::cached_packing(r.specimen, r.packing, r.matrix, genesis::default_cache_folder());
+    return genesis::cached_packing(r.specimen, r.packing, r.matrix, genesis::default_cache_folder(), stop);
   return std::make_shared<const Packing>(
       genesis::adopt_packing(r.specimen, r.packing, r.matrix, io::read_discs(r.packing.file)));
 }

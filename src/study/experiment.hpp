@@ -4,6 +4,7 @@
 // specimen each, completed: the bedding turned to its final angle, nothing left to default. Such a recipe
 // says everything that a result depends on, so its fingerprint is the specimen's name in the store.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ namespace phy::study {
 /// One recipe per specimen, in the order of make_specimens: the angles, then the intact rock.
 std::vector<Recipe> single_recipes(const Recipe& recipe);
 
-/// Raised whenever the program gives other numbers to the same recipe, or a key gets another default.
+/// Raised whenever the program gives other numbers to the same recipe, or a key gets another default: a test
+/// holds it against tests/recorded.txt.
 constexpr int results_version = 1;
 
 /// Fingerprint of everything that a result in the store depends on: results_version and the keys that are not
@@ -35,8 +37,8 @@ struct RecipeDifference {
 /// none. The angles and the intact specimen do not count.
 std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other);
 
-/// The packing of a recipe: imported, from the cache, or made.
-std::shared_ptr<const Packing> packing_of(const Recipe& recipe);
+/// The packing of a recipe: imported, from the cache, or made; `stop` as of genesis::make_packing.
+std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::function<bool()>& stop = {});
 
 /// The specimen of a single recipe.
 std::shared_ptr<const Specimen> specimen_of(std::shared_ptr<const Packing> packing, const Recipe& single);

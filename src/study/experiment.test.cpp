@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/in_folder_fixture.hpp"
+#include "base/recorded_fixture.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
@@ -139,6 +140,15 @@ TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
   const std::string one = key_of(at("phy-a"), "discs");
   EXPECT_EQ(key_of(at("phy-b"), "discs"), one);
   EXPECT_NE(key_of(at("phy-a"), "discs moved"), one);
+}
+
+// Rows of other physics must not be found under the keys of today.
+TEST(SpecimenKey, TheVersionOfResultsIsRaisedWithTheRecordedNumbers) {
+  std::string physics;
+  for (const char* name : {"packing/small", "press/double", "press/float"}) physics += recorded(name) + " ";
+  EXPECT_EQ(std::to_string(results_version) + ": " + physics,
+            "1: 11fd00d858726563 f355b0470b647180 af6aed32667b3803 ")
+      << "raise results_version (study/experiment.hpp), then write its recorded numbers here";
 }
 
 }  // namespace

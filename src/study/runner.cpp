@@ -7,6 +7,7 @@
 #include "base/clock.hpp"
 #include "base/parallel.hpp"
 #include "genesis/cut.hpp"
+#include "genesis/settle.hpp"
 #include "io/toml_in.hpp"
 #include "lab/load_path.hpp"
 #include "study/direct.hpp"
@@ -75,7 +76,9 @@ class Worker {
     const Recipe& any = plan_.tests[plan_.batches[a.batch].tests.front()].recipe;
     last_.reset();
     try {
-      packing_ = packing_of(any);
+      packing_ = packing_of(any, [this] { return stopped(); });
+    } catch (const genesis::Interrupted&) {
+      return;
     } catch (const InputError& e) {
       // Without a packing none of the tests of this batch can run. Each is claimed and answered one by one:
       // some of them may run in other processes, which will find out for themselves.

@@ -15,6 +15,8 @@
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
+#include "base/quote.hpp"
+#include "base/units.hpp"
 #include "io/csv.hpp"
 #include "io/deflate.hpp"
 #include "io/toml_in.hpp"
@@ -24,6 +26,7 @@ namespace phy::study {
 namespace {
 
 // From linux/magic.h and the file systems' own headers; there is no portable test for "network".
+constexpr int patience_ms = 60000;
 constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD00BD0L;
 
 // Keyed by fingerprint. Numbers are rows of their own, so that any can be selected by SQL; `place` keeps
@@ -33,7 +36,8 @@ CREATE TABLE IF NOT EXISTS specimen (
   key TEXT PRIMARY KEY, recipe TEXT NOT NULL, name TEXT NOT NULL, intact INTEGER NOT NULL, theta REAL,
   status TEXT NOT NULL, reason TEXT NOT NULL, advice TEXT NOT NULL, result_hash TEXT NOT NULL,
   dt REAL, n_steps INTEGER, n_contacts INTEGER, n_cracks INTEGER, seconds REAL,
-  host TEXT, program TEXT, finished TEXT, history BLOB, cracks BLOB) STRICT;
+  host TEXT, program TEXT, finished TEXT, history BLOB, cracks BLOB,
+  series TEXT NOT NULL DEFAULT '', checksum TEXT NOT NULL DEFAULT '') STRICT;
 CREATE TABLE IF NOT EXISTS number (
   key TEXT NOT NULL, name TEXT NOT NULL, place INTEGER NOT NULL, value REAL, unit TEXT NOT NULL,
   definition TEXT NOT NULL, note TEXT NOT NULL, PRIMARY KEY (key, name)) STRICT, WITHOUT ROWID;
@@ -41,7 +45,10 @@ CREATE TABLE IF NOT EXISTS claim (key TEXT PRIMARY KEY, owner TEXT NOT NULL, unt
 )";
 constexpr const char* specimen_columns =
     "key, recipe, name, intact, theta, status, reason, advice, result_hash, dt, n_steps, n_contacts, "
-    "n_cracks, seconds, host, program, finished";
+    "n_cracks, seconds, host, program, finished, series, checksum";
+
+const std::string select_whole =
+    std::string("SELECT ") + specimen_columns + ", history, cracks FROM specimen WHERE key = ?";
 
 /// Leases compare times of several processes, so this is the calendar clock and not a steady one.
 double now() {
@@ -64,11 +71,16 @@ std::string first_line(const std::string& path) {
   return line;
 }
 
-/// The boot and the process namespace: within one such world process numbers can be compared.
-std::string world() {
+/// Machine, boot and process namespace. Within one such world process numbers can be compared; of one machine
+/// only the present boot lives.
+struct World {
+  std::string machine, boot, processes;
+};
+
+World this_world() {
   std::error_code error;
-  return first_line("/proc/sys/kernel/random/boot_id") + " " +
-         std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
+  return {first_line("/etc/machine-id") + " " + host_name(), first_line("/proc/sys/kernel/random/boot_id"),
+          std::filesystem::read_symlink("/proc/self/ns/pid", error).string()};
 }
 
 /// When a process was started, in ticks since the boot; empty if there is no such process. Together with its
@@ -84,21 +96,27 @@ std::string start_of(const std::string& pid) {
   return field;
 }
 
-/// "world|pid|start|number of the object".
+/// "machine|boot|processes|pid|start|number of the object".
 std::string new_owner() {
   static std::atomic<int> n_objects{0};
-  const std::string pid = std::to_string(::getpid());
-  return world() + "|" + pid + "|" + start_of(pid) + "|" + std::to_string(++n_objects);
+  const World here = this_world();
+  const int pid = ::getpid();
+  return fmt::format("{}|{}|{}|{}|{}|{}", here.machine, here.boot, here.processes, pid,
+                     start_of(std::to_string(pid)), ++n_objects);
 }
 
 /// True if the owner is known to be dead; false if it lives or cannot be seen from here.
 bool is_dead(const std::string& owner) {
   std::istringstream parts(owner);
-  std::string place, pid, start;
-  std::getline(parts, place, '|'), std::getline(parts, pid, '|'), std::getline(parts, start, '|');
-  // Of another machine, boot or container nothing is known: such a claim ends with its lease only. A number
-  // that has been given to a new process shows by its start.
-  return place == world() && start_of(pid) != start;
+  World its;
+  std::string pid, start;
+  for (std::string* part : {&its.machine, &its.boot, &its.processes, &pid, &start})
+    std::getline(parts, *part, '|');
+  const World here = this_world();
+  // Of another machine or container nothing is known: such a claim ends with its lease only. A number that
+  // has been given to a new process shows by its start.
+  if (its.machine != here.machine) return false;
+  return its.boot != here.boot || (its.processes == here.processes && start_of(pid) != start);
 }
 
 /// A history or a list of cracks.
@@ -134,15 +152,59 @@ StoredResult read_specimen(const io::Statement& s, const std::string& path) {
   t.outcome = {status_from(s.text(5), path), s.text(6), s.text(7)};
   t.hash = s.text(8), t.dt = s.number(9), t.n_steps = s.integer(10), t.n_contacts = s.integer(11);
   r.n_cracks = s.integer(12), t.seconds = s.number(13);
-  r.host = s.text(14), r.program = s.text(15), r.finished = s.text(16);
+  r.host = s.text(14), r.program = s.text(15), r.finished = s.text(16), r.series = s.text(17);
   return r;
 }
+
+/// The checksum that was stored with it.
+std::string checksum_in(const io::Statement& s) { return s.text(18); }
 
 void read_numbers(io::Database& database, StoredResult& r) {
   io::Statement s(database,
                   "SELECT name, value, unit, definition, note FROM number WHERE key = ? ORDER BY place");
   s.bind(r.key);
   while (s.step()) r.result.numbers.push_back({s.text(0), s.number(1), s.text(2), s.text(3), s.text(4)});
+}
+
+/// Over everything of a record; of history and cracks over their fingerprint.
+std::string checksum_of(const StoredResult& r) {
+  std::string all;
+  // With its length in front no text can pass for two.
+  const auto add = [&](std::string_view text) {
+    all.append(std::to_string(text.size())).append(":").append(text);
+  };
+  const TestResult& t = r.result;
+  for (const std::string_view text :
+       {r.key, r.recipe, t.name, std::string(to_string(t.outcome.status)), t.outcome.reason, t.outcome.advice,
+        t.hash, r.host, r.program, r.finished, r.series})
+    add(text);
+  for (const double value : {t.theta, t.dt, t.seconds}) add(print_number(value));
+  for (const std::int64_t value : {std::int64_t{t.intact}, t.n_steps, t.n_contacts, r.n_cracks})
+    add(std::to_string(value));
+  for (const Number& n : t.numbers)
+    add(n.name), add(print_number(n.value)), add(n.unit), add(n.definition), add(n.note);
+  return fingerprint_of(all);
+}
+
+std::string series_of(const std::string& history, const std::string& cracks) {
+  return fingerprint_of(fmt::format("{}:{}{}", history.size(), history, cracks));
+}
+
+constexpr std::size_t max_listed = 20;
+
+/// Of `damaged` records. They can be run again; which of their fields is wrong cannot be known.
+[[noreturn]] void refuse_damaged(const std::string& path, const std::vector<StoredResult>& damaged) {
+  std::string list, keys;
+  for (std::size_t i = 0; i < std::min(damaged.size(), max_listed); ++i) {
+    list += fmt::format("\n  {} ({})", damaged[i].key, damaged[i].result.name);
+    keys += fmt::format("{}'{}'", keys.empty() ? "" : ",", damaged[i].key);
+  }
+  if (damaged.size() > max_listed) list += fmt::format("\n  and {} more", damaged.size() - max_listed);
+  throw IoError(fmt::format(
+      "{}: {} record(s) are not as this program stored them: changed by hand, or damaged. Restore the "
+      "file from a copy, or remove them and run the study again: "
+      "sqlite3 {} \"DELETE FROM specimen WHERE key IN ({})\"{}",
+      path, damaged.size(), sh_word(path), keys, list));
 }
 
 /// False where the new key exists already: the row then keeps its own.
@@ -153,12 +215,13 @@ bool rename_key(io::Database& database, const char* table, const std::string& be
   return database.n_changed() > 0;
 }
 
-void write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
+/// False if there was such a row already.
+bool write_specimen(io::Database& database, const std::string& key, const std::string& recipe,
                     const TestResult& t, const std::string& host) {
   // OR IGNORE: two processes may have run the same test after a lease ended; the first result stays. Tests
   // are deterministic, so the second would be the same.
   io::Statement s(database, std::string("INSERT OR IGNORE INTO specimen (") + specimen_columns +
-                                ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                                ", history, cracks) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,'','',?,?)");
   s.bind(key).bind(recipe).bind(t.name).bind(std::int64_t{t.intact}).bind(t.theta);
   s.bind(to_string(t.outcome.status)).bind(t.outcome.reason).bind(t.outcome.advice).bind(t.hash);
   s.bind(t.dt).bind(t.n_steps).bind(t.n_contacts).bind(static_cast<std::int64_t>(t.cracks.size()));
@@ -167,13 +230,16 @@ void write_specimen(io::Database& database, const std::string& key, const std::s
       .bind_blob(io::deflated(io::cracks_csv(t.cracks, t.history.kind)));
   s.run();
   // The row was there: its numbers are, too.
-  if (database.n_changed() == 0) return;
+  if (database.n_changed() == 0) return false;
+  // Of a row that somebody has deleted, numbers may be left.
+  io::Statement(database, "DELETE FROM number WHERE key = ?").bind(key).run();
   io::Statement number(database, "INSERT INTO number VALUES (?,?,?,?,?,?,?)");
   std::int64_t place = 0;
   for (const Number& n : t.numbers) {
     number.bind(key).bind(n.name).bind(place++).bind(n.value).bind(n.unit).bind(n.definition).bind(n.note);
     number.run();
   }
+  return true;
 }
 
 }  // namespace
@@ -191,16 +257,23 @@ std::string hash_of(const std::vector<std::optional<StoredResult>>& rows) {
   Hash h;
   for (const auto& [key, result] : sorted) {
     h.add(key), h.add(std::string(to_string(result->outcome.status))), h.add(result->hash);
+    for (const Number& n : result->numbers) h.add(n.name), h.add(n.value);
   }
   return h.text();
 }
 
-Store::Store(const std::string& path, Sharing sharing) : database_(path), owner_(new_owner()) {
-  if (sharing == Sharing::shared) refuse_network(path);
-  make_tables(sharing);
+Store::Store(const std::string& path, Sharing sharing)
+    : database_(path, patience_ms, sharing == Sharing::reading ? io::Access::reading : io::Access::writing),
+      owner_(new_owner()) {
+  if (sharing != Sharing::alone) refuse_network(path);
+  if (database_.can_write())
+    make_tables(sharing);
+  else
+    check_format();
 }
 
 Store::~Store() {
+  if (!database_.can_write()) return;
   try {
     release_all();
   } catch (const std::exception&) {  // the lease ends by itself
@@ -223,7 +296,52 @@ void Store::rekey() {
   for (const auto& [before, now] : keys)
     if (rename_key(database_, "specimen", before, now)) rename_key(database_, "number", before, now);
   // Claims refer to old keys; their tests are claimed anew under the new ones.
-  database_.execute("DELETE FROM claim; PRAGMA user_version = " + std::to_string(store_format));
+  database_.execute("DELETE FROM claim");
+}
+
+/// From an earlier format. What its records hold is what they are held against from now on.
+void Store::upgrade(std::int64_t format) {
+  if (format == 1) rekey();
+  database_.execute(
+      "ALTER TABLE specimen ADD COLUMN series TEXT NOT NULL DEFAULT '';"
+      "ALTER TABLE specimen ADD COLUMN checksum TEXT NOT NULL DEFAULT ''");
+  for (const std::string& key : all_keys()) seal(key);
+  database_.execute("PRAGMA user_version = " + std::to_string(store_format));
+}
+
+/// Takes the checksums of a record as SQLite gives it back: it may keep another NaN, or another zero.
+void Store::seal(const std::string& key) {
+  io::Statement row(database_, select_whole);
+  row.bind(key).step();
+  StoredResult r = read_specimen(row, database_.path());
+  r.series = series_of(row.blob(19), row.blob(20));
+  read_numbers(database_, r);
+  io::Statement update(database_, "UPDATE specimen SET series = ?, checksum = ? WHERE key = ?");
+  update.bind(r.series).bind(checksum_of(r)).bind(key).run();
+}
+
+/// The format of a store; 0 of a file that is empty.
+std::int64_t Store::format() const {
+  io::Statement version(database_, "PRAGMA user_version"),
+      tables_in(database_, "SELECT count(*) FROM sqlite_master");
+  version.step(), tables_in.step();
+  const std::int64_t found = version.integer(0);
+  if (tables_in.integer(0) == 0) return 0;
+  // A database with tables but without our version belongs to another program.
+  if (found < 1 || found > store_format)
+    throw IoError(database_.path() + ": " +
+                  (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
+                  "; this version reads formats 1 to " + std::to_string(store_format));
+  return found;
+}
+
+/// Of a store that cannot be written.
+void Store::check_format() const {
+  if (const std::int64_t found = format(); found != store_format)
+    throw IoError(
+        fmt::format("{}: has format {} and cannot be brought to {}, as it cannot be written; copy it to a "
+                    "folder of your own",
+                    database_.path(), found, store_format));
 }
 
 void Store::make_tables(Sharing sharing) {
@@ -232,21 +350,11 @@ void Store::make_tables(Sharing sharing) {
   if (sharing == Sharing::alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   // One transaction: of two processes that create the store at once, one finds it made.
   database_.transaction([&] {
-    io::Statement version(database_, "PRAGMA user_version");
-    version.step();
-    const std::int64_t found = version.integer(0);
-    io::Statement foreign(database_, "SELECT count(*) FROM sqlite_master");
-    foreign.step();
-    const bool empty = foreign.integer(0) == 0;
-    if (!empty && found == 1) return rekey();
-    // An empty file is a new store; a database with tables but without our version belongs to another
-    // program.
-    if (!empty && found != store_format)
-      throw IoError(database_.path() + ": " +
-                    (found == 0 ? "is no store of phyllite" : "has format " + std::to_string(found)) +
-                    "; this version reads format " + std::to_string(store_format));
-    if (empty)
+    const std::int64_t found = format();
+    if (found == 0)
       database_.execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(store_format));
+    else if (found < store_format)
+      upgrade(found);
   });
   // Last: a database that is not ours has been refused before anything changes in it. Changing to WAL needs
   // exclusive access for a moment, and SQLite does not wait for that by itself: up to 5 s here.
@@ -305,43 +413,53 @@ void Store::put(const std::string& key, const std::string& recipe, const TestRes
   const std::lock_guard lock(mutex_);
   // Result and end of claim in one transaction: no other process sees the test as free in between.
   database_.transaction([&] {
-    write_specimen(database_, key, recipe, result, host);
+    if (write_specimen(database_, key, recipe, result, host)) seal(key);
     io::Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
   });
 }
 
 std::optional<StoredResult> Store::find(const std::string& key) const {
   const std::lock_guard lock(mutex_);
-  io::Statement s(
-      database_, std::string("SELECT ") + specimen_columns + ", history, cracks FROM specimen WHERE key = ?");
+  io::Statement s(database_, select_whole);
   if (!s.bind(key).step()) return {};
+  std::vector<StoredResult> damaged;
+  std::optional<StoredResult> r = read_row(s, damaged);
+  const std::string history = s.blob(19), cracks = s.blob(20);
+  if (r && r->series != series_of(history, cracks)) damaged.push_back(*r);
+  if (!damaged.empty()) refuse_damaged(database_.path(), damaged);
+  r->result.history = io::parse_history(unpacked(history, database_.path()), database_.path());
+  r->result.cracks = io::parse_cracks(unpacked(cracks, database_.path()), database_.path());
+  return r;
+}
+
+std::optional<StoredResult> Store::read_row(const io::Statement& s,
+                                            std::vector<StoredResult>& damaged) const {
   StoredResult r = read_specimen(s, database_.path());
   read_numbers(database_, r);
-  r.result.history = io::parse_history(unpacked(s.blob(17), database_.path()), database_.path());
-  r.result.cracks = io::parse_cracks(unpacked(s.blob(18), database_.path()), database_.path());
-  return r;
+  if (checksum_in(s) == checksum_of(r)) return r;
+  damaged.push_back(std::move(r));
+  return {};
 }
 
 std::vector<StoredResult> Store::rows() const {
   const std::lock_guard lock(mutex_);
-  std::vector<StoredResult> all;
+  std::vector<StoredResult> all, damaged;
   io::Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen ORDER BY key");
-  while (s.step()) {
-    all.push_back(read_specimen(s, database_.path()));
-    read_numbers(database_, all.back());
-  }
+  while (s.step())
+    if (std::optional<StoredResult> r = read_row(s, damaged)) all.push_back(std::move(*r));
+  if (!damaged.empty()) refuse_damaged(database_.path(), damaged);
   return all;
 }
 
 std::vector<std::optional<StoredResult>> Store::rows(const std::vector<std::string>& keys) const {
   const std::lock_guard lock(mutex_);
   std::vector<std::optional<StoredResult>> found(keys.size());
+  std::vector<StoredResult> damaged;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     io::Statement s(database_, std::string("SELECT ") + specimen_columns + " FROM specimen WHERE key = ?");
-    if (!s.bind(keys[i]).step()) continue;
-    found[i] = read_specimen(s, database_.path());
-    read_numbers(database_, *found[i]);
+    if (s.bind(keys[i]).step()) found[i] = read_row(s, damaged);
   }
+  if (!damaged.empty()) refuse_damaged(database_.path(), damaged);
   return found;
 }
 
@@ -364,6 +482,10 @@ std::size_t Store::n_claimed() const {
 
 std::vector<std::string> Store::keys() const {
   const std::lock_guard lock(mutex_);
+  return all_keys();
+}
+
+std::vector<std::string> Store::all_keys() const {
   std::vector<std::string> keys;
   io::Statement s(database_, "SELECT key FROM specimen ORDER BY key");
   while (s.step()) keys.push_back(s.text(0));
@@ -372,6 +494,10 @@ std::vector<std::string> Store::keys() const {
 
 MergeReport Store::merge(const std::string& other_path) {
   if (!std::filesystem::exists(other_path)) throw IoError(other_path + ": cannot be read: no such file");
+  std::error_code none;
+  if (std::filesystem::equivalent(other_path, database_.path(), none))
+    throw InputError(
+        Problem{other_path, "", "", "another store than the one that it is merged into", "name the parts"});
   { const Store check(other_path); }  // is it a store, and of this format?
   // SQLite can join tables of two files, which moves rows without decoding them.
   const std::lock_guard lock(mutex_);
@@ -391,7 +517,9 @@ MergeReport Store::merge_attached() {
   database_.transaction([&] {
     io::Statement clash(database_,
                         "SELECT a.key FROM specimen a JOIN other.specimen b ON a.key = b.key "
-                        "WHERE a.result_hash <> b.result_hash OR a.status <> b.status ORDER BY a.key");
+                        "WHERE a.result_hash <> b.result_hash OR a.status <> b.status OR EXISTS (SELECT 1 "
+                        "FROM number x JOIN other.number y ON x.key = y.key AND x.name = y.name "
+                        "WHERE x.key = a.key AND x.value IS NOT y.value) ORDER BY a.key");
     while (clash.step()) report.different.push_back(clash.text(0));
     // Numbers first: the second statement makes the keys known, and would hide what the first has to copy.
     database_.execute(

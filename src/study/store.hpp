@@ -4,13 +4,15 @@
 //
 // Who runs what is settled by claims. A claim names its owner and lasts for `lease_seconds`; the owner renews
 // it while it works. A killed process loses only the specimens in flight: its claims are free at once where
-// the next process can see that the owner is dead (same machine), else when the lease runs out. A row is
-// written in one transaction together with the end of its claim, so that a half row cannot exist. Several
-// processes of one machine may share a store; over a network file system SQLite's locks cannot be trusted,
-// and such a store is refused: use shards and `merge` there.
+// the next process can see that the owner is dead (same machine, also after it was started anew), else when
+// the lease runs out. A row is written in one transaction together with the end of its claim, so that a half
+// row cannot exist. Several processes of one machine may share a store; over a network file system SQLite's
+// locks cannot be trusted, and such a store is refused: use shards and `merge` there.
 //
 // The tables (docs/formats.md) are plain SQL for anybody's tools. Histories and cracks are the CSV text of a
-// result folder, zlib-compressed.
+// result folder, zlib-compressed. As anybody can write with them, every record has a checksum over all of it,
+// taken from the record as SQLite gives it back, and is held against it whenever it is read: a number that
+// was changed by hand or by a failing disk is told and not used.
 #pragma once
 #include <memory>
 #include <mutex>
@@ -23,9 +25,9 @@
 
 namespace phy::study {
 
-/// Version of the tables, kept as the file's user_version. In format 1 keys had 64 bits; such a store is
-/// given new ones when it is opened.
-constexpr int store_format = 2;
+/// Version of the tables, kept as the file's user_version. In format 1 keys had 64 bits, before 3 there were
+/// no checksums; such a store is given both when it is opened.
+constexpr int store_format = 3;
 constexpr double lease_seconds = 120.0;
 
 /// One finished specimen.
@@ -34,6 +36,7 @@ struct StoredResult {
   std::string recipe;  ///< completed recipe of this one specimen, as TOML
   TestResult result;   ///< without snapshots; history and cracks only from Store::find
   std::int64_t n_cracks = 0;
+  std::string series;                   ///< fingerprint of history and cracks as they are stored
   std::string host, program, finished;  ///< where, by which version, when (UTC)
 };
 
@@ -51,18 +54,19 @@ struct MergeReport {
 /// Of this machine, as the store notes it with every result.
 std::string host_name();
 
-/// Fingerprint over keys, outcomes and result hashes of the rows that are there; not over hosts, times or the
-/// order of the rows.
+/// Fingerprint over keys, outcomes, numbers and result hashes of the rows that are there; not over hosts,
+/// times or the order of the rows.
 std::string hash_of(const std::vector<std::optional<StoredResult>>& rows);
 
 /// Who else may open the store meanwhile. `alone` holds it for one process, which is safe on network file
-/// systems too: for shards.
-enum class Sharing { shared, alone };
+/// systems too: for shards. `reading` is shared, and also opens what this process cannot write.
+enum class Sharing { shared, alone, reading };
 
 /// Safe to use from several threads.
 class Store {
  public:
   /// Opens or makes the store. Throws IoError: unreadable, no store, another format, network file system.
+  /// What reads rows throws IoError too: records that are not as they were stored.
   explicit Store(const std::string& path, Sharing sharing = Sharing::shared);
   ~Store();
 
@@ -93,8 +97,15 @@ class Store {
 
  private:
   void make_tables(Sharing sharing);
+  std::int64_t format() const;
+  void check_format() const;
+  /// Nothing if the record is damaged: it is then among `damaged`.
+  std::optional<StoredResult> read_row(const io::Statement& s, std::vector<StoredResult>& damaged) const;
+  void upgrade(std::int64_t format);
   void rekey();
+  void seal(const std::string& key);
   MergeReport merge_attached();
+  std::vector<std::string> all_keys() const;
   mutable std::mutex mutex_;
   mutable io::Database database_;
   std::string owner_;

@@ -145,13 +145,26 @@ TEST_F(StoreTest, ClaimsFromElsewhereLastAsLongAsTheirLease) {
   Store store(file());
   const auto foreign = [&](double seconds) {
     io::Database database(file());
-    io::Statement(database, "INSERT OR REPLACE INTO claim VALUES ('k', 'other boot|1|1|1', unixepoch() + ?)")
+    io::Statement(database,
+                  "INSERT OR REPLACE INTO claim VALUES ('k', 'other machine|boot|1|1|1', unixepoch() + ?)")
         .bind(seconds)
         .run();
   };
   foreign(30.0);
   EXPECT_EQ(store.claim("k"), Claim::elsewhere);
   foreign(-30.0);
+  EXPECT_EQ(store.claim("k"), Claim::mine);
+}
+
+TEST_F(StoreTest, ClaimsOfThisMachineBeforeItWasStartedAnewAreFreeAtOnce) {
+  Store before(file()), store(file());
+  EXPECT_EQ(before.claim("k"), Claim::mine);
+  EXPECT_EQ(store.claim("k"), Claim::elsewhere);
+  std::string boot;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  io::Database database(file());
+  io::Statement(database, "UPDATE claim SET owner = replace(owner, ?, 'an earlier boot')").bind(boot).run();
+  EXPECT_EQ(store.n_claimed(), 0u);
   EXPECT_EQ(store.claim("k"), Claim::mine);
 }
 
@@ -249,7 +262,9 @@ TEST_F(StoreTest, AnOlderStoreIsGivenTheKeysOfToday) {
     again.numbers.push_back({"later", 1.0, "1", "a number of a later version", ""});
     s.put("second", io::write_recipe(recipe), again);
   }
-  io::Database(file()).execute("PRAGMA user_version = 1");
+  io::Database(file()).execute(
+      "ALTER TABLE specimen DROP COLUMN series; ALTER TABLE specimen DROP COLUMN checksum;"
+      "PRAGMA user_version = 1");
   for (int opened = 0; opened < 2; ++opened) {
     Store s(file());
     EXPECT_FALSE(s.find(before));
@@ -275,12 +290,58 @@ TEST_F(StoreTest, AShardHasItsStoreForItself) {
   EXPECT_EQ(Store(file()).size(), 1u);
 }
 
-TEST_F(StoreTest, ADamagedHistoryIsTold) {
+// What a hand or a failing disk may do to a file, each for itself.
+TEST_F(StoreTest, WhatWasChangedIsTold) {
   Store store(file());
-  store.put("k", "r", some_result(1));
-  io::Database(file()).execute("UPDATE specimen SET history = substr(history, 1, 100)");
-  EXPECT_THAT(message_of<IoError>([&] { store.find("k"); }), HasSubstr("a history is damaged"));
-  EXPECT_EQ(store.rows().size(), 1u);
+  store.put("k", "r", some_result(1)), store.put("whole", "r", some_result(2));
+  for (const char* change :
+       {"number SET value = value * 2 WHERE name = 'ucs'", "number SET value = 1 WHERE name = 'E_tangent'",
+        "number SET unit = 'MPa'", "specimen SET status = 'not peaked'", "specimen SET result_hash = 'hash9'",
+        "specimen SET recipe = 'r2'", "specimen SET theta = 31", "specimen SET program = 'phyllite 9'",
+        "specimen SET history = substr(history, 1, 100)",
+        "specimen SET cracks = (SELECT history FROM specimen WHERE key = 'whole')",
+        "specimen SET checksum = ''"}) {
+    io::Database database(file());
+    database.execute("BEGIN; UPDATE " + std::string(change) +
+                     (std::string(change).find("WHERE name") == std::string::npos ? " WHERE key = 'k'"
+                                                                                  : " AND key = 'k'") +
+                     "; COMMIT");
+    EXPECT_THAT(message_of<IoError>([&] { store.find("k"); }),
+                testing::AllOf(HasSubstr("not as this program stored them"), HasSubstr("k (theta = 30 deg)")))
+        << change;
+    EXPECT_NO_THROW(store.find("whole"));
+    database.execute("DELETE FROM specimen WHERE key = 'k'");  // as the message says
+    store.put("k", "r", some_result(1));
+    EXPECT_EQ(phy::hash_of(store.find("k")->result), phy::hash_of(some_result(1)));
+    EXPECT_EQ(store.rows().size(), 2u);
+  }
+}
+
+TEST_F(StoreTest, TheHashOfAStudyCoversItsNumbers) {
+  Store a(at("a.sqlite")), b(at("b.sqlite"));
+  TestResult other = some_result(1);
+  other.numbers[0].value *= 2.0;
+  a.put("1", "r", some_result(1)), b.put("1", "r", other);
+  EXPECT_NE(hash_of(a.rows({"1"})), hash_of(b.rows({"1"})));
+  EXPECT_EQ(a.merge(at("b.sqlite")).different, std::vector<std::string>{"1"});
+}
+
+TEST_F(StoreTest, IsNotMergedWithItself) {
+  Store store(file());
+  fs::create_symlink(file(), at("link.sqlite"));
+  for (const std::string& name : {file(), at("link.sqlite")})
+    EXPECT_THAT(message_of<InputError>([&] { store.merge(name); }), HasSubstr("another store"));
+}
+
+TEST_F(StoreTest, OfFormat2IsGivenChecksums) {
+  { Store(file()).put("k", "r", some_result(1)); }
+  io::Database(file()).execute(
+      "ALTER TABLE specimen DROP COLUMN series; ALTER TABLE specimen DROP COLUMN checksum;"
+      "PRAGMA user_version = 2");
+  for (int opened = 0; opened < 2; ++opened)
+    EXPECT_EQ(phy::hash_of(Store(file()).find("k")->result), phy::hash_of(some_result(1)));
+  io::Database(file()).execute("UPDATE number SET value = 1");
+  EXPECT_THROW(Store(file()).rows(), IoError);
 }
 
 }  // namespace

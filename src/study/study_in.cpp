@@ -1,6 +1,7 @@
 #include "study/study_in.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -78,7 +79,10 @@ Fields study_fields() {
 RecipeKey find_key(const std::string& path) {
   RecipeKey key;
   const std::string plain = io::without_index(path);
-  if (plain != path) key.set = std::atoi(path.c_str() + path.find('[') + 1);
+  if (plain != path) {
+    const char *begin = path.data() + path.find('[') + 1, *end = path.data() + path.find(']');
+    if (std::from_chars(begin, end, key.set).ptr != end || key.set < 0) return {};
+  }
   const Field* field = find_field(recipe_fields(), plain);
   // An index is for bedding sets only.
   if (field != nullptr && (key.set < 0 || field->table == "bedding")) key.field = field;

@@ -32,9 +32,9 @@ std::string value_text(const RecipeKey& key, double value) {
 
 template <class T, class Print>
 std::string list_text(const std::vector<T>& values, const Print& print) {
-  std::string text;
-  for (const T& v : values) text += (text.empty() ? "" : ", ") + print(v);
-  return "[" + text + "]";
+  std::vector<std::string> texts;
+  for (const T& v : values) texts.push_back(print(v));
+  return toml_list(texts);
 }
 
 }  // namespace

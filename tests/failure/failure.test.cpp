@@ -211,7 +211,7 @@ TEST_F(Failure, AnUnreadableResultIsToldOnceAndPicturesNeedAFolder) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
   fs::permissions(out() + "/intact/result.json", fs::perms::none);
   const std::string nobody = as_nobody() + PHY_PROGRAM;
-  EXPECT_EQ(run_line(nobody + " show " + out()), 1);
+  EXPECT_EQ(run_line(nobody + " show " + out()), 3);
   const std::size_t first = output.find("missing:");
   EXPECT_NE(first, output.npos);
   EXPECT_EQ(output.find("missing:", first + 1), output.npos) << output;
@@ -261,8 +261,8 @@ TEST_F(Imported, DiscsInOnePlaceAreTold) {
 TEST_F(Imported, DiscsOfAnotherScaleAreTold) {
   write("sub/discs.csv", "x [m],y [m],r [m]\n4e-3,4e-3,1e-12\n5e-3,4e-3,1e-12\n");
   EXPECT_EQ(run("specimen " + recipe(box)), 2);
-  EXPECT_THAT(output, AllOf(HasSubstr("packing.file = disc 1"), HasSubstr("a radius from 1/10000"),
-                            HasSubstr("check the units of the file")));
+  EXPECT_THAT(output, AllOf(HasSubstr("sub/discs.csv:2: disc"), HasSubstr("discs.csv:3: disc"),
+                            HasSubstr("a radius from 1/10000"), HasSubstr("check the units")));
 }
 TEST_F(Imported, MissingFile) {
   fs::remove(folder / "sub/discs.csv");

@@ -15,6 +15,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
+const char* const many_discs =
+    "[packing]\nn_grains = 0\nporosity = 0.16\n[specimen]\nwidth = \"152 mm\"\nheight = \"304 mm\"\n";
+
 class Outputs : public ProgramTest {
  protected:
   static bool is_whole(const std::string& in) {
@@ -120,7 +123,8 @@ TEST_P(Signals, EndLikeCtrlC) {
 INSTANTIATE_TEST_SUITE_P(
     Each, Signals,
     testing::Values(
-        Long{"run", {"run", "slow.toml", "--out", "out"}, 1, "no test was finished, nothing was written"},
+        Long{"run", {"run", "slow.toml", "--out", "out"}, 1, "no test was finished, nothing was written", 6},
+        Long{"packing", {"run", "slow.toml", "--out", "out"}, 1, "a packing was made: nothing was written"},
         Long{"study",
              {"study", "study.toml", "--out", "out"},
              1,
@@ -139,10 +143,22 @@ TEST_F(Outputs, UnderNohupATerminalThatClosesEndsNothing) {
   EXPECT_TRUE(is_whole(out()));
 }
 
-TEST_F(Outputs, ASecondSignalEndsAtOnce) {
-  write("many.toml",
-        "[packing]\nn_grains = 0\nporosity = 0.16\n[specimen]\nwidth = \"152 mm\"\nheight = \"304 mm\"\n");
+TEST_F(Outputs, ASignalEndsThePackingThatIsMade) {
+  write("many.toml", many_discs);
   const pid_t child = start({"run", at("many.toml"), "--no-cache", "--out", out()}, at("log"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  ::kill(child, SIGTERM);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << read(at("log"));
+  EXPECT_THAT(read(at("log")),
+              AllOf(HasSubstr("stopped while a packing was made"), Not(HasSubstr("porosity"))));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Outputs, ASecondSignalEndsAtOnce) {
+  write("many.toml", many_discs);
+  const pid_t child = start({"rock", "twin", at("many.toml"), at("twin")}, at("log"));
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   ::kill(child, SIGTERM);  // in the middle of the packing, which looks at no flag
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
