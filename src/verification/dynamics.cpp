@@ -327,12 +327,12 @@ double static_stiffness(const Column& c) {
   const statics::Network net = statics::make_network(c.specimen);
   statics::Boundary pull;
   const double end = (c.axis == 0 ? 4.0 : 1.5) * R;  // both rows of a lattice that is pulled along its rows
-  double low = 0.0, high = 0.0;
-  for (std::size_t i = 0; i < net.n_grains; ++i) high = std::max(high, c.at(i));
-  for (std::size_t i = 0; i < net.n_grains; ++i) low += c.at(i) < end ? 1.0 : 0.0;
+  double last = 0.0, n_end = 0.0;
+  for (std::size_t i = 0; i < net.n_grains; ++i) last = std::max(last, c.at(i));
+  for (std::size_t i = 0; i < net.n_grains; ++i) n_end += c.at(i) < end ? 1.0 : 0.0;
   for (std::uint32_t i = 0; i < net.n_grains; ++i) {
-    if (c.at(i) < end) pull.loads.push_back({{i, c.axis}, -1.0 / low});
-    if (c.at(i) > high + R - end) pull.loads.push_back({{i, c.axis}, 1.0 / low});
+    if (c.at(i) < end) pull.loads.push_back({{i, c.axis}, -1.0 / n_end});
+    if (c.at(i) > last + R - end) pull.loads.push_back({{i, c.axis}, 1.0 / n_end});
   }
   for (int component = 0; component < 3; ++component) pull.movements.push_back({{0, component}, 0.0});
   const statics::Movements u = statics::solve_once(net, pull).u;
