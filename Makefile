@@ -10,7 +10,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper maps bench-peers mpi lint tidy record docs web browser clean
+.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -62,6 +62,17 @@ paper: build
 	for k in 4:stiffness 5:modulus 6:strength; do $(BUILD)/phyllite figure results/paper/study --kind fig$${k%%:*} \
 	  --format png --out docs/pictures/$${k##*:}.png || exit 1; done
 	python3 tools/paper.py results/paper docs
+
+# Published results and closed forms of whole bodies beside ours: docs/evidence.md from the studies of examples/evidence, resumed
+# if they are there. A study that holds a test without a peak ends with 1, which is a finding.
+EVIDENCE := joint-patches joint-bonded joint-frictional joint-stiffness lac-du-bonnet-ucs lac-du-bonnet-bts lac-du-bonnet-jaws lac-du-bonnet-confined \
+            resolution-ucs resolution-bts speed time-step
+evidence: program
+	@for s in $(EVIDENCE); do $(BUILD)/phyllite study examples/evidence/$$s.toml --out results/evidence/$$s || [ $$? = 1 ] || exit 1; done
+	@for p in 1 2 3 4 5; do f=results/evidence/joint-packing-$$p; sed "s/^n_grains.*/&\nseed = $$p/" examples/evidence/joint.toml > $$f.toml; \
+	  $(BUILD)/phyllite specimen $$f.toml --out $$f || exit 1; done
+	@for v in V25 V26 V27 V28; do $(BUILD)/phyllite verify $$v > results/evidence/$$v.txt || exit 1; done
+	python3 tools/evidence.py results/evidence docs
 
 # What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. Some three and a half hours of CPU.
 maps: build

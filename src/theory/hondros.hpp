@@ -19,7 +19,7 @@
 // Source: G. Hondros, "The evaluation of Poisson's ratio and the modulus of materials of a low tensile
 // resistance by the Brazilian (indirect tensile) test", Aust. J. Appl. Sci. 10 (1959) 243-268; its Fourier
 // series, summed here in closed form, is the independent check in hondros.test.cpp. Point load: Timoshenko &
-// Goodier, "Theory of Elasticity". Left out: platen friction, anisotropy (Claesson & Bohloli 2002), contact
+// Goodier, "Theory of Elasticity". Left out: platen friction, anisotropy (anisotropic_disc.hpp), contact
 // that grows with the load. docs/theory/brazilian.md
 #pragma once
 

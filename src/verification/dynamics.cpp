@@ -10,6 +10,7 @@
 #include "engine/stable_step.hpp"
 #include "lab/boundaries.hpp"
 #include "records/assembly.hpp"
+#include "statics/system.hpp"
 #include "verification/cases.hpp"
 
 namespace phy::verification {
@@ -288,6 +289,107 @@ std::vector<Check> stable_step() {
           {"bound / exact highest frequency of a chain, 1 to 1.2 [-]", 1.1, ratio(line, top), 1.0 / 11.0}};
 }
 
+// --- V28: waves in layered rock
+
+/// A free column of lattice along `axis` (0: x, 1: y) with a joint after every fourth row; its rows lie along
+/// x, so that the column runs along the layers (0) or across them (1).
+struct Column {
+  Specimen specimen;
+  int axis = 1;
+  double length = 0.0;     // [m]
+  double line_mass = 0.0;  // per length [kg/m^2]
+  double spacing = 0.0;    // of the joints [m]
+  double at(std::size_t i) const {
+    const Disc& d = specimen.packing->discs[i];
+    return axis == 0 ? d.x : d.y;
+  }
+};
+
+Column layered_column(int axis) {
+  Column c;
+  c.axis = axis;
+  const double row = std::sqrt(3.0) * R;
+  const int n_x = axis == 0 ? 161 : 6, n_y = axis == 0 ? 12 : 184;
+  c.specimen = assembly(hexagonal(n_x, n_y, R), soft_contact());
+  bond_touching(c.specimen);
+  BeddingRecipe set;
+  set.k_n = 33.6e11, set.k_s = 9.6e11, set.spacing = c.spacing = 4.0 * row;
+  c.specimen.bedding.push_back(set);
+  joint_crossing(c.specimen);
+  c.length = axis == 0 ? 2.0 * R * n_x : row * n_y;
+  c.line_mass = mass(c.specimen, 0) * n_x * n_y / c.length;
+  return c;
+}
+
+/// Force over strain of the column pulled at its ends, by the direct solution [N/m]: the strain of the middle
+/// half, from the mean movements of two pieces that are a whole number of layers thick and apart.
+double static_stiffness(const Column& c) {
+  const statics::Network net = statics::make_network(c.specimen);
+  statics::Boundary pull;
+  const double end = (c.axis == 0 ? 4.0 : 1.5) * R;  // both rows of a lattice that is pulled along its rows
+  double last = 0.0, n_end = 0.0;
+  for (std::size_t i = 0; i < net.n_grains; ++i) last = std::max(last, c.at(i));
+  for (std::size_t i = 0; i < net.n_grains; ++i) n_end += c.at(i) < end ? 1.0 : 0.0;
+  for (std::uint32_t i = 0; i < net.n_grains; ++i) {
+    if (c.at(i) < end) pull.loads.push_back({{i, c.axis}, -1.0 / n_end});
+    if (c.at(i) > last + R - end) pull.loads.push_back({{i, c.axis}, 1.0 / n_end});
+  }
+  for (int component = 0; component < 3; ++component) pull.movements.push_back({{0, component}, 0.0});
+  const statics::Movements u = statics::solve_once(net, pull).u;
+  const double thick = 2.0 * c.spacing, apart = std::floor(0.5 * c.length / c.spacing) * c.spacing;
+  const auto mean = [&](double from) {
+    double sum = 0.0, n = 0.0;
+    for (std::size_t i = 0; i < net.n_grains; ++i)
+      if (c.at(i) >= from && c.at(i) < from + thick)
+        sum += u[3 * i + static_cast<std::size_t>(c.axis)], n += 1.0;
+    return sum / n;
+  };
+  const double first = 5.0 * c.spacing;
+  return apart / (mean(first + apart) - mean(first));
+}
+
+/// Speed of a standing wave of `halves` half waves [m/s]: from the time of `halves` whole periods.
+double speed_of_wave(const Column& c, int halves) {
+  Bench b(c.specimen, 0.0);
+  const std::size_t n = c.specimen.packing->discs.size();
+  std::vector<double> shape(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    shape[i] =
+        std::cos(halves * pi *
+                 (c.axis == 0 ? c.at(i) - 0.5 * R : c.at(i) + R * (0.5 * std::sqrt(3.0) - 1.0)) / c.length);
+    const double v = 1e-6 * shape[i];
+    b.group->set_motion(0, i, {}, c.axis == 0 ? Vec2{v, 0.0} : Vec2{0.0, v}, 0.0);
+  }
+  double before = 0.0;
+  for (int step = 1, crossings = 0; step < 200000; ++step) {
+    b.group->advance();
+    const Snapshot s = b.group->snapshot(0);
+    double now = 0.0;
+    for (std::size_t i = 0; i < n; ++i) now += shape[i] * (c.axis == 0 ? s.grains[i].ux : s.grains[i].uy);
+    if (before * now < 0.0 && ++crossings == 2 * halves) {
+      const double periods = (step - now / (now - before)) * b.dt() / halves;
+      return 2.0 * c.length / halves / periods;
+    }
+    before = now;
+  }
+  return 0.0;
+}
+
+std::vector<Check> layered_waves() {
+  std::vector<Check> checks;
+  for (const int axis : {1, 0}) {
+    const Column c = layered_column(axis);
+    const double expected = std::sqrt(static_stiffness(c) / c.line_mass);
+    for (const int halves : {1, 4}) {
+      const double spacings = 2.0 * c.length / halves / c.spacing;
+      checks.push_back({std::string(axis == 1 ? "across" : "along") + " the layers, wavelength " +
+                            std::to_string(static_cast<int>(spacings)) + " spacings: speed [m/s]",
+                        expected, speed_of_wave(c, halves), 0.01});
+    }
+  }
+  return checks;
+}
+
 }  // namespace
 
 std::vector<VerificationCase> dynamics_cases() {
@@ -317,6 +419,9 @@ std::vector<VerificationCase> dynamics_cases() {
        energy_balance},
       {"V19", "The bound of the highest frequency is above it, and close", "Collatz-Wielandt bound",
        "a bound must never be below; how far above is a matter of speed", stable_step},
+      {"V28", "Waves along a free column of layered lattice: sqrt(stiffness/mass) of the column at rest",
+       "long-wave limit: a wave sees the mean stiffness and mass of many layers (Backus 1962)",
+       "layers disperse a wave of 20 spacings by (2 pi/20)^2/24 = 0.4 %", layered_waves},
   };
 }
 

@@ -77,6 +77,8 @@ std::string small(const std::string& shown) {
       {"run examples/paper/press.toml", "run small.toml --out again/press"},
       {"specimen --out", "specimen small.toml --out again/specimen"},
       {"study --explain", "study --explain packings"},
+      {"study examples/evidence/NAME.toml --out results/evidence/NAME",
+       "study study.toml --out again/evidence"},
       {"study examples/paper/study.toml --dry-run",
        "study examples/paper/study.toml --dry-run --out again/dry"},
       {"study effects", "study effects results/study"},

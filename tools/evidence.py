@@ -1,0 +1,517 @@
+#!/usr/bin/env python3
+"""Writes docs/evidence.md from the stores of the studies of examples/evidence (`make evidence`).
+
+    python3 tools/evidence.py RESULTS docs
+
+RESULTS holds a folder per study and the outputs of `phyllite verify` as V25.txt ... V28.txt. Every number of the page that is ours is read
+from them; what others published stands in THEIRS with what was looked up. A study that is not finished counts as far as it has come, and the
+page says how many packings that were.
+"""
+import collections
+import csv
+import io
+import math
+import pathlib
+import sqlite3
+import sys
+import zlib
+
+# Student's t, two-sided 95 %, by degrees of freedom.
+T95 = [math.nan, 12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131]
+COHESION, MU, WIDTH, HEIGHT = 5.0, 0.4, 0.010, 0.043  # of the joint and its column: examples/evidence/joint.toml
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def rows_of(folder):
+    """results.csv of a study, units cut off the head, numbers as such; tests that ran to their end; what they have no number for is text."""
+    path = folder / "results.csv"
+    if not path.exists():
+        return []
+    rows = ({k.split(" [")[0]: number(v) for k, v in row.items()} for row in csv.DictReader(open(path)))
+    return [r for r in rows if r["status"] in ("peaked", "knee", "not peaked", "solved")]
+
+
+def statistics(values):
+    """Mean, half width of its 95 % interval, number."""
+    n = len(values)
+    mean = sum(values) / n if n else math.nan
+    if n < 2:
+        return mean, math.nan, n
+    sd = math.sqrt(sum((v - mean) ** 2 for v in values) / (n - 1))
+    return mean, T95[min(n - 1, len(T95) - 1)] * sd / math.sqrt(n), n
+
+
+def shown(values, digits):
+    mean, half, n = statistics([v for v in values if isinstance(v, float) and math.isfinite(v)])
+    if n == 0:
+        return "not run"
+    return f"{mean:.{digits}f}" + (f" +- {half:.{digits}f}" if math.isfinite(half) else "")
+
+
+def table(head, rows):
+    text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
+    return text + "".join("| " + " | ".join(str(c) for c in row) + " |\n" for row in rows)
+
+
+def grouped(rows, *keys):
+    groups = collections.defaultdict(list)
+    for r in rows:
+        groups[tuple(r[k] for k in keys)].append(r)
+    return dict(sorted(groups.items()))
+
+
+def column(rows, key, scale=1.0):
+    return [r[key] * scale for r in rows if isinstance(r.get(key), float)]
+
+
+# --- one joint against Jaeger
+
+
+def jaeger(theta, cohesion, mu, sigma_3):
+    """Jaeger 1960: sigma_1 at which the plane slips, all stresses in MPa; infinite where it cannot."""
+    t = math.radians(theta)
+    room = (1 - mu / math.tan(t)) * math.sin(2 * t)
+    return sigma_3 + 2 * (cohesion + sigma_3 * mu) / room if room > 1e-12 else math.inf
+
+
+def patches(results):
+    """sum(A)/L by packing and angle."""
+    return {(r["packing"], r["theta"]): r["overlap_ratio"] for r in rows_of(results / "joint-patches") if r["intact"] == 0.0}
+
+
+def jacket_share(discs, theta):
+    """What the jacket pushes the halves with, over sigma_3 W tan(theta): its rays press on the grains that they meet first, and where the
+    plane comes out between grains decides how much higher a half stands on one side than on the other."""
+    t, dy = math.radians(theta), 0.25 * min(r for _, _, r in discs)
+    above = [math.cos(t) * (y - 0.5 * HEIGHT) > math.sin(t) * (x - 0.5 * WIDTH) for x, y, _ in discs]
+    n, extra = round(HEIGHT / dy), 0
+    for k in range(n):
+        height = (k + 0.5) / n * HEIGHT
+        met = [(x, math.sqrt(r * r - (height - y) ** 2), i) for i, (x, y, r) in enumerate(discs) if abs(height - y) < r]
+        extra += above[min(met, key=lambda m: m[0] - m[1])[2]] - above[max(met, key=lambda m: m[0] + m[1])[2]]
+    return abs(extra) * HEIGHT / n / (WIDTH * math.tan(t))
+
+
+def jacket_shares(results):
+    """By packing and angle; empty where `phyllite specimen` has not written the packings."""
+    out = {}
+    for folder in sorted(results.glob("joint-packing-*/")):
+        lines = [line for line in open(folder / "discs.csv") if not line.startswith("#")][1:]
+        discs = [tuple(map(float, line.split(","))) for line in lines]
+        for theta in (30.0, 45.0, 60.0, 75.0):
+            out[float(folder.name.split("-")[-1]), theta] = jacket_share(discs, theta)
+    return out
+
+
+def against_jaeger(rows, overlap, cohesion, *keys, jacket=None):
+    """sigma_1 over Jaeger's, in lists by theta and `keys`; `jacket`: shares of sigma_3 that count."""
+    ratios = collections.defaultdict(list)
+    for r in rows:
+        if r["intact"] == 1.0 or not isinstance(r["sigma_1"], float):
+            continue
+        place = (r["packing"], r["theta"])
+        sigma_3 = r["sigma_3"] * 1e-6 * (jacket.get(place, math.nan) if jacket else 1.0)
+        expected = jaeger(r["theta"], cohesion * overlap.get(place, math.nan), MU, sigma_3)
+        if math.isfinite(expected):
+            ratios[tuple(r[k] for k in keys) + (r["theta"],)].append(r["sigma_1"] * 1e-6 / expected)
+    return dict(sorted(ratios.items()))
+
+
+def ratio_table(ratios, name):
+    """A row per first key, a column per angle."""
+    angles = sorted({k[-1] for k in ratios})
+    rows = [[f"{name(first)}"] + [shown(ratios.get((first, a), []), 3) for a in angles] for first in sorted({k[0] for k in ratios})]
+    return table(["sigma_1 over Jaeger's"] + [f"{a:g} deg" for a in angles], rows)
+
+
+def history_of(folder, row):
+    """The history in the store, units cut off the head."""
+    db = sqlite3.connect(folder / "study.sqlite")
+    blob = db.execute("SELECT history FROM specimen WHERE key = ?", (row["key"],)).fetchone()[0]
+    lines = csv.DictReader(io.StringIO(zlib.decompress(blob).decode()))
+    return [{k.split(" [")[0]: float(v) for k, v in line.items()} for line in lines]
+
+
+def early_slip(folder, row):
+    """Work of friction over that of the boundary at half of the strength."""
+    half = next(h for h in history_of(folder, row) if h["deviatoric_stress"] >= 0.5 * row["q_max"])
+    return half["slip"] / half["boundary_work"]
+
+
+def while_sliding(folder, rows):
+    """The rows with sigma_1 replaced by the mean axial stress over the second half of the test's strain."""
+    out = []
+    for r in rows:
+        history = history_of(folder, r)
+        late = [h["axial_stress"] for h in history if h["axial_strain"] >= 0.5 * history[-1]["axial_strain"]]
+        out.append({**r, "sigma_1": sum(late) / len(late), "sigma_3": r["test.confining_stress"]})
+    return out
+
+
+def sliding_joints(results):
+    rows = [r for r in rows_of(results / "joint-frictional") if r["intact"] == 0.0 and r["theta"] > 15.0]
+    return while_sliding(results / "joint-frictional", rows)
+
+
+def held_by_friction(results):
+    """Rows of the table at 15 degrees: strength over that of the intact rock of the same packing, and early friction."""
+    folder = results / "joint-frictional"
+    rows = rows_of(folder)
+    intact = {(r["packing"], r["test.confining_stress"]): r for r in rows if r["intact"] == 1.0}
+    out = []
+    for (stress,), group in grouped([r for r in rows if r["theta"] == 15.0 and r["intact"] == 0.0], "test.confining_stress").items():
+        ratios, slips, own = [], [], []
+        for r in group:
+            twin = intact.get((r["packing"], stress))
+            if twin:
+                ratios.append(r["sigma_1"] / twin["sigma_1"])
+                own.append(early_slip(folder, twin))
+            slips.append(early_slip(folder, r))
+        out.append([f"{stress * 1e-6:g} MPa", shown(ratios, 3), shown(slips, 4), shown(own, 4)])
+    return out
+
+
+def joint_section(results):
+    overlap, jacket = patches(results), jacket_shares(results)
+    bonded, soft, sliding = rows_of(results / "joint-bonded"), rows_of(results / "joint-stiffness"), sliding_joints(results)
+    none, key = dict.fromkeys(overlap, 0.0), "test.confining_stress"
+
+    def rows(kind, tests, patch, cohesion):
+        both = {"sigma_3": None, "sigma_3 as the halves get it": jacket}
+        return "".join("\n" + ratio_table(against_jaeger(tests, patch, cohesion, key, jacket=share),
+                                          lambda s, n=name: f"{kind}, {s * 1e-6:g} MPa, {n}") for name, share in both.items())
+
+    text = JOINT + rows("bonded", bonded, overlap, COHESION) + rows("frictional, mean while it slides", sliding, none, 0.0)
+    text += "\n" + ratio_table(against_jaeger(rows_of(results / "joint-frictional"), none, 0.0, key),
+                               lambda s: f"frictional, {s * 1e-6:g} MPa, largest stress, sigma_3")
+    intact = [r for r in bonded if r["intact"] == 1.0]
+    text += JOINT_FRICTION.format(shown(list(jacket.values()), 3), f"{min(jacket.values(), default=math.nan):.2f}",
+                                  f"{max(jacket.values(), default=math.nan):.2f}")
+    text += JOINT_15.format(shown(column(intact, "sigma_1", 1e-6), 0), shown(list(overlap.values()), 3)) + table(
+        ["confining stress", "sigma_1 at 15 deg over that of the intact rock", "friction over boundary work at half of the strength", "of the intact rock"],
+        held_by_friction(results))
+    softer = against_jaeger(soft, overlap, COHESION, "matrix.E_c", jacket=jacket)
+    stiff = against_jaeger([r for r in bonded if r[key] == 1e7], overlap, COHESION, key, jacket=jacket)
+    softer.update({(1e12,) + k[1:]: v for k, v in stiff.items()})
+    table_1 = {k: v for k, v in softer.items() if k[0] == 38e9}
+    return text + JOINT_SOFT.format(worst(table_1)) + ratio_table(softer, lambda E: f"E_c = E_b = {E * 1e-9:g} GPa, sigma_3 as the halves get it"), softer
+
+
+# --- Lac du Bonnet granite
+
+
+def readings(rows):
+    """E [GPa] and nu of every way to read a test, in lists over packings: plane stress as the discs show them, plane strain as the body
+    whose plane-strain test shows them (theory/transverse_isotropy.hpp): nu = nu_2D/(1 + nu_2D), E = E_2D (1 - nu^2)."""
+    out = {}
+    for place, suffix in (("platens", "_platen"), ("gauge", "")):
+        for kind in ("secant", "tangent"):
+            pairs = [(r["E_" + kind + suffix] * 1e-9, r["nu" + suffix]) for r in rows
+                     if isinstance(r["E_" + kind + suffix], float) and isinstance(r["nu" + suffix], float)]
+            out[place, kind, "plane stress"] = pairs
+            out[place, kind, "plane strain"] = [(E * (1 - (n / (1 + n)) ** 2), n / (1 + n)) for E, n in pairs]
+    return out
+
+
+def friction_angles(ucs, confined):
+    """Mohr-Coulomb through UCS and the strength at 10 MPa of the same packing [deg]."""
+    base = {r["packing"]: r["ucs"] for r in ucs}
+    out = []
+    for r in confined:
+        if r["packing"] in base:
+            slope = (r["sigma_1"] - base[r["packing"]]) / r["sigma_3"]
+            out.append(math.degrees(math.asin((slope - 1) / (slope + 1))))
+    return out
+
+
+def granite_numbers(results):
+    """By bond gap: rows of UCS, BTS and confined tests."""
+    out = {}
+    for kind in ("ucs", "bts", "jaws", "confined"):
+        for (gap,), rows in grouped(rows_of(results / f"lac-du-bonnet-{kind}"), "matrix.bond_gap").items():
+            out.setdefault(gap, {})[kind] = rows
+    return dict(sorted(out.items(), reverse=True))
+
+
+def granite_section(results):
+    numbers = granite_numbers(results)
+    rows = []
+    for gap, tests in numbers.items():
+        for (place, kind, plane), pairs in readings(tests.get("ucs", [])).items():
+            rows.append([f"{gap:g}", place, kind, plane, shown([p[0] for p in pairs], 1), shown([p[1] for p in pairs], 3), len(pairs)])
+    text = GRANITE + table(["bonds at gaps up to", "strains of", "E", "plane", "E [GPa]", "nu", "packings"], rows)
+    text += "\nTheirs (not checked): E 70.9 GPa.\n\n"
+    rows = []
+    for gap, tests in numbers.items():
+        ucs, bts, jaws, confined = (tests.get(k, []) for k in ("ucs", "bts", "jaws", "confined"))
+        rows.append([f"{gap:g}", shown(column(ucs, "ucs", 1e-6), 1), shown(column(ucs, "sigma_ci", 1e-6), 1), shown(column(bts, "bts", 1e-6), 1),
+                     shown(column(jaws, "bts", 1e-6), 1), shown(friction_angles(ucs, confined), 1),
+                     f"{len(ucs)}, {len(bts)}, {len(jaws)}, {len(confined)}"])
+    rows.append(["theirs, not checked", "199.1", "", "44.7", "", "29.5", ""])
+    return text + table(["bonds at gaps up to", "UCS [MPa]", "sigma_ci [MPa]", "BTS, flat platens [MPa]", "BTS, jaws of 10 deg [MPa]",
+                         "friction angle 0 - 10 MPa [deg]", "packings: UCS, BTS, jaws, confined"], rows) + GRANITE_END, numbers
+
+
+# --- convergence
+
+
+def extrapolated(points):
+    """y = y_0 + c h^p by least squares over p between 0.25 and 4: y_0, c, p. points: [(h, y)]."""
+    best = None
+    for k in range(376):
+        p = 0.25 + 0.01 * k
+        x, y = [h ** p for h, _ in points], [v for _, v in points]
+        mx, my, n = sum(x) / len(x), sum(y) / len(y), len(x)
+        c = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
+        rest = sum((b - my - c * (a - mx)) ** 2 for a, b in zip(x, y))
+        if best is None or rest < best[0]:
+            best = (rest, my - c * mx, c, p)
+    return best[1:]
+
+
+def over_finest(rows, key, quantities):
+    """The rows with every quantity over that of the same packing at the finest setting, as far as there is one."""
+    finest = {r["packing"]: r for r in rows if r[key] == min(q[key] for q in rows)}
+    names = [q[0] for q in quantities]
+    return [{**r, **{n: r[n] / finest[r["packing"]][n] for n in names if isinstance(r[n], float)}} for r in rows if r["packing"] in finest]
+
+
+def convergence(folder, key, h, quantities, name, default, paired=False):
+    """Table of a study over one parameter: means over packings, fitted order, limit, and how far the default lies from it. Paired: over the
+    value of the same packing at the finest setting."""
+    rows = rows_of(folder)
+    if paired and rows:
+        rows = over_finest(rows, key, quantities)
+        quantities = [(n, 1.0, 4, "of the finest") for n, *_ in quantities]
+    groups = grouped(rows, key)
+    if not groups:
+        return "not run\n"
+    values = [k[0] for k in groups]
+    rows = []
+    for quantity, scale, digits, unit in quantities:
+        cells = [shown(column(g, quantity, scale), digits) for g in groups.values()]
+        points = [(h(k[0]), statistics(column(g, quantity, scale))[0]) for k, g in groups.items() if column(g, quantity)]
+        fit = ["-", "-", "-"]
+        if len(points) >= 3:
+            limit, c, p = extrapolated(points)
+            at = next((y for x, y in points if abs(x / h(default) - 1) < 1e-6), math.nan)
+            noise = max((n for n in (statistics(column(g, quantity, scale))[1] for g in groups.values()) if math.isfinite(n)), default=math.inf)
+            clear = abs(points[0][1] - points[-1][1]) > noise
+            fit = [f"{p:.1f}" if clear and 0.25 < p < 3.99 else "none seen", f"{limit:.{digits}f}" if clear else "-",
+                   f"{100 * (at / limit - 1):+.1f} %" if clear else "-"]
+        rows.append([f"{quantity} [{unit}]"] + cells + fit)
+    rows.append(["packings"] + [len(g) for g in groups.values()] + ["", "", ""])
+    return table(["over " + name] + [f"{v:g}" for v in values] + ["order", "limit", "default over limit"], rows)
+
+
+def scatter_table(folder, quantities):
+    """Standard deviation over packings in per cent, by number of grains."""
+    groups = grouped(rows_of(folder), "packing.n_grains")
+    rows = []
+    for quantity, *_ in quantities:
+        row = [quantity]
+        for g in groups.values():
+            v = column(g, quantity)
+            mean = sum(v) / len(v) if v else math.nan
+            row.append(f"{100 * math.sqrt(sum((x - mean) ** 2 for x in v) / (len(v) - 1)) / mean:.1f}" if len(v) > 2 else "-")
+        rows.append(row)
+    return table(["SD over packings [%]"] + [f"{k[0]:g} grains" for k in groups], rows) if groups else "not run\n"
+
+
+UNIAXIAL = [("E_tangent", 1e-9, 1, "GPa"), ("ucs", 1e-6, 1, "MPa"), ("sigma_ci", 1e-6, 1, "MPa")]
+BRAZILIAN = [("bts", 1e-6, 2, "MPa")]
+
+
+def convergence_section(results):
+    root = lambda n: n ** -0.5
+    text = CONVERGENCE + convergence(results / "resolution-ucs", "packing.n_grains", root, UNIAXIAL, "grains", 1197.0)
+    text += "\n" + scatter_table(results / "resolution-ucs", UNIAXIAL)
+    text += "\n" + convergence(results / "resolution-bts", "packing.n_grains", root, BRAZILIAN, "grains of the square", 598.0)
+    text += "\n" + scatter_table(results / "resolution-bts", BRAZILIAN)
+    text += "\n" + convergence(results / "speed", "test.platen_speed", float, UNIAXIAL, "platen speed [m/s]", 0.02, paired=True)
+    return text + "\n" + convergence(results / "time-step", "engine.step_safety", float, UNIAXIAL, "step over the stable one", 0.92, paired=True)
+
+
+# --- closed forms of whole bodies
+
+
+def verified(results, case):
+    """[(what, expected, measured)] of an output of `phyllite verify`."""
+    out = []
+    for line in (results / f"{case}.txt").read_text().splitlines():
+        words = line.split()
+        if "expected" in words and "measured" in words:
+            what = line.split("tolerance", 1)[1].split(None, 1)[1]
+            out.append((what, float(words[words.index("expected") + 1]), float(words[words.index("measured") + 1])))
+    return out
+
+
+def bodies_rows(results):
+    disc = verified(results, "V25")
+    part = lambda word: [m for what, _, m in disc if word in what]
+    span = lambda v: f"{100 * (min(v) - 1):+.1f} to {100 * (max(v) - 1):+.1f} %"
+    shear = max(abs(m) for what, e, m in disc if e == 0.0)
+    energy = [m / e for _, e, m in verified(results, "V26")]
+    column_ = [m / e for _, e, m in verified(results, "V27")]
+    waves = verified(results, "V28")
+    wave = lambda word: "; ".join(f"{what.split('wavelength ')[1].split(':')[0]}: {100 * (m / e - 1):+.2f} %" for what, e, m in waves if word in what)
+    return [
+        ["layered disc, five angles: tension across the load in the middle", "closed form, series after Lekhnitskii", "0", span(part("tension")),
+         "goal 3 %", "verify V25"],
+        ["the same: compression; shear over compression", "the same", "0; 0", f"{span(part('compression along'))}; {shear:.4f}", "goal 3 %", "verify V25"],
+        ["cracked plate: dU/da over K_I^2/E, three lengths", "Irwin 1957", "1", span(energy), "goal 3 %", "verify V26"],
+        ["bonded joint at 45, 60 deg, 5 MPa, one packing of 730 discs (short form of the joint)", "Jaeger 1960", "1", span(column_), "goal 5 %",
+         "verify V27"],
+        ["wave across the layers", "long-wave limit", "0", wave("across"), "goal 1 %", "verify V28"],
+        ["wave along the layers", "long-wave limit", "0", wave("along"), "goal 1 %", "verify V28"]]
+
+
+# --- the page
+
+
+def worst(ratios):
+    means = [statistics(v)[0] for v in ratios.values() if v]
+    return f"{100 * (min(means) - 1):+.1f} to {100 * (max(means) - 1):+.1f} %" if means else "not run"
+
+
+def widest(ratios):
+    halves = [statistics(v)[1] for v in ratios.values() if len(v) > 1]
+    return f"+- {100 * max(halves):.1f} % at most, {max(len(v) for v in ratios.values())} packings" if halves else "-"
+
+
+def summary(results, numbers, softer):
+    overlap = patches(results)
+    jacket, key, none = jacket_shares(results), "test.confining_stress", dict.fromkeys(overlap, 0.0)
+    tests, sliding = rows_of(results / "joint-bonded"), sliding_joints(results)
+    bonded, bonded_got = (against_jaeger(tests, overlap, COHESION, key, jacket=j) for j in (None, jacket))
+    frictional, frictional_got = (against_jaeger(sliding, none, 0.0, key, jacket=j) for j in (None, jacket))
+    base = {k: v for k, v in softer.items() if k[0] == 38e9}
+    rows = [["bonded joint through stiff rock, 30 - 75 deg, 0, 5, 10 MPa", "Jaeger 1960", "0", worst(bonded), widest(bonded), "study joint-bonded"],
+            ["the same, with sigma_3 as the halves get it", "Jaeger 1960", "0", worst(bonded_got), widest(bonded_got), "study joint-bonded"],
+            ["frictional joint while it slides, 30 - 75 deg, 5, 10 MPa", "Jaeger 1960", "0", worst(frictional), widest(frictional), "study joint-frictional"],
+            ["the same, with sigma_3 as the halves get it", "Jaeger 1960", "0", worst(frictional_got), widest(frictional_got), "study joint-frictional"],
+            ["bonded joint through rock of Table 1, 10 MPa, with sigma_3 as the halves get it", "Jaeger 1960", "0", worst(base), widest(base), "study joint-stiffness"]]
+    near = numbers.get(1e-3, {})
+    body = readings(near.get("ucs", []))
+    pairs = body["platens", "secant", "plane strain"]
+    source = "Potyondy & Cundall 2004, PFC2D"
+    rows += [["Lac du Bonnet granite: E [GPa], platens, secant, plane strain, near contacts bonded", source, "70.9 (not checked)",
+              shown([p[0] for p in pairs], 1), f"{len(pairs)} packings", "study lac-du-bonnet-ucs"],
+             ["the same: nu", source, "not known here", shown([p[1] for p in pairs], 3), f"{len(pairs)} packings", "study lac-du-bonnet-ucs"],
+             ["the same: UCS [MPa]", source, "199.1 (not checked)", shown(column(near.get("ucs", []), "ucs", 1e-6), 1),
+              f"{len(near.get('ucs', []))} packings", "study lac-du-bonnet-ucs"],
+             ["the same: BTS between flat platens [MPa]", source, "44.7 (not checked)", shown(column(near.get("bts", []), "bts", 1e-6), 1),
+              f"{len(near.get('bts', []))} packings", "study lac-du-bonnet-bts"],
+             ["the same: BTS between jaws of 10 deg [MPa]", source, "44.7 (not checked)", shown(column(near.get("jaws", []), "bts", 1e-6), 1),
+              f"{len(near.get('jaws', []))} packings", "study lac-du-bonnet-jaws"],
+             ["the same: friction angle [deg]", source, "29.5 (not checked)", shown(friction_angles(near.get("ucs", []), near.get("confined", [])), 1),
+              f"{len(near.get('confined', []))} packings", "study lac-du-bonnet-confined"]]
+    return table(["claim", "source", "theirs", "ours (deviation where theirs is 0)", "interval", "repeat"], rows + bodies_rows(results))
+
+
+def page(results, docs):
+    joint, softer = joint_section(results)
+    granite, numbers = granite_section(results)
+    (docs / "evidence.md").write_text(HEAD + summary(results, numbers, softer) + joint + granite + BODIES + convergence_section(results) + OPEN)
+
+
+HEAD = """# Evidence
+
+Numbers that nobody here made, beside ours: closed forms of whole bodies, published results. `make evidence` runs the studies of
+`examples/evidence/` (resumed where they are; an hour or two of CPU) and writes this page from their stores; a single one is
+`phyllite study examples/evidence/NAME.toml --out results/evidence/NAME`. "verify V25" is `phyllite verify V25`, seconds, and a test; so are the
+others of that kind. +- is the 95 % interval of the mean over packings (Student's t).
+
+**Not checked** means: the number is remembered by those who wrote it down, or quoted second hand; the paper's own table could not be read. Do not
+cite it from here. Not run at all: PFC2D itself, Yade with equal laws, a published 50 x 100 mm specimen (see the end).
+
+"""
+JOINT = """
+## One joint through a column: Jaeger's plane of weakness
+
+A column of 10 x 43 mm, 1,120 discs, with a single plane through its centre that meets no platen (height >= width (tan 75 + 0.5)); crossing rule;
+smooth joints with k_n, k_s and mu of the paper's Table 2, c = 5 MPa and tan(phi) = mu; sides in a jacket, so that the halves may slide. Jaeger
+with c_w = c sum(A)/L of each specimen (`joint-patches`), nothing fitted. Mas Ivars et al. 2011 (IJRMMS 48:219-244) hold single smooth joints
+against the same theory; their numbers were not looked up.
+
+Jaeger takes the plane to fail everywhere at once. Bonded joints do not: each carries what its grains bring, the first to break sheds its cohesion
+on the others. So the rock here is 26 times as stiff as that of Table 1, and all joints carry nearly the same stress; below is what happens in
+softer rock. Double precision: in single precision the rounding of forces makes local damping drag the sliding halves, which showed as 3, 5 and
+0 % more strength at 45, 60 and 75 degrees in a rock of 3,800 GPa (one packing at 0.02 m/s; not among the studies).
+
+"""
+JOINT_FRICTION = """
+Goal: 5 %. A miss that grows with sigma_3 has a cause that was measured: the jacket presses on grains, and how much higher a half stands on one side than on
+the other is not W tan(theta) but what the grains make of it, {0} of it in the mean, {1} to {2} in one column of 15 grains. It was counted on the discs, before
+any test, with the jacket's own rays. A joint without bonds does not break, it sticks and slips: its stress swings about a level. The level is the strength; the largest stress of a swing is
+what the program calls the peak. With the right sigma_3 the sliding level lies 0 to 5 % above Jaeger's; what holds it up was not traced (local damping
+of halves that slide by fits and starts is suspected).
+"""
+JOINT_15 = """
+The intact stiff rock fails at {0} MPa, so that Jaeger lies below 0.8 of it at every angle here. sum(A)/L is {1} (mean over angles and
+packings). At 15 degrees tan(theta) < mu: the joint must hold by friction and only the rock can fail. Without bonds, in the rock of Table 1:
+
+"""
+JOINT_SOFT = """
+The work of friction at half of the strength is that of the grains' contacts beside their bonds, no more than in the intact rock: the joint does not
+slip. The bonded joint at 10 MPa by the stiffness of the rock, k_s d/(E_c + E_b) from 0.008 down
+to 0.0001 (d: mean diameter). In rock of Table 1 the joints break one after the other and the strength is off Jaeger's by {}; it comes to Jaeger's as
+the grains stop to yield:
+
+"""
+GRANITE = """
+## Lac du Bonnet granite (Potyondy & Cundall 2004, IJRMMS 41:1329-1364)
+
+Looked up: the paper and its abstract (it presents the micro-parameters and two- and three-dimensional biaxial, triaxial and Brazilian tests). Its
+tables could not be read, so micro-parameters and results of PFC2D are **not checked**: 31.7 x 63.4 mm, mean diameter 0.72 mm, radius ratio 1.66,
+porosity 0.16, E_c = E_b = 62 GPa, k_n/k_s = 2.5, mu = 0.5, sigma_c = tau_c = 157 +- 36 MPa, 0.1 MPa isotropic; E 70.9 GPa and UCS 199.1 MPa as a
+secondary source quotes them, BTS 44.7 MPa and friction angle 29.5 degrees as remembered. Ours: some 4,040 discs, single precision, 0.05 m/s per
+platen, affine pre-strain to 5e-4.
+
+All readings of the same tests. Plane strain: the body whose plane-strain test shows E_2D and nu_2D.
+
+"""
+GRANITE_END = """
+E and UCS are met with near contacts bonded, by platens, secant and plane strain: one reading of sixteen, found after the numbers were seen. The friction angle agrees within a wide interval. BTS is not met: between
+flat platens a few grains at the rim break first, and the test ends with the first fall by a fifth; between jaws it is nearer. Why PFC2D had more is not
+known here (its jaws, bonds and stop were not looked up).
+"""
+BODIES = """
+## Whole elastic bodies
+
+The layered body is a hexagonal lattice with a smooth joint after every second row, its compliance measured on the lattice by uniform gradients,
+so that the field is compared and not a modulus. The disc (75 grains across, 43 planes, arcs of 15 degrees) is pressed in five directions; stress
+is the mean over the middle D/8. Theory: `src/theory/anisotropic_disc.hpp`, a series derived anew, held against Hondros where it is isotropic, and
+within 6 % of the approximation in the abstract of Claesson & Bohloli (2002) once its lost minus sign is put back. The disc of whole grains
+has the area of a disc 1.2 % smaller than the circle that it was cut by: 1.2 % of the stress. The plate (90 x 100 grains) is pulled, its crack cut through the bonds;
+K_I is read from the movements around its end, G from the energies of cracks that are eight grain radii apart. Waves stand in free columns with a joint after every
+fourth row. A beam in bending is V5. Numbers: the table at the top, or docs/verification.md.
+"""
+CONVERGENCE = """
+## Convergence
+
+The paper's rock without bedding at one strain rate. y = y_0 + c h^p fitted to the means over packings, h = grains^-1/2, speed or step; "none seen":
+the ends differ by less than the widest interval (of speed and step: each packing against itself at the finest), or the fit ends at its bounds (0.25, 4). An order from means that scatter is a description, no
+proof.
+
+"""
+OPEN = """
+## What is open
+
+- **PFC2D itself** and a published 50 x 100 mm specimen (Bu 2021): not run. **Yade** with equal laws: not run; `make bench-peers` compares laws that
+  differ.
+- Set up in the studies and not, or not all, run when this was written: packings 6 to 10 of the granite (4 to 10 of its Brazilian and confined tests), 4,788
+  discs of the resolution, the time step on more than one packing. The numbers of packings are in the tables; `make evidence` runs the rest.
+- Resolution above that, and BTS and sigma_ci of the granite against a table that somebody has read.
+- The default `elastic_reading` does not follow from one match: the reading that comes nearest to E and nu of the granite was found after
+  seeing the numbers.
+"""
+
+if __name__ == "__main__":
+    page(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
