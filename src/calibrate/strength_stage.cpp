@@ -60,15 +60,15 @@ std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std:
 }
 
 /// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
-/// sixteen lanes; of tables with few angles four do. At one point every test has a packing of its own.
+/// sixteen lanes. At one point every test has a packing of its own.
 class Packings {
  public:
-  Packings(std::size_t n, std::int64_t n_compressive)
-      : n_(n), points_per_packing_(n_compressive <= 4 ? 4 : 2) {}
+  explicit Packings(std::size_t n) : n_(n) {}
   std::vector<std::size_t> of(const Batch& batch) {
+    constexpr std::size_t points_per_packing = 2;
     std::vector<std::size_t> dealt;
     for (std::size_t p = 0; p < batch.n_points; ++p) {
-      if (p > 0 && (batch.at_estimate || p % points_per_packing_ == 0)) ++next_;
+      if (p > 0 && (batch.at_estimate || p % points_per_packing == 0)) ++next_;
       dealt.push_back(next_ % n_);
     }
     ++next_;
@@ -78,7 +78,7 @@ class Packings {
   std::size_t behind() const { return std::min(n_, next_); }
 
  private:
-  std::size_t n_, points_per_packing_, next_ = 0;
+  std::size_t n_, next_ = 0;
 };
 
 /// Points of a batch and the packing of each, by its place among the seeds.
@@ -325,9 +325,7 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               Simulator& simulator) {
   std::vector<Recipe> all;
   const Point middle = posterior.middle_of_box();
-  std::int64_t n_compressive = 0;
-  for (const Target& t : posterior.targets()) n_compressive += is_compressive(t.property) ? 1 : 0;
-  Packings packings(seeds.size(), n_compressive);
+  Packings packings(seeds.size());
   for (const Batch& b : batches) {
     const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
     const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds);
@@ -369,7 +367,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     estimate = nearest_point(posterior, draws);
   };
   learn(0);  // from the prior mean alone
-  Packings packings(seeds.size(), n_compressive);
+  Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];
     const Point tried = estimate;
