@@ -300,6 +300,12 @@ double Forecast::rms(Property property) const {
   return n > 0 ? std::sqrt(squares / n) : nan;
 }
 
+bool Forecast::meets() const {
+  return std::all_of(rows.begin(), rows.end(), [&](const Comparison& c) {
+    return rms(c.target.property) <= tolerance(c.target.property);
+  });
+}
+
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
   // most of such a table was not mapped
@@ -307,7 +313,11 @@ std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   std::optional<Forecast> best;
   for (const Rock& rock : candidates_of(evidence)) {
     std::optional<Forecast> one = foretell_one(Evidence(rock, evidence.targets), fold);
-    if (one && (!best || one->distance < best->distance)) best = std::move(one);
+    if (!one) continue;
+    const bool flat =
+        rock.model.matrix.model == MatrixModel::flat_joint;  // after all others, as they are chosen
+    if (!best || (flat ? !best->meets() && one->meets() : one->distance < best->distance))
+      best = std::move(one);
   }
   if (best) best->status = status_of(*best);
   return best;

@@ -27,6 +27,8 @@ struct Forecast {
   double distance = 0.0;         ///< sum of squares of what is minimised
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
   /// Root mean square miss of a property, relative, of nu absolute; NaN: no row of it.
+  /// Is every property met within its tolerance, root mean square?
+  bool meets() const;
   double rms(Property property) const;
 };
 

@@ -90,16 +90,21 @@ bool shows_layers(const Evidence& evidence) {
                        [](const Target& t) { return t.confining == 0.0; }) >= least_strengths;
 }
 
-/// Is the table foretold to be met, with exceptions or without (forecast.hpp)?
-bool in_reach(const Rock& rock, const std::vector<Target>& targets) {
+/// Is a table foretold to be met (forecast.hpp)?
+bool foretold(const Rock& rock, const std::vector<Target>& targets) {
   const std::optional<Forecast> forecast = foretell(Evidence(rock, targets));
-  return forecast && forecast->status != VerdictStatus::out_of_reach;
+  return forecast && forecast->meets();
 }
 
-/// Flat joints have to be clearly better, or to meet what the others cannot.
-bool replaces(const Rival& one, const Rival& best, const std::vector<Target>& targets) {
+/// Flat joints, which stand last, have to meet what no other does, or to be clearly better where nothing
+/// does.
+bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Target>& targets) {
+  const Rival& best = so_far.rivals[so_far.best];
   if (one.rock.model.matrix.model == MatrixModel::parallel_bond) return one.error < best.error;
-  return one.error < clearly * best.error || (!in_reach(best.rock, targets) && in_reach(one.rock, targets));
+  if (std::any_of(so_far.rivals.begin(), so_far.rivals.end(),
+                  [&](const Rival& r) { return foretold(r.rock, targets); }))
+    return false;
+  return foretold(one.rock, targets) || one.error < clearly * best.error;
 }
 
 bool shows_matrix(const Evidence& evidence) {
@@ -129,8 +134,9 @@ std::vector<Rock> candidates_of(const Evidence& evidence) {
   if (!rock.bedded || rock.layers == LayerModel::choose) layers = {LayerModel::planes};
   if (rock.bedded && rock.layers == LayerModel::choose && shows_layers(evidence))
     layers = {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions};
-  std::vector<MatrixModel> matrices = {rock.matrix.value_or(MatrixModel::parallel_bond)};
-  if (!rock.matrix && shows_matrix(evidence)) matrices.push_back(MatrixModel::flat_joint);
+  std::vector<MatrixModel> matrices = {rock.matrix.value_or(rock.model.matrix.model)};
+  if (!rock.matrix && shows_matrix(evidence))
+    matrices = {MatrixModel::parallel_bond, MatrixModel::flat_joint};
   std::vector<Rock> all;
   for (const MatrixModel matrix : matrices)
     for (const LayerModel l : layers)
@@ -155,8 +161,8 @@ std::string ModelChoice::text() const {
                         model_in_words(r.rock), 100.0 * r.modulus_error, 100.0 * r.strength_error);
   if (rivals.back().rock.model.matrix.model == MatrixModel::flat_joint)
     text += fmt::format(
-        "; flat joints are taken where all of it is below {:g} of the others, or these are foretold out of "
-        "reach",
+        "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "
+        "miss less than {:g} of what the others do",
         clearly);
   return text + " (before any test, from the maps of what models reach)";
 }
@@ -172,9 +178,10 @@ ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& cand
     const auto [fit, fresh] =
         moduli.try_emplace({rock.model.matrix.model, rock.layers == LayerModel::directions});
     if (fresh) fit->second = moduli_of(one, seed, simulator), choice.n_solutions += fit->second.n_solutions;
-    choice.rivals.push_back(rival_of(one, fit->second));
-    if (replaces(choice.rivals.back(), choice.rivals[choice.best], evidence.targets))
-      choice.best = choice.rivals.size() - 1;
+    Rival rival = rival_of(one, fit->second);
+    if (choice.rivals.empty() || replaces(rival, choice, evidence.targets))
+      choice.best = choice.rivals.size();
+    choice.rivals.push_back(std::move(rival));
   }
   return choice;
 }

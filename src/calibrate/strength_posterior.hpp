@@ -14,7 +14,9 @@
 // beyond both, of each property by itself: zero where the table can be met; where it cannot, the posterior
 // would otherwise flee to the rocks of which least is known, and a tension that cannot be met would take UCS
 // along. What is missed is still wanted as near as it can be had: a property with a discrepancy adds
-// -|log lab - log model|/se to log p, a pull that grows no further with the distance.
+// -|log lab - log model|/se to log p, a pull that grows no further with the distance. E and nu as a
+// laboratory reads them join the sum as far as moduli cannot follow what strengths make of them
+// (read_moduli.hpp).
 #pragma once
 #include <cstdint>
 #include <map>

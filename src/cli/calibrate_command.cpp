@@ -56,10 +56,11 @@ std::string fingerprint(const calibrate::Evidence& evidence, const Arguments& ar
 
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
 std::string label(const calibrate::Evidence& evidence, const Arguments& args) {
-  return fmt::format("calibration of \"{}\" ({}){}{}{}, --max-tests {}\n{}\n", evidence.rock.name,
-                     comment_text(args.rock), args.by_sequence() ? ", --method sequence" : "",
-                     args.elastic ? ", --elastic" : "", args.with_untrusted ? ", --with-untrusted" : "",
-                     args.max_tests, fingerprint(evidence, args));
+  return fmt::format("calibration of \"{}\" ({}){}{}{}{}, --max-tests {}\n{}\n", evidence.rock.name,
+                     comment_text(args.rock), args.matrix.empty() ? "" : ", --matrix " + args.matrix,
+                     args.by_sequence() ? ", --method sequence" : "", args.elastic ? ", --elastic" : "",
+                     args.with_untrusted ? ", --with-untrusted" : "", args.max_tests,
+                     fingerprint(evidence, args));
 }
 
 /// Throws InputError where --resume would write one calibration over another.

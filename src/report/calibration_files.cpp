@@ -115,6 +115,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);
   j["errors"] = errors_json(c);
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
+  j["matrix"] = c.recipe.matrix.model == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
   j["notes"] = c.notes;
   j["methods"] = methods_text(c, version);
@@ -170,6 +171,10 @@ std::string yade_script(const Recipe& r) {
              flat ? "lambda E_c" : "(E_c + lambda E_b)",
              m.directional() || m.unbonded_fraction > 0.0
                  ? "# Directions of the matrix and contacts without a bond are left out: JCFpm has neither.\n"
+             : m.shear_strength == ShearStrength::cohesion_friction
+                 ? fmt::format("# The friction angle of the bonds, {:.4g} deg, is left out: JCFpm has one "
+                               "friction, mu here.\n",
+                               m.phi)
                  : "",
              m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c, m.tau_c) +
          fmt::format(

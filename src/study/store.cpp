@@ -139,9 +139,10 @@ void refuse_network(const std::string& path) {
                   "disk, run shards (--shard i/n) and join them with `phyllite study merge`");
 }
 
-Status status_from(const std::string& text, const std::string& path) {
+Status status_from(const std::string& text, const std::string& key, const std::string& path) {
   if (const std::optional<Status> status = status_of(text)) return *status;
-  throw IoError(path + ": unknown outcome \"" + text + "\"; it was written by another version");
+  throw IoError(path + ": record " + key + ": unknown outcome \"" + text +
+                "\": written by another version of this program, or changed");
 }
 
 StoredResult read_specimen(const io::Statement& s, const std::string& path) {
@@ -149,7 +150,7 @@ StoredResult read_specimen(const io::Statement& s, const std::string& path) {
   TestResult& t = r.result;
   r.key = s.text(0), r.recipe = s.text(1), t.name = s.text(2), t.intact = s.integer(3) != 0;
   t.theta = t.intact ? 0.0 : s.number(4);
-  t.outcome = {status_from(s.text(5), path), s.text(6), s.text(7)};
+  t.outcome = {status_from(s.text(5), r.key, path), s.text(6), s.text(7)};
   t.hash = s.text(8), t.dt = s.number(9), t.n_steps = s.integer(10), t.n_contacts = s.integer(11);
   r.n_cracks = s.integer(12), t.seconds = s.number(13);
   r.host = s.text(14), r.program = s.text(15), r.finished = s.text(16), r.series = s.text(17);
@@ -498,7 +499,7 @@ MergeReport Store::merge(const std::string& other_path) {
   if (std::filesystem::equivalent(other_path, database_.path(), none))
     throw InputError(
         Problem{other_path, "", "", "another store than the one that it is merged into", "name the parts"});
-  { const Store check(other_path); }  // is it a store, and of this format?
+  Store(other_path).rows();  // is it a store, of this format, and are its records whole?
   // SQLite can join tables of two files, which moves rows without decoding them.
   const std::lock_guard lock(mutex_);
   io::Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
@@ -521,9 +522,12 @@ MergeReport Store::merge_attached() {
                         "FROM number x JOIN other.number y ON x.key = y.key AND x.name = y.name "
                         "WHERE x.key = a.key AND x.value IS NOT y.value) ORDER BY a.key");
     while (clash.step()) report.different.push_back(clash.text(0));
+    // A specimen that was removed by hand may have left its numbers behind.
+    database_.execute("DELETE FROM number WHERE key NOT IN (SELECT key FROM specimen)");
     // Numbers first: the second statement makes the keys known, and would hide what the first has to copy.
     database_.execute(
-        "INSERT INTO number SELECT * FROM other.number WHERE key NOT IN (SELECT key FROM specimen)");
+        "INSERT INTO number SELECT * FROM other.number WHERE key NOT IN (SELECT key FROM specimen) "
+        "AND key IN (SELECT key FROM other.specimen)");
     database_.execute(
         "INSERT INTO specimen SELECT * FROM other.specimen WHERE key NOT IN (SELECT key FROM specimen)");
     report.n_added = static_cast<std::size_t>(database_.n_changed());

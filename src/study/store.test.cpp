@@ -326,6 +326,25 @@ TEST_F(StoreTest, TheHashOfAStudyCoversItsNumbers) {
   EXPECT_EQ(a.merge(at("b.sqlite")).different, std::vector<std::string>{"1"});
 }
 
+TEST_F(StoreTest, ARecordThatWasRemovedAsAdvisedIsMergedAnew) {
+  Store a(at("a.sqlite"));
+  a.put("1", "r", some_result(1));
+  { Store(at("b.sqlite")).put("1", "r", some_result(1)); }
+  io::Database(at("a.sqlite")).execute("DELETE FROM specimen WHERE key = '1'");  // numbers stay behind
+  EXPECT_EQ(a.merge(at("b.sqlite")).n_added, 1u);
+  EXPECT_EQ(phy::hash_of(a.find("1")->result), phy::hash_of(some_result(1)));
+}
+
+TEST_F(StoreTest, ADamagedRecordIsNotMerged) {
+  Store a(at("a.sqlite"));
+  a.put("1", "r", some_result(1));
+  { Store(at("b.sqlite")).put("2", "r", some_result(2)); }
+  io::Database(at("b.sqlite")).execute("UPDATE number SET value = 2 * value");
+  EXPECT_THAT(message_of<IoError>([&] { a.merge(at("b.sqlite")); }),
+              testing::AllOf(HasSubstr("b.sqlite"), HasSubstr("not as this program stored them")));
+  EXPECT_EQ(a.rows().size(), 1u);
+}
+
 TEST_F(StoreTest, IsNotMergedWithItself) {
   Store store(file());
   fs::create_symlink(file(), at("link.sqlite"));
