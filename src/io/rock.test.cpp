@@ -314,8 +314,11 @@ TEST_F(RockFile, TheMatrixIsThatOfTheRecipeUnlessTheFileAsksForAnother) {
   EXPECT_EQ(rock(good, "matrix = \"flat_joint\"\n").matrix, MatrixModel::flat_joint);
   EXPECT_EQ(rock(good, "matrix = \"parallel_bond\"\n").matrix, MatrixModel::parallel_bond);
   EXPECT_THAT(problems(good, "matrix = \"flat_joint\"\nlayers = \"directions\"\n"),
-              testing::ElementsAre(AllOf(HasSubstr("r.toml:2: matrix"), HasSubstr("layers = \"planes\""))));
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:2: matrix"), HasSubstr("have directions"))));
   EXPECT_THAT(problems(good, "matrix = \"glue\"\n"), Contains(HasSubstr("flat_joint")));
+  write("m.toml", "[matrix]\nmodel = \"flat_joint\"\ntension_ratio = 2\n");
+  EXPECT_THAT(problems(good, "recipe = \"m.toml\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("have directions"))));
 }
 
 TEST_F(RockFile, PartsOfSpecimensAreRefused) {

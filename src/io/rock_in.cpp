@@ -191,14 +191,18 @@ class RockReader {
   bool read_matrix() {
     if (!file_.is_known("matrix")) return false;
     rock_.matrix = rock_.model.matrix.model;
-    if (!is_given("matrix") && is_given("recipe")) return true;
-    const int asked = static_cast<int>(file_.number("matrix", 0.0));
-    rock_.matrix.reset();
-    if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
-    if (is_directed(rock_.layers) && rock_.matrix == MatrixModel::flat_joint)
-      problems_.push_back({file_.place("matrix"), "matrix", "\"flat_joint\"",
+    if (is_given("matrix") || !is_given("recipe")) {
+      const int asked = static_cast<int>(file_.number("matrix", 0.0));
+      rock_.matrix.reset();
+      if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
+    }
+    const MatrixModel stays = rock_.matrix.value_or(rock_.model.matrix.model);
+    if (is_directed(rock_.layers) && stays == MatrixModel::flat_joint) {
+      const char* key = is_given("matrix") ? "matrix" : "recipe";
+      problems_.push_back({file_.place(key), key, "flat joints with directions",
                            "parallel bonds, where bonds have directions",
-                           "leave it out, or choose layers = \"planes\""});
+                           "choose matrix = \"parallel_bond\", or layers without directions"});
+    }
     return true;
   }
   /// Another size of specimen magnifies the model: as many grains across, planes and zone in proportion.
