@@ -80,7 +80,7 @@ std::string other_layers(const View& v, const std::string& otherwise) {
 /// Flat joints break in tension at less of UCS; nobody has compared them where a matrix was asked for.
 std::string weaker_in_tension(const View& v) {
   return v.of.recipe.matrix.model == MatrixModel::parallel_bond && !v.of.model_chosen &&
-                 !is_directed(v.of.layers)
+                 !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior
              ? "--matrix flat_joint: flat joints break in tension at less of UCS"
              : "leave the tensile strengths out if compression is what matters";
 }

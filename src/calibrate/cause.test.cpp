@@ -106,6 +106,9 @@ TEST(Cause, FlatJointsAreAdvisedWhereTensionIsTooHighAndNobodyHasComparedThem) {
   Calibration compared = c;
   compared.model_chosen = true;
   EXPECT_THAT(verdict_sentence(compared), otherwise);
+  Calibration by_sequence = c;  // of parallel bonds alone
+  by_sequence.method = CalibrationMethod::sequence;
+  EXPECT_THAT(verdict_sentence(by_sequence), otherwise);
   c.layers = LayerModel::directions;  // flat joints have none
   EXPECT_THAT(verdict_sentence(c), otherwise);
   c.layers = LayerModel::planes, c.recipe.matrix.model = MatrixModel::flat_joint;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -125,6 +126,9 @@ int main(int argc, char** argv) {
     return say(1, "", e.what());
   } catch (const std::bad_alloc&) {
     return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
+  } catch (const std::filesystem::filesystem_error& e) {
+    const std::string what = e.path1().string() + ": " + e.code().message();
+    return say(3, "", (phy::terminal_text(what) + "; allow access to it, or choose another place").c_str());
   } catch (const std::system_error& e) {
     return say(3, "system: ", e.what());
   } catch (const std::exception& e) {
