@@ -479,4 +479,14 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   return result;
 }
 
+Recipe on_unseen_packing(const Calibration& calibration) {
+  Recipe recipe = calibration.recipe;
+  recipe.packing.seed += n_fit;
+  std::set<double> angles;
+  for (const Comparison& c : calibration.fitted)
+    if (c.target.property == Property::ucs) angles.insert(c.target.theta);
+  if (!recipe.test.angles.empty()) recipe.test.angles.assign(angles.begin(), angles.end());
+  return recipe;
+}
+
 }  // namespace phy::calibrate

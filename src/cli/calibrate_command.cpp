@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/hash.hpp"
@@ -10,12 +11,18 @@
 #include "calibrate/posterior_ensemble.hpp"
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
+#include "cli/other_results.hpp"
+#include "cli/press.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
+#include "genesis/settle.hpp"
+#include "genesis/specimen.hpp"
 #include "io/file.hpp"
+#include "io/load.hpp"
 #include "io/output.hpp"
 #include "io/rock_in.hpp"
+#include "io/store.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
 #include "report/calibration_files.hpp"
@@ -23,6 +30,7 @@
 #include "report/calibration_tables.hpp"
 #include "report/methods.hpp"
 #include "report/pfc_commands.hpp"
+#include "study/experiment.hpp"
 #include "study/store.hpp"
 
 namespace phy::cli {
@@ -88,6 +96,15 @@ std::vector<std::string> files_in(const std::string& folder) {
   return files;
 }
 
+/// Folder of the calibrated rock as it broke (docs/formats.md, "Calibration").
+std::string specimens_in(const std::string& folder) {
+  return (std::filesystem::path(folder) / "specimens").string();
+}
+
+bool holds_results(const std::string& folder) {
+  return std::filesystem::is_directory(folder) && !io::result_folders(folder).empty();
+}
+
 /// The store beside the results. An earlier one is used only when asked for: a calibration begins afresh.
 std::string store_in(const Arguments& args, const std::string& label) {
   namespace fs = std::filesystem;
@@ -102,6 +119,9 @@ std::string store_in(const Arguments& args, const std::string& label) {
     throw InputError(Problem{"command line", "--out", args.out, "a folder without an earlier calibration",
                              "--resume goes on with it; another --out begins afresh"});
   if (begun) check_same(label_file, label, args);
+  if (const std::string others = specimens_in(args.out); !begun && holds_results(others))
+    throw InputError(Problem{"command line", "--out", args.out, "a folder without " + others,
+                             "results of before lie there: move them, or use another --out"});
   io::write_output(label_file, label);
   return store;
 }
@@ -140,6 +160,52 @@ void write_files(const std::string& folder, const Calibration& c, const std::str
   io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
   io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
   io::write_output((out / "tables.txt").string(), tables);
+}
+
+/// Whether the folder holds these very tests, all of them.
+bool is_pressed(const std::string& folder, const Recipe& recipe) {
+  for (const std::string& name : specimen_names(recipe))
+    if (!std::filesystem::exists(std::filesystem::path(folder) / io::folder_name(name) / "result.json"))
+      return false;
+  return results_of_others(folder, recipe).empty();
+}
+
+/// Presses the calibrated rock once, for pictures and curves: the verification keeps numbers alone. How many
+/// tests are missing: stopped by the user.
+std::size_t press_calibrated(const Calibration& c, const Arguments& args, const Session& session) {
+  const auto is_ucs = [](const Comparison& row) {
+    return row.target.property == Property::ucs && row.answered();
+  };
+  if (std::none_of(c.verification.begin(), c.verification.end(), is_ucs)) return 0;
+  const Recipe recipe = calibrate::on_unseen_packing(c);
+  const std::string folder = specimens_in(args.out);
+  if (is_pressed(folder, recipe)) return 0;
+  for (const auto& [other, difference] : results_of_others(folder, recipe)) {  // of another version
+    io::check_result_place(other);
+    io::remove_folder(other);
+  }
+  std::vector<std::shared_ptr<const Specimen>> specimens;
+  try {
+    const auto packing = study::packing_of(recipe, [stop = stop_on_interrupt()] { return stop->load(); });
+    for (Specimen& s : genesis::make_specimens(packing, recipe))
+      specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
+  } catch (const genesis::Interrupted&) {
+    return specimen_names(recipe).size();
+  }
+  print_wrapped(session.terminal_width, 2, "the calibrated rock on a packing that the fit has not seen:\n");
+  flush_out();
+  const std::vector<TestResult> results = press(recipe, specimens, folder, machine_of(session));
+  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), [](const TestResult& r) {
+    return r.outcome.status == Status::interrupted;
+  }));
+}
+
+/// How to go on with what was stopped.
+std::string resume_command(const Arguments& args) {
+  return fmt::format("phyllite calibrate {} --out {} --max-tests {}{}{}{}{} --resume", sh_word(args.rock),
+                     sh_word(args.out), args.max_tests, args.matrix.empty() ? "" : " --matrix " + args.matrix,
+                     args.by_sequence() ? " --method sequence" : "", args.elastic ? " --elastic" : "",
+                     args.with_untrusted ? " --with-untrusted" : "");
 }
 
 /// The rock of the file, with the matrix that the command line asks for.
@@ -185,23 +251,27 @@ int run_calibration(const Arguments& args, const Session& session) {
   const Calibration result = calibrate::calibrate(evidence, options, *simulator);
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
-  if (!interrupted) write_files(args.out, result, tables_of(result));  // first: the output may be full
+  std::size_t n_missing = 0;
+  if (!interrupted) {
+    write_files(args.out, result, tables_of(result));  // first: the output may be full
+    n_missing = press_calibrated(result, args, session);
+  }
   const std::string lanes = lanes_text(work.lanes);
   print_out("{}{:.1f} s in all{}\n", screen_of(result, width), result.seconds,
             lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
   if (interrupted) {
-    print_wrapped(width, 2, "to go on: phyllite calibrate {} --out {} --max-tests {}{}{}{}{} --resume\n",
-                  sh_word(args.rock), sh_word(args.out), args.max_tests,
-                  args.matrix.empty() ? "" : " --matrix " + args.matrix,
-                  args.by_sequence() ? " --method sequence" : "", args.elastic ? " --elastic" : "",
-                  args.with_untrusted ? " --with-untrusted" : "");
+    print_wrapped(width, 2, "to go on: {}\n", resume_command(args));
     return 1;
   }
   write_report(args.out);
   print_wrapped(width, 2, "calibrated.toml, {}PFC and Yade files, calibration.json and every run in {}\n",
                 result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
                 args.out);
+  if (n_missing > 0)
+    print_wrapped(width, 2, "stopped: {} specimens were not pressed for the report; to go on: {}\n",
+                  n_missing, resume_command(args));
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
+  if (n_missing > 0) return 1;
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 

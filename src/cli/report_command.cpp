@@ -84,12 +84,15 @@ report::PageExtras of_study(const std::string& folder) {
 int report(const ReportArguments& args) {
   RunRecord run;
   report::PageExtras extras;
-  if (has(args.result, "calibration.json"))
+  if (has(args.result, "calibration.json")) {
     extras = of_calibration(args.result);
-  else if (io::holds_variation(args.result))
+    const std::string specimens = (fs::path(args.result) / "specimens").string();
+    if (fs::is_directory(specimens) && !io::result_folders(specimens).empty()) run = io::read_run(specimens);
+  } else if (io::holds_variation(args.result)) {
     extras = of_study(args.result);
-  else
+  } else {
     run = io::read_run(args.result);
+  }
   if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
   io::check_outputs({out});

@@ -10,10 +10,9 @@
 #include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/ensemble.hpp"
-#include "cli/live_plot.hpp"
 #include "cli/machine.hpp"
 #include "cli/other_results.hpp"
-#include "cli/progress.hpp"
+#include "cli/press.hpp"
 #include "cli/terminal.hpp"
 #include "engine/kernels.hpp"
 #include "genesis/cache.hpp"
@@ -25,7 +24,6 @@
 #include "lab/load_path.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
-#include "study/experiment.hpp"
 
 namespace phy::cli {
 namespace {
@@ -112,18 +110,6 @@ void write_run_report(const std::string& folder, const std::vector<TestResult>& 
   io::write_output(page_of(folder), report::report_page(run));
 }
 
-/// Names and colours of the curves on the terminal.
-std::vector<report::TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
-  std::vector<report::TerminalCurve> curves;
-  for (const auto& s : specimens) {
-    TestResult r;
-    r.intact = !layered(*s);
-    r.theta = r.intact ? 0.0 : inclination(*s);
-    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), report::angle_color(r), {}, {}});
-  }
-  return curves;
-}
-
 /// Threads, lanes and instruction set; prints them.
 study::MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
                                      std::size_t n_specimens) {
@@ -197,26 +183,6 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   return jobs;
 }
 
-/// Runs the tests; every result is on disk as soon as it is there.
-std::vector<TestResult> press(const RecipeRun& job, const Made& made, const study::MachineOptions& machine) {
-  ProgressLine line;
-  LivePlot plot(curves_of(made.specimens));
-  line.draw_above([&] { return plot.lines(); });
-  study::ScheduleHooks hooks;
-  hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
-  hooks.stop = stop_on_interrupt();
-  hooks.on_progress = [&](const study::Progress& p) { line.update(p); };
-  hooks.on_result = [&](std::size_t i, const TestResult& result) {
-    if (result.outcome.status == Status::interrupted) return;
-    io::write_result((fs::path(job.folder) / io::folder_name(result.name)).string(), job.recipe, PHY_VERSION,
-                     *made.specimens[i], result);
-    line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
-  };
-  std::vector<TestResult> results = study::run_tests(made.specimens, job.recipe, machine, hooks);
-  line.finish();
-  return results;
-}
-
 /// Writes the page, then prints: the output may be closed or full. The exit code.
 int finish(const RecipeRun& job, const std::vector<TestResult>& results, const Clock::time_point& start,
            int width) {
@@ -266,7 +232,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   if (args.replace)
     for (const auto& [other, difference] : results_of_others(job.folder, job.recipe))
       io::remove_folder(other);
-  return finish(job, press(job, made, machine), start, width);
+  return finish(job, press(job.recipe, made.specimens, job.folder, machine), start, width);
 }
 
 }  // namespace

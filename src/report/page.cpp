@@ -132,7 +132,8 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   for (std::size_t i = 0; i < run.tests.size(); ++i) j["tests"].push_back(test_json(run.tests[i], i));
   j["missing"] = Json::array();
   for (const MissingTest& m : run.missing) j["missing"].push_back({{"name", m.name}, {"reason", m.reason}});
-  const TheoryCurves curves = run.tests.empty() ? theory_curves(extras.laboratory) : theory_curves(run);
+  const bool of_table = run.tests.empty() || !extras.calibration.empty();  // else of what was tested
+  const TheoryCurves curves = of_table ? theory_curves(extras.laboratory) : theory_curves(run);
   j["curves"] = {{"E", curve_json(curves.E)}, {"nu", curve_json(curves.nu)}, {"ucs", curve_json(curves.ucs)}};
   j["laboratory"] = Json::array();
   for (const Target& t : extras.laboratory) j["laboratory"].push_back(target_json(t));
@@ -140,9 +141,8 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   j["variations"] = Json::array();
   if (extras.variation) j["variations"].push_back(variation_json(*extras.variation));
   j["effects"] = extras.effects;
-  j["methods"] = methods_text(run);
-  if (run.tests.empty() && j["calibration"].is_object())
-    j["methods"] = j["calibration"].value("methods", Json::array());
+  j["methods"] = j["calibration"].is_object() ? j["calibration"].value("methods", Json::array())
+                                              : Json(methods_text(run));
   j["recipe"] = !extras.recipe.empty() ? extras.recipe
                 : run.tests.empty()    ? ""
                                        : io::write_recipe(first.recipe);

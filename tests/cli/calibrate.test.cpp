@@ -50,6 +50,22 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   EXPECT_THAT(read(out() + "/ensemble/20.toml"),
               testing::AllOf(HasSubstr("# rock: draw 20 of 20"), HasSubstr("seed = 55\n")));
   EXPECT_FALSE(fs::exists(out() + "/ensemble/21.toml"));
+  // as it broke, on the first packing of the verification: seeds 1 to 5 are those of the fit
+  EXPECT_THAT(read(out() + "/specimens/theta_60_deg/recipe.toml"), HasSubstr("\nseed = 6\n"));
+  ASSERT_THAT(run("show " + out() + "/specimens"), testing::AnyOf(0, 1)) << output;
+  for (const char* angle : {"0", "30", "60", "90"}) EXPECT_THAT(output, HasSubstr(angle));
+  const auto n_drawn = [&] {
+    const std::string page = read(out() + "/report.html");
+    int n = 0;
+    for (int k = 0; k < 9; ++k) n += page.find("id=\"scene-" + std::to_string(k) + "\"") != page.npos;
+    return n;
+  };
+  EXPECT_EQ(n_drawn(), 4);
+  fs::remove_all(out() + "/specimens/theta_60_deg");  // as if it had been stopped there
+  ASSERT_EQ(run("report " + out()), 0) << output;
+  EXPECT_EQ(n_drawn(), 3);
+  ASSERT_THAT(run(calibrate(out() + " --resume")), testing::AnyOf(0, 1)) << output;
+  EXPECT_EQ(n_drawn(), 4);
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
   for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder
@@ -68,6 +84,13 @@ TEST_F(CalibrateCli, KilledOrStoppedAndResumedItEndsWithTheIdenticalResult) {
   EXPECT_EQ(read(at("parts") + "/calibration.json"), expected);
   EXPECT_EQ(read(at("parts") + "/calibrated.toml"), read(at("whole") + "/calibrated.toml"));
   EXPECT_EQ(read(at("parts") + "/ensemble/07.toml"), read(at("whole") + "/ensemble/07.toml"));
+}
+
+TEST_F(CalibrateCli, ResultsOfAnotherRunAreNotTakenForTheSpecimens) {
+  ASSERT_EQ(run("run " + small_recipe() + " --out " + out() + "/specimens"), 0) << output;
+  ASSERT_EQ(run(calibrate(out())), 2);
+  EXPECT_THAT(output, HasSubstr("results of before lie there"));
+  EXPECT_FALSE(fs::exists(out() + "/runs.sqlite"));
 }
 
 TEST_F(CalibrateCli, EnsembleRunsTheTestOfTheRecipeOnEveryDrawAndTellsTheBand) {

@@ -333,7 +333,8 @@ function specimens() {
     update();
   });
   const transport = h("div", { class: "controls" }, h("div", { class: "transport" }, playButton(), slider, readout), labelled("Specimens", mode));
-  const hint = h("p", { class: "muted" }, "Slide through the test; a click on a specimen brings its curve forward. Drag to pan, Ctrl + wheel or + and − to zoom.");
+  const which = report.calibration ? "The calibrated rock on one packing that the fit has not seen; above are means over several. " : "";
+  const hint = h("p", { class: "muted" }, which + "Slide through the test; a click on a specimen brings its curve forward. Drag to pan, Ctrl + wheel or + and − to zoom.");
   const target = section("specimens", "Specimens", hint);
   if (!report.tests.some((t) => t.scene)) {
     target.append(h("p", { class: "notice" }, "These results hold no displacement fields (test.n_frames), so the specimens cannot be drawn."));
@@ -806,7 +807,7 @@ function start() {
   if (n > 0) {
     specimens();
     curves();
-    anisotropy();
+    if (!report.calibration) anisotropy(); // of a calibration: above, over all packings
     roses();
     tables();
   }

@@ -1,0 +1,51 @@
+#include "cli/press.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/live_plot.hpp"
+#include "cli/machine.hpp"
+#include "cli/progress.hpp"
+#include "io/store.hpp"
+#include "report/palette.hpp"
+
+namespace phy::cli {
+namespace {
+
+/// Names and colours of the curves on the terminal.
+std::vector<report::TerminalCurve> curves_of(const std::vector<std::shared_ptr<const Specimen>>& specimens) {
+  std::vector<report::TerminalCurve> curves;
+  for (const auto& s : specimens) {
+    TestResult r;
+    r.intact = !layered(*s);
+    r.theta = r.intact ? 0.0 : inclination(*s);
+    curves.push_back({r.intact ? "intact" : fmt::format("{:g}", r.theta), report::angle_color(r), {}, {}});
+  }
+  return curves;
+}
+
+}  // namespace
+
+std::vector<TestResult> press(const Recipe& recipe,
+                              const std::vector<std::shared_ptr<const Specimen>>& specimens,
+                              const std::string& folder, const study::MachineOptions& machine) {
+  ProgressLine line;
+  LivePlot plot(curves_of(specimens));
+  line.draw_above([&] { return plot.lines(); });
+  study::ScheduleHooks hooks;
+  hooks.on_reading = [&](std::size_t i, double strain, double stress) { plot.add(i, strain, stress); };
+  hooks.stop = stop_on_interrupt();
+  hooks.on_progress = [&](const study::Progress& p) { line.update(p); };
+  hooks.on_result = [&](std::size_t i, const TestResult& result) {
+    if (result.outcome.status == Status::interrupted) return;
+    io::write_result((std::filesystem::path(folder) / io::folder_name(result.name)).string(), recipe,
+                     PHY_VERSION, *specimens[i], result);
+    line.note(fmt::format("{}: {}", result.name, result.outcome.reason));
+  };
+  std::vector<TestResult> results = study::run_tests(specimens, recipe, machine, hooks);
+  line.finish();
+  return results;
+}
+
+}  // namespace phy::cli
