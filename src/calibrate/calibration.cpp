@@ -265,8 +265,8 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   Pass nearest;
   for (int pass = 1; pass <= most_passes; ++pass) {
     work.options.say("moduli as the laboratory reads them, at the estimate");
-    const Softenings measured =
-        softenings_of(result.recipe, strengths, some, work.evidence.rock.E_is, work.simulator);
+    const Softenings measured = softenings_of(result.recipe, work.evidence.rock.model, strengths, some,
+                                              work.evidence.rock.E_is, work.simulator);
     if (work.simulator.stopped()) return false;
     result.n_strength_tests += n, result.n_elastic += n;
     if (measured.empty()) break;
@@ -286,7 +286,8 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   if (!nearest.softenings.empty())
     result.recipe = nearest.recipe, work.elastic = nearest.elastic,
     work.strength.softenings = nearest.softenings;
-  result.verification = elastic_response(result.recipe, work.evidence.moduli, work.unseen, work.simulator);
+  result.verification = elastic_response(as_for_moduli(result.recipe, work.evidence.rock.model),
+                                         work.evidence.moduli, work.unseen, work.simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   return true;
 }
@@ -308,8 +309,7 @@ bool takes_more_packings(Calibration& result, const Work& work, const std::vecto
 std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
   const Evidence& evidence = work.evidence;
   const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
-  const auto n = static_cast<std::int64_t>(evidence.strengths.size()),
-             n_tension = n - evidence.n_compressive();
+  const std::int64_t n = evidence.n_tests(), n_tension = n - evidence.n_compressive();
   std::vector<Comparison> rows;
   for (;;) {
     work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));

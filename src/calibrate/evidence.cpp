@@ -45,6 +45,11 @@ std::int64_t Evidence::n_compressive() const {
                        [](const Target& t) { return is_compressive(t.property); });
 }
 
+std::int64_t Evidence::n_tests() const {
+  return std::count_if(strengths.begin(), strengths.end(),
+                       [](const Target& t) { return !is_read_before_ucs(t.property); });
+}
+
 double counted_error(const Target& modulus) {
   const double least = modulus.property == Property::E ? least_error_E * modulus.mean : least_error_nu;
   return std::max(least, modulus.normal_error());

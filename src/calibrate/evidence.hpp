@@ -32,6 +32,7 @@ struct Evidence {
   /// Is there a value between two inclinations [deg], both included?
   bool has(Property property, double from = -infinity, double to = infinity) const;
   std::int64_t n_compressive() const;  ///< of the strengths: UCS, and strengths under confinement
+  std::int64_t n_tests() const;        ///< behind the strengths of one packing: some are read in one test
   /// Strengths are fitted where there is one in compression: it tells sigma_c.
   bool fits_strength() const { return n_compressive() > 0; }
   /// Is there UCS, or a strength under confinement, between two inclinations [deg]?

@@ -69,7 +69,7 @@ const Lever strength_scatter = {
     nullptr,
     true};
 const Lever slits =
-    of_matrix<&MatrixRecipe::unbonded_fraction>("unbonded fraction", 0.0, 0.3, false, nullptr, true);
+    of_matrix<&MatrixRecipe::unbonded_fraction>("unbonded fraction", 0.0, 0.3, false, &matrix_slits, true);
 
 const Lever plane_spacing = {"spacing/diameter",
                              4.0,

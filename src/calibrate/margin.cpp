@@ -22,7 +22,8 @@ double tolerance(Property property) {
     case Property::ucs:
     case Property::confined: return 0.06;
     case Property::direct_tension:
-    case Property::brazilian: break;
+    case Property::brazilian:
+    case Property::crack_initiation: break;
   }
   return 0.10;
 }
@@ -34,7 +35,8 @@ double coarsest(Property property) {
     case Property::confined: return 0.15;
     case Property::nu: return 0.1;
     case Property::direct_tension:
-    case Property::brazilian: break;
+    case Property::brazilian:
+    case Property::crack_initiation: break;
   }
   return 0.25;
 }

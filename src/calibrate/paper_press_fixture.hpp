@@ -59,6 +59,7 @@ class PaperPress : public Simulator {
       else
         results[i].numbers = {
             {"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
+            {"sigma_ci_strain", initiation(r) * std::exp(noise + bias), "Pa", "", ""},
             {"E_tangent", tangent * theory::goodman_E(rock_of(r), theta_of(r)), "Pa", "", ""},
             {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
     }
@@ -74,6 +75,9 @@ class PaperPress : public Simulator {
     r.test.confining_stress = 0.0;
     return confined(r);
   }
+
+  /// Cracks begin at a share of the strength that slits take most of.
+  static double initiation(const Recipe& r) { return (0.85 - 1.5 * r.matrix.unbonded_fraction) * ucs(r); }
 
   /// Bonds and friction of the grains, or joints that slide: each has its own friction.
   static double confined(const Recipe& r) {
@@ -111,7 +115,9 @@ class PaperPress : public Simulator {
  private:
   static double theta_of(const Recipe& r) { return r.bedding.empty() ? 0.0 : r.bedding.front().theta; }
   static theory::JointedRock rock_of(const Recipe& r) {
-    const double E = 0.9 * (r.matrix.E_c + r.matrix.E_b);
+    const bool flat = r.matrix.model == MatrixModel::flat_joint;
+    const double E = 0.9 * (r.matrix.E_c + (flat ? r.matrix.E_c : r.matrix.E_b)) *
+                     (1.0 - 0.4 * r.matrix.unbonded_fraction);
     if (r.bedding.empty()) return {E, 1e20, 1e20, 0.25};
     const BeddingRecipe& b = r.bedding.front();
     return {E, 1.8 * b.k_n * b.spacing, 1.8 * b.k_s * b.spacing, 0.25};

@@ -18,6 +18,7 @@ bool has_directions(const Recipe& r) { return r.matrix.directional(); }
 /// Between joints on planes the stiffness of bonds has none: E(theta) would not tell the two apart.
 bool has_directions_alone(const Recipe& r) { return has_directions(r) && !has_joints(r); }
 bool has_parallel_bonds(const Recipe& r) { return r.matrix.model == MatrixModel::parallel_bond; }
+bool has_flat_joints(const Recipe& r) { return r.matrix.model == MatrixModel::flat_joint; }
 /// Bonds for which the program seeks a friction angle; plain parallel bonds keep the paper's constant
 /// strength.
 bool may_rub(const Recipe& r) { return has_directions(r) || !has_parallel_bonds(r); }
@@ -261,6 +262,20 @@ const StrengthParameter matrix_phi{{.key = "matrix.phi",
                                    matrix_moment.rule,
                                    true};
 
+/// Slits open early under load, which sigma_ci feels more than UCS, and take their share of the tensile
+/// strength. They soften the specimen too: that is read from tests, as all softening (read_moduli.hpp), so
+/// that E of small strain, which knows no tests, does not go with them.
+const StrengthParameter matrix_slits{
+    of_matrix<&MatrixRecipe::unbonded_fraction>("matrix.unbonded_fraction", "slits", {0.01, 0.4, 0.05},
+                                                has_flat_joints),
+    [](const Evidence& e) -> Rule {
+      const bool held = e.has(Property::crack_initiation) &&
+                        (e.rock.E_is != ModulusReading::small_strain || !e.has(Property::E));
+      return {held, "sigma_ci against UCS",
+              held ? "" : "sigma_ci by crack volumetric strain, in the tests of UCS", true};
+    },
+    true};
+
 // ---- directions
 
 const StrengthParameter tension_ratio{
@@ -348,8 +363,8 @@ std::vector<const ElasticParameter*> elastic_parameters(const Recipe& model) {
 
 std::vector<const StrengthParameter*> strength_parameters(const Recipe& model) {
   return those_of<StrengthParameter>(
-      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &joint_cohesion,
-       &joint_sigma_n, &joint_mu, &tension_ratio, &cohesion_ratio, &cohesion_oblique},
+      {&matrix_sigma_c, &matrix_tau_c, &matrix_mu, &matrix_moment, &matrix_phi, &matrix_slits,
+       &joint_cohesion, &joint_sigma_n, &joint_mu, &tension_ratio, &cohesion_ratio, &cohesion_oblique},
       model);
 }
 

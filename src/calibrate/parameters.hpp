@@ -110,6 +110,6 @@ std::vector<const StrengthParameter*> strength_ratios(const Evidence& evidence);
 std::vector<const StrengthParameter*> strength_parameters(const Recipe& model);
 
 extern const StrengthParameter matrix_sigma_c, matrix_tau_c, matrix_mu, matrix_moment, matrix_phi,
-    joint_cohesion, joint_sigma_n, joint_mu, tension_ratio, cohesion_ratio, cohesion_oblique;
+    matrix_slits, joint_cohesion, joint_sigma_n, joint_mu, tension_ratio, cohesion_ratio, cohesion_oblique;
 
 }  // namespace phy::calibrate

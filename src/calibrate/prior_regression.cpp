@@ -45,6 +45,15 @@ const ReachRegression& tension_ratio_of(const ModelFamily& intact) {
   });
 }
 
+/// Axial stress where cracks begin (a tenth of them in the maps), over sigma_c.
+const ReachRegression& initiation_of(const ModelFamily& family, double theta) {
+  const std::string ucs = column_at(family, strength_stem(Property::ucs), theta),
+                    share = column_at(family, "sigma_ci/UCS", theta);
+  return made_once(family, share, [&table = reach_of(family), ucs, share](std::size_t row) {
+    return std::log(table.at(row, ucs) * table.at(row, share));
+  });
+}
+
 /// What confining stress adds to the strength, per unit of that stress, of bonds without layers.
 const ReachRegression& growth_of(const ModelFamily& intact) {
   return made_once(intact, "growth", [&table = reach_of(intact)](std::size_t row) {
@@ -59,6 +68,8 @@ ReachRegression regression_at(const ModelFamily& family, Property property, doub
   const Property mapped = stands_in ? Property::brazilian : property;
   const std::string stem = strength_stem(mapped);
   const Bracket b = bracket_of(mapped, stands_in ? 90.0 - theta : theta);
+  if (property == Property::crack_initiation)
+    return {initiation_of(family, b.low), initiation_of(family, b.high), b.share};
   return {regression_of(family, column_at(family, stem, b.low)),
           regression_of(family, column_at(family, stem, b.high)), b.share};
 }
@@ -135,7 +146,7 @@ PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const T
             std::span<const double> z) { return disc.at(z) + ratio.at(z); },
         stand_in.constant, stand_in.slope, stand_in.curvature};
   }
-  const Belief& believed = property == Property::ucs ? compression : tension;
+  const Belief& believed = property == Property::ucs ? compression : tension;  // sigma_ci as roughly
   return {[k = std::move(known)](std::span<const double> z) { return k.at(z); }, believed.constant,
           believed.slope, believed.curvature};
 }

@@ -159,8 +159,8 @@ class Sequence {
     const std::int64_t n = static_cast<std::int64_t>(places_of_ucs(evidence_.strengths).size());
     if (left_ < n) return;
     left_ -= n, fit_.n_tests += n, fit_.n_solutions += n;
-    fit_.softenings =
-        softenings_of(fit_.recipe, evidence_.strengths, {seed_}, evidence_.rock.E_is, simulator_);
+    fit_.softenings = softenings_of(fit_.recipe, fit_.recipe, evidence_.strengths, {seed_},
+                                    evidence_.rock.E_is, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings).recipe);
   }
@@ -192,7 +192,7 @@ class Sequence {
     fit_.fitted =
         strength_response(fit_.recipe, evidence_.strengths, {seed_}, Loading::from_rest, simulator_);
     if (simulator_.stopped()) throw Stopped{};
-    const auto n = static_cast<std::int64_t>(evidence_.strengths.size());
+    const std::int64_t n = evidence_.n_tests();
     fit_.n_tests += n, fit_.n_tension += n - evidence_.n_compressive();
     report_unused();
     if (fit_.n_without_peak > 0)

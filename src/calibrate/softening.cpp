@@ -32,16 +32,24 @@ std::optional<Softening> softening_of(const TestResult& test, const ElasticResul
   return s;
 }
 
-Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& strengths,
+Recipe as_for_moduli(Recipe specimen, const Recipe& model) {
+  specimen.matrix.unbonded_fraction = model.matrix.unbonded_fraction;
+  return specimen;
+}
+
+Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& strengths,
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator) {
   const std::vector<Target> ucs = of_property(strengths, Property::ucs);
   const StrengthTests tests(recipe, ucs, seeds.front(), simulator);
-  std::vector<Recipe> recipes;
+  std::vector<Recipe> recipes, unbroken;
   for (std::size_t i = 0; i < ucs.size(); ++i)
-    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, Loading::from_rest));
+    for (const std::int64_t seed : seeds) {
+      recipes.push_back(tests.of(recipe, i, seed, Loading::from_rest));
+      unbroken.push_back(as_for_moduli(recipes.back(), model));
+    }
   const std::vector<TestResult> results = simulator.test(recipes);
-  const std::vector<ElasticResult> solutions = simulator.elastic(recipes, false);
+  const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, false);
   Softenings mean;  // over packings: of the factor the geometric one
   for (std::size_t i = 0; i < ucs.size(); ++i) {
     double log_factor = 0.0, addition = 0.0;

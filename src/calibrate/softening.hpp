@@ -25,8 +25,13 @@ Softening softening_at(const Softenings& softenings, double theta);
 std::optional<Softening> softening_of(const TestResult& test, const ElasticResult& solution,
                                       ModulusReading reading);
 
-/// Measured: tests of UCS of a recipe at the speed of a verification, on each of the packings.
-Softenings softenings_of(const Recipe& recipe, const std::vector<Target>& strengths,
+/// The specimen as the elastic stage has it: `model` before strengths were sought. Slits that these have
+/// sought are part of what tests make of the moduli.
+Recipe as_for_moduli(Recipe specimen, const Recipe& model);
+
+/// Measured: tests of UCS of a recipe at the speed of a verification, on each of the packings. `model`: of
+/// the elastic stage.
+Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& strengths,
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator);
 

@@ -60,7 +60,7 @@ class StrengthPosterior {
   void add_run(std::size_t target, SurrogateRun run) { runs_[target].push_back(std::move(run)); }
   /// The rock has other moduli from here on: earlier runs move by what is expected of the change.
   void take_moduli(const Evidence& evidence, const Recipe& recipe);
-  /// Targets that no run has answered.
+  /// Targets with tests of their own that no run has answered.
   std::vector<Target> without_runs() const;
   /// From all runs so far; to be called before what follows.
   void learn();

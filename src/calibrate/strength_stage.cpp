@@ -101,10 +101,11 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
 }
 
 /// Solutions of the specimens behind tests of UCS, one of those that lie on the same packing at the same
-/// inclination: they differ in strengths alone.
+/// inclination: they differ in strengths alone. `model`: of the elastic stage.
 void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const Design& design,
-                     const std::vector<Recipe>& recipes, const std::vector<TestResult>& results,
-                     Simulator& simulator, std::int64_t& n_solutions) {
+                     const Recipe& model, const std::vector<Recipe>& recipes,
+                     const std::vector<TestResult>& results, Simulator& simulator,
+                     std::int64_t& n_solutions) {
   std::map<std::pair<std::int64_t, double>, std::size_t> solved;
   std::vector<Recipe> specimens;
   const auto name_of = [&](std::size_t k) {
@@ -114,7 +115,8 @@ void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const
     return posterior.targets()[k % posterior.n_targets()].property == Property::ucs;
   };
   for (std::size_t k = 0; k < recipes.size(); ++k)
-    if (is_ucs(k) && solved.emplace(name_of(k), specimens.size()).second) specimens.push_back(recipes[k]);
+    if (is_ucs(k) && solved.emplace(name_of(k), specimens.size()).second)
+      specimens.push_back(as_for_moduli(recipes[k], model));
   const std::vector<ElasticResult> solutions = simulator.elastic(specimens, false);
   n_solutions += static_cast<std::int64_t>(specimens.size());
   for (std::size_t k = 0; k < recipes.size(); ++k) {
@@ -160,25 +162,28 @@ double uncertainty_at(const StrengthPosterior& posterior, const Point& x) {
 /// Runs a batch and hands its answers to the surrogates; tells by how much they surprise. Nothing: stopped.
 std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTests& tests,
                                 const Design& design, const std::vector<std::int64_t>& seeds,
-                                Simulator& simulator, StrengthFit& fit, ReadModuli* read) {
+                                const Recipe& model, Simulator& simulator, StrengthFit& fit,
+                                ReadModuli* read) {
   const std::vector<Point>& points = design.points;
   const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return {};
   Surprise surprise(posterior.n_targets());
   if (read != nullptr)
-    learn_softening(*read, posterior, design, recipes, results, simulator, fit.n_solutions);
+    learn_softening(*read, posterior, design, model, recipes, results, simulator, fit.n_solutions);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const Property property = posterior.targets()[i].property;
     const double strength = strength_of(results[k], property);
+    const bool own = !is_read_before_ucs(property);  // a test of its own
     if (std::isfinite(strength)) {
       surprise.add(i, std::log(strength) - posterior.predict(points[p], i).mean, property);
       posterior.add_run(i, {posterior.inputs(points[p], i), static_cast<int>(design.packings[p]),
                             design.coarse, std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
-    } else {
+    } else if (own) {
       ++fit.n_without_peak;
     }
+    if (!own) continue;
     ++fit.n_tests;
     fit.n_tension += is_tensile(property) ? 1 : 0;
     fit.n_coarse += design.coarse ? 1 : 0;
@@ -379,7 +384,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                     batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
                     batch.coarse ? " on coarse grains" : ""));
     const auto surprise =
-        run_batch(posterior, tests, design, seeds, simulator, fit, remodel ? &read : nullptr);
+        run_batch(posterior, tests, design, seeds, recipe, simulator, fit, remodel ? &read : nullptr);
     if (!surprise || !posterior.without_runs().empty()) {
       fit.interrupted = !surprise;
       if (surprise) report_silent(posterior, fit);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
+#include "base/check.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "lab/brazilian/reading.hpp"
@@ -63,9 +64,19 @@ struct TestOfProperty {
 TestOfProperty test_of(Property property) {
   for (const TestDescription* test : laboratory_tests()) {
     if (test->curve.property == property) return {test, test->curve.strength};
-    if (test->reported && test->reported->property == property) return {test, test->reported->number};
+    for (const ReportedNumber& r : test->reported)
+      if (r.property == property) return {test, r.number};
   }
   return {};
+}
+
+/// The target of UCS at an inclination.
+std::size_t place_of_ucs(const std::vector<Target>& targets, double theta) {
+  const auto it = std::find_if(targets.begin(), targets.end(), [&](const Target& t) {
+    return t.property == Property::ucs && t.theta == theta;
+  });
+  PHY_CHECK(it != targets.end(), "a table with UCS wherever something is read before it");
+  return static_cast<std::size_t>(it - targets.begin());
 }
 
 /// Tests go on to several times the strain at which the laboratory's strength is expected.
@@ -118,6 +129,11 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
     : targets_(targets), strains_(peak_strains(targets, moduli)) {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
+  for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
+    if (!is_read_before_ucs(targets_[i].property)) continue;
+    const std::size_t test = place_of_ucs(targets_, targets_[i].theta);
+    strains_[i] = strains_[test], speeds_[i] = speeds_[test];
+  }
 }
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const {

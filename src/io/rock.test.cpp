@@ -204,6 +204,21 @@ TEST_F(RockFile, UcsUnderConfinementAndSigma1AreOneAndTheSame) {
   EXPECT_THAT(of_property(targets_of(r), Property::ucs), SizeIs(2));  // at 0 and, without pressure, at 90
 }
 
+TEST_F(RockFile, CrackInitiationGoesWithTheUcsOfItsAngle) {
+  const std::string head = "theta [deg],confining [MPa],UCS [MPa],sigma_ci [MPa],sigma_ci_sd [MPa],n\n";
+  const std::string rest = "45,,80,40,5,3\n90,,120,,,3\n";
+  EXPECT_THAT(problems(head + "0,,100,45,4,3\n" + rest), IsEmpty());
+  EXPECT_THAT(problems(head + "0,,,45,4,3\n" + rest),
+              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("UCS at the same angle"))));
+  EXPECT_THAT(problems(head + "0,,100,110,4,3\n" + rest),
+              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("below UCS"))));
+  const Rock r = rock(head + "0,10,150,70,4,3\n0,,100,45,4,3\n" + rest);
+  const std::vector<Target> initiation = of_property(targets_of(r), Property::crack_initiation);
+  ASSERT_THAT(initiation, SizeIs(2));  // under confinement it is no target
+  EXPECT_EQ(cell_name(initiation[0]), "sigma_ci(0)");
+  EXPECT_THAT(r.notes, Contains(HasSubstr("sigma_ci under confining pressure is kept, not fitted")));
+}
+
 const std::string envelope_head =
     "theta [deg],UCS [MPa],c [MPa],phi [deg],confining_min [MPa],confining_max [MPa],n\n";
 

@@ -341,11 +341,12 @@ class RockReader {
   }
   void check_content(const std::string& where) {
     std::set<double> angles, pressures;  // these of E and nu
-    bool nu = false, E = false, tension = false;
+    bool nu = false, E = false, tension = false, initiation = false;
     for (const RockReading& r : rock_.readings) {
       angles.insert(r.theta);
       if (!is_strength(r.property)) pressures.insert(r.confining);
       tension = tension || (is_tensile(r.property) && r.confining > 0.0);
+      initiation = initiation || (is_read_before_ucs(r.property) && r.confining > 0.0);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
     }
     if (rock_.readings.empty())
@@ -356,6 +357,7 @@ class RockReader {
       problems_.push_back({where, "theta", fmt::format("{} angle(s)", angles.size()),
                            "at least three angles for a bedded rock",
                            "test 0, 45 and 90 degrees; or write bedded = false"});
+    if (initiation) rock_.notes.emplace_back("sigma_ci under confining pressure is kept, not fitted");
     if (tension) rock_.notes.emplace_back("tensile strengths under confining pressure are kept, not fitted");
     if (pressures.size() > 1)
       problems_.push_back({where, "confining", fmt::format("{} pressures", pressures.size()),

@@ -49,10 +49,13 @@ struct Head {
 
 /// The names that columns of values may have, in lower case.
 const std::map<std::string, Property>& property_names() {
-  static const std::map<std::string, Property> names = {
-      {"e", Property::E},           {"nu", Property::nu},
-      {"ucs", Property::ucs},       {"dts", Property::direct_tension},
-      {"bts", Property::brazilian}, {"sigma_1", Property::confined}};
+  static const std::map<std::string, Property> names = {{"e", Property::E},
+                                                        {"nu", Property::nu},
+                                                        {"ucs", Property::ucs},
+                                                        {"dts", Property::direct_tension},
+                                                        {"bts", Property::brazilian},
+                                                        {"sigma_1", Property::confined},
+                                                        {"sigma_ci", Property::crack_initiation}};
   return names;
 }
 
@@ -146,6 +149,7 @@ class ReadingReader {
     for (const TableRow& row : table_.rows) read_row(row, confining);
     check_repeats();
     check_confined();
+    check_initiation();
     const bool moduli = std::any_of(readings_.begin(), readings_.end(),
                                     [](const RockReading& r) { return !is_strength(r.property); });
     if (n_elsewhere_ > 0 && !moduli)
@@ -363,6 +367,25 @@ class ReadingReader {
              fmt::format("an axial stress at the peak above {:g} times the confining stress, {:.4g} MPa",
                          least_over_sides, r.confining * 1e-6),
              r.derived ? "" : "is it the deviatoric stress? add the confining stress to it"});
+  }
+
+  /// Where cracks begin is read in the test of UCS, and before its peak.
+  void check_initiation() {
+    std::map<double, double> ucs;  // the largest by angle
+    for (const RockReading& r : readings_)
+      if (r.property == Property::ucs) ucs[r.theta] = std::max(ucs[r.theta], r.value);
+    for (const RockReading& r : readings_) {
+      if (r.property != Property::crack_initiation || r.confining > 0.0) continue;
+      const auto it = ucs.find(r.theta);
+      if (it == ucs.end())
+        problems_.push_back({at(r.line), "sigma_ci", fmt::format("{:.4g} MPa", r.value * 1e-6),
+                             "UCS at the same angle, in this row or another",
+                             "sigma_ci is read in the test of UCS, and counts against that: leave it out"});
+      else if (r.value >= it->second)
+        problems_.push_back({at(r.line), "sigma_ci", fmt::format("{:.4g} MPa", r.value * 1e-6),
+                             fmt::format("a stress below UCS at this angle, {:.4g} MPa", it->second * 1e-6),
+                             "cracks begin before the peak: are two columns swapped?"});
+    }
   }
 
   /// Adds a reading to those that later ones of its cell are held against: all with an SD, and of the others,

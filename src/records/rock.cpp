@@ -24,7 +24,8 @@ double prior_scatter(Property p) {
     case Property::ucs:
     case Property::confined: return 0.10;
     case Property::direct_tension:
-    case Property::brazilian: break;
+    case Property::brazilian:
+    case Property::crack_initiation: break;
   }
   return 0.15;
 }
@@ -122,7 +123,8 @@ class ConfiningStresses {
 }  // namespace
 
 const char* to_string(Property property) {
-  constexpr std::array<const char*, n_properties> names = {"E", "nu", "UCS", "DTS", "BTS", "sigma_1"};
+  constexpr std::array<const char*, n_properties> names = {"E",   "nu",      "UCS",     "DTS",
+                                                           "BTS", "sigma_1", "sigma_ci"};
   return names[static_cast<std::size_t>(property)];
 }
 
@@ -163,7 +165,11 @@ bool is_strength(Property property) { return property != Property::E && property
 
 bool is_compressive(Property property) { return property == Property::ucs || property == Property::confined; }
 
-bool is_tensile(Property property) { return is_strength(property) && !is_compressive(property); }
+bool is_tensile(Property property) {
+  return property == Property::direct_tension || property == Property::brazilian;
+}
+
+bool is_read_before_ucs(Property property) { return property == Property::crack_initiation; }
 
 bool same_test(const Target& a, const Target& b) {
   return a.property == b.property && a.diameter == b.diameter && a.confining == b.confining;
@@ -183,7 +189,7 @@ std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;
   const ConfiningStresses stresses(rock.readings);
   for (const RockReading& r : rock.readings)
-    if (r.confining == 0.0 || !is_tensile(r.property))
+    if (r.confining == 0.0 || is_compressive(r.property) || !is_strength(r.property))
       cells[{r.property, std::lround(r.theta / same_angle),
              r.property == Property::brazilian ? r.diameter : 0.0, stresses.of(r)}]
           .push_back(&r);

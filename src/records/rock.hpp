@@ -11,21 +11,24 @@ namespace phy {
 
 /// What a laboratory measures on a specimen at one inclination of the bedding.
 enum class Property {
-  E,               ///< modulus of deformation [Pa]
-  nu,              ///< apparent Poisson's ratio [-]
-  ucs,             ///< uniaxial compressive strength [Pa]
-  direct_tension,  ///< direct tensile strength [Pa]
-  brazilian,       ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
-  confined         ///< strength under confining stress, sigma_1 at the peak [Pa]
+  E,                ///< modulus of deformation [Pa]
+  nu,               ///< apparent Poisson's ratio [-]
+  ucs,              ///< uniaxial compressive strength [Pa]
+  direct_tension,   ///< direct tensile strength [Pa]
+  brazilian,        ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+  confined,         ///< strength under confining stress, sigma_1 at the peak [Pa]
+  crack_initiation  ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
 };
-constexpr int n_properties = 6;
+constexpr int n_properties = 7;
 
-/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1": the names of the columns.
+/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci": the names of the columns.
 const char* to_string(Property property);
 bool is_strength(Property property);
 bool is_tensile(Property property);
 /// UCS and strengths under confinement.
 bool is_compressive(Property property);
+/// Is read on the way to another strength, in the test of UCS at the same inclination?
+bool is_read_before_ucs(Property property);
 
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };

@@ -92,7 +92,7 @@ struct TestDescription {
   /// added or moved later changes no hash.
   std::vector<std::string> hashed;
   TestCurve curve;
-  std::optional<ReportedNumber> reported = std::nullopt;
+  std::vector<ReportedNumber> reported = {};
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)

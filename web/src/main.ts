@@ -522,7 +522,7 @@ function tables() {
 
 // --- calibration ---------------------------------------------------------------------------------------------
 
-const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"], sigma_1: [1e-6, "σ₁ at the peak [MPa]"] };
+const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"], sigma_1: [1e-6, "σ₁ at the peak [MPa]"], sigma_ci: [1e-6, "crack initiation σci [MPa]"] };
 
 function friendly(value: number | null, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "–";
@@ -609,7 +609,7 @@ function errorTable(c: Calibration): Child {
   if (!c.errors) return null;
   const properties = Object.keys(scales).filter((p) => c.errors!.some((e) => typeof e[p] === "number"));
   const cell = (v: number | string | undefined, p: string) => (typeof v !== "number" ? "–" : p === "nu" ? v.toFixed(3) : `${(100 * v).toFixed(1)}\u00a0%`);
-  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p === "sigma_1" ? "σ₁" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
+  return table("Root mean square errors", ["root mean square error", ...properties.map((p) => (p === "nu" ? "ν" : p === "sigma_1" ? "σ₁" : p === "sigma_ci" ? "σci" : p))], c.errors.map((e) => [e.of, ...properties.map((p) => cell(e[p], p))]), "Errors, beside much simpler rules");
 }
 
 function cost(c: Calibration): Child {
@@ -630,7 +630,8 @@ function compared(c: Calibration, test: string): HTMLElement {
   const none = { note: "", theta: [], value: [] };
   const curve = p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
   const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
-  return chart(label + particulars(data.fitted[0]), curve.note, (width) => comparison(data, factor, width));
+  const note = data.rows.length > 1 ? curve.note : null; // rock without layers has one angle
+  return chart(label + particulars(data.fitted[0]), note, (width) => comparison(data, factor, width));
 }
 
 /** What the charts of a calibration hold: not every table has single specimens, nor every one a curve of theory. */
