@@ -208,8 +208,9 @@ TEST_F(RockFile, CrackInitiationGoesWithTheUcsOfItsAngle) {
   const std::string head = "theta [deg],confining [MPa],UCS [MPa],sigma_ci [MPa],sigma_ci_sd [MPa],n\n";
   const std::string rest = "45,,80,40,5,3\n90,,120,,,3\n";
   EXPECT_THAT(problems(head + "0,,100,45,4,3\n" + rest), IsEmpty());
-  EXPECT_THAT(problems(head + "0,,,45,4,3\n" + rest),
-              testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("UCS at the same angle"))));
+  EXPECT_THAT(
+      problems(head + "0,,,45,4,3\n" + rest),
+      testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("UCS at the same angle"))));
   EXPECT_THAT(problems(head + "0,,100,110,4,3\n" + rest),
               testing::ElementsAre(AllOf(HasSubstr("r.csv:2: sigma_ci"), HasSubstr("below UCS"))));
   const Rock r = rock(head + "0,10,150,70,4,3\n0,,100,45,4,3\n" + rest);
