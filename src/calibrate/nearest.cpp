@@ -21,6 +21,7 @@ struct Misfit {
   const StrengthPosterior& posterior;
   VectorXd mean, sd;      ///< of the draws
   Eigen::Index n_misses;  ///< of strengths, and of moduli as they are read
+  std::size_t left_out;
 
   int inputs() const { return static_cast<int>(mean.size()); }
   int values() const { return static_cast<int>(2 * n_misses + 2 * mean.size()); }
@@ -32,7 +33,8 @@ struct Misfit {
     for (Eigen::Index i = 0; i < n; ++i) {
       const StrengthPosterior::Miss& miss = misses[static_cast<std::size_t>(i)];
       const double unit = 0.5 * tolerance(miss.property);
-      r[i] = softened(miss.error / unit), r[n + i] = std::sqrt(miss.variance) / unit;
+      const double counts = static_cast<std::size_t>(i) == left_out ? 0.0 : 1.0 / unit;
+      r[i] = softened(miss.error * counts), r[n + i] = std::sqrt(miss.variance) * counts;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
       r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
@@ -57,10 +59,10 @@ struct Misfit {
   }
 };
 
-Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
+Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& draws, std::size_t left_out) {
   const auto m = static_cast<Eigen::Index>(draws.front().size());
   const auto n_misses = static_cast<Eigen::Index>(posterior.misses(draws.front()).size());
-  Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m), n_misses};
+  Misfit misfit{posterior, VectorXd::Zero(m), VectorXd::Zero(m), n_misses, left_out};
   const double n = static_cast<double>(draws.size());
   for (const Point& x : draws) misfit.mean += Eigen::Map<const VectorXd>(x.data(), m) / n;
   for (const Point& x : draws)
@@ -87,8 +89,9 @@ double softened(double x) {
   return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
 }
 
-Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws) {
-  const Misfit misfit = misfit_of(posterior, draws);
+Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                    std::size_t left_out) {
+  const Misfit misfit = misfit_of(posterior, draws, left_out);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
   std::sort(order.begin(), order.end());

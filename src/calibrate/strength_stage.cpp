@@ -290,9 +290,9 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
   if (posterior.n_targets() < 4) return;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
     const std::vector<Point> others = posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
-    double mean = 0.0;
-    for (const Point& x : others) mean += posterior.predict(x, i).mean / static_cast<double>(others.size());
-    fit.left_out.push_back(predicted(posterior, others, mean, i, true));
+    // the estimate that the calibration would have ended with
+    const Point without = nearest_point(posterior, others, i);
+    fit.left_out.push_back(predicted(posterior, others, posterior.predict(without, i).mean, i, true));
   }
 }
 
