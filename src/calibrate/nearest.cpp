@@ -33,8 +33,9 @@ struct Misfit {
     for (Eigen::Index i = 0; i < n; ++i) {
       const StrengthPosterior::Miss& miss = misses[static_cast<std::size_t>(i)];
       const double unit = 0.5 * tolerance(miss.property);
-      const double counts = static_cast<std::size_t>(i) == left_out ? 0.0 : 1.0 / unit;
-      r[i] = softened(miss.error * counts), r[n + i] = std::sqrt(miss.variance) * counts;
+      const bool counts = static_cast<std::size_t>(i) != left_out;
+      r[i] = counts ? softened(miss.error / unit) : 0.0;
+      r[n + i] = counts ? std::sqrt(miss.variance) / unit : 0.0;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
       r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
