@@ -9,6 +9,7 @@
 
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/forecast.hpp"
+#include "calibrate/margin.hpp"
 #include "calibrate/strength_posterior.hpp"
 #include "calibrate/strength_stage.hpp"
 
@@ -20,6 +21,9 @@ constexpr std::uint32_t sampler_seed = 20261122;
 // eight rocks of parallel bonds by planes three, by a little, are predicted better by flat joints, and of
 // eight of flat joints five by parallel bonds, which know more models of the layers and cost half as much.
 constexpr double clearly = 0.75;
+
+/// Where E is farther off no calibration ends within reach, whatever its strengths.
+bool has_E(const Rival& r) { return r.modulus_error <= modulus_limit; }
 
 /// Sum of squared relative errors, and how many.
 struct Squares {
@@ -100,6 +104,7 @@ bool foretold(const Rock& rock, const std::vector<Target>& targets) {
 /// does.
 bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Target>& targets) {
   const Rival& best = so_far.rivals[so_far.best];
+  if (has_E(one) != has_E(best)) return has_E(one);
   if (one.rock.model.matrix.model == MatrixModel::parallel_bond) return one.error < best.error;
   if (std::any_of(so_far.rivals.begin(), so_far.rivals.end(),
                   [&](const Rival& r) { return foretold(r.rock, targets); }))
@@ -159,6 +164,8 @@ std::string ModelChoice::text() const {
   for (const Rival& r : rivals)
     text += fmt::format("; {}: E fitted to {:.1f} %, strengths left out predicted to {:.0f} %",
                         model_in_words(r.rock), 100.0 * r.modulus_error, 100.0 * r.strength_error);
+  if (has_E(rivals[best]) && !std::all_of(rivals.begin(), rivals.end(), has_E))
+    text += fmt::format("; what misses E by more than {:g} % is passed over", 100.0 * modulus_limit);
   if (rivals.back().rock.model.matrix.model == MatrixModel::flat_joint)
     text += fmt::format(
         "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "

@@ -2,6 +2,7 @@
 // laboratory would report them, moduli by the direct solution of a small packing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <thread>
@@ -73,6 +74,21 @@ TEST(ModelChoice, TellsRocksOfPlanesFromRocksWithDirections) {
   EXPECT_GE(recognised("parallel-bond-crossing", "joints on planes", 3, *simulator) +
                 recognised("parallel-bond-directions", "directions of the bonds", 3, *simulator),
             5);
+}
+
+// Strengths of a rock with directions, E of one on planes, least at 45 degrees, which no directions have.
+TEST(ModelChoice, AModelWithoutTheEOfTheTableGivesWay) {
+  const auto simulator = all_cores();
+  Rock rock = rock_of(calibrate::reach_of(family("parallel-bond-directions")), 2);
+  std::erase_if(rock.readings, [](const RockReading& r) { return r.property == Property::E; });
+  const double E[] = {24.6, 23.0, 21.6, 21.4, 23.3, 29.7, 31.8};  // [GPa], every 15 degrees
+  for (int i = 0; i < 7; ++i) rock.readings.push_back(calibrate::reading(Property::E, 15.0 * i, 1e9 * E[i]));
+  const calibrate::ModelChoice choice = choice_for(rock, *simulator);
+  std::printf("%s\n", choice.text().c_str());
+  const calibrate::Rival& taken = choice.rivals[choice.best];
+  EXPECT_LT(taken.modulus_error, 0.06);
+  EXPECT_TRUE(std::any_of(choice.rivals.begin(), choice.rivals.end(),
+                          [&](const calibrate::Rival& r) { return r.error < taken.error; }));
 }
 
 // Flat joints are taken where UCS is more of the tensile strength than parallel bonds have.
