@@ -1,16 +1,20 @@
 # make deps     install what is missing (Debian packages)    make demo    calibrate the twin rock, print the tables
 # make deps-all also what no test is left out without        make test    build and run all tests
+# make python   the Python package, into build/python-env
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
 #                                                             make bench   measure the speed of the press
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
             libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libxxhash-dev libbenchmark-dev clang-format clang-tidy python3
-# For phyllite figure, film and study --mpi only, and for the test of a full disk.
-MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
+# For phyllite figure, film and study --mpi only, for the test of a full disk, for the Python package and its notebooks.
+MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount $(PYTHON) python3-pandas python3-matplotlib \
+       python3-nbclient python3-ipykernel
+# For the Python package.
+PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy record docs web browser clean
+.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -28,6 +32,16 @@ build:
 # What a user needs; `build` makes tests and benchmarks too.
 program:
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target phyllite
+
+# Into a virtual environment that sees Debian's NumPy.
+VENV ?= build/python-env
+python: PACKAGES += $(PYTHON)
+python: deps
+	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target phyllite_python
+	@test -x $(VENV)/bin/python || /usr/bin/python3 -m venv --system-site-packages $(VENV)
+	@cmake --install $(BUILD) --component python \
+	  --prefix "$$($(VENV)/bin/python -c 'import sysconfig; print(sysconfig.get_path("platlib"))')" >/dev/null
+	@$(VENV)/bin/python -c 'import phyllite; print("python: phyllite", phyllite.__version__, "is installed in $(VENV): start $(VENV)/bin/python")'
 
 demo: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume

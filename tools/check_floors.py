@@ -18,7 +18,8 @@ FLOORS = {
     "genesis": 4, "lab": 4, "statics": 4,
     "study": 5, "report": 5,
     "calibrate": 6, "verification": 6,
-    "cli": 7,
+    "jobs": 7,
+    "cli": 8, "python": 8,
 }
 MAKES_RESULTS = {"laws", "contact", "engine", "analysis", "genesis", "lab", "statics"}
 NEVER = {("analysis", "engine"), ("analysis", "genesis")}

@@ -2,21 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ranges>
 
-#include "base/clock.hpp"
 #include "base/lines.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
-#include "genesis/cache.hpp"
-#include "genesis/specimen.hpp"
 #include "io/toml_in.hpp"
 #include "records/jointed.hpp"
-#include "statics/uniaxial.hpp"
+#include "study/elastic_study.hpp"
 #include "study/press_check.hpp"
-#include "theory/eq1_fit.hpp"
 
 namespace phy::cli {
 namespace {
@@ -28,45 +23,13 @@ struct ElasticArguments {
   bool press = false;
 };
 
-/// The specimens of a recipe with both answers. The intact specimen is always there, as the last one, unless
-/// the matrix has directions: then no specimen is intact.
-struct ElasticStudy {
-  Recipe recipe;
-  std::vector<Specimen> specimens;
-  std::vector<ElasticResult> one_sided, bilateral;
-  double seconds = 0.0;
-
-  bool has_intact() const { return !layered(specimens.back()); }
-  std::size_t n_angles() const { return specimens.size() - (has_intact() ? 1 : 0); }
-  double theta(std::size_t i) const { return inclination(specimens[i]); }
-  const ElasticResult& intact() const { return one_sided.back(); }
-};
-
-ElasticStudy solve_recipe(const Recipe& recipe, const ElasticArguments& args, int threads) {
-  ElasticStudy study;
-  study.recipe = recipe;
-  Recipe with_intact = study.recipe;
-  with_intact.test.intact = !recipe.matrix.directional();
-  with_intact.test.kind = TestKind("uniaxial");  // the whole specimen, whatever test the recipe names
-  study.specimens =
-      genesis::make_specimens(genesis::packing_of(recipe, genesis::default_cache_folder()), with_intact);
-  const auto start = std::chrono::steady_clock::now();
-  statics::ElasticOptions options;
-  options.platens = args.glued ? statics::Platens::glued : statics::Platens::frictionless;
-  study.one_sided = statics::solve_all(study.specimens, options, threads);
-  options.bilateral = true;
-  study.bilateral = statics::solve_all(study.specimens, options, threads);
-  study.seconds = seconds_since(start);
-  return study;
-}
-
 /// A column with one cell per specimen, or per angle if `n` says so.
 template <class Cell>
 Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
   return column_of(std::move(head), std::move(unit), std::views::iota(std::size_t{0}, n), cell);
 }
 
-Column names_of(const ElasticStudy& study) {
+Column names_of(const study::ElasticStudy& study) {
   Column c =
       column("specimen", "", study.specimens.size(), [&](std::size_t i) { return study.one_sided[i].name; });
   c.left = true;
@@ -75,7 +38,7 @@ Column names_of(const ElasticStudy& study) {
 
 std::string fixed(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 
-void print_moduli(const ElasticStudy& study, int width) {
+void print_moduli(const study::ElasticStudy& study, int width) {
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, study.specimens.size(),
                   [&](std::size_t i) { return cell(study.one_sided[i], study.bilateral[i]); });
@@ -110,7 +73,7 @@ void print_moduli(const ElasticStudy& study, int width) {
 }
 
 /// Reasons and advice of all results without an answer. Returns whether all were solved.
-bool print_outcomes(const ElasticStudy& study, int width) {
+bool print_outcomes(const study::ElasticStudy& study, int width) {
   bool all_solved = true;
   for (const auto* results : {&study.one_sided, &study.bilateral}) {
     for (const ElasticResult& r : *results) {
@@ -126,35 +89,7 @@ bool print_outcomes(const ElasticStudy& study, int width) {
   return all_solved;
 }
 
-/// Eq. 1 fitted with one kind of contacts and one reference.
-struct NamedFit {
-  std::string name;
-  theory::Eq1Fit fit;
-};
-
-std::vector<NamedFit> fit_all(const ElasticStudy& study, bool modulus_loss) {
-  std::vector<NamedFit> fits;
-  for (const bool bilateral : {false, true}) {
-    const std::vector<ElasticResult>& results = bilateral ? study.bilateral : study.one_sided;
-    std::vector<theory::ModulusReading> readings;
-    for (std::size_t i = 0; i < study.n_angles(); ++i)
-      readings.push_back({study.theta(i), results[i].E_gauge});
-    const auto fit = [&](const char* name, theory::Eq1Reference reference) {
-      theory::Eq1Options options;
-      options.loss = modulus_loss ? theory::Eq1Loss::modulus : theory::Eq1Loss::compliance;
-      options.reference = reference;
-      options.E = results.back().E_gauge;
-      fits.push_back({fmt::format("{}, {}", bilateral ? "pulling" : "pushing", name),
-                      theory::fit_eq1(readings, options)});
-    };
-    fit("intact", theory::Eq1Reference::given);
-    fit("90 deg", theory::Eq1Reference::measured_90);
-    fit("free", theory::Eq1Reference::free);
-  }
-  return fits;
-}
-
-void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
+void print_fits(const study::ElasticStudy& study, bool modulus_loss, int width) {
   if (study.recipe.bedding.empty() || study.n_angles() == 0) return;
   if (!jointed_isotropic(study.recipe)) {
     print_wrapped(width, 0, "\nno macro joint stiffness by Eq. 1: {}\n", no_weak_planes(study.recipe));
@@ -164,7 +99,8 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
   const BeddingRecipe& set = study.recipe.bedding[0];
   const double scale = set.has_planes() ? 1e-9 / set.spacing : 1e-9;
   const char* const per = set.has_planes() ? "GPa/m" : "GPa";
-  const std::vector<NamedFit> fits = fit_all(study, modulus_loss);
+  const std::vector<study::NamedFit> fits =
+      study::fit_all(study, modulus_loss ? theory::Eq1Loss::modulus : theory::Eq1Loss::compliance);
   const auto of = [&](const char* head, const char* unit, const auto& cell) {
     return column(head, unit, fits.size(),
                   [&](std::size_t i) { return fits[i].fit.ok() ? cell(fits[i].fit) : std::string("-"); });
@@ -190,13 +126,13 @@ void print_fits(const ElasticStudy& study, bool modulus_loss, int width) {
                                  : "joints dispersed, no spacing delta");
   print_out("{}", text_table(label, {normal, shear, shape}, width));
   std::vector<std::string> missing;
-  for (const NamedFit& f : fits)
+  for (const study::NamedFit& f : fits)
     if (!f.fit.ok()) add_line(missing, f.name, "no fit: " + f.fit.reason);
   for (const std::string& line : missing) print_wrapped(width, 2, "{}\n", line);
 }
 
 /// Parameters down, specimens across; the intact specimen has no joints, and so a shorter list.
-void print_sensitivities(const ElasticStudy& study, int width) {
+void print_sensitivities(const study::ElasticStudy& study, int width) {
   const std::vector<ElasticResult>& results = study.one_sided;
   const auto longest = std::max_element(results.begin(), results.end(), [](const auto& a, const auto& b) {
     return a.sensitivities.size() < b.sensitivities.size();
@@ -227,7 +163,7 @@ void print_sensitivities(const ElasticStudy& study, int width) {
   }
 }
 
-void print_packing(const ElasticStudy& study, int width) {
+void print_packing(const study::ElasticStudy& study, int width) {
   const Packing& p = *study.specimens.back().packing;
   print_wrapped(width, 8, "packing {} discs, porosity {:.4f}, coordination {:.3f}\n", p.discs.size(),
                 p.report.porosity, p.report.coordination);
@@ -259,7 +195,7 @@ void print_packing(const ElasticStudy& study, int width) {
   print_out("\n{}", text_table(theta, {bedding}, width));
 }
 
-Columns direct_columns(const ElasticStudy& study) {
+Columns direct_columns(const study::ElasticStudy& study) {
   const std::size_t n = study.specimens.size();
   return {column("E direct", "GPa", n,
                  [&](std::size_t i) { return fixed(study.one_sided[i].E_gauge * 1e-9, 3); }),
@@ -267,7 +203,7 @@ Columns direct_columns(const ElasticStudy& study) {
 }
 
 /// Moduli of the press and by how much they differ from the direct solution.
-Columns press_columns(const ElasticStudy& study, const char* head,
+Columns press_columns(const study::ElasticStudy& study, const char* head,
                       const std::vector<study::PressModuli>& press) {
   const auto of = [&](const char* name, const char* unit, const auto& cell) {
     return column(name, unit, press.size(),
@@ -283,7 +219,7 @@ Columns press_columns(const ElasticStudy& study, const char* head,
 
 /// Runs the specimens under the press too, without and with slip and cracking. Returns whether all runs
 /// ended.
-bool print_press(const ElasticStudy& study, const study::MachineOptions& machine, int width) {
+bool print_press(const study::ElasticStudy& study, const study::MachineOptions& machine, int width) {
   const auto held = study::press_moduli(study.specimens, study.recipe, machine, true);
   const auto free = study::press_moduli(study.specimens, study.recipe, machine, false);
   const Columns slip = {
@@ -311,7 +247,8 @@ bool print_press(const ElasticStudy& study, const study::MachineOptions& machine
 int elastic(const ElasticArguments& args, const Session& session) {
   const int threads = n_threads(session), width = session.terminal_width;
   const Recipe recipe = io::read_recipe(args.recipe);
-  const ElasticStudy study = solve_recipe(recipe, args, threads);
+  const study::ElasticStudy study = study::solve_recipe(
+      recipe, args.glued ? statics::Platens::glued : statics::Platens::frictionless, threads);
   print_wrapped(width, 8, "recipe  {} ({}), {} platens\n", study.recipe.name, args.recipe,
                 args.glued ? "glued" : "frictionless");
   print_notes(recipe.notes, width);

@@ -17,6 +17,7 @@
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/calibration_folder.hpp"
 #include "records/quality.hpp"
 #include "records/test_description.hpp"
 #include "study/band.hpp"
@@ -34,24 +35,25 @@ constexpr std::size_t fewest_draws = 2;
 std::vector<Recipe> read_draws(const std::string& path, const Recipe& recipe) {
   const std::string folder = fs::path(path).parent_path().string();
   std::vector<Recipe> draws;
-  for (std::string file; fs::exists(file = ensemble_file(folder, draws.size()));) {
+  for (std::string file; fs::exists(file = jobs::ensemble_file(folder, draws.size()));) {
     draws.push_back(io::read_recipe(file));
     draws.back().test = recipe.test, draws.back().engine = recipe.engine;
     draws.back().test.n_snapshots = draws.back().test.n_frames = 0;  // the store keeps no pictures
   }
   std::size_t n_files = 0;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(fs::path(ensemble_file(folder, 0)).parent_path(), none))
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(jobs::ensemble_file(folder, 0)).parent_path(), none))
     n_files += entry.path().extension() == ".toml" ? 1 : 0;
   if (n_files > draws.size())
     throw InputError(Problem{
         path, "--ensemble", fmt::format("{} files", n_files),
-        "draws that are numbered without a gap, " + ensemble_file(folder, draws.size()) + " among them",
+        "draws that are numbered without a gap, " + jobs::ensemble_file(folder, draws.size()) + " among them",
         "a band of some of the draws is another one: bring the file back"});
   if (draws.size() < fewest_draws)
     throw InputError(
         Problem{path, "--ensemble", "",
-                "the draws of a calibration beside it, " + ensemble_file(folder, 0) + " and so on",
+                "the draws of a calibration beside it, " + jobs::ensemble_file(folder, 0) + " and so on",
                 "give calibrated.toml in the folder where `phyllite calibrate` has left it; one of before "
                 "this version, "
                 "or by --method sequence, has no draws"});
@@ -233,10 +235,6 @@ std::string only_recipe(const std::vector<std::string>& recipes) {
 }
 
 }  // namespace
-
-std::string ensemble_file(const std::string& folder, std::size_t k) {
-  return (fs::path(folder) / "ensemble" / fmt::format("{:02}.toml", k + 1)).string();
-}
 
 int run_ensemble(const EnsembleArguments& args, const Session& session,
                  const std::vector<double>& confining) {

@@ -8,9 +8,6 @@
 
 namespace phy::cli {
 
-/// File of draw k, from 0, in the folder of a calibration.
-std::string ensemble_file(const std::string& folder, std::size_t k);
-
 struct EnsembleArguments {
   std::vector<std::string> recipes;  ///< of the command line; one is wanted
   std::string out;

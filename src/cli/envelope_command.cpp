@@ -13,7 +13,6 @@
 #include "base/units.hpp"
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
-#include "cli/other_results.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
@@ -22,6 +21,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
 #include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
@@ -246,8 +246,8 @@ int envelope_of(const EnvelopeArguments& args, const Session& session) {
   std::vector<Problem> others;
   for (const double sigma_3 : confining)
     for (Problem& p :
-         problems_of_others((out / folder_of(sigma_3)).string(), study::confined_recipe(recipe, sigma_3),
-                            args.recipe, "use another --out"))
+         jobs::problems_of_others((out / folder_of(sigma_3)).string(),
+                                  study::confined_recipe(recipe, sigma_3), args.recipe, "use another --out"))
       others.push_back(std::move(p));
   if (!others.empty()) throw InputError(std::move(others));
   for (const double sigma_3 : confining)

@@ -1,12 +1,10 @@
 #include "cli/machine.hpp"
 
-#include <sched.h>
-
-#include <algorithm>
 #include <csignal>
 
 #include "base/check.hpp"
 #include "io/program.hpp"
+#include "jobs/machine.hpp"
 
 namespace phy::cli {
 namespace {
@@ -32,23 +30,11 @@ bool catch_signals() {
   return true;
 }
 
-int available_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-  return std::max(1, CPU_COUNT(&set));
-}
-
 }  // namespace
 
-int n_threads(const Session& session) { return session.threads > 0 ? session.threads : available_cores(); }
+int n_threads(const Session& session) { return jobs::n_threads(session.threads); }
 
-study::MachineOptions machine_of(const Session& session) {
-  study::MachineOptions machine;
-  machine.isa = engine::native_isa();
-  machine.threads = n_threads(session);
-  return machine;
-}
+study::MachineOptions machine_of(const Session& session) { return jobs::machine_of(session.threads); }
 
 const std::atomic<bool>* stop_on_interrupt() {
   static const bool once = catch_signals();

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/settle.hpp"
+#include "jobs/failure.hpp"
 #include "records/recipe_schema.hpp"
 
 namespace {
@@ -125,13 +126,12 @@ int main(int argc, char** argv) {
   } catch (const phy::genesis::Interrupted& e) {
     return say(1, "", e.what());
   } catch (const std::bad_alloc&) {
-    return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
+    return say(4, "", phy::jobs::no_memory);
   } catch (const std::filesystem::filesystem_error& e) {
-    const std::string what = e.path1().string() + ": " + e.code().message();
-    return say(3, "", (phy::terminal_text(what) + "; allow access to it, or choose another place").c_str());
+    return say(3, "", phy::terminal_text(phy::jobs::in_words(e)).c_str());
   } catch (const std::system_error& e) {
     return say(3, "system: ", e.what());
   } catch (const std::exception& e) {
-    return say(4, "internal error, please report it: ", e.what());
+    return say(4, phy::jobs::internal, e.what());
   }
 }

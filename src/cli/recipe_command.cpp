@@ -1,9 +1,9 @@
 // `phyllite recipe`: what every key means, a template, the reference page. All of it comes from the schema.
 #include "base/check.hpp"
 #include "cli/commands.hpp"
-#include "cli/keys.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/keys.hpp"
 #include "report/pfc_commands.hpp"
 
 namespace phy::cli {
@@ -35,9 +35,9 @@ void add_recipe_command(CLI::App& app, Session& session) {
     session.exit_code = 0;
     std::string text;
     if (!args->key.empty())
-      text = explain({&io::recipe_schema()}, args->key);
+      text = jobs::explain({&io::recipe_schema()}, args->key);
     else if (args->reference)
-      text = reference_markdown(io::recipe_schema());
+      text = jobs::reference_markdown(io::recipe_schema());
     else if (args->print_template)
       text = template_recipe();
     else if (!args->file.empty())

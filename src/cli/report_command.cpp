@@ -3,21 +3,14 @@
 
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "base/check.hpp"
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
-#include "io/file.hpp"
-#include "io/load.hpp"
-#include "io/load_variation.hpp"
 #include "io/output.hpp"
 #include "io/rock_in.hpp"
-#include "io/table.hpp"
-#include "io/toml_in.hpp"
-#include "report/page.hpp"
+#include "jobs/report.hpp"
 
 namespace phy::cli {
 namespace {
@@ -28,71 +21,9 @@ struct ReportArguments {
   std::string result, rock, out;
 };
 
-bool has(const std::string& folder, const char* file) {
-  std::error_code none;
-  return fs::exists(fs::path(folder) / file, none);
-}
-std::string text_of(const std::string& folder, const char* file) {
-  return has(folder, file) ? io::read_written((fs::path(folder) / file).string()) : "";
-}
-
-/// The table that a calibration went by.
-std::vector<Target> laboratory_of(const nlohmann::json& calibration) {
-  std::vector<Target> targets;
-  for (const nlohmann::json& row : calibration.at("fitted")) {
-    Target t;
-    for (int i = 0; i < n_properties; ++i)
-      if (row.at("property") == to_string(static_cast<Property>(i))) t.property = static_cast<Property>(i);
-    t.theta = row.at("theta [deg]"), t.mean = row.at("laboratory").at("mean");
-    t.sd = row.at("laboratory").at("sd"), t.n = row.at("laboratory").at("n");
-    t.diameter = row.value("diameter [m]", 0.0), t.confining = row.value("confining [Pa]", 0.0);
-    targets.push_back(t);
-  }
-  return targets;
-}
-
-report::PageExtras of_calibration(const std::string& folder) {
-  report::PageExtras extras;
-  extras.calibration = text_of(folder, "calibration.json");
-  try {
-    const auto j = nlohmann::json::parse(extras.calibration);
-    if (j.at("format") != 1) throw std::out_of_range("another version of the format");
-    extras.name = j.at("rock");
-    extras.laboratory = laboratory_of(j);
-  } catch (const std::exception& e) {
-    throw InputError(Problem{folder + "/calibration.json", "", "", "a calibration of format 1", e.what()});
-  }
-  extras.recipe = text_of(folder, "calibrated.toml");
-  return extras;
-}
-
-report::PageExtras of_study(const std::string& folder) {
-  report::PageExtras extras;
-  extras.variation = io::read_variation(folder);
-  extras.name = extras.variation->name;
-  extras.recipe = text_of(folder, "recipe.toml");
-  if (has(folder, "effects.csv")) {
-    const io::Table table = io::parse_table(text_of(folder, "effects.csv"), folder + "/effects.csv");
-    if (!table.problems.empty()) throw InputError(table.problems);
-    extras.effects.push_back(table.header);
-    for (const io::TableRow& row : table.rows) extras.effects.push_back(row.cells);
-  }
-  return extras;
-}
-
 /// The exit code.
 int report(const ReportArguments& args) {
-  RunRecord run;
-  report::PageExtras extras;
-  if (has(args.result, "calibration.json")) {
-    extras = of_calibration(args.result);
-    const std::string specimens = (fs::path(args.result) / "specimens").string();
-    if (fs::is_directory(specimens) && !io::result_folders(specimens).empty()) run = io::read_run(specimens);
-  } else if (io::holds_variation(args.result)) {
-    extras = of_study(args.result);
-  } else {
-    run = io::read_run(args.result);
-  }
+  auto [run, extras] = jobs::read_report(args.result);
   if (!args.rock.empty()) extras.laboratory = targets_of(io::read_rock(args.rock));
   const std::string out = args.out.empty() ? (fs::path(args.result) / "report.html").string() : args.out;
   io::check_outputs({out});

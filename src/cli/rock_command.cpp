@@ -1,25 +1,18 @@
 // `phyllite rock new NAME`, `phyllite rock check ROCK` and `phyllite rock twin RECIPE NAME`: the laboratory's
 // side of a calibration.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 
 #include "base/quote.hpp"
-#include "calibrate/closed_forms.hpp"
-#include "calibrate/forecast.hpp"
-#include "calibrate/identifiability.hpp"
-#include "calibrate/model_choice.hpp"
-#include "calibrate/outliers.hpp"
-#include "calibrate/reach_check.hpp"
 #include "calibrate/twin.hpp"
-#include "cli/keys.hpp"
 #include "cli/machine.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
 #include "io/toml_in.hpp"
-#include "report/calibration_tables.hpp"
+#include "jobs/keys.hpp"
+#include "jobs/rock_check.hpp"
 
 namespace phy::cli {
 namespace {
@@ -51,39 +44,8 @@ int rock_new(const std::string& name) {
   return 0;
 }
 
-/// What the table says by itself: closed forms, and values that do not belong to the others.
-void print_what_the_table_says(const calibrate::Evidence& evidence, int width) {
-  std::vector<std::string> lines = calibrate::closed_forms(evidence);
-  for (auto more :
-       {calibrate::outlying_specimens(evidence.rock), calibrate::outlying_cells(evidence.targets)})
-    lines.insert(lines.end(), more.begin(), more.end());
-  for (const std::string& line : lines) print_wrapped(width, 2, "- {}\n", line);
-  if (!lines.empty()) print_out("\n");
-}
-
-std::string all_in_words(const std::vector<Rock>& models) {
-  std::vector<std::string> words;
-  for (const Rock& rock : models) words.push_back(calibrate::model_in_words(rock));
-  return fmt::format("{}", fmt::join(words, "; "));
-}
-
 int rock_check(const std::string& path, int width) {
-  const Rock read = io::read_rock(path);
-  const calibrate::Evidence evidence(calibrate::with_model(read, read.layers, read.matrix));
-  const Rock& rock = evidence.rock;
-  print_wrapped(width, 10, "rock      {} ({})\n", rock.name, path);
-  print_notes(rock.notes, width);
-  const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
-  print_out("\n{}\n", report::target_table(evidence.targets, width));
-  print_what_the_table_says(evidence, width);
-  print_out("{}", report::identifiability_table({expected.begin(), expected.end()}, width));
-  if (const std::vector<Rock> models = calibrate::candidates_of(evidence); models.size() > 1)
-    print_wrapped(width, 2, "- parameters as of {}; calibrate chooses between {}\n",
-                  calibrate::model_in_words(models.front()), all_in_words(models));
-  for (const std::string& line : calibrate::advice(evidence)) print_wrapped(width, 2, "- {}\n", line);
-  for (const std::string& line : calibrate::place_in_maps(evidence)) print_wrapped(width, 2, "- {}\n", line);
-  if (const auto forecast = calibrate::foretell(evidence))
-    print_wrapped(width, 2, "\n{}\n", calibrate::forecast_text(*forecast));
+  write_out(jobs::rock_check(io::read_rock(path), path, width));
   return 0;
 }
 
@@ -139,8 +101,8 @@ void add_rock_command(CLI::App& app, Session& session) {
     if (key->empty() && !*reference)
       throw InputError(
           Problem{"command line", "verb", "", "one of new, check, twin", "see `phyllite rock --help`"});
-    write_out(*reference ? "\n" + reference_markdown(io::rock_schema())
-                         : explain({&io::rock_schema()}, *key));
+    write_out(*reference ? "\n" + jobs::reference_markdown(io::rock_schema())
+                         : jobs::explain({&io::rock_schema()}, *key));
     session.exit_code = 0;
   });
   auto name = std::make_shared<std::string>("rock");

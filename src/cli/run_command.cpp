@@ -11,7 +11,6 @@
 #include "cli/commands.hpp"
 #include "cli/ensemble.hpp"
 #include "cli/machine.hpp"
-#include "cli/other_results.hpp"
 #include "cli/press.hpp"
 #include "cli/terminal.hpp"
 #include "engine/kernels.hpp"
@@ -21,8 +20,8 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
-#include "report/page.hpp"
 #include "report/tables.hpp"
 
 namespace phy::cli {
@@ -95,21 +94,6 @@ Made make_all(const Recipe& recipe, bool no_cache, int width) {
   return made;
 }
 
-std::string page_of(const std::string& folder) { return (fs::path(folder) / "report.html").string(); }
-
-/// One page for the whole run, from the folders of its specimens.
-void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
-  RunRecord run;
-  for (const TestResult& r : results) {
-    const auto place = fs::path(folder) / io::folder_name(r.name);
-    if (r.outcome.status == Status::interrupted)
-      run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
-    else
-      run.tests.push_back(io::read_result(place.string()));
-  }
-  io::write_output(page_of(folder), report::report_page(run));
-}
-
 /// Threads, lanes and instruction set; prints them.
 study::MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& args, const Session& session,
                                      std::size_t n_specimens) {
@@ -158,17 +142,8 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
   if (!problems.empty()) throw InputError(std::move(problems));
   for (RecipeRun& job : jobs) {
     job.recipe = io::read_recipe(job.path);
-    pages.push_back(page_of(job.folder));
-    for (const std::string& name : specimen_names(job.recipe))
-      io::check_result_place((fs::path(job.folder) / io::folder_name(name)).string());
-    if (args.replace) {
-      for (const auto& [folder, difference] : results_of_others(job.folder, job.recipe))
-        io::check_result_place(folder);
-      continue;
-    }
-    for (Problem& p :
-         problems_of_others(job.folder, job.recipe, job.path,
-                            "use another --out, or --replace to remove them when the run begins"))
+    pages.push_back(jobs::page_of(job.folder));
+    for (Problem& p : jobs::run_folder_problems(job.folder, job.recipe, job.path, args.replace))
       problems.push_back(std::move(p));
   }
   for (const RecipeRun& job : jobs)
@@ -191,7 +166,7 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
                        [&](const TestResult& r) { return wanted(r.outcome.status); });
   };
   const bool any = has([](Status s) { return s != Status::interrupted; });
-  if (any) write_run_report(job.folder, results);
+  if (any) jobs::write_run_report(job.folder, results);
   print_out("\n{}\n", report::press_table(results, width));
   const std::string trouble = report::outcome_lines(results);
   if (!trouble.empty()) print_wrapped(width, 2, "{}\n", trouble);
@@ -204,23 +179,8 @@ int finish(const RecipeRun& job, const std::vector<TestResult>& results, const C
   return has([](Status s) { return !has_strength(s); }) ? 1 : 0;
 }
 
-/// Makes a folder for results; where nothing comes into it, it goes again.
-struct ResultFolder {
-  explicit ResultFolder(const std::string& folder) : path(folder), is_new(!fs::exists(folder)) {
-    io::check_writable(folder);
-  }
-  ResultFolder(const ResultFolder&) = delete;
-  ResultFolder& operator=(const ResultFolder&) = delete;
-  ~ResultFolder() {
-    std::error_code not_empty;
-    if (is_new) fs::remove(path, not_empty);
-  }
-  fs::path path;
-  bool is_new;
-};
-
 int run_one(const RecipeRun& job, const RunArguments& args, const Session& session) {
-  const ResultFolder folder(job.folder);
+  const jobs::ResultFolder folder(job.folder);
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
@@ -230,7 +190,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)
-    for (const auto& [other, difference] : results_of_others(job.folder, job.recipe))
+    for (const auto& [other, difference] : jobs::results_of_others(job.folder, job.recipe))
       io::remove_folder(other);
   return finish(job, press(job.recipe, made.specimens, job.folder, machine), start, width);
 }

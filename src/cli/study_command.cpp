@@ -9,7 +9,6 @@
 #include "base/check.hpp"
 #include "base/quote.hpp"
 #include "cli/commands.hpp"
-#include "cli/keys.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
@@ -19,6 +18,8 @@
 #include "io/output.hpp"
 #include "io/regressions.hpp"
 #include "io/store.hpp"
+#include "jobs/keys.hpp"
+#include "jobs/study_folder.hpp"
 #include "study/effects.hpp"
 #include "study/experiment.hpp"
 #include "study/mpi.hpp"
@@ -59,12 +60,6 @@ study::Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-std::string store_file(const std::string& folder, const study::Shard& shard) {
-  return (fs::path(folder) /
-          (shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n)))
-      .string();
-}
-
 struct StudyRun {
   study::WorkReport report;
   std::size_t n_new = 0, n_guest = 0;
@@ -76,7 +71,7 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
   study::StudyHooks hooks;
   hooks.stop = stop_on_interrupt();
   hooks.on_progress = [&](const study::StudyProgress& p) {
-    line.show([&](double seconds) { return progress_text(p, seconds); });
+    line.show([&](double seconds) { return jobs::progress_text(p, seconds); });
   };
   hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
     if (!has_answer(r.outcome.status)) line.note(r.name + ": " + r.outcome.reason);
@@ -90,39 +85,15 @@ StudyRun run_plan(const study::Plan& plan, study::Store& store, const Session& s
   return {report, queue.progress().n_new, queue.progress().n_guest};
 }
 
-std::string in(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / name).string();
-}
-
-void check_effects(const std::string& folder) {
-  io::check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
-}
-
-/// The tables of a whole store, and its page.
-void check_tables(const std::string& folder, const std::string& option) {
-  io::check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
-                     in(folder, "report.html")},
-                    option);
-}
-
-/// Writes the effects into a folder and prints them: in this order, as the output may be closed or full.
-void report_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
-                    int width) {
-  const std::vector<study::Response> all = study::all_responses(plan, rows);
-  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, all));
-  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, all));
-  print_out("{}", study::effects_text(plan, rows, width));
-}
-
 std::ptrdiff_t n_finished(const study::StudyRows& rows) {
   return std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); });
 }
 
-/// The tables of a whole store.
-void write_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
-                  int width) {
-  io::write_output(in(folder, "results.csv"), study::study_csv(plan, rows));
-  report_effects(plan, rows, folder, width);
+/// The tables of a whole store, written before they are printed: the output may be closed or full.
+void report_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder,
+                   int width) {
+  jobs::write_tables(plan, rows, folder);
+  print_out("{}", study::effects_text(plan, rows, width));
   print_out("\ntables in {}: results.csv, responses.csv, effects.csv\n", folder);
   if (!plan.study.vary.empty()) write_report(folder);
 }
@@ -130,7 +101,7 @@ void write_tables(const study::Plan& plan, const study::StudyRows& rows, const s
 int finish_study(const study::Plan& plan, const study::Store& store, const std::string& folder,
                  const study::Shard& shard, const StudyRun& run, const Session& session) {
   const auto rows = study::rows_of(plan, store);
-  if (shard.n == 1 && n_finished(rows) > 0) write_tables(plan, rows, folder, session.terminal_width);
+  if (shard.n == 1 && n_finished(rows) > 0) report_tables(plan, rows, folder, session.terminal_width);
   const std::size_t n_bad = print_failures(plan, rows, session.terminal_width),
                     n_left = n_unfinished(plan, rows);
   const study::WorkReport& report = run.report;
@@ -153,105 +124,42 @@ int run_as_guest(const study::Plan& plan, const study::Ranks& ranks, const study
   return 0;
 }
 
-/// A folder of an earlier run, with its study.
-study::Study study_in(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "study.toml").string();
-  if (!fs::exists(file))
-    throw IoError(folder + ": is no folder of a study (no study.toml); name the --out of `phyllite study`");
-  return study::read_study(file);
-}
-
-std::vector<std::string> shards_in(const std::string& folder) {
-  std::vector<std::string> shards;
-  for (const fs::path entry : io::list_folder(folder))
-    if (entry.filename().string().starts_with("shard-") && entry.extension() == ".sqlite")
-      shards.push_back(entry.string());
-  return shards;
-}
-
-/// A folder holds one study: of this name and solver, on this base recipe. It may grow.
-void refuse_other_study(const study::Study& study, const std::string& folder) {
-  std::error_code none;
-  if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
-  const study::Study there = study_in(folder);
-  const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
-  if (there.name != study.name)
-    throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
-  if (there.solver != study.solver)
-    throw InputError(Problem{folder, "solver", study::to_string(there.solver),
-                             std::string(study::to_string(study.solver)) + ", as in the study file", remedy});
-  if (const auto d = study::first_difference(there.base, study.base))
-    throw InputError(
-        Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
-}
-
-/// What parts have run would run again, unless it is merged first.
-void refuse_unmerged(const std::string& folder) {
-  std::error_code none;
-  if (!fs::is_directory(folder, none)) return;
-  const std::vector<std::string> parts = shards_in(folder);
-  const std::string whole = store_file(folder, {});
-  std::vector<std::string> known;
-  if (!parts.empty() && fs::exists(whole)) known = study::Store(whole).keys();
-  for (const std::string& part : parts) {
-    const std::vector<std::string> keys = study::Store(part, study::Sharing::alone).keys();
-    if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
-      throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
-                                sh_word(folder)));
-  }
-}
-
-/// The files that say what a study is; none for one that goes on where they are.
-using StudyFiles = std::vector<std::pair<std::string, std::string>>;
-
-/// Before the folder is looked at: what it holds of an earlier run is no input.
-void check_study_outputs(const StudyFiles& files, const std::string& folder, const study::Shard& shard) {
-  std::vector<std::string> fresh;
-  for (const auto& [name, content] : files)
-    if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
-  io::check_outputs(fresh);
-  if (shard.n == 1) check_tables(folder, files.empty() ? "" : "--out");
-}
-
-int run_study(const study::Study& study, const StudyFiles& files, const StudyArguments& args,
+int run_study(const study::Study& study, const jobs::StudyFiles& files, const StudyArguments& args,
               const std::string& folder, const Session& session) {
   const study::Shard shard = parse_shard(args.shard);
-  if (!args.dry_run) check_study_outputs(files, folder, shard);
-  refuse_other_study(study, folder);
-  if (shard.n == 1) refuse_unmerged(folder);
+  if (!args.dry_run) jobs::check_study_outputs(files, folder, shard);
+  jobs::refuse_other_study(study, folder);
+  if (shard.n == 1) jobs::refuse_unmerged(folder);
   std::optional<study::Ranks> ranks;
   if (args.mpi) ranks.emplace();
   const study::Plan plan = study::make_plan(study, shard);
   if (ranks) ranks->check_same(plan);
   if (ranks && ranks->rank() > 0) return args.dry_run ? 0 : run_as_guest(plan, *ranks, machine_of(session));
-  const std::string file = store_file(folder, shard);
+  const std::string file = jobs::store_file(folder, shard);
   if (args.dry_run) {
     study::StudyRows rows(plan.tests.size());
     if (fs::exists(file)) rows = study::rows_of(plan, study::Store(file, study::Sharing::reading));
     print_plan(plan, rows, session);
     return 0;
   }
-  io::check_writable(folder);
-  study::Store store(file, shard.n == 1 ? study::Sharing::shared
-                                        : study::Sharing::alone);  // first: it may be somebody else's
-  for (const auto& [name, content] : files) io::write_output(in(folder, name), content);
-  print_plan(plan, study::rows_of(plan, store), session);
+  const auto store = jobs::begin_study(files, folder, shard);
+  print_plan(plan, study::rows_of(plan, *store), session);
   flush_out();
-  const StudyRun run = run_plan(plan, store, session, ranks ? &*ranks : nullptr);
-  return finish_study(plan, store, folder, shard, run, session);
+  const StudyRun run = run_plan(plan, *store, session, ranks ? &*ranks : nullptr);
+  return finish_study(plan, *store, folder, shard, run, session);
 }
 
 /// The whole store of a study that has run.
 study::Store store_in(const std::string& folder) {
-  const std::string file = store_file(folder, {});
+  const std::string file = jobs::store_file(folder, {});
   if (!fs::exists(file))
     throw IoError(fmt::format("{}: has no store yet; phyllite study {} {}", file,
-                              shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
+                              jobs::shards_in(folder).empty() ? "resume" : "merge", sh_word(folder)));
   return study::Store(file, study::Sharing::reading);
 }
 
 int status_of(const StudyArguments& args, const Session& session) {
-  const study::Plan plan = study::make_plan(study_in(args.folder));
+  const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
   const study::Store store = store_in(args.folder);
   const auto rows = study::rows_of(plan, store);
   print_plan(plan, rows, session);
@@ -263,7 +171,7 @@ int status_of(const StudyArguments& args, const Session& session) {
 }
 
 int export_study(const StudyArguments& args) {
-  const study::Plan plan = study::make_plan(study_in(args.folder));
+  const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
   if (!args.csv.empty()) io::check_outputs({args.csv}, "--csv");
   const std::string text = study::study_csv(plan, study::rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
@@ -275,15 +183,16 @@ int export_study(const StudyArguments& args) {
 
 int effects_of_study(const StudyArguments& args, const Session& session) {
   const std::string folder = args.out.empty() ? args.folder : args.out;
-  check_effects(folder);
-  const study::Plan plan = study::make_plan(study_in(args.folder));
+  jobs::check_effects(folder);
+  const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
   study::StudyRows rows = study::rows_of(plan, store_in(args.folder));
   tell_versions(rows, session.terminal_width);
   if (args.with_untrusted) rows = study::with_untrusted(std::move(rows));
   if (n_finished(rows) == 0)
     throw InputError(Problem{args.folder, "", "", "a study of which something is finished",
                              "`phyllite study resume " + sh_word(args.folder) + "`"});
-  report_effects(plan, rows, folder, session.terminal_width);
+  jobs::write_effects(plan, rows, folder);
+  print_out("{}", study::effects_text(plan, rows, session.terminal_width));
   return 0;
 }
 
@@ -291,14 +200,14 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   std::vector<std::string> stores = args.stores;
   if (!fs::is_directory(args.folder))
     throw IoError(args.folder + ": is no folder; name the --out of `phyllite study`");
-  if (stores.empty()) stores = shards_in(args.folder);
+  if (stores.empty()) stores = jobs::shards_in(args.folder);
   std::sort(stores.begin(), stores.end());
   if (stores.empty())
     throw IoError(args.folder + ": holds no shard-*.sqlite; name the stores behind the folder");
-  check_tables(args.folder, "");
+  jobs::check_tables(args.folder, "");
   for (const std::string& name : stores)  // before the store is made
     if (!fs::exists(name)) throw IoError(name + ": cannot be read: no such file; check the name");
-  study::Store store(store_file(args.folder, {}));
+  study::Store store(jobs::store_file(args.folder, {}));
   std::size_t n_different = 0;
   for (const std::string& name : stores) {
     const study::MergeReport report = store.merge(name);
@@ -309,9 +218,9 @@ int merge_stores(const StudyArguments& args, const Session& session) {
   }
   study::StudyRows rows = store.rows(store.keys());
   if (fs::exists(fs::path(args.folder) / "study.toml")) {
-    const study::Plan plan = study::make_plan(study_in(args.folder));
+    const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
     rows = study::rows_of(plan, store);
-    write_tables(plan, rows, args.folder, session.terminal_width);
+    report_tables(plan, rows, args.folder, session.terminal_width);
     if (const std::size_t n_left = n_unfinished(plan, rows); n_left > 0)
       print_out("{} specimens are left: run their parts, or phyllite study resume {}\n", n_left,
                 sh_word(args.folder));
@@ -341,8 +250,8 @@ std::string slurm_script(const StudyArguments& args, const std::string& folder, 
 int study_verb(const StudyArguments& args, const Session& session) {
   if (args.reference || !args.key.empty()) {
     const std::vector<const io::Schema*> files = {&study::study_schema(), &io::regression_schema()};
-    if (!args.key.empty()) return write_out(explain(files, args.key)), 0;
-    for (const io::Schema* file : files) write_out("\n" + reference_markdown(*file));
+    if (!args.key.empty()) return write_out(jobs::explain(files, args.key)), 0;
+    for (const io::Schema* file : files) write_out("\n" + jobs::reference_markdown(*file));
     return 0;
   }
   if (args.study.empty())
@@ -420,7 +329,7 @@ void add_study_command(CLI::App& app, Session& session) {
     for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
     stop_on_interrupt();
     session.exit_code = *status    ? status_of(*args, session)
-                        : *resume  ? run_study(study_in(args->folder), {}, *args, args->folder, session)
+                        : *resume  ? run_study(jobs::study_in(args->folder), {}, *args, args->folder, session)
                         : *csv     ? export_study(*args)
                         : *effects ? effects_of_study(*args, session)
                         : *merge   ? merge_stores(*args, session)

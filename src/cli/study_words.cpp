@@ -9,16 +9,11 @@
 #include "cli/provenance.hpp"
 #include "cli/terminal.hpp"
 #include "genesis/cache.hpp"
+#include "jobs/study_folder.hpp"
 #include "study/expected.hpp"
 
 namespace phy::cli {
 namespace {
-
-std::string duration(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
 
 /// CPU seconds per cost: of finished tests, else the usual value.
 double seconds_per_cost(const study::Plan& plan, const study::StudyRows& rows) {
@@ -71,7 +66,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
   print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,
-                duration(cost * seconds_per_cost(plan, rows) / threads), threads,
+                jobs::duration(cost * seconds_per_cost(plan, rows) / threads), threads,
                 to_make > 0 ? fmt::format(", and {} packing(s) to make", to_make) : "");
 }
 
@@ -104,15 +99,6 @@ std::string lanes_text(const study::LaneUse& use) {
   if (!(use.contact_steps > 0.0)) return "";
   return fmt::format("lanes {:.0f} % full, {:.1f} ns per contact, cycle and test", 100.0 * use.occupancy(),
                      1e9 * use.seconds_per_step());
-}
-
-std::string progress_text(const study::StudyProgress& p, double seconds) {
-  std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
-  if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
-  text += fmt::format(", {:.0f} s", seconds);
-  if (p.work <= 0.0) return text + ", starting";
-  return text + fmt::format(", {:.0f} per minute, about {} left",
-                            60.0 * static_cast<double>(p.n_new) / seconds, duration(p.seconds_left(seconds)));
 }
 
 }  // namespace phy::cli

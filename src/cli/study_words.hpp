@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "study/effects.hpp"
-#include "study/runner.hpp"
+#include "study/lane_batch.hpp"
 
 namespace phy::cli {
 
@@ -19,8 +19,5 @@ std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows);
 
 /// How full the lanes were and how fast tests went in them; "" where none ran.
 std::string lanes_text(const study::LaneUse& use);
-
-/// One line on how far a study has come.
-std::string progress_text(const study::StudyProgress& p, double seconds);
 
 }  // namespace phy::cli

@@ -97,6 +97,12 @@ class RockReader {
  public:
   RockReader(const std::string& path, Rock& rock)
       : path_(path), file_(read_file(path), path, rock_schema()), rock_(rock), problems_(file_.problems) {}
+  RockReader(TomlValue keys, const std::string& where, const RockParts& parts, Rock& rock)
+      : path_(where),
+        file_(std::move(keys), where, rock_schema(), {}),
+        rock_(rock),
+        problems_(file_.problems),
+        parts_(parts) {}
 
   void read() {
     // One set of bedding to magnify and complete; a rock without bedding has it removed with its table.
@@ -120,6 +126,7 @@ class RockReader {
   Document file_;
   Rock& rock_;
   std::vector<Problem>& problems_;
+  RockParts parts_;
   std::string table_;       // its path
   bool has_layers_ = true;  // the recipe says what they are
 
@@ -132,7 +139,8 @@ class RockReader {
       return true;
     }
     if (!file_.is_known("recipe")) return false;
-    const std::optional<Recipe> recipe = file_.read_named("recipe", read_recipe);
+    const std::optional<Recipe> recipe =
+        parts_.recipe ? parts_.recipe : file_.read_named("recipe", read_recipe);
     if (!recipe) return false;
     rock_.model = *recipe;
     rock_.notes.insert(rock_.notes.end(), recipe->notes.begin(), recipe->notes.end());
@@ -306,13 +314,13 @@ class RockReader {
       problems_.push_back({path_, "data", "", "the name of the table of tests",
                            "write data = \"tests.csv\"; `phyllite rock new` writes both files"});
     if (!is_given("data") || !file_.is_known("data")) return;
-    table_ = file_.beside(file_.text("data", ""));
+    table_ = parts_.table ? file_.text("data", "") : file_.beside(file_.text("data", ""));
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
     bool has_angles = false;
     auto readings = file_.read_named("data", [&](const std::string& table) {
-      return parse_readings(read_file(table), table, file_.number("confining", nan), has_angles, problems_,
-                            rock_.notes);
+      return parse_readings(parts_.table ? *parts_.table : read_file(table), table_,
+                            file_.number("confining", nan), has_angles, problems_, rock_.notes);
     });
     if (!readings) return;
     rock_.readings = std::move(*readings);
@@ -387,6 +395,12 @@ const Schema& rock_schema() {
 Rock read_rock(const std::string& path) {
   Rock rock;
   RockReader(path, rock).read();
+  return rock;
+}
+
+Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts) {
+  Rock rock;
+  RockReader(std::move(keys), where, parts, rock).read();
   return rock;
 }
 

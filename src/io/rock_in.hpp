@@ -1,5 +1,6 @@
 // Rock files: a small TOML file that names a table of laboratory tests (docs/formats.md, "Rock").
 #pragma once
+#include <optional>
 #include <string>
 
 #include "io/document.hpp"
@@ -12,6 +13,15 @@ const Schema& rock_schema();
 /// Reads a rock file with its table and, where it names one, its recipe (both beside the rock file). Throws
 /// IoError, or InputError with every problem of all files.
 Rock read_rock(const std::string& path);
+
+/// What a caller holds in place of the files that the keys `data` and `recipe` name; the names stay in
+/// messages.
+struct RockParts {
+  std::optional<std::string> table;  ///< the text of the table
+  std::optional<Recipe> recipe;
+};
+/// As read_rock, from keys that stand in no file; the files that they name count from the working directory.
+Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts);
 
 /// A commented rock file and the table that it names, to be filled in.
 std::string rock_template(const std::string& name);

@@ -145,9 +145,10 @@ const Schema& recipe_schema() {
   return schema;
 }
 
-Recipe parse_recipe(std::string_view text, const std::string& where) {
-  std::vector<Problem> problems;
-  TomlValue root = parse_toml(text, where, problems);
+namespace {
+
+/// `problems`: what is known to be wrong with it.
+Recipe recipe_of_tree(TomlValue root, const std::string& where, std::vector<Problem> problems) {
   refuse_other_documents(root, where);
   take_out_sweep(root, where, problems);
   const bool empty = root.keys.empty();
@@ -178,8 +179,8 @@ Recipe parse_recipe(std::string_view text, const std::string& where) {
   return recipe;
 }
 
-Recipe read_recipe(const std::string& path) {
-  Recipe recipe = parse_recipe(read_file(path), path);
+/// The recipe with the file that it imports, if any, found from the folder of `path` and looked into.
+Recipe with_discs(Recipe recipe, const std::string& path) {
   if (recipe.packing.file.empty()) return recipe;
   const auto folder = std::filesystem::absolute(path).parent_path();
   // Stored as an absolute path: a recipe is kept in folders and stores, from which the relative one would not
@@ -191,6 +192,20 @@ Recipe read_recipe(const std::string& path) {
   std::vector<Problem> problems = disc_problems(recipe, path);
   if (!problems.empty()) throw InputError(std::move(problems));
   return recipe;
+}
+
+}  // namespace
+
+Recipe parse_recipe(std::string_view text, const std::string& where) {
+  std::vector<Problem> problems;
+  TomlValue root = parse_toml(text, where, problems);
+  return recipe_of_tree(std::move(root), where, std::move(problems));
+}
+
+Recipe read_recipe(const std::string& path) { return with_discs(parse_recipe(read_file(path), path), path); }
+
+Recipe recipe_of(TomlValue keys, const std::string& where) {
+  return with_discs(recipe_of_tree(std::move(keys), where, {}), where);
 }
 
 std::string recipe_key_hint(const std::string& word) {

@@ -228,7 +228,9 @@ toml::table parse_checked(std::string_view text, const std::string& where, std::
 
 }  // namespace
 
-std::string at_line(const std::string& where, std::size_t line) { return where + ":" + std::to_string(line); }
+std::string at_line(const std::string& where, std::size_t line) {
+  return line == 0 ? where : where + ":" + std::to_string(line);
+}
 
 TomlValue parse_toml(std::string_view text, const std::string& where, std::vector<Problem>& problems) {
   return tree_of(parse_checked(text, where, problems));

@@ -1,4 +1,5 @@
-// A parsed TOML file as plain values with line numbers. Its source is the only place that sees toml++.
+// A parsed TOML file as plain values with line numbers. Its source is the only place that sees toml++. Values
+// that stand in no file (keys given to a function) are such a tree, too, with line 0.
 #pragma once
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ TomlValue parse_toml(std::string_view text, const std::string& where, std::vecto
 
 /// The value as it stands in the file, for messages.
 std::string as_written(const TomlValue& value);
-/// "recipe.toml:12"
+/// "recipe.toml:12"; of line 0 `where` alone.
 std::string at_line(const std::string& where, std::size_t line);
 
 }  // namespace phy::io

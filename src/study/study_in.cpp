@@ -106,6 +106,11 @@ class Reader {
  public:
   explicit Reader(const std::string& path)
       : path_(path), file_(io::read_file(path), path, study_schema()), problems_(file_.problems) {}
+  Reader(io::TomlValue keys, const std::string& where, const std::optional<Recipe>& base)
+      : path_(where),
+        file_(std::move(keys), where, study_schema(), {}),
+        problems_(file_.problems),
+        given_base_(base) {}
 
   Study read() {
     // The order matters: seeds default to those of the base, [set] changes the base that `times` refers to,
@@ -133,6 +138,7 @@ class Reader {
   io::Document file_;
   std::vector<Problem>& problems_;
   Study study_;
+  std::optional<Recipe> given_base_;  // not in a file
   bool base_ok_ = false;
 
   void report_problem(const io::TomlValue& v, const std::string& key, const std::string& expected,
@@ -148,7 +154,8 @@ class Reader {
                              "add recipe = \"press.toml\" (counted from the folder of this file)"});
       return;
     }
-    const std::optional<Recipe> base = file_.read_named("recipe", io::read_recipe);
+    const std::optional<Recipe> base =
+        given_base_ ? given_base_ : file_.read_named("recipe", io::read_recipe);
     base_ok_ = base.has_value();
     if (base) study_.base = *base;
   }
@@ -423,5 +430,9 @@ const io::Schema& study_schema() {
 }
 
 Study read_study(const std::string& path) { return Reader(path).read(); }
+
+Study study_of(io::TomlValue keys, const std::string& where, const std::optional<Recipe>& base) {
+  return Reader(std::move(keys), where, base).read();
+}
 
 }  // namespace phy::study

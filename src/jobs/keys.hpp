@@ -5,7 +5,7 @@
 
 #include "io/document.hpp"
 
-namespace phy::cli {
+namespace phy::jobs {
 
 /// Meaning, allowed values, default, units and PFC name of a key: "theta", "bedding.theta",
 /// "bedding[0].theta" as in messages, or PFC's name of it. A key of several tables is explained once for
@@ -14,4 +14,4 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
 /// All keys of a file as a part of docs/reference.md.
 std::string reference_markdown(const io::Schema& schema);
 
-}  // namespace phy::cli
+}  // namespace phy::jobs

@@ -1,10 +1,10 @@
-#include "cli/keys.hpp"
+#include "jobs/keys.hpp"
 
 #include <fmt/format.h>
 
 #include "base/spelling.hpp"
 
-namespace phy::cli {
+namespace phy::jobs {
 namespace {
 
 std::string explanation(const Field& f) {
@@ -63,4 +63,4 @@ std::string reference_markdown(const io::Schema& schema) {
   return text;
 }
 
-}  // namespace phy::cli
+}  // namespace phy::jobs

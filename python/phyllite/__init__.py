@@ -1,0 +1,355 @@
+"""Phyllite: a laboratory for layered rock.
+
+    import phyllite
+    recipe = phyllite.Recipe(bedding=[{}], test={"angles": [f"{a} deg" for a in range(0, 91, 15)]})
+    result = phyllite.run(recipe, progress=print)
+    for specimen in result:
+        print(specimen.theta, specimen.numbers["ucs"])
+
+These lines break the paper's specimen at seven inclinations of its bedding. SI units and degrees; compression and
+shortening positive; theta is the inclination of the bedding planes, the load being vertical (docs/conventions.md).
+
+Functions that take long release the interpreter lock, end soon on Ctrl-C (KeyboardInterrupt) and call
+`progress`, if given, with a Progress now and then. threads=0 means all cores.
+"""
+import csv as _csv
+import io as _io
+import json as _json
+import os as _os
+import sys as _sys
+from collections.abc import Sequence as _Sequence
+from dataclasses import asdict as _asdict
+from dataclasses import dataclass
+from dataclasses import is_dataclass as _is_dataclass
+from typing import Any, Callable, Dict, Iterator, List, Optional, Union
+
+import numpy as _np
+
+from . import _core
+from ._core import Number, Recipe, Rock, Specimen, Target, __version__, explain, theory
+from .errors import Error, InputError, InternalError, IoError, Problem
+
+_sys.modules[__name__ + ".theory"] = theory
+
+Path = Union[str, "_os.PathLike[str]"]
+
+__all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "InputError", "InternalError", "IoError",
+           "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
+           "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "run",
+           "study", "theory", "__version__"]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a job has come; str() of it is one line."""
+
+    text: str
+    n_done: int  #: tests finished; 0 where the line is about something else
+    n_total: int
+
+    def __str__(self) -> str:
+        return self.text
+
+
+ProgressFunction = Optional[Callable[[Progress], Any]]
+
+
+def _teller(progress: ProgressFunction) -> Optional[Callable[[str, int, int], Any]]:
+    return None if progress is None else lambda text, done, total: progress(Progress(text, done, total))
+
+
+def _text(path: Optional[Path]) -> str:
+    return "" if path is None else _os.fspath(path)
+
+
+def frame(rows: Any) -> Any:
+    """A pandas DataFrame of a result: Result, list of parameters or comparisons, history, cracks ..."""
+    import pandas
+
+    if hasattr(rows, "_frame_rows"):
+        rows = rows._frame_rows()
+    if not isinstance(rows, _np.ndarray):
+        rows = [_asdict(row) if _is_dataclass(row) else row for row in rows]
+    return pandas.DataFrame(rows)
+
+
+# ---- tests
+
+
+class Result(_Sequence):
+    """The specimens of a run in the order of its angles, intact rock last."""
+
+    def __init__(self, recipe: Recipe, specimens: List[Specimen], folder: str):
+        self.recipe = recipe
+        self.folder = folder  #: where the program's files are; "": nowhere
+        self._specimens = specimens
+
+    def __len__(self) -> int:
+        return len(self._specimens)
+
+    def __getitem__(self, index: Any) -> Any:
+        """A specimen by its place or its name."""
+        if isinstance(index, str):
+            return next(s for s in self._specimens if s.name == index)
+        return self._specimens[index]
+
+    def __iter__(self) -> Iterator[Specimen]:
+        return iter(self._specimens)
+
+    @property
+    def theta(self) -> _np.ndarray:
+        """Inclinations of the bedding [deg], NaN of intact rock."""
+        return _np.array([s.theta for s in self])
+
+    def values(self, number: str) -> _np.ndarray:
+        """One number of all specimens, SI: values("ucs"). NaN where a specimen has none."""
+        return _np.array([float(s.numbers[number]) if number in s.numbers else _np.nan for s in self])
+
+    def _frame_rows(self) -> List[Dict[str, Any]]:
+        head = [{"specimen": s.name, "theta [deg]": s.theta, "status": s.status} for s in self]
+        return [{**h, **{f"{n.name} [{n.unit}]": n.value for n in s.numbers.values()}} for h, s in zip(head, self)]
+
+    def __repr__(self) -> str:
+        return f"<phyllite.Result of {len(self)} specimens>"
+
+
+def run(recipe: Recipe, out: Optional[Path] = None, *, replace: bool = False, threads: int = 0,
+        progress: ProgressFunction = None) -> Result:
+    """Runs the laboratory test of a recipe on all its specimens.
+
+    out: a folder that is filled as `phyllite run` fills it, each specimen as soon as it is finished; after Ctrl-C
+    they are kept there. replace: results of another recipe are removed from it. The numbers and hashes are those of
+    the program, whatever the number of threads. Raises InputError, IoError.
+    """
+    tests = _core.run(recipe, _text(out), replace, threads, _teller(progress))
+    return Result(recipe, tests, _text(out))
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """E and nu at small strain by direct solution (docs/theory/statics.md). Lists of dicts; frame(...) of each."""
+
+    #: Per specimen: name, theta [deg], E, nu, E_platen [Pa] with contacts that only push; E_pulling, nu_pulling with
+    #: contacts that also pull; n_open of n_contacts; n_loose grains; solved, reason.
+    specimens: List[Dict[str, Any]]
+    #: Per specimen and parameter: value, unit, dE [Pa per unit], dnu [1 per unit].
+    sensitivities: List[Dict[str, Any]]
+    #: Eq. 1 through E(theta): E [Pa], K_n, K_s [Pa/m], K_n_delta, K_s_delta [Pa], R2; NaN and a reason without a fit.
+    joints: List[Dict[str, Any]]
+
+    @property
+    def theta(self) -> _np.ndarray:
+        """Inclinations [deg], NaN of intact rock."""
+        return _np.array([s["theta"] for s in self.specimens])
+
+    def values(self, name: str) -> _np.ndarray:
+        """One column of the specimens: values("E")."""
+        return _np.array([s[name] for s in self.specimens])
+
+
+def elastic(recipe: Recipe, *, glued: bool = False, modulus_loss: bool = False, threads: int = 0,
+            progress: ProgressFunction = None) -> Elastic:
+    """Young's modulus, Poisson's ratio and macro joint stiffness without time steps, as `phyllite elastic`.
+
+    glued: grains stick to the platens. modulus_loss: Eq. 1 is fitted in modulus instead of compliance.
+    """
+    return Elastic(*_core.elastic(recipe, glued, modulus_loss, threads, _teller(progress)))
+
+
+# ---- studies
+
+
+def _number_or_text(cell: str) -> Any:
+    if cell == "":
+        return _np.nan
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+def _table(text: str) -> List[Dict[str, Any]]:
+    rows = _csv.DictReader(_io.StringIO(text))
+    return [{name: _number_or_text(cell) for name, cell in row.items()} for row in rows]
+
+
+@dataclass(frozen=True)
+class Study:
+    """What a study has found; its folder holds the same as tables and a page."""
+
+    folder: str
+    table: List[Dict[str, Any]]  #: a row per specimen of the design, units in the names
+    responses: List[Dict[str, Any]]  #: per response and point: mean, SD, 95 % interval over the replicates
+    effects: List[Dict[str, Any]]  #: per response and parameter: slopes, R2, sensitivity indices
+    text: str  #: the tables that the program prints
+    hash: str  #: over all results, that of the program
+
+
+def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress: ProgressFunction = None,
+          **keys: Any) -> Study:
+    """Runs many specimens: parameters, packings, angles, as `phyllite study`.
+
+    source: a study file (TOML), or the recipe that the study starts from; its keys are then given here:
+    study(recipe, "out", vary=[{"key": "bedding.k_n", "times": [0.5, 1, 2]}], packings=[1, 2, 3]). All keys:
+    docs/reference.md. out: folder of the store; what it holds already is not run again, so that after Ctrl-C the
+    same call goes on.
+    """
+    given = isinstance(source, Recipe)
+    if keys and not given:
+        raise TypeError("keys of a study go with a recipe, not with a study file: " + ", ".join(keys))
+    keys.setdefault("name", _os.path.basename(_os.path.abspath(_text(out))))
+    found = _core.study(None if given else _text(source), keys, source if given else None, _text(out), threads,
+                        _teller(progress))
+    tables = {name: _table(found[name]) for name in ("table", "responses", "effects")}
+    return Study(folder=_text(out), text=found["text"], hash=found["hash"], **tables)
+
+
+# ---- calibration
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What the data say about one parameter of the recipe."""
+
+    key: str  #: "matrix.E_c", or a ratio, "tau_c/sigma_c"
+    symbol: str
+    value: float
+    low: float  #: 95 % interval; NaN: the method gives none
+    high: float
+    unit: str
+    determined: bool  #: by the data; else next_test says what would
+    rests_on: str
+    next_test: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Laboratory beside model."""
+
+    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1"
+    theta: float  #: [deg]
+    confining: float  #: [Pa]
+    diameter: float  #: [m] of a Brazilian disc; 0: the model's
+    laboratory: float  #: mean [Pa], nu [1]
+    laboratory_sd: float  #: of single specimens
+    n: int  #: specimens
+    model: float  #: mean over packings
+    model_sd: float  #: between packings
+    n_packings: int
+    error: float  #: model/laboratory - 1
+    low: float  #: 95 % interval of the rock's value by the fit
+    high: float
+    missing: str  #: why there is no answer
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer in words."""
+
+    status: str  #: "calibrated", "calibrated except", ... (docs/calibration.md)
+    sentence: str  #: status, cause and next step
+    findings: List[str]  #: each limit with numbers
+
+    def __str__(self) -> str:
+        return self.sentence
+
+
+class Calibration:
+    """What a calibration has found; str() of it is what the command prints."""
+
+    def __init__(self, record: Any):
+        self._record = record
+        #: the calibrated model, ready to run
+        self.recipe: Recipe = record.recipe
+        #: joint draws of what is known of it, as recipes
+        self.ensemble: List[Recipe] = record.ensemble
+        self.parameters = [Parameter(**row) for row in record.parameters]
+        #: on the packings of the fit
+        self.fitted = [Comparison(**row) for row in record.fitted]
+        #: on packings that the fit has not seen
+        self.verification = [Comparison(**row) for row in record.verification]
+        #: each value predicted without it
+        self.left_out = [Comparison(**row) for row in record.left_out]
+        self.verdict = Verdict(record.status, record.sentence, record.findings)
+        self.notes: List[str] = record.notes
+
+    @property
+    def table(self) -> List[Comparison]:
+        """Laboratory beside model: on unseen packings where there are some, else on those of the fit."""
+        return self.verification or self.fitted
+
+    def to_dict(self) -> Dict[str, Any]:
+        """Everything, as calibration.json has it (docs/formats.md)."""
+        return _json.loads(self._record.json())
+
+    def save(self, folder: Path) -> None:
+        """Writes the files that `phyllite calibrate` leaves, but for the store of its tests."""
+        self._record.save(_text(folder))
+
+    def __str__(self) -> str:
+        return self._record.text()
+
+    def __repr__(self) -> str:
+        return f"<phyllite.Calibration of \"{self._record.name}\": {self.verdict.status}>"
+
+
+def calibrate(rock: Rock, out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
+              matrix: str = "", max_tests: int = 1000, with_untrusted: bool = False, resume: bool = False,
+              threads: int = 0, progress: ProgressFunction = None) -> Calibration:
+    """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
+
+    out: a folder as `phyllite calibrate` leaves it; every test is kept there as soon as it is finished, and after
+    Ctrl-C the same call with resume=True goes on. elastic: the moduli alone. method: "posterior", or "sequence", the
+    paper's way. matrix: "parallel_bond", "flat_joint" or "choose", whatever the rock says. max_tests: budget of tests
+    in compression. with_untrusted: also count tests that are not to be trusted (docs/reliability.md).
+    """
+    for name, value, choices in (("method", method, ("posterior", "sequence")),
+                                 ("matrix", matrix, ("", "parallel_bond", "flat_joint", "choose"))):
+        if value not in choices:
+            raise InputError(f"calibrate: {name} = {value!r}: expected one of " + ", ".join(filter(None, choices)))
+    options = {"out": _text(out), "elastic": elastic, "method": method, "matrix": matrix, "max_tests": max_tests,
+               "with_untrusted": with_untrusted, "resume": resume}
+    return Calibration(_core.calibrate(rock, options, threads, _teller(progress)))
+
+
+# ---- one contact
+
+
+@dataclass(frozen=True)
+class LawParameter:
+    """A parameter of a contact law."""
+
+    name: str
+    unit: str
+    typical: float
+    low: float
+    high: float
+    meaning: str
+    pfc_name: str
+
+
+@dataclass(frozen=True)
+class ContactLaw:
+    """A contact law of the list; its equations are in src/laws/NAME/README.md."""
+
+    name: str
+    sentence: str
+    parameters: List[LawParameter]
+
+
+def contact_laws() -> List[ContactLaw]:
+    """All contact laws with their parameters."""
+    return [ContactLaw(name, sentence, [LawParameter(*p) for p in parameters])
+            for name, sentence, parameters in _core.contact_laws()]
+
+
+def contact(law: str, path: Any = None, *, steps: int = 100, **parameters: Any) -> _np.ndarray:
+    """Drives one contact along a path, as `phyllite contact`: contact("smooth_joint", k_n="1e10 N/m").
+
+    path: corners (closure [m], slide [m], rotation [rad]) as rows of numbers, or as texts "1 um, 8 um, 0 deg"; None:
+    one that shows everything. steps: from corner to corner. parameters: values with units; contact_laws() lists them.
+
+    An array of rows: closure, slide [m], rotation [rad], F_n, F_s [N/m], M [N], the closed form's F_n_exact,
+    F_s_exact, M_exact, dissipated, released, stored [J/m], broke (1 tension, 2 shear).
+    """
+    return _core.contact(law, path, [f"{name}={value}" for name, value in parameters.items()], steps)

@@ -1,0 +1,103 @@
+from os import PathLike
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+
+from . import theory as theory
+
+__version__: str
+
+class Recipe:
+    def __init__(self, **keys: Any) -> None: ...
+    @staticmethod
+    def from_file(path: Union[str, PathLike[str]]) -> Recipe: ...
+    @staticmethod
+    def from_toml(text: str, where: str = ...) -> Recipe: ...
+    def changed(self, **keys: Any) -> Recipe: ...
+    def __getitem__(self, key: str) -> Any: ...
+    def __eq__(self, other: object) -> bool: ...
+    def to_toml(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def notes(self) -> List[str]: ...
+    @property
+    def specimens(self) -> List[str]: ...
+
+class Target:
+    @property
+    def property(self) -> str: ...
+    theta: float
+    mean: float
+    sd: float
+    n: int
+    confining: float
+
+class Rock:
+    @staticmethod
+    def from_toml(path: Union[str, PathLike[str]]) -> Rock: ...
+    @staticmethod
+    def from_csv(path: Union[str, PathLike[str]], **keys: Any) -> Rock: ...
+    @staticmethod
+    def from_dataframe(frame: Any, **keys: Any) -> Rock: ...
+    name: str
+    notes: List[str]
+    targets: List[Target]
+    def check(self) -> str: ...
+
+class Number:
+    name: str
+    value: float
+    unit: str
+    definition: str
+    note: str
+    def __float__(self) -> float: ...
+
+class Specimen:
+    name: str
+    theta: float
+    intact: bool
+    status: str
+    has_strength: bool
+    reason: str
+    advice: str
+    numbers: Dict[str, Number]
+    hash: str
+    columns: List[Tuple[str, str, str]]
+    history: np.ndarray
+    cracks: np.ndarray
+    discs: np.ndarray
+    grains: np.ndarray
+    contacts: np.ndarray
+    n_steps: int
+    seconds: float
+
+class CalibrationRecord:
+    name: str
+    recipe: Recipe
+    ensemble: List[Recipe]
+    notes: List[str]
+    status: str
+    sentence: str
+    findings: List[str]
+    parameters: List[Dict[str, Any]]
+    fitted: List[Dict[str, Any]]
+    verification: List[Dict[str, Any]]
+    left_out: List[Dict[str, Any]]
+    def text(self) -> str: ...
+    def json(self) -> str: ...
+    def save(self, folder: str) -> None: ...
+
+Teller = Optional[Callable[[str, int, int], Any]]
+
+def explain(key: str) -> str: ...
+def run(recipe: Recipe, folder: str, replace: bool, threads: int, progress: Teller) -> List[Specimen]: ...
+def elastic(
+    recipe: Recipe, glued: bool, modulus_loss: bool, threads: int, progress: Teller
+) -> Tuple[List[Dict[str, Any]], List[Dict[str, Any]], List[Dict[str, Any]]]: ...
+def contact(law: str, path: Any, values: List[str], steps: int) -> np.ndarray: ...
+def contact_laws() -> List[Tuple[str, str, List[Tuple[str, str, float, float, float, str, str]]]]: ...
+def calibrate(rock: Rock, options: Dict[str, Any], threads: int, progress: Teller) -> CalibrationRecord: ...
+def study(
+    file: Optional[str], keys: Dict[str, Any], recipe: Optional[Recipe], folder: str, threads: int, progress: Teller
+) -> Dict[str, Any]: ...

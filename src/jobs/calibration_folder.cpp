@@ -1,0 +1,187 @@
+#include "jobs/calibration_folder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/hash.hpp"
+#include "base/quote.hpp"
+#include "calibrate/posterior_ensemble.hpp"
+#include "io/file.hpp"
+#include "io/output.hpp"
+#include "io/store.hpp"
+#include "io/toml_in.hpp"
+#include "jobs/run_folder.hpp"
+#include "records/recipe_schema.hpp"
+#include "report/calibration_files.hpp"
+#include "report/calibration_summary.hpp"
+#include "report/calibration_tables.hpp"
+#include "report/methods.hpp"
+#include "report/pfc_commands.hpp"
+#include "study/store.hpp"
+
+namespace phy::jobs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Everything that the answer follows from.
+std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
+  const Rock& rock = evidence.rock;
+  Hash hash;
+  hash.add(rock.name);
+  hash.add(keys_not_by_default(rock.model));
+  hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
+  hash.add(rock.matrix ? static_cast<int>(*rock.matrix) : -1);
+  hash.add(request.elastic), hash.add(request.max_tests);
+  if (request.with_untrusted) hash.add(true);
+  if (request.by_sequence()) hash.add(request.method);
+  for (const Target& t : evidence.targets) {
+    hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
+    hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
+    if (t.confining > 0.0) hash.add(t.confining);
+  }
+  return hash.text();
+}
+
+/// What a folder holds, in words; the fingerprint of the rock stands in the last line.
+std::string label(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
+  return fmt::format("calibration of \"{}\" ({}){}{}{}{}, --max-tests {}\n{}\n", evidence.rock.name,
+                     comment_text(request.rock), request.matrix.empty() ? "" : ", --matrix " + request.matrix,
+                     request.by_sequence() ? ", --method sequence" : "", request.elastic ? ", --elastic" : "",
+                     request.with_untrusted ? ", --with-untrusted" : "", request.max_tests,
+                     fingerprint(evidence, request));
+}
+
+/// Throws InputError where --resume would write one calibration over another.
+void check_same(const std::string& file, const std::string& expected, const CalibrationRequest& request) {
+  const std::string found = fs::exists(file) ? io::read_file(file) : "";
+  const auto key = [](const std::string& text) {  // the rock file may have moved
+    const std::size_t end = text.find('\n');
+    return end == text.npos ? "" : text.substr(end + 1);
+  };
+  if (!found.empty() && key(found) == key(expected)) return;
+  const std::string holds = found.empty() ? "a calibration of an earlier version of this program"
+                                          : found.substr(0, found.find('\n'));
+  throw InputError(
+      Problem{"command line", "--out", request.out, "a folder of this same calibration for --resume",
+              "it holds: " + holds + "; its table, recipe or options differ: another --out begins afresh"});
+}
+
+/// All that is written beside the store.
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"calibration-of.txt", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
+                           "calibration.json", "tables.txt", "report.html"})
+    files.push_back((fs::path(folder) / name).string());
+  for (std::size_t k = 0; k < calibrate::ensemble_size; ++k) files.push_back(ensemble_file(folder, k));
+  return files;
+}
+
+/// What a screen shows, with every detail.
+std::string tables_of(const Calibration& c) {
+  return fmt::format("{}\nDetails\n{}\n{}\nMethods\n{}\n\n{}", screen_of(c, 0), report::macro_table(c, 0),
+                     report::verdict_text(c, 0), fmt::join(report::methods_text(c, PHY_VERSION), "\n"),
+                     report::sentence_text(c, 0));
+}
+
+}  // namespace
+
+Rock with_matrix(Rock rock, const CalibrationRequest& request) {
+  if (request.matrix.empty()) return rock;
+  rock.matrix.reset();
+  if (request.matrix != "choose")
+    rock.matrix = request.matrix == "flat_joint" ? MatrixModel::flat_joint : MatrixModel::parallel_bond;
+  if (rock.matrix == MatrixModel::flat_joint && rock.bedded && is_directed(rock.layers))
+    throw InputError(
+        Problem{"command line", "--matrix", request.matrix, "parallel_bond or choose",
+                "the layers of this rock are directions of bonds, which flat joints do not have"});
+  return rock;
+}
+
+calibrate::CalibrationOptions options_of(const CalibrationRequest& request) {
+  calibrate::CalibrationOptions options;
+  if (request.by_sequence()) options.method = CalibrationMethod::sequence;
+  options.elastic_only = request.elastic, options.max_tests = request.max_tests;
+  return options;
+}
+
+std::string ensemble_file(const std::string& folder, std::size_t k) {
+  return (fs::path(folder) / "ensemble" / fmt::format("{:02}.toml", k + 1)).string();
+}
+
+void check_calibration_outputs(const std::string& folder) {
+  io::check_outputs(files_in(folder));
+  io::check_writable(folder);
+}
+
+std::string begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
+  const std::string text = label(evidence, request);
+  const fs::path folder(request.out);
+  std::string store = (folder / "runs.sqlite").string();
+  const std::string label_file = (folder / "calibration-of.txt").string();
+  check_calibration_outputs(request.out);
+  const bool begun =
+      fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
+  if (begun && !request.resume)
+    throw InputError(Problem{"command line", "--out", request.out, "a folder without an earlier calibration",
+                             "--resume goes on with it; another --out begins afresh"});
+  if (begun) check_same(label_file, text, request);
+  if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
+    throw InputError(Problem{"command line", "--out", request.out, "a folder without " + others,
+                             "results of before lie there: move them, or use another --out"});
+  io::write_output(label_file, text);
+  return store;
+}
+
+std::string specimens_in(const std::string& folder) { return (fs::path(folder) / "specimens").string(); }
+
+std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibration& c) {
+  const auto is_ucs = [](const Comparison& row) {
+    return row.target.property == Property::ucs && row.answered();
+  };
+  if (std::none_of(c.verification.begin(), c.verification.end(), is_ucs)) return {};
+  Recipe recipe = calibrate::on_unseen_packing(c);
+  const std::string place = specimens_in(folder);
+  const auto others = results_of_others(place, recipe);
+  const std::vector<std::string> names = specimen_names(recipe);
+  const auto is_there = [&](const std::string& name) {
+    return fs::exists(fs::path(place) / io::folder_name(name) / "result.json");
+  };
+  if (others.empty() && std::all_of(names.begin(), names.end(), is_there)) return {};
+  for (const auto& [other, difference] : others) io::check_result_place(other), io::remove_folder(other);
+  return recipe;
+}
+
+std::string screen_of(const Calibration& c, int width) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", report::sentence_text(c, width),
+                     report::parameter_tables(c, width), report::angle_table(c, width),
+                     report::error_table(c, width), report::summary_text(c, width),
+                     report::budget_text(c, width));
+}
+
+void write_calibration(const std::string& folder, const Calibration& c) {
+  const fs::path out(folder);
+  io::write_output((out / "calibrated.toml").string(),
+                   report::recipe_comments(c) + io::write_recipe(c.recipe));
+  for (std::size_t k = 0; k < c.ensemble.size(); ++k)
+    io::write_output(ensemble_file(folder, k),
+                     report::draw_comments(c, k + 1) + io::write_recipe(c.ensemble[k]));
+  io::write_output((out / "calibrated.p2dat").string(), report::pfc_commands(c.recipe));
+  io::write_output((out / "calibrated-yade.py").string(), report::yade_script(c.recipe));
+  io::write_output((out / "calibration.json").string(), report::calibration_json(c, PHY_VERSION));
+  io::write_output((out / "tables.txt").string(), tables_of(c));
+}
+
+std::string progress_text(const calibrate::TestProgress& p) {
+  const std::string left = p.seconds_left > 90.0  ? fmt::format("{:.0f} min", p.seconds_left / 60.0)
+                           : p.seconds_left > 0.0 ? fmt::format("{:.0f} s", p.seconds_left)
+                                                  : "not yet known";
+  return fmt::format("{}/{} tests of this batch, time left for the calibration: {}", p.n_done, p.n_total,
+                     left);
+}
+
+}  // namespace phy::jobs

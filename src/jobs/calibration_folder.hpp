@@ -1,0 +1,53 @@
+// A calibration in a folder: begun or taken up again, and all that it leaves there.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "calibrate/calibration.hpp"
+
+namespace phy::jobs {
+
+/// What is asked of a calibration, in the words of the command line.
+struct CalibrationRequest {
+  std::string rock;  ///< the file, or what stands in its place in messages
+  std::string out;   ///< folder; empty: nothing is kept
+  std::string method = "posterior", matrix = {};
+  bool elastic = false, resume = false, with_untrusted = false;
+  std::int64_t max_tests = 1000;
+  bool by_sequence() const { return method == "sequence"; }
+};
+
+/// The rock with the matrix that is asked for. Throws InputError where that cannot be.
+Rock with_matrix(Rock rock, const CalibrationRequest& request);
+
+calibrate::CalibrationOptions options_of(const CalibrationRequest& request);
+
+/// Makes the folder ready and returns its store. An earlier calibration is used only when asked for, and only
+/// the same: else InputError.
+std::string begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request);
+
+/// Throws where a file of a calibration cannot be put into the folder, which is made.
+void check_calibration_outputs(const std::string& folder);
+
+/// All files of a finished calibration but the page.
+void write_calibration(const std::string& folder, const Calibration& calibration);
+
+/// Folder of the calibrated rock as it broke (docs/formats.md, "Calibration").
+std::string specimens_in(const std::string& folder);
+
+/// The calibrated rock as it is pressed once more, for pictures and curves: the verification keeps numbers
+/// alone. Nothing where a calibration has no UCS, or its specimens lie in their folder. Those of another
+/// version of the program are removed.
+std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibration& calibration);
+
+/// What a screen shows: the verdict first, parameters before comparisons.
+std::string screen_of(const Calibration& calibration, int width);
+
+/// How far the tests have come.
+std::string progress_text(const calibrate::TestProgress& progress);
+
+/// File of draw k, from 0, in the folder of a calibration.
+std::string ensemble_file(const std::string& folder, std::size_t k);
+
+}  // namespace phy::jobs

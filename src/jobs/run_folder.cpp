@@ -1,0 +1,87 @@
+#include "jobs/run_folder.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include "io/load.hpp"
+#include "io/output.hpp"
+#include "io/store.hpp"
+#include "report/page.hpp"
+
+namespace phy::jobs {
+
+std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(const std::string& folder,
+                                                                               const Recipe& recipe) {
+  std::vector<std::pair<std::string, study::RecipeDifference>> others;
+  std::error_code none;
+  if (!std::filesystem::is_directory(folder, none)) return others;
+  for (const std::string& result : io::result_folders(folder)) {
+    try {
+      if (const auto d = study::first_difference(io::read_result_recipe(result), recipe))
+        others.emplace_back(result, *d);
+    } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
+    } catch (const IoError&) {
+    }
+  }
+  return others;
+}
+
+std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,
+                                        const std::string& path, const std::string& remedy) {
+  std::vector<Problem> problems;
+  std::map<std::string, int> n_alike;  // results that differ alike are one problem
+  const auto others = results_of_others(folder, recipe);
+  for (const auto& [result, d] : others) ++n_alike[d.key + " " + d.one];
+  for (const auto& [result, d] : others) {
+    const int n = std::exchange(n_alike[d.key + " " + d.one], 0);
+    if (n == 0) continue;
+    const std::string where = n == 1 ? result : folder + " (" + std::to_string(n) + " results)";
+    problems.push_back({where, d.key, d.one, d.other + ", as in " + path,
+                        "the folder holds results of another recipe: " + remedy});
+  }
+  return problems;
+}
+
+std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe& recipe,
+                                         const std::string& path, bool replace) {
+  for (const std::string& name : specimen_names(recipe))
+    io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
+  if (!replace)
+    return problems_of_others(folder, recipe, path,
+                              "use another --out, or --replace to remove them when the run begins");
+  for (const auto& [other, difference] : results_of_others(folder, recipe)) io::check_result_place(other);
+  return {};
+}
+
+bool holds_results(const std::string& folder) {
+  std::error_code none;
+  return std::filesystem::is_directory(folder, none) && !io::result_folders(folder).empty();
+}
+
+std::string page_of(const std::string& folder) {
+  return (std::filesystem::path(folder) / "report.html").string();
+}
+
+void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
+  RunRecord run;
+  for (const TestResult& r : results) {
+    const auto place = std::filesystem::path(folder) / io::folder_name(r.name);
+    if (r.outcome.status == Status::interrupted)
+      run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
+    else
+      run.tests.push_back(io::read_result(place.string()));
+  }
+  io::write_output(page_of(folder), report::report_page(run));
+}
+
+ResultFolder::ResultFolder(const std::string& folder)
+    : path(folder), is_new(!std::filesystem::exists(folder)) {
+  io::check_writable(folder);
+}
+
+ResultFolder::~ResultFolder() {
+  std::error_code not_empty;
+  if (is_new) std::filesystem::remove(path, not_empty);
+}
+
+}  // namespace phy::jobs

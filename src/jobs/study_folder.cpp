@@ -1,0 +1,133 @@
+#include "jobs/study_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/check.hpp"
+#include "base/quote.hpp"
+#include "io/file.hpp"
+#include "io/output.hpp"
+#include "study/experiment.hpp"
+#include "study/study_in.hpp"
+#include "study/table.hpp"
+
+namespace phy::jobs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string in(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+}  // namespace
+
+std::string store_file(const std::string& folder, const study::Shard& shard) {
+  return (fs::path(folder) /
+          (shard.n == 1 ? "study.sqlite" : fmt::format("shard-{}-of-{}.sqlite", shard.i, shard.n)))
+      .string();
+}
+
+study::Study study_in(const std::string& folder) {
+  const std::string file = (fs::path(folder) / "study.toml").string();
+  if (!fs::exists(file))
+    throw IoError(folder + ": is no folder of a study (no study.toml); name the --out of `phyllite study`");
+  return study::read_study(file);
+}
+
+std::vector<std::string> shards_in(const std::string& folder) {
+  std::vector<std::string> shards;
+  for (const fs::path entry : io::list_folder(folder))
+    if (entry.filename().string().starts_with("shard-") && entry.extension() == ".sqlite")
+      shards.push_back(entry.string());
+  return shards;
+}
+
+void check_effects(const std::string& folder) {
+  io::check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
+}
+
+void check_tables(const std::string& folder, const std::string& option) {
+  io::check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
+                     in(folder, "report.html")},
+                    option);
+}
+
+void refuse_other_study(const study::Study& study, const std::string& folder) {
+  std::error_code none;
+  if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
+  const study::Study there = study_in(folder);
+  const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
+  if (there.name != study.name)
+    throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
+  if (there.solver != study.solver)
+    throw InputError(Problem{folder, "solver", study::to_string(there.solver),
+                             std::string(study::to_string(study.solver)) + ", as in the study file", remedy});
+  if (const auto d = study::first_difference(there.base, study.base))
+    throw InputError(
+        Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
+}
+
+void refuse_unmerged(const std::string& folder) {
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) return;
+  const std::vector<std::string> parts = shards_in(folder);
+  const std::string whole = store_file(folder, {});
+  std::vector<std::string> known;
+  if (!parts.empty() && fs::exists(whole)) known = study::Store(whole).keys();
+  for (const std::string& part : parts) {
+    const std::vector<std::string> keys = study::Store(part, study::Sharing::alone).keys();
+    if (!std::includes(known.begin(), known.end(), keys.begin(), keys.end()))
+      throw IoError(fmt::format("{}: holds results that {} has not; phyllite study merge {}", part, whole,
+                                sh_word(folder)));
+  }
+}
+
+void check_study_outputs(const StudyFiles& files, const std::string& folder, const study::Shard& shard) {
+  std::vector<std::string> fresh;
+  for (const auto& [name, content] : files)
+    if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
+  io::check_outputs(fresh);
+  if (shard.n == 1) check_tables(folder, files.empty() ? "" : "--out");
+}
+
+std::unique_ptr<study::Store> begin_study(const StudyFiles& files, const std::string& folder,
+                                          const study::Shard& shard) {
+  io::check_writable(folder);
+  // First: it may be somebody else's.
+  auto store = std::make_unique<study::Store>(store_file(folder, shard),
+                                              shard.n == 1 ? study::Sharing::shared : study::Sharing::alone);
+  for (const auto& [name, content] : files) io::write_output(in(folder, name), content);
+  return store;
+}
+
+void write_effects(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder) {
+  const std::vector<study::Response> all = study::all_responses(plan, rows);
+  io::write_output(in(folder, "responses.csv"), study::responses_csv(plan, all));
+  io::write_output(in(folder, "effects.csv"), study::effects_csv(plan, all));
+}
+
+void write_tables(const study::Plan& plan, const study::StudyRows& rows, const std::string& folder) {
+  io::write_output(in(folder, "results.csv"), study::study_csv(plan, rows));
+  write_effects(plan, rows, folder);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string progress_text(const study::StudyProgress& p, double seconds) {
+  std::string text = fmt::format("{}/{} specimens", p.n_done, p.n_total);
+  if (p.n_failed > 0) text += fmt::format(" ({} without an answer)", p.n_failed);
+  text += fmt::format(", {:.0f} s", seconds);
+  if (p.work <= 0.0) return text + ", starting";
+  return text + fmt::format(", {:.0f} per minute, about {} left",
+                            60.0 * static_cast<double>(p.n_new) / seconds, duration(p.seconds_left(seconds)));
+}
+
+}  // namespace phy::jobs

@@ -1,0 +1,160 @@
+// Calibrations and studies.
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "base/clock.hpp"
+#include "calibrate/calibration.hpp"
+#include "io/regressions.hpp"
+#include "jobs/calibration_folder.hpp"
+#include "jobs/machine.hpp"
+#include "jobs/report.hpp"
+#include "jobs/study_folder.hpp"
+#include "python/module.hpp"
+#include "python/released.hpp"
+#include "report/calibration_files.hpp"
+#include "study/study_in.hpp"
+#include "study/table.hpp"
+
+namespace phy::python {
+namespace {
+
+Calibration calibrate(const NamedRock& rock, const py::dict& options, int threads,
+                      const py::object& progress) {
+  jobs::CalibrationRequest request;
+  request.rock = rock.source;
+  request.out = options["out"].cast<std::string>(), request.method = options["method"].cast<std::string>();
+  request.matrix = options["matrix"].cast<std::string>(), request.elastic = options["elastic"].cast<bool>();
+  request.resume = options["resume"].cast<bool>(),
+  request.max_tests = options["max_tests"].cast<std::int64_t>();
+  request.with_untrusted = options["with_untrusted"].cast<bool>();
+  Calibration result;
+  run_released(progress, [&](Watch& watch) {
+    const calibrate::Evidence evidence(jobs::with_matrix(rock.rock, request));
+    calibrate::SimulatorOptions machine;
+    machine.threads = jobs::n_threads(threads), machine.stop = &watch.stop;
+    machine.with_untrusted = request.with_untrusted;
+    if (!request.out.empty()) machine.store = jobs::begin_calibration(evidence, request);
+    machine.on_progress = [&](const calibrate::TestProgress& p) {
+      watch.show({jobs::progress_text(p), p.n_done, p.n_total});
+    };
+    calibrate::CalibrationOptions how = jobs::options_of(request);
+    how.say = [&](const std::string& text) { watch.say(text); };
+    result = calibrate::calibrate(evidence, how, *calibrate::make_simulator(machine));
+    if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;
+    jobs::write_calibration(request.out, result);
+    jobs::write_report(request.out);
+  });
+  return result;
+}
+
+void save(const Calibration& c, const std::string& folder) {
+  jobs::check_calibration_outputs(folder);
+  jobs::write_calibration(folder, c);
+  jobs::write_report(folder);
+}
+
+py::dict row_of_estimate(const ParameterEstimate& p) {
+  py::dict row;
+  row["key"] = p.key, row["symbol"] = p.symbol, row["value"] = p.value, row["low"] = p.low,
+  row["high"] = p.high;
+  row["unit"] = p.unit, row["determined"] = p.determined;
+  row["rests_on"] = p.rests_on, row["next_test"] = p.next_test;
+  return row;
+}
+
+py::list rows_of(const std::vector<Comparison>& table) {
+  py::list rows;
+  for (const Comparison& c : table) {
+    py::dict row;
+    row["property"] = to_string(c.target.property), row["theta"] = c.target.theta;
+    row["confining"] = c.target.confining, row["diameter"] = c.target.diameter;
+    row["laboratory"] = c.target.mean, row["laboratory_sd"] = c.target.sd, row["n"] = c.target.n;
+    row["model"] = c.mean, row["model_sd"] = c.sd, row["n_packings"] = c.n_packings, row["error"] = c.error();
+    row["low"] = c.low, row["high"] = c.high, row["missing"] = c.missing;
+    rows.append(row);
+  }
+  return rows;
+}
+
+/// The study of a file, or of keys with a recipe.
+study::Study study_from(const py::object& file, const py::dict& keys, const py::object& recipe) {
+  if (!file.is_none()) return study::read_study(file.cast<std::string>());
+  std::optional<Recipe> base;
+  if (!recipe.is_none()) base = recipe.cast<Recipe>(), keys["recipe"] = base->name;
+  return study::study_of(tree_of(keys, "study"), "study", base);
+}
+
+py::dict run_study(const py::object& file, const py::dict& keys, const py::object& recipe,
+                   const std::string& folder, int threads, const py::object& progress) {
+  const study::Study wanted = study_from(file, keys, recipe);
+  py::dict answer;
+  std::string results, responses, effects, text, hash;
+  std::size_t n_left = 0;
+  run_released(progress, [&](Watch& watch) {
+    const jobs::StudyFiles files = study::study_files(wanted);
+    jobs::check_study_outputs(files, folder, {});
+    jobs::refuse_other_study(wanted, folder), jobs::refuse_unmerged(folder);
+    const study::Plan plan = study::make_plan(wanted);
+    const auto store = jobs::begin_study(files, folder, {});
+    const auto start = std::chrono::steady_clock::now();
+    study::StudyHooks hooks;
+    hooks.stop = &watch.stop;
+    hooks.on_progress = [&](const study::StudyProgress& p) {
+      watch.show({jobs::progress_text(p, seconds_since(start)), p.n_done, p.n_total});
+    };
+    hooks.on_result = [&](const study::PlannedTest&, const TestResult& r) {
+      if (!has_answer(r.outcome.status)) watch.say(r.name + ": " + r.outcome.reason);
+    };
+    const study::MachineOptions machine = jobs::machine_of(threads);
+    {
+      study::StoreQueue queue(plan, *store, hooks, machine.threads);
+      study::work_at(queue, plan, machine);
+    }
+    const study::StudyRows rows = study::rows_of(plan, *store);
+    for (const auto& row : rows) n_left += row ? 0 : 1;
+    if (n_left == rows.size()) return;
+    jobs::write_tables(plan, rows, folder);
+    if (!plan.study.vary.empty()) jobs::write_report(folder);
+    const std::vector<study::Response> all = study::all_responses(plan, rows);
+    results = study::study_csv(plan, rows), responses = study::responses_csv(plan, all);
+    effects = study::effects_csv(plan, all), text = study::effects_text(plan, rows);
+    hash = study::hash_of(rows);
+  });
+  answer["table"] = results, answer["responses"] = responses, answer["effects"] = effects;
+  answer["text"] = text, answer["hash"] = hash, answer["n_left"] = n_left;
+  return answer;
+}
+
+}  // namespace
+
+void add_calibrations(py::module_& m) {
+  py::class_<Calibration>(m, "CalibrationRecord")
+      .def_property_readonly("name", [](const Calibration& c) { return c.rock; })
+      .def_readonly("recipe", &Calibration::recipe)
+      .def_readonly("ensemble", &Calibration::ensemble)
+      .def_readonly("notes", &Calibration::notes)
+      .def_property_readonly("status", [](const Calibration& c) { return to_string(c.verdict.status); })
+      .def_property_readonly("sentence", [](const Calibration& c) { return c.verdict.sentence; })
+      .def_property_readonly("findings", [](const Calibration& c) { return c.verdict.findings; })
+      .def_property_readonly("parameters",
+                             [](const Calibration& c) {
+                               py::list rows;
+                               for (const ParameterEstimate& p : c.parameters)
+                                 rows.append(row_of_estimate(p));
+                               return rows;
+                             })
+      .def_property_readonly("fitted", [](const Calibration& c) { return rows_of(c.fitted); })
+      .def_property_readonly("verification", [](const Calibration& c) { return rows_of(c.verification); })
+      .def_property_readonly("left_out", [](const Calibration& c) { return rows_of(c.left_out); })
+      .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
+      .def("json", [](const Calibration& c) { return report::calibration_json(c, PHY_VERSION); })
+      .def("save", &save, py::arg("folder"));
+  m.def("calibrate", &calibrate, py::arg("rock"), py::arg("options"), py::arg("threads"),
+        py::arg("progress"));
+  m.def("study", &run_study, py::arg("file"), py::arg("keys"), py::arg("recipe"), py::arg("folder"),
+        py::arg("threads"), py::arg("progress"));
+}
+
+}  // namespace phy::python

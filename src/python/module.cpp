@@ -1,0 +1,53 @@
+#include "python/module.hpp"
+
+#include <filesystem>
+#include <new>
+
+#include "base/check.hpp"
+#include "jobs/failure.hpp"
+
+namespace phy::python {
+namespace {
+
+void raise(const char* type, const std::string& message, const py::list& problems = py::list()) {
+  const py::object made = py::module_::import("phyllite.errors").attr(type)(message);
+  if (!problems.empty()) made.attr("problems") = problems;
+  PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
+}
+
+py::list problems_of(const InputError& e) {
+  const py::object problem = py::module_::import("phyllite.errors").attr("Problem");
+  py::list problems;
+  for (const Problem& p : e.problems())
+    problems.append(problem(p.where, p.key, p.value, p.expected, p.remedy));
+  return problems;
+}
+
+/// The program's messages, as the command prints them.
+void translate(std::exception_ptr failure) {
+  try {
+    if (failure) std::rethrow_exception(failure);
+  } catch (const InputError& e) {
+    raise("InputError", e.what(), problems_of(e));
+  } catch (const IoError& e) {
+    raise("IoError", e.what());
+  } catch (const std::filesystem::filesystem_error& e) {
+    raise("IoError", jobs::in_words(e));
+  } catch (const InternalError& e) {
+    raise("InternalError", std::string(jobs::internal) + e.what());
+  } catch (const std::bad_alloc&) {
+    PyErr_SetString(PyExc_MemoryError, jobs::no_memory);
+  }
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.attr("__version__") = PHY_VERSION;
+  py::register_exception_translator(translate);
+  add_recipes(m), add_runs(m), add_calibrations(m);
+  py::module_ theory = m.def_submodule("theory");
+  add_theory(theory);
+}
+
+}  // namespace phy::python

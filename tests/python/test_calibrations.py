@@ -1,0 +1,73 @@
+"""Calibrations: the files of the program, its verdict, and its way to go on after Ctrl-C."""
+import json
+import pathlib
+import threading
+
+import phyllite
+from small import SPECIMEN, TABLE, program, write
+from test_recipes import InFolder
+from test_runs import interrupt
+
+MODEL = '[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "2 mm"\n'
+
+
+class Calibrations(InFolder):
+    def rock(self):
+        write(self.at("start.toml"), MODEL)
+        write(self.at("table.csv"), TABLE)
+        return write(self.at("rock.toml"), 'data = "table.csv"\nrecipe = "start.toml"\n')
+
+    def read(self, *names):
+        return pathlib.Path(self.folder.name, *names).read_text()
+
+    def test_elastic_files_are_those_of_the_program(self):
+        path = self.rock()
+        found = phyllite.calibrate(phyllite.Rock.from_toml(path), self.at("mine"), elastic=True)
+        code, text = program("calibrate", path, "--elastic", "--out", self.at("its"))
+        self.assertIn(code, (0, 1), text)
+        for name in ("calibrated.toml", "calibration.json", "calibration-of.txt", "calibrated.p2dat",
+                     "calibrated-yade.py", "ensemble/07.toml", "tables.txt", "report.html"):
+            mine, its = self.read("mine", name), self.read("its", name)
+            self.assertEqual([l for l in mine.splitlines() if " s, " not in l],
+                             [l for l in its.splitlines() if " s, " not in l], name)
+        self.assertEqual(found.to_dict(), json.loads(self.read("its", "calibration.json")))
+        self.assertEqual(found.recipe, phyllite.Recipe.from_file(self.at("its/calibrated.toml")))
+        self.assertEqual([found.ensemble[6]], [phyllite.Recipe.from_file(self.at("its/ensemble/07.toml"))])
+        keys = {p.key: p for p in found.parameters}
+        modulus = keys["matrix.E_c"]
+        self.assertTrue(modulus.determined and modulus.low < modulus.value < modulus.high)
+        self.assertEqual(found.recipe["matrix.E_c"], modulus.value)
+        self.assertIn(found.verdict.sentence, " ".join(text.split()))
+        for row in found.table:
+            self.assertAlmostEqual(row.error, row.model / row.laboratory - 1)
+        found.save(self.at("saved"))
+        self.assertEqual(self.read("saved", "calibrated.toml"), self.read("its", "calibrated.toml"))
+        self.assertIn("<html", self.read("saved", "report.html"))
+
+    def test_interrupted_and_resumed_it_ends_with_the_identical_result(self):
+        rock = phyllite.Rock.from_csv(write(self.at("table.csv"), TABLE), name="rock",
+                                      recipe=phyllite.Recipe(**SPECIMEN, bedding=[{"spacing": "2 mm"}]))
+        whole = phyllite.calibrate(rock, max_tests=72)
+        begun = threading.Event()
+        thread = interrupt(begun)
+        with self.assertRaises(KeyboardInterrupt):
+            phyllite.calibrate(rock, self.at("parts"), max_tests=72,
+                               progress=lambda p: begun.set() if p.n_done > 2 else None)
+        thread.join()
+        self.assertFalse(pathlib.Path(self.at("parts"), "calibration.json").exists())
+        with self.assertRaisesRegex(phyllite.InputError, "--resume goes on with it"):
+            phyllite.calibrate(rock, self.at("parts"), max_tests=72)
+        with self.assertRaisesRegex(phyllite.InputError, "table, recipe or options differ"):
+            phyllite.calibrate(rock, self.at("parts"), max_tests=80, resume=True)
+        resumed = phyllite.calibrate(rock, self.at("parts"), max_tests=72, resume=True)
+        self.assertEqual(resumed.to_dict(), whole.to_dict())
+        self.assertEqual(len(whole.ensemble), 20)
+        self.assertEqual({row.property for row in whole.table}, {"E", "nu", "UCS"})
+        self.assertIn(whole.verdict.status, str(whole).splitlines()[0] + whole.verdict.status)
+
+    def test_what_cannot_be_is_told(self):
+        rock = phyllite.Rock.from_toml(self.rock())
+        with self.assertRaisesRegex(phyllite.InputError, "at least 72"):
+            phyllite.calibrate(rock, max_tests=71)
+        with self.assertRaisesRegex(phyllite.InputError, "one of posterior, sequence"):
+            phyllite.calibrate(rock, method="guess")

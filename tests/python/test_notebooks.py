@@ -1,0 +1,52 @@
+"""Every notebook is executed, the cell tagged `parameters` with settings that are small."""
+import os
+import pathlib
+import sys
+import unittest
+
+from small import KEYS, SOURCE, SPECIMEN
+
+NOTEBOOKS = sorted((SOURCE / "python/notebooks").glob("*.ipynb"))
+SMALL = {
+    "break-a-specimen": f"keys = {dict(SPECIMEN, matrix=KEYS['matrix'], bedding=KEYS['bedding'])}",
+    "calibrate-your-rock": f"settings = dict(recipe={dict(SPECIMEN, bedding=KEYS['bedding'])}, max_tests=72)",
+}
+
+
+class Notebooks(unittest.TestCase):
+    def test_each_has_small_settings(self):
+        self.assertEqual([path.stem for path in NOTEBOOKS], sorted(SMALL))
+
+    def test_they_run_and_draw(self):
+        try:
+            import ipykernel  # noqa: F401
+            import matplotlib  # noqa: F401
+            import nbclient
+            import nbformat
+            import pandas  # noqa: F401
+        except ImportError as missing:
+            self.skipTest(str(missing))
+        for path in NOTEBOOKS:
+            with self.subTest(path.stem):
+                notebook = nbformat.read(path, as_version=4)
+                for cell in notebook.cells:
+                    self.assertFalse(cell.get("outputs"), "is committed without outputs")
+                    if "parameters" in cell.metadata.get("tags", []):
+                        cell.source = SMALL[path.stem]
+                nbclient.NotebookClient(notebook, timeout=600, kernel_name=kernel()).execute()
+                outputs = [o for cell in notebook.cells for o in cell.get("outputs", [])]
+                self.assertTrue(any("image/png" in o.get("data", {}) for o in outputs))
+                told = "".join(o.get("text", "") for o in outputs)
+                self.assertIn({"break-a-specimen": "intact", "calibrate-your-rock": "my rock"}[path.stem], told)
+
+
+def kernel():
+    """The kernel of this very Python, whatever others are installed."""
+    import json
+
+    folder = pathlib.Path(os.environ["MPLCONFIGDIR"]) / "kernels/phyllite"
+    folder.mkdir(parents=True, exist_ok=True)
+    command = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
+    (folder / "kernel.json").write_text(json.dumps({"argv": command, "display_name": "phyllite", "language": "python"}))
+    os.environ["JUPYTER_PATH"] = str(folder.parent.parent)
+    return "phyllite"

@@ -1,0 +1,245 @@
+"""Tests under the press: the same bits as the program, arrays without copies, Ctrl-C, the free interpreter lock."""
+import csv
+import gc
+import json
+import os
+import pathlib
+import signal
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import phyllite
+from small import KEYS, TEXT, program, write
+from test_recipes import InFolder
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def interrupt(event):
+    """Sends Ctrl-C to this process once `event` has come."""
+    def wait():
+        event.wait(60)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=wait)
+    thread.start()
+    return thread
+
+
+class Runs(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.recipe = phyllite.Recipe(**KEYS)
+        cls.news = []
+        cls.result = phyllite.run(cls.recipe, threads=2, progress=cls.news.append)
+
+    def test_numbers_series_and_hashes_are_those_of_the_program(self):
+        code, text = program("run", write(self.at("small.toml"), TEXT), "--out", self.at("out"))
+        self.assertIn(code, (0, 1), text)
+        self.assertEqual([s.name for s in self.result], ["theta = 45 deg", "theta = 60 deg", "intact"])
+        for specimen, folder in zip(self.result, ("theta_45_deg", "theta_60_deg", "intact")):
+            folder = pathlib.Path(self.at("out")) / folder
+            told = json.loads((folder / "result.json").read_text())
+            self.assertEqual(specimen.hash, told["result_hash"])
+            self.assertEqual((specimen.status, specimen.reason), (told["outcome"]["status"], told["outcome"]["reason"]))
+            self.assertEqual(set(specimen.numbers), set(told["numbers"]))
+            for name, number in told["numbers"].items():
+                mine = specimen.numbers[name]
+                self.assertEqual((mine.unit, mine.definition), (number["unit"], number["definition"]))
+                self.assertTrue(float(mine) == number["value"] or number["value"] is None and np.isnan(mine.value), name)
+            history = rows_of(folder / "history.csv")
+            self.assertEqual(len(history), len(specimen.history))
+            for name, unit, _ in specimen.columns:
+                np.testing.assert_array_equal(specimen.history[name],
+                                              [float(row[f"{name} [{unit}]"]) for row in history])
+            cracks = rows_of(folder / "cracks.csv")
+            self.assertEqual(len(cracks), len(specimen.cracks))
+            self.assertGreater(len(cracks), 0)
+            np.testing.assert_array_equal(specimen.cracks["grain_a"], [int(row["grain_a"]) for row in cracks])
+            np.testing.assert_array_equal(specimen.cracks["x"], [float(row["x [m]"]) for row in cracks])
+
+    def test_result_is_a_table_by_number(self):
+        self.assertEqual(len(self.result), 3)
+        np.testing.assert_array_equal(self.result.theta, [45.0, 60.0, np.nan])
+        ucs = self.result.values("ucs")
+        self.assertEqual(ucs[0], self.result["theta = 45 deg"].numbers["ucs"].value)
+        self.assertGreater(ucs[2], ucs[1])
+        self.assertTrue(np.isnan(self.result.values("no_such_number")).all())
+        self.assertTrue(any("theta = 45 deg" in str(n) for n in self.news))
+        self.assertEqual(max(n.n_total for n in self.news), 3)
+
+    def test_arrays_are_the_memory_of_the_result(self):
+        specimen = self.result[0]
+        for name in ("history", "cracks", "discs", "grains", "contacts"):
+            array = getattr(specimen, name)
+            self.assertTrue(np.shares_memory(array, getattr(specimen, name)), name)
+            self.assertFalse(array.flags.owndata or array.flags.writeable, name)
+            with self.assertRaises(ValueError):
+                array[array.dtype.names[0]] = 0
+        self.assertEqual(len(specimen.discs), 330)
+        self.assertEqual(len(specimen.grains), 330)
+        touching = specimen.contacts[~specimen.contacts["broken"] & (specimen.contacts["kind"] == 1)]
+        distance = np.hypot(*(specimen.discs[c][touching["grain_a"]] - specimen.discs[c][touching["grain_b"]]
+                              for c in "xy"))
+        radii = specimen.discs["r"][touching["grain_a"]] + specimen.discs["r"][touching["grain_b"]]
+        self.assertGreater(len(touching), 100)
+        self.assertLess(np.max(np.abs(distance / radii - 1)), 0.25)  # they are neighbours: fields are where they lie
+
+    def test_arrays_outlive_the_result(self):
+        result = phyllite.run(self.recipe.changed(test={"angles": [], "intact": False}))
+        history = result[0].history
+        stress = history["axial_stress"].copy()
+        del result
+        gc.collect()
+        np.zeros(1 << 22)
+        np.testing.assert_array_equal(history["axial_stress"], stress)
+
+    def test_frames(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is missing")
+        table = phyllite.frame(self.result)
+        self.assertEqual(list(table["specimen"]), [s.name for s in self.result])
+        np.testing.assert_array_equal(table["ucs [Pa]"], self.result.values("ucs"))
+        history = phyllite.frame(self.result[0].history)
+        self.assertIsInstance(history, pandas.DataFrame)
+        np.testing.assert_array_equal(history["axial_stress"], self.result[0].history["axial_stress"])
+
+    def test_folder_is_that_of_the_program_and_guarded_like_it(self):
+        out = self.at("out")
+        phyllite.run(self.recipe, out)
+        code, text = program("show", out)
+        self.assertEqual(code, 0, text)
+        self.assertTrue((pathlib.Path(out) / "report.html").exists())
+        with self.assertRaisesRegex(phyllite.InputError, "results of another recipe.*--replace"):
+            phyllite.run(self.recipe.changed(matrix={"E_c": "20 GPa"}), out)
+        with self.assertRaises(phyllite.IoError):
+            phyllite.run(self.recipe, "/dev/null/out")
+
+    def test_what_the_recipe_cannot_do_is_an_input_error(self):
+        loose = self.recipe.changed(matrix={"unbonded_fraction": 0.9}, test={"kind": "direct_tension"})
+        with self.assertRaises(phyllite.InputError):
+            phyllite.run(loose)
+
+    def test_other_threads_go_on_meanwhile(self):
+        count, stop = [0], threading.Event()
+
+        def tick():
+            while not stop.is_set():
+                count[0] += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        begin = time.monotonic()
+        phyllite.run(self.recipe)
+        seconds, ticks = time.monotonic() - begin, count[0]
+        stop.set()
+        thread.join()
+        self.assertGreater(ticks, 20 * seconds)  # a held lock would let none through
+
+    def test_an_exception_of_progress_stops_the_run(self):
+        def fail(_):
+            raise ZeroDivisionError("mine")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            phyllite.run(self.recipe, self.at("out"), progress=fail)
+
+    def test_ctrl_c_stops_a_run_and_leaves_no_empty_folder(self):
+        slow = self.recipe.changed(test={"platen_speed": "0.001 m/s"})
+        begun = threading.Event()
+        thread = interrupt(begun)
+        with self.assertRaises(KeyboardInterrupt):
+            phyllite.run(slow, self.at("out"), progress=lambda _: begun.set())
+        thread.join()
+        self.assertFalse(os.path.exists(self.at("out")))
+
+
+class Studies(InFolder):
+    keys = dict(vary=[{"key": "bedding.k_n", "times": [0.5, 1, 2]}], packings=[1, 2])
+
+    def recipe(self):
+        return phyllite.Recipe(**KEYS)
+
+    def test_hash_and_tables_are_those_of_the_program(self):
+        found = phyllite.study(self.recipe(), self.at("mine"), **self.keys)
+        write(self.at("base.toml"), TEXT)
+        path = write(self.at("study.toml"), 'recipe = "base.toml"\npackings = [1, 2]\n[[vary]]\n'
+                                            'key = "bedding.k_n"\ntimes = [0.5, 1, 2]\n')
+        code, text = program("study", path, "--out", self.at("its"))
+        self.assertIn(code, (0, 1), text)
+        self.assertIn("hash " + found.hash, text)
+        for name in ("results.csv", "effects.csv", "responses.csv"):
+            self.assertEqual(*(pathlib.Path(self.at(f), name).read_text() for f in ("mine", "its")))
+        self.assertEqual(len(found.table), 18)
+        self.assertEqual({row["bedding.k_n [Pa/m]"] for row in found.table}, {1680e9, 3360e9, 6720e9})
+        self.assertEqual(phyllite.study(path, self.at("again")).hash, found.hash)
+
+    def test_ctrl_c_keeps_what_is_finished_and_the_same_call_goes_on(self):
+        whole = phyllite.study(self.recipe(), self.at("whole"), **self.keys)
+        begun = threading.Event()
+        thread = interrupt(begun)
+        with self.assertRaises(KeyboardInterrupt):
+            phyllite.study(self.recipe(), self.at("parts"), threads=1, **self.keys,
+                           progress=lambda p: begun.set() if p.n_done > 0 else None)
+        thread.join()
+        left = program("study", "status", self.at("parts"))[1]
+        self.assertRegex(left, r"status +[1-9]\d* of 14 finished")
+        self.assertNotIn("14 of 14", left)
+        self.assertEqual(phyllite.study(self.recipe(), self.at("parts"), **self.keys).hash, whole.hash)
+
+    def test_problems_are_those_of_a_study(self):
+        with self.assertRaisesRegex(phyllite.InputError, "did you mean"):
+            phyllite.study(self.recipe(), self.at("out"), vary=[{"key": "bedding.kn", "times": [1]}])
+        with self.assertRaises(TypeError):
+            phyllite.study(self.at("study.toml"), self.at("out"), packings=[1])
+        self.assertFalse(os.path.exists(self.at("out")))
+
+
+class Directly(InFolder):
+    def test_elastic_answers_are_those_of_the_program(self):
+        found = phyllite.elastic(phyllite.Recipe(**dict(KEYS, test={"angles": [f"{a} deg" for a in range(0, 91, 30)]})))
+        path = write(self.at("small.toml"), TEXT.replace('["45 deg", "60 deg"]', '["0 deg", "30 deg", "60 deg", "90 deg"]'))
+        code, text = program("elastic", path)
+        self.assertEqual(code, 0, text)
+        for row in found.specimens:
+            line = next(line for line in text.splitlines() if line.startswith(row["name"] + " "))
+            self.assertEqual(line[len(row["name"]):].split()[:2], [f"{row['E'] * 1e-9:.3f}", f"{row['nu']:.4f}"])
+        np.testing.assert_array_equal(found.theta, [0, 30, 60, 90, np.nan])
+        self.assertEqual(len(found.joints), 6)
+        fit = next(f for f in found.joints if f["name"] == "pushing, free")
+        self.assertRegex(text, r"pushing, free +%.2f +%.1f" % (fit["E"] * 1e-9, fit["K_n"] * 1e-9))
+        slope = {s["parameter"]: s["dE"] for s in found.sensitivities if s["name"] == "intact"}
+        self.assertGreater(slope["matrix.E_c"], 0)
+
+    def test_a_contact_follows_the_closed_form(self):
+        for law in phyllite.contact_laws():
+            rows = phyllite.contact(law.name, steps=200)
+            scale = np.max(np.abs(rows["F_n_exact"]))
+            self.assertLess(np.max(np.abs(rows["F_n"] - rows["F_n_exact"])), 0.02 * scale, law.name)
+
+    def test_a_contact_is_that_of_the_program(self):
+        path = [(1e-6, 0.0), (1e-6, 8e-6, 0.0), "-5 um, 8 um, 0.1 deg"]
+        rows = phyllite.contact("smooth_joint", path, steps=7, mu=0.5)
+        code, text = program("contact", "smooth_joint", "--set", "mu=0.5", "--steps", "7", "--to", "1 um, 0 um", "--to",
+                             "1 um, 8 um, 0 deg", "--to=-5 um, 8 um, 0.1 deg", "--out", self.at("path.csv"))
+        self.assertEqual(code, 0, text)
+        its = rows_of(self.at("path.csv"))
+        self.assertEqual(len(its), len(rows))
+        for mine, head in (("F_n", "F_n [N/m]"), ("F_s", "F_s [N/m]"), ("F_s_exact", "F_s exact [N/m]")):
+            np.testing.assert_array_equal(rows[mine], [float(row[head]) for row in its])
+
+    def test_what_is_wrong_with_a_contact_is_told(self):
+        with self.assertRaisesRegex(phyllite.InputError, "one of .*smooth_joint"):
+            phyllite.contact("smoth_joint")
+        with self.assertRaisesRegex(phyllite.InputError, "N/m"):
+            phyllite.contact("linear", k_n=38e9)
+        with self.assertRaisesRegex(phyllite.InputError, "two or three finite numbers"):
+            phyllite.contact("linear", [(1e-6, float("nan"))])
