@@ -1,0 +1,162 @@
+"""Uniaxial test of an exported specimen in Yade with the contact laws of Phyllite, run by equal.py:
+
+    yade -n -x -j1 yade_equal.py FOLDER
+
+FOLDER holds discs.csv, contacts of one specimen (phyllite specimen --out) and peer.json with the settings of the test. Yade has no law that holds
+a linear contact and a parallel bond side by side, but it has both. So a disc is a clump of two spheres of one centre that see only their own kind:
+  grain   JCFpm without cohesion: normal spring from a reference overlap, shear spring, Coulomb's law (neverErase: what opens may close again)
+  cement  CohFrict with moments: springs in both directions, bending stiffness, tensile and shear strength, no friction, no moment in its strength
+and a joint of the bedding is JCFpm's smooth joint. Every number of every contact is the exported one. Python takes away a bond that has broken in
+shear, which CohFrict would leave as a spring. Masses, step, damping, platens and stop rule are Phyllite's.
+
+"variant" in peer.json takes one thing away at a time: "no_bending" (bonds without bending stiffness), "friction" (bonds whose shear strength grows
+with friction), "one_spring" (JCFpm as it comes: one spring per contact, its friction from the start, no moments), "rolling" (a joint of Yade
+does not feel that its grains turn; this adds it).
+"""
+import csv
+import glob
+import json
+import math
+import sys
+
+from yade import *  # noqa: F403
+
+folder = sys.argv[1]
+settings = json.load(open(folder + "/peer.json"))
+variant = settings["variant"]
+SOFT = 1e-6  # [Pa]: of what must carry nothing
+CARE = 4  # steps after which broken bonds are looked for
+
+
+def table(name):
+    with open(name) as lines:
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def placed(disc):
+    """Grain and cement of a disc, and the clump of both, which moves with the disc's own mass."""
+    x, y, r = (float(disc[key + " [m]"]) for key in ("x", "y", "r"))
+    # young r = E_c: two grains in contact get k_n = E_c whatever their radii, a grain and a hard wall 2 E_c.
+    grain = JCFpmMat(type=1, young=settings["E_c"] / r, poisson=settings["ratio"], density=1, frictionAngle=math.atan(settings["mu"]))
+    cement = CohFrictMat(young=SOFT, poisson=0.3, density=1, frictionAngle=0, isCohesive=True, momentRotationLaw=True)
+    parts = [sphere((x, y, 0), r, material=grain), sphere((x, y, 0), r, material=cement)]
+    parts[0].mask, parts[1].mask = 1, 2
+    number, (of_grain, of_cement) = O.bodies.appendClumped(parts)
+    state = O.bodies[number].state
+    state.mass = settings["density"] * math.pi * r * r
+    state.inertia = Vector3(1, 1, 1) * 0.5 * state.mass * r * r
+    state.blockedDOFs = "zXY"
+    return number, of_grain, of_cement, r
+
+
+discs = [placed(d) for d in table(folder + "/discs.csv")]
+hard = JCFpmMat(type=0, young=1e9 * settings["E_c"] / discs[0][3], poisson=settings["ratio"], density=1, frictionAngle=0)
+walls = [O.bodies.append(wall(at, 1, sense, material=hard)) for at, sense in ((0.0, 1), (settings["height"], -1))]
+for w in walls:
+    O.bodies[w].mask = 1
+
+factor = 1.0 + 1e-5  # so that pairs bonded across the smallest gaps are found
+O.engines = [
+    ForceResetter(),
+    InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=factor), Bo1_Wall_Aabb()], verletDist=0.05 * settings["r_min"]),
+    InteractionLoop([Ig2_Sphere_Sphere_ScGeom6D(interactionDetectionFactor=factor, avoidGranularRatcheting=False), Ig2_Wall_Sphere_ScGeom()],
+                    [Ip2_JCFpmMat_JCFpmMat_JCFpmPhys(cohesiveTresholdIteration=0), Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()],
+                    [Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM(smoothJoint=True, neverErase=True),
+                     Law2_ScGeom6D_CohFrictPhys_CohesionMoment(neverErase=True)]),
+    PyRunner(iterPeriod=1, command="turning()", label="of_joints", dead=True),
+    PyRunner(iterPeriod=CARE, command="take_away()", label="care", dead=True),
+    NewtonIntegrator(damping=settings["damping"], exactAsphericalRot=False),
+]
+O.dt = 1e-30
+O.step()  # finds the contacts, moves nothing
+
+contacts = table(glob.glob(folder + "/contacts*.csv")[0])
+bonds, joints = [], []
+for c in contacts:
+    a, b = discs[int(c["grain_a"])], discs[int(c["grain_b"])]
+    width = 2.0 * min(a[3], b[3])
+    k_n, k_s = float(c["k_n [N/m per m]"]), float(c["k_s [N/m per m]"])
+    grain = O.interactions[a[1], b[1]]
+    if c["kind"] == "joint":
+        p, normal = grain.phys, Vector3(float(c["normal_x"]), float(c["normal_y"]), 0)
+        p.jointNormal = normal if normal.dot(grain.geom.normal) > 0 else -normal
+        p.kn, p.ks, p.isOnJoint, p.isCohesive = k_n, k_s, True, True
+        p.FnMax, p.FsMax = float(c["sigma_c [Pa]"]) * width, float(c["tau_c [Pa]"]) * width
+        p.tanFrictionAngle, p.tanDilationAngle = settings["joint_mu"], 0.0
+        p.initD = abs((O.bodies[grain.id1].state.pos - O.bodies[grain.id2].state.pos).dot(p.jointNormal))
+        joints.append((grain, p, O.bodies[grain.id1].state, O.bodies[grain.id2].state))
+    if c["kind"] != "bonded":
+        continue
+    tension, shear = float(c["sigma_c [Pa]"]) * width, float(c["tau_c [Pa]"]) * width
+    if variant == "one_spring":
+        p = grain.phys
+        p.kn, p.ks, p.isCohesive, p.FnMax, p.FsMax = k_n, k_s, True, tension, shear
+        bonds.append(p)
+        continue
+    cement = O.interactions[a[2], b[2]]
+    p = cement.phys
+    p.kn, p.ks = k_n - settings["E_c"], k_s - settings["ratio"] * settings["E_c"]
+    p.kr = 0.0 if variant == "no_bending" else float(c["k_m [N]"])
+    p.ktw, p.maxRollPl, p.maxTwistPl = 0.0, -1.0, -1.0
+    p.normalAdhesion, p.shearAdhesion = tension, shear
+    p.cohesionBroken, p.fragile, p.cohesionDisablesFriction = False, True, variant != "friction"
+    p.tangensOfFrictionAngle = settings["mu"] if variant == "friction" else 0.0
+    p.unp = cement.geom.penetrationDepth
+    bonds.append(p)
+print(f"{len(contacts)} contacts: {len(bonds)} bonds, {len(joints)} joints")
+
+broken = (lambda p: not p.isCohesive) if variant == "one_spring" else (lambda p: p.cohesionBroken)
+whole, whole_joints, cracks = bonds, [j[1] for j in joints], 0
+
+
+def turning():
+    """The part of a joint's slide that comes of turning grains, and the torque of its shear force on them."""
+    for i, p, one, two in joints:
+        t = Vector3(-p.jointNormal[1], p.jointNormal[0], 0)
+        reach_1, reach_2 = i.geom.contactPoint - one.pos, i.geom.contactPoint - two.pos
+        slide = (two.angVel.cross(reach_2) - one.angVel.cross(reach_1)).dot(t)
+        if p.kn * (p.initD - abs((one.pos - two.pos).dot(p.jointNormal))) > 0 or p.isCohesive:
+            p.shearForce = p.shearForce - p.ks * slide * O.dt * t
+        f = p.normalForce + p.shearForce
+        O.forces.addT(i.id1, reach_1.cross(-f))
+        O.forces.addT(i.id2, reach_2.cross(f))
+
+
+def take_away():
+    """Takes broken bonds away and counts them."""
+    global whole, whole_joints, cracks
+    if any(broken(p) for p in whole):
+        for p in whole:
+            if broken(p) and variant != "one_spring":
+                p.kn = p.ks = p.kr = 0.0
+        left = [p for p in whole if not broken(p)]
+        cracks, whole = cracks + len(whole) - len(left), left
+    if any(not p.isCohesive for p in whole_joints):
+        left = [p for p in whole_joints if p.isCohesive]
+        cracks, whole_joints = cracks + len(whole_joints) - len(left), left
+
+
+O.dt = settings["dt"]
+care.dead, of_joints.dead = False, variant != "rolling"  # noqa: F405
+strain, peak, peak_strain, time, share, rows = 0.0, 0.0, 0.0, 0.0, 0.0, []
+rate = 2.0 * settings["speed"] / settings["height"]
+ramp = 2.0 * settings["ramp_strain"] / rate  # the speed rises linearly over this time
+BLOCK = 100
+while strain < settings["max_strain"]:
+    for _ in range(BLOCK):
+        if time <= ramp + O.dt:
+            share = min(1.0, (time + 0.5 * O.dt) / ramp)
+            for w, sense in zip(walls, (1, -1)):
+                O.bodies[w].state.vel = (0, sense * share * settings["speed"], 0)
+        O.step()
+        time += O.dt
+        strain += share * rate * O.dt
+    stress = 0.5 * (O.forces.f(walls[1])[1] - O.forces.f(walls[0])[1]) / settings["width"]
+    rows.append((O.iter - 1, strain, stress, cracks))
+    if stress > peak:
+        peak, peak_strain = stress, strain
+    if cracks > 2 and (stress < settings["stop_at"] * peak or strain > (1.0 + settings["post_peak"]) * peak_strain):
+        break
+with open(folder + f"/yade-{variant}.csv", "w") as out:
+    out.write("step [1],axial_strain [1],axial_stress [Pa],n_cracks [1]\n")
+    out.writelines(",".join(repr(v) for v in row) + "\n" for row in rows)
