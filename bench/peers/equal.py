@@ -80,6 +80,7 @@ def main():
     arguments.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/yade"))
     arguments.add_argument("--table", type=pathlib.Path, default=here / "equal.csv")
     arguments.add_argument("--seeds", type=int, default=5)
+    arguments.add_argument("--case", choices=list(VARIANTS), help="only this one")
     a = arguments.parse_args()
     if shutil.which("yade") is None:
         sys.exit("yade is not installed (Debian: apt install yade)")
@@ -90,6 +91,8 @@ def main():
         # The whole list of "equal" first: what is most wanted is there first.
         for first in (True, False):
             for case, variants in VARIANTS.items():
+                if a.case not in (None, case):
+                    continue
                 for seed in range(1, a.seeds + 1):
                     wanted = [v for v in variants if (v == "equal") == first and (case, f"Yade {v}", str(seed)) not in done]
                     for program, numbers in compare(a.program, case, seed, wanted, a.out) if wanted else ():

@@ -62,7 +62,7 @@ O.engines = [
     InteractionLoop([Ig2_Sphere_Sphere_ScGeom6D(interactionDetectionFactor=factor, avoidGranularRatcheting=False), Ig2_Wall_Sphere_ScGeom()],
                     [Ip2_JCFpmMat_JCFpmMat_JCFpmPhys(cohesiveTresholdIteration=0), Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()],
                     [Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM(smoothJoint=True, neverErase=True),
-                     Law2_ScGeom6D_CohFrictPhys_CohesionMoment(neverErase=True)]),
+                     Law2_ScGeom6D_CohFrictPhys_CohesionMoment()]),
     PyRunner(iterPeriod=1, command="turning()", label="of_joints", dead=True),
     PyRunner(iterPeriod=CARE, command="take_away()", label="care", dead=True),
     NewtonIntegrator(damping=settings["damping"], exactAsphericalRot=False),
@@ -91,7 +91,7 @@ for c in contacts:
     if variant == "one_spring":
         p = grain.phys
         p.kn, p.ks, p.isCohesive, p.FnMax, p.FsMax = k_n, k_s, True, tension, shear
-        bonds.append(p)
+        bonds.append((grain, p))
         continue
     cement = O.interactions[a[2], b[2]]
     p = cement.phys
@@ -102,10 +102,16 @@ for c in contacts:
     p.cohesionBroken, p.fragile, p.cohesionDisablesFriction = False, True, variant != "friction"
     p.tangensOfFrictionAngle = settings["mu"] if variant == "friction" else 0.0
     p.unp = cement.geom.penetrationDepth
-    bonds.append(p)
+    bonds.append((cement, p))
 print(f"{len(contacts)} contacts: {len(bonds)} bonds, {len(joints)} joints")
 
-broken = (lambda p: not p.isCohesive) if variant == "one_spring" else (lambda p: p.cohesionBroken)
+def broken(interaction, p):
+    """Yade erases what breaks in tension; the two spheres then meet anew, without cement."""
+    if variant == "one_spring":
+        return not p.isCohesive
+    return p.cohesionBroken or not interaction.isReal or interaction.phys.kn < 1.0
+
+
 whole, whole_joints, cracks = bonds, [j[1] for j in joints], 0
 
 
@@ -125,12 +131,13 @@ def turning():
 def take_away():
     """Takes broken bonds away and counts them."""
     global whole, whole_joints, cracks
-    if any(broken(p) for p in whole):
-        for p in whole:
-            if broken(p) and variant != "one_spring":
+    gone = [bond for bond in whole if broken(*bond)]
+    if gone:
+        for _, p in gone:
+            if variant != "one_spring":
                 p.kn = p.ks = p.kr = 0.0
-        left = [p for p in whole if not broken(p)]
-        cracks, whole = cracks + len(whole) - len(left), left
+        whole = [bond for bond in whole if not broken(*bond)]
+        cracks += len(gone)
     if any(not p.isCohesive for p in whole_joints):
         left = [p for p in whole_joints if p.isCohesive]
         cracks, whole_joints = cracks + len(whole_joints) - len(left), left

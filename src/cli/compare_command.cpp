@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "analysis/comparison.hpp"
+#include "base/check.hpp"
 #include "base/quote.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
