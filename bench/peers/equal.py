@@ -16,7 +16,7 @@ import tomllib
 here = pathlib.Path(__file__).parent
 HEAD = ["case", "program", "bond_seed", "E_secant [GPa]", "first crack [MPa]", "UCS [MPa]", "peak strain [%]", "cracks to peak"]
 # What is taken away or added in Yade, one thing at a time; "equal" comes first.
-VARIANTS = {"matrix": ["equal", "one_spring", "no_bending", "friction"], "bedded": ["equal", "rolling"]}
+VARIANTS = {"matrix": ["equal", "one_spring", "no_bending", "friction"], "bedded": ["equal", "no_turning", "no_new_joints"]}
 
 
 def call(*words):
@@ -44,16 +44,19 @@ def readings(curve):
 def settings_of(folder, result, variant):
     """peer.json of yade_equal.py, SI."""
     recipe = tomllib.loads(result["recipe"])
-    si = {"mm": 1e-3, "m/s": 1.0, "kg/m^3": 1.0, "GPa": 1e9}
+    si = {"mm": 1e-3, "m/s": 1.0, "kg/m^3": 1.0, "GPa": 1e9, "MPa": 1e6, "GPa/m": 1e9, "deg": 1.0}
 
     def value(text):
         number, unit = text.split()
         return float(number) * si[unit]
 
-    matrix, test, bedding = recipe["matrix"], recipe["test"], recipe.get("bedding", [{"mu": 0.0}])
+    matrix, test = recipe["matrix"], recipe["test"]
+    bedding = [{k: value(v) if isinstance(v, str) and v[0].isdigit() else v for k, v in b.items()} for b in recipe.get("bedding", [])]
+    joint = bedding[0] if bedding else dict.fromkeys(["mu", "k_n", "k_s", "theta", "spacing", "offset"], 0.0)
     radii = [float(line.split(",")[2]) for line in open(folder / "discs.csv") if line[0].isdigit()]
     return {"variant": variant, "density": value(matrix["density"]), "mu": matrix["mu"], "E_c": value(matrix["E_c"]), "ratio": matrix["ks_over_kn"],
-            "joint_mu": bedding[0]["mu"], "width": value(recipe["specimen"]["width"]), "height": value(recipe["specimen"]["height"]),
+            "joint_mu": joint["mu"], "joint_kn": joint["k_n"], "joint_ks": joint["k_s"],
+            "theta": joint["theta"], "spacing": joint["spacing"], "offset": joint["offset"], "width": value(recipe["specimen"]["width"]), "height": value(recipe["specimen"]["height"]),
             "r_min": min(radii), "damping": recipe["engine"]["damping"], "speed": value(test["platen_speed"]), "ramp_strain": test["ramp_strain"],
             "stop_at": test["stop_at"], "post_peak": test["post_peak"], "max_strain": test["max_strain"], "dt": result["run"]["dt [s]"]}
 

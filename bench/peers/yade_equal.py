@@ -9,9 +9,12 @@ a linear contact and a parallel bond side by side, but it has both. So a disc is
 and a joint of the bedding is JCFpm's smooth joint. Every number of every contact is the exported one. Python takes away a bond that has broken in
 shear, which CohFrict would leave as a spring. Masses, step, damping, platens and stop rule are Phyllite's.
 
-"variant" in peer.json takes one thing away at a time: "no_bending" (bonds without bending stiffness), "friction" (bonds whose shear strength grows
-with friction), "one_spring" (JCFpm as it comes: one spring per contact, its friction from the start, no moments), "rolling" (a joint of Yade
-does not feel that its grains turn; this adds it).
+Two things of a joint are added in Python, for Yade's joint knows neither: it feels how its grains turn (their slide and closure at the contact, and the
+torque of its force on them), and grains of two layers that meet during the test press through a joint without a bond.
+
+"variant" in peer.json changes one thing at a time. Without bedding: "no_bending" (bonds without bending stiffness), "friction" (bonds whose shear
+strength grows with friction), "one_spring" (JCFpm as it comes: one spring per contact, its friction from the start, no moments). With
+bedding: "no_turning" and "no_new_joints", Yade's joint without the one or the other.
 """
 import csv
 import glob
@@ -58,17 +61,40 @@ for w in walls:
 factor = 1.0 + 1e-5  # so that pairs bonded across the smallest gaps are found
 O.engines = [
     ForceResetter(),
+    PyRunner(iterPeriod=1, command="slide_by_turning()", label="turn_before", dead=True),
     InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=factor), Bo1_Wall_Aabb()], verletDist=0.05 * settings["r_min"]),
     InteractionLoop([Ig2_Sphere_Sphere_ScGeom6D(interactionDetectionFactor=factor, avoidGranularRatcheting=False), Ig2_Wall_Sphere_ScGeom()],
                     [Ip2_JCFpmMat_JCFpmMat_JCFpmPhys(cohesiveTresholdIteration=0), Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()],
                     [Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM(smoothJoint=True, neverErase=True),
                      Law2_ScGeom6D_CohFrictPhys_CohesionMoment()]),
-    PyRunner(iterPeriod=1, command="turning()", label="of_joints", dead=True),
+    PyRunner(iterPeriod=1, command="torques_of_joints()", label="turn_after", dead=True),
+    PyRunner(iterPeriod=4 * CARE, command="lay_new_joints()", label="lay", dead=True),
     PyRunner(iterPeriod=CARE, command="take_away()", label="care", dead=True),
     NewtonIntegrator(damping=settings["damping"], exactAsphericalRot=False),
 ]
 O.dt = 1e-30
 O.step()  # finds the contacts, moves nothing
+
+
+
+class Joint:
+    """What Python adds to a joint: levers of its grains, cosine and sine between branch and normal, of the step before."""
+
+    def __init__(self, interaction):
+        self.interaction, self.phys = interaction, interaction.phys
+        self.one, self.two = O.bodies[interaction.id1].state, O.bodies[interaction.id2].state
+        self.tangent = Vector3(-self.phys.jointNormal[1], self.phys.jointNormal[0], 0)
+        self.look()
+
+    def look(self):
+        branch = self.two.pos - self.one.pos
+        length = branch.norm()
+        self.branch = branch / length
+        g = self.interaction.geom
+        self.lever_1, self.lever_2 = g.refR1 - 0.5 * g.penetrationDepth, g.refR2 - 0.5 * g.penetrationDepth
+        n = self.phys.jointNormal
+        self.along, self.off = self.branch.dot(n), self.branch[0] * n[1] - self.branch[1] * n[0]
+
 
 contacts = table(glob.glob(folder + "/contacts*.csv")[0])
 bonds, joints = [], []
@@ -84,7 +110,7 @@ for c in contacts:
         p.FnMax, p.FsMax = float(c["sigma_c [Pa]"]) * width, float(c["tau_c [Pa]"]) * width
         p.tanFrictionAngle, p.tanDilationAngle = settings["joint_mu"], 0.0
         p.initD = abs((O.bodies[grain.id1].state.pos - O.bodies[grain.id2].state.pos).dot(p.jointNormal))
-        joints.append((grain, p, O.bodies[grain.id1].state, O.bodies[grain.id2].state))
+        joints.append(Joint(grain))
     if c["kind"] != "bonded":
         continue
     tension, shear = float(c["sigma_c [Pa]"]) * width, float(c["tau_c [Pa]"]) * width
@@ -112,20 +138,54 @@ def broken(interaction, p):
     return p.cohesionBroken or not interaction.isReal or interaction.phys.kn < 1.0
 
 
-whole, whole_joints, cracks = bonds, [j[1] for j in joints], 0
+whole, whole_joints, cracks = bonds, [j.phys for j in joints], 0
 
 
-def turning():
-    """The part of a joint's slide that comes of turning grains, and the torque of its shear force on them."""
-    for i, p, one, two in joints:
-        t = Vector3(-p.jointNormal[1], p.jointNormal[0], 0)
-        reach_1, reach_2 = i.geom.contactPoint - one.pos, i.geom.contactPoint - two.pos
-        slide = (two.angVel.cross(reach_2) - one.angVel.cross(reach_1)).dot(t)
-        if p.kn * (p.initD - abs((one.pos - two.pos).dot(p.jointNormal))) > 0 or p.isCohesive:
-            p.shearForce = p.shearForce - p.ks * slide * O.dt * t
-        f = p.normalForce + p.shearForce
-        O.forces.addT(i.id1, reach_1.cross(-f))
-        O.forces.addT(i.id2, reach_2.cross(f))
+def slide_by_turning():
+    """Slide along the plane and closure across it."""
+    for j in joints:
+        turned = (j.one.angVel[2] * j.lever_1 + j.two.angVel[2] * j.lever_2) * O.dt
+        j.phys.shearForce += j.phys.ks * turned * j.along * j.tangent
+        j.phys.initD += turned * j.off
+
+
+def torques_of_joints():
+    for j in joints:
+        j.look()
+        f = j.phys.normalForce + j.phys.shearForce
+        across = Vector3(0, 0, j.branch[0] * f[1] - j.branch[1] * f[0])
+        O.forces.addT(j.interaction.id1, -j.lever_1 * across)
+        O.forces.addT(j.interaction.id2, -j.lever_2 * across)
+
+
+def layer_of(number):
+    """The layer that a grain's centre lay in at the start."""
+    t = math.radians(settings["theta"])
+    at = O.bodies[number].state.refPos - Vector3(0.5 * settings["width"], 0.5 * settings["height"], 0)
+    return math.floor((at[1] * math.cos(t) - at[0] * math.sin(t) - settings["offset"]) / settings["spacing"])
+
+
+layers = {d[1]: layer_of(d[1]) for d in discs} if joints else {}
+seen = {(i.id1, i.id2) for i in O.interactions}
+
+
+def lay_new_joints():
+    """Pairs of two layers that have met since the last time."""
+    t = math.radians(settings["theta"])
+    for i in O.interactions:
+        pair = (i.id1, i.id2)
+        if pair in seen:
+            continue
+        seen.add(pair)
+        if layers.get(i.id1) == layers.get(i.id2) or i.id1 not in layers or i.id2 not in layers:
+            continue
+        p, normal = i.phys, Vector3(-math.sin(t), math.cos(t), 0)
+        width = 2.0 * min(i.geom.refR1, i.geom.refR2)
+        p.jointNormal = normal if normal.dot(i.geom.normal) > 0 else -normal
+        p.kn, p.ks, p.isOnJoint = settings["joint_kn"] * width, settings["joint_ks"] * width, True
+        p.tanFrictionAngle, p.shearForce = settings["joint_mu"], Vector3(0, 0, 0)
+        p.initD = abs((O.bodies[i.id1].state.pos - O.bodies[i.id2].state.pos).dot(p.jointNormal))
+        joints.append(Joint(i))
 
 
 def take_away():
@@ -144,7 +204,9 @@ def take_away():
 
 
 O.dt = settings["dt"]
-care.dead, of_joints.dead = False, variant != "rolling"  # noqa: F405
+care.dead = False  # noqa: F405
+turn_before.dead = turn_after.dead = not joints or variant == "no_turning"  # noqa: F405
+lay.dead = not joints or variant == "no_new_joints"  # noqa: F405
 strain, peak, peak_strain, time, share, rows = 0.0, 0.0, 0.0, 0.0, 0.0, []
 rate = 2.0 * settings["speed"] / settings["height"]
 ramp = 2.0 * settings["ramp_strain"] / rate  # the speed rises linearly over this time

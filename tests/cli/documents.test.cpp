@@ -116,7 +116,9 @@ TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
       EXPECT_EQ(run(shown + " --help"), 0) << shown << "\n" << output;
       continue;
     }
-    if (((shown.starts_with("figure") || shown.find("--figure") != shown.npos) && !figures) || (shown.starts_with("film") && !films)) continue;
+    if (((shown.starts_with("figure") || shown.find("--figure") != shown.npos) && !figures) ||
+        (shown.starts_with("film") && !films))
+      continue;
     const int code = in_folder(small(shown));
     // 1: a verdict, or a test without a peak
     EXPECT_THAT(code, testing::AnyOf(0, 1)) << "phyllite " << shown << "\nrun as: " << small(shown) << "\n"
