@@ -394,7 +394,8 @@ def yade_ratios(recorded):
 
 
 YADE_QUANTITIES = ["E_secant [GPa]", "first crack [MPa]", "UCS [MPa]", "peak strain [%]"]
-YADE_WORDS = {"equal": "equal laws", "rolling": "and joints that feel how grains turn",
+YADE_WORDS = {"equal": "equal laws", "no_turning": "joints that do not feel how grains turn, as Yade has them",
+              "no_new_joints": "pairs of two layers that meet later as ordinary contacts, as Yade has them",
               "one_spring": "JCFpm as it comes: one spring, its friction from the start, no moments",
               "no_bending": "bonds without bending stiffness", "friction": "bonds whose shear strength grows with friction"}
 
@@ -543,6 +544,21 @@ within 6 % of the approximation in the abstract of Claesson & Bohloli (2002) onc
 has the area of a disc 1.2 % smaller than the circle that it was cut by: 1.2 % of the stress. The plate (90 x 100 grains) is pulled, its crack cut through the bonds;
 K_I is read from the movements around its end, G from the energies of cracks that are eight grain radii apart. Waves stand in free columns with a joint after every
 fourth row. A beam in bending is V5. Numbers: the table at the top, or docs/verification.md.
+"""
+YADE = """
+## Yade with the same laws
+
+400 discs of the paper's rock (8.75 x 17.5 mm), bonds with a moment contribution of 0, 0.1 m/s per platen; intact, and with smooth joints at 60
+degrees every 4 mm (zone rule, tan(phi) = mu). Yade (Debian, 2023.02a) gets the same discs, masses, bonds with their strengths, joints, platens,
+ramp, time step and local damping of 0.7, contact by contact. It has no law like ours but the parts of it: a disc is a clump of two spheres of
+one centre, one with the springs and Coulomb's friction of JCFpm, the other with the bond of CohFrict and its bending stiffness; a joint is JCFpm's. That joint does not
+feel that its grains turn, and pairs of two layers that meet during the test are ordinary contacts to it; Python adds both
+(`bench/peers/yade_equal.py`). Both curves are read by one code every 100 steps: E is the secant at half of the strength. Yade over
+Phyllite - 1, mean over bond seeds, each against itself; recorded in `bench/peers/equal.csv`, written by `make yade`:
+
+"""
+YADE_END = """
+TODO
 """
 CONVERGENCE = """
 ## Convergence

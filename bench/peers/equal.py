@@ -52,10 +52,11 @@ def settings_of(folder, result, variant):
 
     matrix, test = recipe["matrix"], recipe["test"]
     bedding = [{k: value(v) if isinstance(v, str) and v[0].isdigit() else v for k, v in b.items()} for b in recipe.get("bedding", [])]
-    joint = bedding[0] if bedding else dict.fromkeys(["mu", "k_n", "k_s", "theta", "spacing", "offset"], 0.0)
+    joint = bedding[0] if bedding else dict.fromkeys(["mu", "k_n", "k_s", "sigma_n", "cohesion", "theta", "spacing", "offset"], 0.0)
     radii = [float(line.split(",")[2]) for line in open(folder / "discs.csv") if line[0].isdigit()]
     return {"variant": variant, "density": value(matrix["density"]), "mu": matrix["mu"], "E_c": value(matrix["E_c"]), "ratio": matrix["ks_over_kn"],
-            "joint_mu": joint["mu"], "joint_kn": joint["k_n"], "joint_ks": joint["k_s"],
+            "joint_mu": joint["mu"], "joint_kn": joint["k_n"], "joint_ks": joint["k_s"], "joint_tension": joint["sigma_n"],
+            "joint_cohesion": joint["cohesion"],
             "theta": joint["theta"], "spacing": joint["spacing"], "offset": joint["offset"], "width": value(recipe["specimen"]["width"]), "height": value(recipe["specimen"]["height"]),
             "r_min": min(radii), "damping": recipe["engine"]["damping"], "speed": value(test["platen_speed"]), "ramp_strain": test["ramp_strain"],
             "stop_at": test["stop_at"], "post_peak": test["post_peak"], "max_strain": test["max_strain"], "dt": result["run"]["dt [s]"]}

@@ -50,7 +50,7 @@ def lanes(program, recipe, out):
 
 def yade(out, ours, max_steps):
     recipe = tomllib.loads(ours["recipe"])
-    si = {"mm": 1e-3, "m/s": 1.0, "kg/m^3": 1.0, "GPa": 1e9}
+    si = {"mm": 1e-3, "m/s": 1.0, "kg/m^3": 1.0, "GPa": 1e9, "MPa": 1e6}
 
     def value(text):
         number, unit = text.split()
@@ -60,6 +60,7 @@ def yade(out, ours, max_steps):
     discs = [line.split(",") for line in open(out / "specimen" / "discs.csv") if line[0].isdigit()]
     settings = {
         "density": value(recipe["matrix"]["density"]), "mu": recipe["matrix"]["mu"], "joint_mu": recipe["bedding"][0]["mu"],
+        "joint_tension": value(recipe["bedding"][0]["sigma_n"]), "joint_cohesion": value(recipe["bedding"][0]["cohesion"]),
         "width": value(recipe["specimen"]["width"]), "height": value(recipe["specimen"]["height"]),
         "r_min": min(float(d[2]) for d in discs), "damping": recipe["engine"]["damping"],
         "speed": value(recipe["test"]["platen_speed"]), "stop_at": recipe["test"]["stop_at"],

@@ -107,7 +107,7 @@ for c in contacts:
         p, normal = grain.phys, Vector3(float(c["normal_x"]), float(c["normal_y"]), 0)
         p.jointNormal = normal if normal.dot(grain.geom.normal) > 0 else -normal
         p.kn, p.ks, p.isOnJoint, p.isCohesive = k_n, k_s, True, True
-        p.FnMax, p.FsMax = float(c["sigma_c [Pa]"]) * width, float(c["tau_c [Pa]"]) * width
+        p.FnMax, p.FsMax = settings["joint_tension"] * width, settings["joint_cohesion"] * width
         p.tanFrictionAngle, p.tanDilationAngle = settings["joint_mu"], 0.0
         p.initD = abs((O.bodies[grain.id1].state.pos - O.bodies[grain.id2].state.pos).dot(p.jointNormal))
         joints.append(Joint(grain))

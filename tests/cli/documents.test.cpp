@@ -69,6 +69,7 @@ std::string small(const std::string& shown) {
       {"compare THEIRS.csv RESULT --figure FILE",
        "compare result/intact/history.csv result/intact --figure again/compared.svg"},
       {"export pfc2d FOLDER --out FILES", "export pfc2d result --out again/pfc2d"},
+      {"export pfc2d", "export pfc2d base.toml --out again/pfc2d-verb"},
       {"export pfc2d RECIPE", "export pfc2d base.toml --out again/pfc2d-recipe"},
       {"calibrate rock.toml", "calibrate rock.toml --elastic --out again/three"},
       {"elastic examples/paper/press.toml", "elastic base.toml"},
