@@ -14,7 +14,7 @@ MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linu
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy record docs web browser clean
+.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -97,6 +97,11 @@ maps: build
 # The paper's specimen here and in Yade (Debian: yade), one core each; takes some minutes, never part of CI.
 bench-peers: build
 	python3 bench/peers/run.py $(BUILD)/phyllite
+
+# Yade with the laws of Phyllite on the same specimens (Debian: yade): bench/peers/equal.csv, which `make evidence` quotes. Tests that
+# the table holds are not run again. Some twenty minutes of CPU, never part of CI.
+yade: program
+	python3 bench/peers/equal.py $(BUILD)/phyllite
 
 # Studies over MPI ranks (Debian: libopenmpi-dev, openmpi-bin), built and tested beside the usual build.
 mpi:

@@ -76,6 +76,7 @@ for i in O.interactions:
     phys.isCohesive = True
     phys.FnMax, phys.FsMax = float(c["sigma_c [Pa]"]) * area, float(c["tau_c [Pa]"]) * area
     if c["kind"] == "joint":
+        phys.FnMax, phys.FsMax = settings["joint_tension"] * area, settings["joint_cohesion"] * area
         normal = Vector3(float(c["normal_x"]), float(c["normal_y"]), 0)
         if normal.dot(i.geom.normal) < 0:
             normal = -normal

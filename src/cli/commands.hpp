@@ -35,6 +35,8 @@ void add_calibrate_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);
 /// Writes report.html of a study or calibration into its folder and prints its name.
 void write_report(const std::string& folder);
+void add_export_command(CLI::App& app, Session& session);
+void add_compare_command(CLI::App& app, Session& session);
 void add_figure_command(CLI::App& app, Session& session);
 void add_film_command(CLI::App& app, Session& session);
 void add_envelope_command(CLI::App& app, Session& session);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
@@ -17,9 +16,6 @@
 namespace phy::cli {
 namespace {
 
-const std::map<std::string, report::FigureFormat> formats = {{"svg", report::FigureFormat::svg},
-                                                             {"pdf", report::FigureFormat::pdf},
-                                                             {"png", report::FigureFormat::png}};
 constexpr double least_width = 30.0, most_width = 1000.0;  // [mm]
 
 struct FigureArguments {
@@ -50,7 +46,7 @@ report::FigureData data_for(const report::FigureKind& kind, const FigureArgument
 std::string format_of(const FigureArguments& args) {
   std::string ending = std::filesystem::path(args.out).extension().string();
   if (!ending.empty()) ending.erase(0, 1);
-  if (!formats.contains(ending)) return args.format.empty() ? "svg" : args.format;
+  if (!report::figure_formats().contains(ending)) return args.format.empty() ? "svg" : args.format;
   if (!args.format.empty() && args.format != ending)
     throw InputError(Problem{"command line", "--format", args.format, ending + ", as --out " + args.out,
                              "leave --format out, or give the file another ending"});
@@ -71,7 +67,8 @@ int draw(FigureArguments args) {
   const report::FigureData data = data_for(kind, args);
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
-    const std::string script = report::figure_script(kind, data, formats.at(format), args.width, temporary);
+    const std::string script =
+        report::figure_script(kind, data, report::figure_formats().at(format), args.width, temporary);
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
   print_out("{}\n", args.out);

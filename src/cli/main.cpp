@@ -92,6 +92,8 @@ int run(int argc, char** argv) {
   phy::cli::add_report_command(app, session);
   phy::cli::add_figure_command(app, session);
   phy::cli::add_film_command(app, session);
+  phy::cli::add_export_command(app, session);
+  phy::cli::add_compare_command(app, session);
   phy::cli::add_envelope_command(app, session);
   try {
     app.parse(argc, argv);

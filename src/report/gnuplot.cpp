@@ -7,6 +7,12 @@
 
 namespace phy::report {
 
+const std::map<std::string, FigureFormat>& figure_formats() {
+  static const std::map<std::string, FigureFormat> formats = {
+      {"svg", FigureFormat::svg}, {"pdf", FigureFormat::pdf}, {"png", FigureFormat::png}};
+  return formats;
+}
+
 std::string GnuplotScript::block(const std::vector<Row>& rows) {
   std::string name = "$d" + std::to_string(n_blocks_++);
   data_ += name + " << EOD\n";

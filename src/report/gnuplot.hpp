@@ -3,6 +3,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ class GnuplotScript {
 };
 
 enum class FigureFormat { svg, pdf, png };
+/// By the ending of a file's name, without the point.
+const std::map<std::string, FigureFormat>& figure_formats();
 
 /// The lines that set size [mm], letters and lines for print, and the file.
 std::string gnuplot_head(FigureFormat format, double width, double height, const std::string& out);

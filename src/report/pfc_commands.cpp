@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/quote.hpp"
+#include "report/pfc_properties.hpp"
 
 namespace phy::report {
 namespace {
@@ -19,17 +20,6 @@ PfcWords words_of(const MatrixRecipe& m) {
   if (m.model == MatrixModel::flat_joint)
     return {"flatjoint", "fj_state", "fj_ten", "fj_coh", {"fj_kn", "fj_ks"}};
   return {"linearpbond", "pb_state", "pb_ten", "pb_coh", {"kn", "ks", "pb_kn", "pb_ks"}};
-}
-
-/// "property value" pairs of one PFC command.
-std::string joint_properties(const BeddingRecipe& b) {
-  const std::pair<const char*, double> list[] = {
-      {"sj_kn", b.k_n},      {"sj_ks", b.k_s},       {"sj_fric", b.mu}, {"sj_da", b.psi},
-      {"sj_ten", b.sigma_n}, {"sj_coh", b.cohesion}, {"sj_fa", b.phi},  {"sj_rmul", b.radius_multiplier}};
-  std::string text;
-  for (const auto& [name, value] : list)
-    text += fmt::format("        contact.prop(c,'{}') = {:.8g}\n", name, value);
-  return text;
 }
 
 /// FISH that gives the contacts of the matrix what they have by their direction, and takes bonds away.
@@ -92,29 +82,10 @@ std::string pfc_joints(const Recipe& r) {
         "offset\n"
         "    if math.floor(h1/spacing) # math.floor(h2/spacing) then    ; crossing rule\n";
   return text + fmt::format("      if contact.model(c) = '{}' then\n", words_of(r.matrix).model) +
-         "        contact.model(c) = 'smoothjoint'\n" + joint_properties(b) +
+         "        contact.model(c) = 'smoothjoint'\n" + pfc_joint_properties(b) +
          "        contact.prop(c,'dip') = 180.0 - theta\n"
          "        contact.method(c,'bond')\n"
          "      endif\n    endif\n  endloop\nend\n@lay_bedding\n";
-}
-
-/// Linear contacts and parallel bonds.
-std::string pfc_parallel_bonds(const MatrixRecipe& m) {
-  const bool pfc5 = m.stiffness_convention == StiffnessConvention::pfc5;
-  std::string text =
-      pfc5 ? fmt::format(
-                 "contact method deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n",
-                 m.E_c, 1.0 / m.ks_over_kn)
-           : fmt::format(
-                 "contact property kn {:.8g} ks {:.8g} range contact type 'ball-ball'   ; PFC 3.1: k_n = "
-                 "E_c t\n",
-                 m.E_c, m.ks_over_kn * m.E_c);
-  return text +
-         fmt::format(
-             "contact method pb_deformability emod {:.8g} kratio {:.8g} range contact type 'ball-ball'\n"
-             "contact property fric {:.8g} pb_rmul {:.8g} pb_mcf {:.8g} pb_fa {:.8g} lin_mode 1 range "
-             "contact type 'ball-ball'\n",
-             m.E_b, 1.0 / m.bond_ks_over_kn, m.mu, m.radius_multiplier, m.moment_contribution, m.phi);
 }
 
 /// The number of elements is read-only once a flat joint is there (manual of PFC 6, flat-joint properties).
@@ -142,7 +113,7 @@ std::string pfc_matrix(const Recipe& r) {
   text += fmt::format(
       "contact method bond gap {:.8g} range contact type 'ball-ball'   ; {:g} of the mean radius\n",
       m.bond_gap * 0.5 * (r.packing.radius_min + r.packing.radius_max), m.bond_gap);
-  text += flat ? pfc_flat_joints(m) : pfc_parallel_bonds(m);
+  text += flat ? pfc_flat_joints(m) : pfc_matrix_properties(m);
   return text + fmt::format(
                     "[sigma_c = {:.8g}]\n[sigma_c_sd = {:.8g}]\n[tau_c = {:.8g}]\n[tau_c_sd = {:.8g}]\n"
                     "fish define draw(mean, sd)   ; normal, drawn again beyond 3 SD\n"

@@ -65,6 +65,12 @@ std::string small(const std::string& shown) {
   static const std::map<std::string, std::string> whole = {
       {"calibrate ROCK", "calibrate rock.toml --elastic --out again/one"},
       {"calibrate ROCK --out FOLDER", "calibrate rock.toml --elastic --out again/two"},
+      {"compare THEIRS.csv RESULT", "compare result/intact/history.csv result/intact"},
+      {"compare THEIRS.csv RESULT --figure FILE",
+       "compare result/intact/history.csv result/intact --figure again/compared.svg"},
+      {"export pfc2d FOLDER --out FILES", "export pfc2d result --out again/pfc2d"},
+      {"export pfc2d", "export pfc2d base.toml --out again/pfc2d-verb"},
+      {"export pfc2d RECIPE", "export pfc2d base.toml --out again/pfc2d-recipe"},
       {"calibrate rock.toml", "calibrate rock.toml --elastic --out again/three"},
       {"elastic examples/paper/press.toml", "elastic base.toml"},
       {"figure --kind stiffness", "figure results/study --kind stiffness --out again/stiffness.svg"},
@@ -111,7 +117,9 @@ TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
       EXPECT_EQ(run(shown + " --help"), 0) << shown << "\n" << output;
       continue;
     }
-    if ((shown.starts_with("figure") && !figures) || (shown.starts_with("film") && !films)) continue;
+    if (((shown.starts_with("figure") || shown.find("--figure") != shown.npos) && !figures) ||
+        (shown.starts_with("film") && !films))
+      continue;
     const int code = in_folder(small(shown));
     // 1: a verdict, or a test without a peak
     EXPECT_THAT(code, testing::AnyOf(0, 1)) << "phyllite " << shown << "\nrun as: " << small(shown) << "\n"

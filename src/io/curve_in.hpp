@@ -1,0 +1,24 @@
+// A stress-strain curve of somebody else - PFC, Yade, a laboratory - from a table (io/table.hpp).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/result.hpp"
+
+namespace phy::io {
+
+struct ForeignCurve {
+  History history;                 ///< strain, stress and, where the table has them, cracks; zeros elsewhere
+  std::vector<std::string> notes;  ///< how the table was understood
+};
+
+/// Columns are found by name, their units stand in brackets: one of "axial_strain", "strain", "epsilon" in
+/// [1], [-], [mm/mm], [%] or [microstrain]; one of "axial_stress", "stress", "sigma" in a unit of pressure;
+/// and, if it is there, "n_cracks" or "cracks". Other columns are passed over. A curve whose compression is
+/// negative is turned. Throws InputError with everything that is wrong.
+ForeignCurve parse_curve(std::string_view text, const std::string& where);
+/// The same of a file; throws IoError as well.
+ForeignCurve read_curve(const std::string& path);
+
+}  // namespace phy::io
