@@ -46,7 +46,7 @@ TEST_F(Replay, ARunIsEqual) {
 
 TEST_F(Replay, AChangedResultIsTold) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
-  change(out() + "/intact/result.json", std::regex("(\"ucs\": \\{\\s*\"value\": )[0-9.e+]+"), "$0012");
+  change(out() + "/intact/result.json", std::regex("(\"ucs\": \\{\\s*\"value\": )[0-9.e+]+"), "$012");
   change(out() + "/theta_45_deg/result.json", std::regex("\"program\": \"phyllite [0-9.]+"),
          "\"program\": \"phyllite 0.0.9");
   EXPECT_EQ(run("replay " + out()), 1) << output;
@@ -105,7 +105,7 @@ TEST_F(Replay, DirectSolutions) {
 TEST_F(Replay, ASignalEndsIt) {
   small_recipe();
   const std::string recipe =
-      write("slow.toml", std::regex_replace(read(at("small.toml")), std::regex("0.2 m/s"), "0.02 m/s"));
+      write("slow.toml", std::regex_replace(read(at("small.toml")), std::regex("0.2 m/s"), "0.05 m/s"));
   ASSERT_EQ(run("run " + recipe + " --out " + out()), 0) << output;
   const pid_t child = start({"replay", out()}, at("log"));
   for (int i = 0; i < 3000 && read(at("log")).find("replay ") == std::string::npos; ++i)

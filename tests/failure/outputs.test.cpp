@@ -1,6 +1,7 @@
 // Outputs that cannot be written and signals that ask for an end: what is finished is kept, whatever happens.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
@@ -157,8 +158,10 @@ TEST_F(Outputs, ASignalEndsThePackingThatIsMade) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     ::kill(child, SIGTERM);
     int status = 0;
-    ::waitpid(child, &status, 0);
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << read(at("log"));
+    EXPECT_LT(used.ru_utime.tv_sec, 4) << line.front() << ": as long as the packing takes";
     EXPECT_THAT(read(at("log")), AllOf(HasSubstr(says), Not(HasSubstr("porosity"))));
     EXPECT_TRUE(!fs::exists(out()) || !fs::is_empty(out())) << line.front();
     EXPECT_FALSE(fs::exists(out() + ".csv"));

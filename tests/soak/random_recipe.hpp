@@ -126,19 +126,24 @@ class RandomRecipe {
     return true;
   }
 
+  /// Stiffness of a joint over that of a bond, or 1: the time step follows from the larger.
+  static double stiffest_joint(const Recipe& r) {
+    double most = 1.0;
+    for (const BeddingRecipe& b : r.bedding)
+      most = std::max(most, std::max(b.k_n, b.k_s) * 2.0 * r.packing.radius_max / r.matrix.modulus());
+    return most;
+  }
   /// Presses as fast as it takes for the whole way of test.max_strain in most_cycles; false where that is too
   /// fast for a recipe, or too many discs.
   static bool is_small(Recipe& r) {
     Recipe whole = r;
-    whole.test.kind = TestKind();
+    whole.test.kind = TestKind(), whole.test.pre_strain = 0.0;
     if (study::expected_grains(whole) > most_discs) return false;
-    double cycles = 0.0;
-    for (Recipe& single : study::single_recipes(r)) {
-      single.matrix.sigma_c = single.matrix.tau_c = 1e13;  // a strength that is never reached
-      for (BeddingRecipe& b : single.bedding) b.cohesion = 1e13;
-      const double grains = study::expected_grains(single);
-      cycles = std::max(cycles, study::expected_cost(single) / grains);
-    }
+    const TestKind to_its_end("direct_shear");  // what it costs is the whole way
+    whole.test.kind = to_its_end, whole.bedding.clear();
+    const double cycles = study::expected_cost(whole) / study::expected_grains(whole) *
+                          r.test.kind->expected.length(r) / to_its_end->expected.length(whole) *
+                          std::sqrt(stiffest_joint(r));
     r.test.platen_speed *= std::max(1.0, cycles / most_cycles);
     return r.test.platen_speed <= 10.0;
   }

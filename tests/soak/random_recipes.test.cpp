@@ -31,7 +31,7 @@ class RandomRecipes : public ProgramTest {
     if (!recipe) return "not drawn";
     const std::string place = at("r" + std::to_string(number)), file = place + ".toml", log = place + ".log";
     std::ofstream(file) << io::write_recipe(*recipe);
-    const std::string line = "timeout 600 " PHY_PROGRAM " --threads 1 run " + file + " --no-cache --out " +
+    const std::string line = "ulimit -t 120; " PHY_PROGRAM " --threads 1 run " + file + " --no-cache --out " +
                              place + " > " + log + " 2>&1";
     const int status = std::system(line.c_str());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
