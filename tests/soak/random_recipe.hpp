@@ -133,6 +133,13 @@ class RandomRecipe {
       most = std::max(most, std::max(b.k_n, b.k_s) * 2.0 * r.packing.radius_max / r.matrix.modulus());
     return most;
   }
+  /// 1 and, over the way of test.max_strain, the way until the stress on the sides is there.
+  static double way_to_kept_stress(const Recipe& r) {
+    const KeptStress& kept = r.test.kind->kept_stress;
+    if (kept.value == nullptr) return 1.0;
+    return 1.0 + 2.0 * r.test.*kept.value / (r.matrix.modulus() * r.test.max_strain) * r.specimen.height /
+                     r.test.kind->expected.length(r);
+  }
   /// Gives a recipe whose speed was not drawn, or would take longer, the speed that makes the whole way of
   /// test.max_strain in most_cycles; false where that is too fast for a recipe, or with too many discs.
   static bool is_small(Recipe& r) {
@@ -143,7 +150,7 @@ class RandomRecipe {
     whole.test.kind = to_its_end, whole.bedding.clear();
     const double cycles = study::expected_cost(whole) / study::expected_grains(whole) *
                           r.test.kind->expected.length(r) / to_its_end->expected.length(whole) *
-                          std::sqrt(stiffest_joint(r));
+                          std::sqrt(stiffest_joint(r)) * way_to_kept_stress(r);
     const bool as_drawn = r.test.platen_speed != usual_speed && cycles < most_cycles;
     if (!as_drawn) r.test.platen_speed *= cycles / most_cycles;
     return r.test.platen_speed <= 10.0;
