@@ -14,7 +14,7 @@ MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linu
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade lint tidy record docs web browser clean
+.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade clang-hash lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -108,6 +108,11 @@ mpi:
 	@cmake -S . -B build/mpi -G Ninja -DPHY_MPI=ON -DPHY_BENCH=OFF >/dev/null
 	@cmake --build build/mpi -j $(JOBS) --target phyllite test_x_mpi
 	@ctest --test-dir build/mpi --output-on-failure -L mpi
+
+# The same bits by another compiler.
+clang-hash:
+	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS) --target phyllite
+	build/clang/phyllite verify --hash
 
 lint:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror

@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "genesis/cache.hpp"
+#include "genesis/settle.hpp"
 #include "statics/uniaxial.hpp"
 #include "study/effects.hpp"
 #include "study/expected.hpp"
@@ -144,8 +145,15 @@ class OwnSimulator : public Simulator {
       if (const std::string name = packing_name(r); !packings_.contains(name)) missing[name] = &r;
     const std::vector<std::pair<std::string, const Recipe*>> list(missing.begin(), missing.end());
     std::vector<std::shared_ptr<const Packing>> made(list.size());
-    for_all(list.size(), options_.threads,
-            [&] { return [&](std::size_t i) { made[i] = study::packing_of(*list[i].second); }; });
+    try {
+      for_all(list.size(), options_.threads, [&] {
+        return [&](std::size_t i) {
+          made[i] = study::packing_of(*list[i].second, [this] { return stopped(); });
+        };
+      });
+    } catch (const genesis::Interrupted&) {
+      throw Stopped{};
+    }
     for (std::size_t i = 0; i < list.size(); ++i) packings_[list[i].first] = made[i];
   }
 

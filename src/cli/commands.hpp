@@ -30,6 +30,7 @@ void add_verify_command(CLI::App& app, Session& session);
 void add_recipe_command(CLI::App& app, Session& session);
 void add_rock_command(CLI::App& app, Session& session);
 void add_contact_command(CLI::App& app, Session& session);
+void add_replay_command(CLI::App& app, Session& session);
 void add_show_command(CLI::App& app, Session& session);
 void add_calibrate_command(CLI::App& app, Session& session);
 void add_report_command(CLI::App& app, Session& session);

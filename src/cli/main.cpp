@@ -88,6 +88,7 @@ int run(int argc, char** argv) {
   phy::cli::add_elastic_command(app, session);
   phy::cli::add_rock_command(app, session);
   phy::cli::add_show_command(app, session);
+  phy::cli::add_replay_command(app, session);
   phy::cli::add_calibrate_command(app, session);
   phy::cli::add_report_command(app, session);
   phy::cli::add_figure_command(app, session);

@@ -140,6 +140,7 @@ std::shared_ptr<const Packing> cached_packing(const SpecimenSize& size, const Pa
     if (std::optional<Packing> p = from_text(text, key)) return std::make_shared<Packing>(std::move(*p));
   }
   auto packing = std::make_shared<Packing>(make_packing(size, recipe, matrix, stop));
+  io::remove_leftovers(folder.string());  // a process may have been killed as it wrote this very packing
   try {
     io::write_file(file.string(), to_text(key, *packing));
   } catch (const IoError&) {  // made anew next time

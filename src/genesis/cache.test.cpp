@@ -2,6 +2,7 @@
 #include "genesis/cache.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <iterator>
@@ -73,6 +74,17 @@ TEST_F(Cache, MakesADamagedFileAnew) {
     EXPECT_EQ(get()->hash, hash);
     EXPECT_EQ(read(file()), whole);
   }
+}
+
+TEST_F(Cache, RemovesWhatAKilledProcessHasLeft) {
+  get();
+  const fs::path dead = file().string() + ".phyllite-part-999999999",
+                 alive = file().string() + ".phyllite-part-" + std::to_string(::getpid());
+  fs::copy(file(), dead), fs::copy(file(), alive);
+  fs::remove(file());
+  get();
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(alive));
 }
 
 TEST_F(Cache, DoesNotTakeAnotherKeysFile) {

@@ -186,6 +186,8 @@ SpecimenRecord read_result(const std::string& folder) {
   // The columns of a history do not hold the size of the specimen.
   history.width = record.recipe.specimen.width, history.height = record.recipe.specimen.height;
   record.result.cracks = parse_cracks(read_written(path("cracks.csv")), path("cracks.csv"));
+  // Not read, as result.json has the recipe, but people do: it must say what was run.
+  if (fs::exists(path("recipe.toml"))) read_written(path("recipe.toml"));
   // Runs of older versions have no scene.
   if (fs::exists(path("scene.bin")))
     record.scene = unpack_scene(read_written(path("scene.bin")), path("scene.bin"));

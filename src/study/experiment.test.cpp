@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 
+#include "base/hash.hpp"
 #include "base/in_folder_fixture.hpp"
-#include "base/recorded_fixture.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "io/file.hpp"
@@ -144,11 +145,14 @@ TEST_F(SpecimenKeyOfFiles, TakesAnImportedPackingByContent) {
 
 // Rows of other physics must not be found under the keys of today.
 TEST(SpecimenKey, TheVersionOfResultsIsRaisedWithTheRecordedNumbers) {
+  std::ifstream file(PHY_SOURCE_DIR "/tests/recorded.txt");
   std::string physics;
-  for (const char* name : {"packing/small", "press/double", "press/float"}) physics += recorded(name) + " ";
-  EXPECT_EQ(std::to_string(results_version) + ": " + physics,
-            "1: 11fd00d858726563 f355b0470b647180 af6aed32667b3803 ")
-      << "raise results_version (study/experiment.hpp), then write its recorded numbers here";
+  for (std::string name, value; file >> name >> value;)
+    if (!name.starts_with("columns/")) physics += name + " " + value + "\n";
+  EXPECT_EQ(std::to_string(results_version) + ": " + fingerprint_of(physics),
+            "1: dc333cc9f0d6cedbc4b26a941b0abad8")
+      << "raise results_version (study/experiment.hpp), unless lines were only added to tests/recorded.txt, "
+         "then write its new fingerprint here";
 }
 
 }  // namespace

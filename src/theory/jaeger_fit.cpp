@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 #include "base/nan.hpp"
@@ -36,40 +35,41 @@ double spread(const std::vector<StrengthReading>& readings) {
 
 constexpr double coarse_step = 0.5, fine_step = 0.01;  // [deg] of friction
 
-/// The best plane of one friction angle and the best matrix, where `n_slip` of the readings slip.
-JaegerFit with_slip(const std::vector<StrengthReading>& readings, const std::vector<double>& per_cohesion,
-                    const std::vector<std::size_t>& easiest, std::size_t n_slip) {
-  JaegerFit fit;
-  double own = 0.0, product = 0.0, rest = 0.0, strongest = 0.0;
-  for (std::size_t k = 0; k < easiest.size(); ++k) {
-    const double ucs = readings[easiest[k]].ucs, g = per_cohesion[easiest[k]];
-    if (k < n_slip)
-      own += g * g, product += g * ucs;
-    else
-      rest += ucs;
-    strongest = std::max(strongest, ucs);
+/// A reading at one friction angle.
+struct Slope {
+  double per_cohesion;  ///< strength of a plane with a cohesion of 1; infinite where it does not slip
+  double ucs;
+};
+
+/// Sum of squares where the plane has a cohesion and the matrix a strength.
+double misfit(const std::vector<Slope>& slopes, double cohesion, double matrix) {
+  double sum = 0.0;
+  for (const Slope& s : slopes) {
+    const double d = s.ucs - std::min(matrix, cohesion * s.per_cohesion);
+    sum += d * d;
   }
-  fit.plane.cohesion = product / own;
-  fit.matrix_ucs = n_slip == easiest.size() ? strongest : rest / static_cast<double>(easiest.size() - n_slip);
-  return fit;
+  return sum;
 }
 
-/// Takes the fit for a friction angle if it is better than what is known. `best`: sum of squares.
+/// Takes the fit for a friction angle if it is better than what is known. `best`: sum of squares. Of each
+/// number of readings that slip, easiest first: the best cohesion of these and the best matrix of the rest.
 void try_friction(const std::vector<StrengthReading>& readings, double friction, JaegerFit& known,
                   double& best) {
-  std::vector<double> per_cohesion;
-  for (const StrengthReading& r : readings)
-    per_cohesion.push_back(weak_plane_sigma_1({1.0, friction}, r.theta, 0.0));
-  std::vector<std::size_t> easiest(readings.size());
-  std::iota(easiest.begin(), easiest.end(), 0U);
-  std::sort(easiest.begin(), easiest.end(),
-            [&](std::size_t a, std::size_t b) { return per_cohesion[a] < per_cohesion[b]; });
-  for (std::size_t n = 1; n <= easiest.size() && std::isfinite(per_cohesion[easiest[n - 1]]); ++n) {
-    JaegerFit fit = with_slip(readings, per_cohesion, easiest, n);
-    fit.plane.friction = friction;
-    const double sum = misfit(
-        readings, [&](double) { return fit.matrix_ucs; }, fit.plane);
-    if (sum < best) best = sum, known = fit;
+  std::vector<Slope> slopes;
+  double own = 0.0, product = 0.0, rest = 0.0, strongest = 0.0;
+  for (const StrengthReading& r : readings) {
+    slopes.push_back({weak_plane_sigma_1({1.0, friction}, r.theta, 0.0), r.ucs});
+    rest += r.ucs, strongest = std::max(strongest, r.ucs);
+  }
+  std::sort(slopes.begin(), slopes.end(),
+            [](const Slope& a, const Slope& b) { return a.per_cohesion < b.per_cohesion; });
+  for (std::size_t n = 1; n <= slopes.size() && std::isfinite(slopes[n - 1].per_cohesion); ++n) {
+    const Slope& s = slopes[n - 1];
+    own += s.per_cohesion * s.per_cohesion, product += s.per_cohesion * s.ucs, rest -= s.ucs;
+    const double cohesion = product / own;
+    const double matrix = n == slopes.size() ? strongest : rest / static_cast<double>(slopes.size() - n);
+    if (const double sum = misfit(slopes, cohesion, matrix); sum < best)
+      best = sum, known.plane = {cohesion, friction}, known.matrix_ucs = matrix;
   }
 }
 

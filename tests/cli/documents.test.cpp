@@ -76,6 +76,7 @@ std::string small(const std::string& shown) {
       {"figure --kind stiffness", "figure results/study --kind stiffness --out again/stiffness.svg"},
       {"film RESULT", "film result --seconds 0.5 --width 320"},
       {"film RESULT --out film.webm", "film result --seconds 0.5 --width 320 --out again/film.webm"},
+      {"replay FOLDER", "replay result"},
       {"recipe --explain", "recipe --explain spacing"},
       {"rock check", "rock check rock.toml"},
       {"rock new", "rock new fresh"},

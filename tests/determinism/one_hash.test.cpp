@@ -1,16 +1,20 @@
 // One hash: the same recipe and precision give the same bits for every number of lanes, instruction set,
-// thread count, skew, lane neighbour and compiler. The recorded hashes are those of g++ 12 and hold for
-// clang as well.
+// thread count, skew, lane neighbour and compiler. The recorded hashes are those of g++ 12 and hold for clang
+// as well (make clang-hash).
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
+#include <set>
 
 #include "base/recorded_fixture.hpp"
+#include "contact/models.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
+#include "records/test_description.hpp"
 #include "study/scheduler.hpp"
+#include "verification/golden.hpp"
 
 namespace phy {
 namespace {
@@ -47,59 +51,61 @@ std::vector<std::string> hashes(const Recipe& r,
   return h;
 }
 
-// Every kind of test: the narrowest lanes of the portable instruction set on one thread, and the widest of
-// this processor on two.
-TEST(OneHashOfEveryTest, ForLanesSetsThreadsAndSkew) {
-  for (const TestDescription* test : laboratory_tests()) {
-    Recipe r = small_recipe(Precision::single_precision);
-    r.test.kind = *test;
-    r.test.confining_stress = r.test.normal_stress = 5e6;
-    r.test.shear_gap = 0.002;
-    r.test.max_strain = 0.004;
+study::MachineOptions narrowest(Precision precision) {
+  study::MachineOptions machine;
+  machine.lanes = precision == Precision::single_precision ? 4 : 1, machine.skew = 1;
+  return machine;
+}
+study::MachineOptions widest(Precision precision) {
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
+  machine.lanes = precision == Precision::single_precision ? 16 : 8, machine.skew = 9, machine.threads = 2;
+  return machine;
+}
+
+// Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
+TEST(GoldenHashes, AreTheRecordedOnes) {
+  std::string before;
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa(), machine.threads = 2;
+  for (const verification::GoldenHash& h : verification::golden_hashes(machine)) {
+    expect_recorded(h.name, h.hash);
+    EXPECT_NE(h.hash, before) << h.name << " is the test before it";
+    before = h.hash;
+  }
+}
+
+TEST(GoldenHashes, AreOfEveryKindModelAndPrecision) {
+  std::set<std::string> names;
+  std::set<std::size_t> models;
+  for (const verification::GoldenTest& t : verification::golden_tests()) {
+    EXPECT_TRUE(names.insert(t.name).second) << t.name << " twice";
+    models.insert(contact::combination_of(t.recipe.matrix, t.recipe.bedding));
+  }
+  EXPECT_EQ(models.size(), std::tuple_size_v<contact::Combinations>);
+  EXPECT_EQ(names.size(), laboratory_tests().size() * models.size() * 2);
+}
+
+// Every kind of test with every contact model: the narrowest lanes of the portable instruction set on one
+// thread, the widest of this processor on two, and groups that tests move between.
+TEST(OneHashOfEveryKindAndModel, ForLanesSetsThreadsAndSkew) {
+  for (const verification::GoldenTest& golden : verification::golden_tests()) {
+    Recipe r = golden.recipe;
+    r.test.angles = {30.0, 75.0};
+    r.test.max_strain = 0.002;
     const auto specimens = specimens_of(r);
-    study::MachineOptions narrow, wide, shared;
-    narrow.lanes = 4, narrow.skew = 1;
-    wide.isa = engine::native_isa(), wide.threads = 2, wide.lanes = 16, wide.skew = 9;
+    const Precision precision = r.engine.precision;
+    std::vector<std::string> reference;
+    std::size_t n_cracks = 0;
+    for (const TestResult& result : study::run_tests(specimens, r, narrowest(precision)))
+      reference.push_back(result.hash), n_cracks += result.cracks.size();
+    EXPECT_GT(n_cracks, 0U) << golden.name;
+    EXPECT_EQ(reference, hashes(r, specimens, widest(precision))) << golden.name;
+    if (precision == Precision::double_precision) continue;
+    study::MachineOptions shared;
     shared.threads = 3;  // lanes 0: tests move to other groups
-    const auto reference = hashes(r, specimens, narrow);
-    EXPECT_EQ(reference, hashes(r, specimens, wide)) << test->name;
-    EXPECT_EQ(reference, hashes(r, specimens, shared)) << test->name;
+    EXPECT_EQ(reference, hashes(r, specimens, shared)) << golden.name;
   }
-}
-
-void expect_one_hash(const MatrixRecipe& matrix) {
-  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-    Recipe r = small_recipe(precision);
-    r.matrix = matrix;
-    r.test.intact = false;
-    r.test.max_strain = 0.004;
-    const auto specimens = specimens_of(r);
-    const bool single = precision == Precision::single_precision;
-    study::MachineOptions narrow, wide, shared;
-    narrow.lanes = single ? 4 : 1, narrow.skew = 1;
-    wide.isa = engine::native_isa(), wide.threads = 2, wide.lanes = single ? 16 : 8, wide.skew = 9;
-    shared.threads = 3;
-    const auto reference = hashes(r, specimens, narrow);
-    EXPECT_EQ(reference, hashes(r, specimens, wide));
-    EXPECT_EQ(reference, hashes(r, specimens, shared));
-  }
-}
-
-// A matrix with directions has a force loop of its own; some of its contacts have no bond.
-TEST(OneHashOfEveryModel, Directional) {
-  MatrixRecipe m;
-  m.sigma_c = m.tau_c = 40e6;
-  m.stiffness_ratio = 1.8, m.tension_ratio = 2.0, m.unbonded_fraction = 0.1;
-  expect_one_hash(m);
-}
-
-// So has one of flat joints, with slits and gaps among them.
-TEST(OneHashOfEveryModel, FlatJoint) {
-  MatrixRecipe m;
-  m.model = MatrixModel::flat_joint, m.elements = 3;
-  m.sigma_c = 20e6, m.sigma_c_sd = 2e6, m.tau_c = 40e6, m.tau_c_sd = 4e6;
-  m.unbonded_fraction = 0.1, m.gapped_fraction = 0.05, m.initial_gap = 1e-7;
-  expect_one_hash(m);
 }
 
 class OneHash : public testing::TestWithParam<Precision> {};
@@ -224,16 +230,6 @@ TEST_P(OneHash, CoversBreakage) {
   for (const TestResult& result : study::run_tests(specimens_of(r), r, machine))
     n_cracks += result.cracks.size();
   EXPECT_GT(n_cracks, 200U);
-}
-
-// Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
-TEST_P(OneHash, IsTheRecordedOne) {
-  const Recipe r = small_recipe(GetParam());
-  study::MachineOptions machine;
-  machine.isa = engine::native_isa();
-  machine.lanes = 4;
-  const auto h = hashes(r, specimens_of(r), machine);
-  expect_recorded(GetParam() == Precision::double_precision ? "press/double" : "press/float", h[1]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, OneHash,

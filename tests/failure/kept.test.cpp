@@ -40,7 +40,7 @@ TEST_F(Kept, AChangedNumberOfAStudyIsTold) {
 
 TEST_F(Kept, AChangedFileOfAResultIsTold) {
   ASSERT_EQ(run("run " + small_recipe() + " --out " + out()), 0) << output;
-  for (const char* name : {"history.csv", "cracks.csv", "scene.bin", "result.json"}) {
+  for (const char* name : {"history.csv", "cracks.csv", "scene.bin", "result.json", "recipe.toml"}) {
     const std::string file = out() + "/intact/" + name, whole = read(file);
     std::string changed = whole;
     changed[whole.size() / 2] = static_cast<char>(changed[whole.size() / 2] ^ 1);

@@ -1,6 +1,7 @@
 // Outputs that cannot be written and signals that ask for an end: what is finished is kept, whatever happens.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
@@ -145,22 +146,44 @@ TEST_F(Outputs, UnderNohupATerminalThatClosesEndsNothing) {
 
 TEST_F(Outputs, ASignalEndsThePackingThatIsMade) {
   write("many.toml", many_discs);
-  const pid_t child = start({"run", at("many.toml"), "--no-cache", "--out", out()}, at("log"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  ::kill(child, SIGTERM);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << read(at("log"));
-  EXPECT_THAT(read(at("log")),
-              AllOf(HasSubstr("stopped while a packing was made"), Not(HasSubstr("porosity"))));
-  EXPECT_FALSE(fs::exists(out()));
+  write("layered.toml", std::string(many_discs) + "[[bedding]]\nspacing = \"5 mm\"\n");
+  write("table.csv", "theta [deg],E [GPa]\n0,17.5\n45,18\n90,48\n");
+  write("rock.toml", "data = \"table.csv\"\nrecipe = \"layered.toml\"\n");
+  const std::pair<std::vector<std::string>, const char*> lines[] = {
+      {{"run", at("many.toml"), "--no-cache", "--out", out()}, "stopped while a packing was made"},
+      {{"rock", "twin", at("many.toml"), out()}, "stopped, nothing was written"},
+      {{"calibrate", at("rock.toml"), "--elastic", "--out", out()}, "to go on: phyllite calibrate"}};
+  for (const auto& [line, says] : lines) {
+    const pid_t child = start(line, at("log"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ::kill(child, SIGTERM);
+    int status = 0;
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << read(at("log"));
+    EXPECT_LT(used.ru_utime.tv_sec, 4) << line.front() << ": as long as the packing takes";
+    EXPECT_THAT(read(at("log")), AllOf(HasSubstr(says), Not(HasSubstr("porosity"))));
+    EXPECT_TRUE(!fs::exists(out()) || !fs::is_empty(out())) << line.front();
+    EXPECT_FALSE(fs::exists(out() + ".csv"));
+    fs::remove_all(out());
+  }
 }
 
+// In the middle of a block of cycles, which looks at no flag.
 TEST_F(Outputs, ASecondSignalEndsAtOnce) {
-  write("many.toml", many_discs);
-  const pid_t child = start({"rock", "twin", at("many.toml"), at("twin")}, at("log"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  ::kill(child, SIGTERM);  // in the middle of the packing, which looks at no flag
+  std::ofstream discs(at("discs.csv"));
+  discs << "x [m],y [m],r [m]\n";
+  for (int i = 0; i < 200; ++i)
+    for (int j = 0; j < 200; ++j) discs << (i + 0.5) * 1e-3 << "," << (j + 0.5) * 1e-3 << ",0.0005\n";
+  discs.close();
+  write("lattice.toml",
+        "[specimen]\nwidth = \"200 mm\"\nheight = \"200 mm\"\n[packing]\nfile = \"discs.csv\"\n[test]\n"
+        "history_interval = 10000\n");
+  const pid_t child = start({"--threads", "1", "run", at("lattice.toml"), "--out", out()}, at("log"));
+  for (int i = 0; i < 3000 && read(at("log")).find("press ") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ::kill(child, SIGTERM);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   ::kill(child, SIGHUP);  // of a terminal that closes: no second wish
   std::this_thread::sleep_for(std::chrono::milliseconds(100));

@@ -1,0 +1,120 @@
+#include "verification/golden.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "contact/models.hpp"
+#include "genesis/packing.hpp"
+#include "records/test_description.hpp"
+#include "study/experiment.hpp"
+
+// The recorded numbers, taken into the program by the assembler.
+asm(".section .rodata\n"
+    "phy_recorded_begin: .incbin \"" PHY_RECORDED
+    "\"\n"
+    "phy_recorded_end: .byte 0\n"
+    ".previous\n");
+extern "C" const char phy_recorded_begin[], phy_recorded_end[];
+
+namespace phy::verification {
+namespace {
+
+/// 8 x 16 mm, planes every 2 mm at 30 degrees, weak enough to break soon.
+Recipe scene() {
+  Recipe r;
+  r.name = "golden";
+  r.specimen = {0.008, 0.016};
+  r.packing.n_grains = 330;
+  r.matrix.sigma_c = r.matrix.tau_c = 40e6;
+  r.bedding.resize(1);
+  r.bedding[0].spacing = 0.002;
+  r.bedding[0].theta = 30.0;
+  r.test.platen_speed = 0.2;
+  r.test.n_snapshots = 2;
+  r.test.confining_stress = r.test.normal_stress = 5e6;
+  r.test.shear_gap = 0.002;
+  return r;
+}
+
+struct Model {
+  const char* name;
+  void (*choose)(MatrixRecipe&);
+};
+
+/// A matrix for every line of the list of contact models, in its order.
+constexpr std::array<Model, std::tuple_size_v<contact::Combinations>> models = {
+    {{"parallel_bond", [](MatrixRecipe&) {}},
+     {"directions",
+      [](MatrixRecipe& m) { m.stiffness_ratio = 1.8, m.tension_ratio = 2.0, m.unbonded_fraction = 0.1; }},
+     {"flat_joint", [](MatrixRecipe& m) {
+        m.model = MatrixModel::flat_joint;
+        m.sigma_c = 20e6, m.sigma_c_sd = 2e6, m.tau_c_sd = 4e6;
+        m.unbonded_fraction = 0.1, m.gapped_fraction = 0.05, m.initial_gap = 1e-7;
+      }}}};
+
+std::vector<GoldenTest> make_tests() {
+  std::vector<GoldenTest> all;
+  for (const TestDescription* kind : laboratory_tests())
+    for (std::size_t i = 0; i < models.size(); ++i)
+      for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+        PHY_CHECK(models[i].choose != nullptr, "every contact model has a golden scene");
+        Recipe r = scene();
+        models[i].choose(r.matrix);
+        PHY_CHECK(contact::combination_of(r.matrix, r.bedding) == i,
+                  "golden scenes are in the order of models");
+        r.test.kind = *kind;
+        if (kind->runs_to_end) r.test.max_strain = 0.004;
+        r.engine.precision = precision;
+        const bool single = precision == Precision::single_precision;
+        all.push_back({std::string(kind->name) + "/" + models[i].name + (single ? "/float" : "/double"), r});
+      }
+  return all;
+}
+
+/// The value of a line of the recorded numbers; empty: there is none.
+std::string recorded(const std::string& name) {
+  const std::string_view text(phy_recorded_begin, phy_recorded_end);
+  const std::string key = name + " ";
+  std::size_t at = text.starts_with(key) ? 0 : text.find("\n" + key);
+  if (at == text.npos) return "";
+  at += text.starts_with(key) ? key.size() : key.size() + 1;
+  return std::string(text.substr(at, std::min(text.find('\n', at), text.size()) - at));
+}
+
+GoldenHash held(const std::string& name, const std::string& hash) {
+  return {"golden/" + name, hash, recorded("golden/" + name)};
+}
+
+}  // namespace
+
+const std::vector<GoldenTest>& golden_tests() {
+  static const std::vector<GoldenTest> all = make_tests();
+  return all;
+}
+
+std::vector<GoldenHash> golden_hashes(const study::MachineOptions& machine, const std::atomic<bool>* stop) {
+  const std::vector<GoldenTest>& tests = golden_tests();
+  const Recipe& any = tests.front().recipe;
+  const auto packing =
+      std::make_shared<const Packing>(genesis::make_packing(any.specimen, any.packing, any.matrix));
+  std::vector<GoldenHash> hashes(tests.size() + 1);
+  hashes.front() = held("packing", packing->hash);
+  study::MachineOptions alone = machine;
+  alone.threads = 1;
+  study::ScheduleHooks hooks;
+  hooks.stop = stop;
+  for_all(tests.size(), machine.threads, [&] {
+    return [&](std::size_t i) {
+      const Recipe& r = tests[i].recipe;
+      const TestResult result = study::run_tests({study::specimen_of(packing, r)}, r, alone, hooks).front();
+      hashes[i + 1] = held(tests[i].name, result.hash);
+    };
+  });
+  if (stop != nullptr && stop->load()) hashes.clear();
+  return hashes;
+}
+
+}  // namespace phy::verification
