@@ -1,7 +1,9 @@
 # make deps     install what is missing (Debian packages)    make demo    calibrate the twin rock, print the tables
 # make deps-all also what no test is left out without        make test    build and run all tests
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
-#                                                             make bench   measure the speed of the press
+# make fuzz     every reader under libFuzzer                  make bench   measure the speed of the press
+# make sanitize tests under the sanitizers                    make coverage  lines that the tests run, room by room
+# make tidy     clang-tidy                                    make clang   build all with clang, warnings are errors
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
@@ -10,7 +12,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 MORE := gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy record docs web browser clean
+.PHONY: deps deps-all build program demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi lint tidy fuzz sanitize coverage clang deps-clang deps-coverage record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -96,6 +98,33 @@ lint:
 
 tidy: build
 	@git ls-files 'src/*.cpp' | grep -v '\.test\.' | xargs -P $(JOBS) -n 2 clang-tidy -p $(BUILD) --quiet 2>/dev/null
+
+deps-clang: PACKAGES += clang libclang-rt-14-dev
+deps-clang: deps
+
+# Every reader of outside input (tests/fuzz/readers.hpp) for as many minutes of CPU; READERS="recipe rock" for some.
+MINUTES := 10
+fuzz: deps-clang
+	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz -j $(JOBS) --target fuzz
+	@python3 tools/fuzz.py build/fuzz $(MINUTES) $(READERS)
+
+# All tests of `make test` under address and undefined, then those that start threads under thread.
+THREADED := Parallel|Scheduler|LaneBatch|Runner|Store|Simulator|Direct|Determinism|OneHash|Kills
+sanitize: deps
+	@for s in asan tsan; do cmake --preset $$s >/dev/null && cmake --build build/$$s -j $(JOBS) || exit 1; done
+	@ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
+	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '$(THREADED)'
+
+deps-coverage: PACKAGES += gcovr
+deps-coverage: deps
+
+coverage: deps-coverage
+	@cmake --preset coverage >/dev/null && cmake --build build/coverage -j $(JOBS)
+	@ctest --test-dir build/coverage -j $(JOBS) -LE 'bench|soak|paper' >build/coverage/tests.txt || { tail -30 build/coverage/tests.txt; exit 1; }
+	@python3 tools/coverage.py build/coverage
+
+clang: deps-clang
+	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS)
 
 # After a change that is meant to change bits: writes tests/recorded.txt anew and REASON into CHANGELOG.md.
 record: build
