@@ -2,7 +2,9 @@
 # make deps-all also what no test is left out without        make test    build and run all tests
 # make python   the Python package, into build/python-env
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
-#                                                             make bench   measure the speed of the press
+# make fuzz     every reader under libFuzzer                  make bench   measure the speed of the press
+# make sanitize tests under the sanitizers                    make coverage  lines that the tests run, room by room
+# make tidy     clang-tidy                                    make clang   build all with clang, warnings are errors
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
@@ -14,7 +16,7 @@ MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linu
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade clang-hash lint tidy record docs web browser clean
+.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade clang-hash fuzz sanitize coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -120,6 +122,34 @@ lint:
 
 tidy: build
 	@git ls-files 'src/*.cpp' | grep -v '\.test\.' | xargs -P $(JOBS) -n 2 clang-tidy -p $(BUILD) --quiet 2>/dev/null
+
+deps-clang: PACKAGES += clang libclang-rt-14-dev
+deps-clang: deps
+
+# Every reader of outside input (tests/fuzz/readers.hpp) for as many minutes of CPU; READERS="recipe rock" for some.
+MINUTES := 10
+fuzz: deps-clang
+	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz -j $(JOBS) --target fuzz
+	@python3 tools/fuzz.py build/fuzz $(MINUTES) $(READERS)
+
+# All tests of `make test` under address and undefined, then under thread those of the rooms that start threads. The
+# library that counts events is loaded before the sanitizer's, which is meant.
+THREADED := test_base|test_statics|test_study|test_calibrate|test_x_determinism
+sanitize: deps
+	@for s in asan tsan; do cmake --preset $$s >/dev/null && cmake --build build/$$s -j $(JOBS) || exit 1; done
+	@ASAN_OPTIONS=verify_asan_link_order=0 ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
+	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '$(THREADED)'
+
+deps-coverage: PACKAGES += gcovr
+deps-coverage: deps
+
+coverage: deps-coverage
+	@cmake --preset coverage >/dev/null && cmake --build build/coverage -j $(JOBS)
+	@ctest --test-dir build/coverage -j $(JOBS) -LE 'bench|soak|paper' >build/coverage/tests.txt || { tail -30 build/coverage/tests.txt; exit 1; }
+	@python3 tools/coverage.py build/coverage
+
+clang: deps-clang
+	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS)
 
 # After a change that is meant to change bits: writes tests/recorded.txt anew and REASON into CHANGELOG.md.
 record: build

@@ -44,14 +44,18 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// A decimal number with its point moved: 10^power times what the text says, rounded once.
+/// A decimal number with its point moved: 10^power times what the text says, rounded once. False where it is
+/// beyond all numbers; an exponent of more digits than these is not read at all.
 bool read_shifted(std::string_view number, int power, double& value) {
   const std::size_t e = number.find_first_of("eE");
   std::int64_t exponent = 0;
   if (e != number.npos) {
     std::string_view digits = number.substr(e + 1);
     if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
-    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    constexpr std::int64_t most = 1000000;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc() ||
+        exponent > most || exponent < -most)
+      return false;
   }
   const std::string text = std::string(number.substr(0, e)) + "e" + std::to_string(exponent + power);
   return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();

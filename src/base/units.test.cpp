@@ -25,6 +25,14 @@ double value_of(const char* text, Dimension d) {
   return q.value;
 }
 
+TEST(Units, AnExponentBeyondAllNumbersIsRefused) {
+  for (const char* text :
+       {"1e99999999999999999999 MPa", "1e-99999999999999999999 MPa", "1e9223372036854775807 MPa",
+        "-1e-9223372036854775808 mm", "1e400 MPa", "1e-400 Pa"})
+    for (const Dimension d : {Dimension::pressure, Dimension::length})
+      EXPECT_FALSE(parse_quantity(text, d).ok) << text;
+}
+
 TEST(Units, AreReadByHandCalculation) {
   EXPECT_EQ(value_of("38 mm", Dimension::length), 0.038);
   EXPECT_EQ(value_of("3.8 cm", Dimension::length), 0.038);

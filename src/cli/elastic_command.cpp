@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 
 #include "base/lines.hpp"
 #include "cli/machine.hpp"
@@ -26,7 +26,9 @@ struct ElasticArguments {
 /// A column with one cell per specimen, or per angle if `n` says so.
 template <class Cell>
 Column column(std::string head, std::string unit, std::size_t n, const Cell& cell) {
-  return column_of(std::move(head), std::move(unit), std::views::iota(std::size_t{0}, n), cell);
+  std::vector<std::size_t> places(n);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  return column_of(std::move(head), std::move(unit), places, cell);
 }
 
 Column names_of(const study::ElasticStudy& study) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -81,28 +82,33 @@ struct BadLines {
 
 /// Discs whose centre lies on that of an earlier one: the branch between them has no direction. Positions of
 /// a file are rounded; below a thousandth of the smaller radius the direction is that of the rounding.
+/// Kept in cells of about the distance that matters to discs of their size, so that few share one.
 void find_coincident(const std::vector<Disc>& discs, const std::vector<int>& line, const std::string& where,
                      BadLines& bad) {
-  constexpr double close = 1e-3;
-  double r_max = 0.0;
-  for (const Disc& d : discs) r_max = std::max(r_max, d.r);
-  // Coincident discs are less than a cell apart, so they lie in the same cell or in one next to it: O(n log
-  // n) in place of all pairs.
-  const double cell = close * r_max;
-  std::map<std::pair<double, double>, std::vector<std::size_t>> cells;  // of discs with a place of their own
+  constexpr double close = 1e-3, smallest = std::numeric_limits<double>::min();
+  using Cells = std::map<std::pair<double, double>, std::vector<std::size_t>>;
+  std::map<double, Cells> sizes;  // by the side of the cells; of discs with a place of their own
   const auto earlier = [&](std::size_t i) -> std::optional<std::size_t> {
-    const double cx = std::floor(discs[i].x / cell), cy = std::floor(discs[i].y / cell);
-    for (const double x : {cx - 1.0, cx, cx + 1.0})
-      for (const double y : {cy - 1.0, cy, cy + 1.0}) {
-        const auto found = cells.find({x, y});
-        if (found == cells.end()) continue;
-        for (const std::size_t k : found->second)
-          if (norm(Vec2{discs[k].x - discs[i].x, discs[k].y - discs[i].y}) <
-              close * std::min(discs[i].r, discs[k].r))
-            return k;
-      }
+    const auto cell_of = [&](double side) {
+      return std::pair{std::floor(discs[i].x / side), std::floor(discs[i].y / side)};
+    };
+    // Coincident discs are less than a cell apart, so they lie in the same cell or in one next to it: O(n log
+    // n) in place of all pairs.
+    for (const auto& [side, cells] : sizes) {
+      const auto [cx, cy] = cell_of(side);
+      for (const double x : {cx - 1.0, cx, cx + 1.0})
+        for (const double y : {cy - 1.0, cy, cy + 1.0}) {
+          const auto found = cells.find({x, y});
+          if (found == cells.end()) continue;
+          for (const std::size_t k : found->second)
+            if (norm(Vec2{discs[k].x - discs[i].x, discs[k].y - discs[i].y}) <
+                close * std::min(discs[i].r, discs[k].r))
+              return k;
+        }
+    }
     // Only discs that coincide with no other are kept, so that a pile is reported against its first disc.
-    cells[{cx, cy}].push_back(i);
+    const double side = std::max(close * std::exp2(std::ceil(std::log2(discs[i].r))), smallest);
+    sizes[side][cell_of(side)].push_back(i);
     return {};
   };
   for (std::size_t i = 0; i < discs.size(); ++i)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <sstream>
 
 #include "base/check.hpp"
@@ -139,6 +140,18 @@ TEST(ContactFiles, GiveTheDrawnStrengthOfJoints) {
   s.contacts[0].kind = ContactKind::joint, s.contacts[0].side = -1, s.contacts[0].sigma_n = 1.25;
   EXPECT_EQ(cells_of(s).size(), 15U);
   EXPECT_EQ(cells_of(s).back(), "5e+06");
+}
+
+// One disc in another unit must not make all others be held against each other.
+TEST(DiscFiles, OneHugeDiscAmongManyDoesNotTakeLong) {
+  std::string text = "x [m],y [m],r [m]\n0.5,0.5,1000\n-1,-1,4e-320\n";
+  for (int i = 0; i < 150000; ++i)
+    text += std::to_string(i % 300 * 0.003) + "," + std::to_string(i / 300 * 0.003) + ",0.001\n";
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(parse_discs(text, "discs.csv").discs.size(), 150002U);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5.0);
+  EXPECT_THROW(parse_discs(text + "0.3,0.3,0.5\n", "discs.csv"), InputError)
+      << "in one place with a smaller one";
 }
 
 TEST(DiscFiles, CentresInOnePlaceAreToldWithBothLines) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "io/csv.hpp"
 #include "io/file.hpp"
+#include "io/json.hpp"
 #include "io/output.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
@@ -42,18 +42,21 @@ void read_numbers(const Json& j, SpecimenRecord& record) {
 void read_packing(const Json& j, SpecimenRecord& record) {
   const Json& p = j.at("packing");
   record.packing_hash = p.at("hash");
-  record.n_grains = p.at("n_grains");
+  record.n_grains = whole_number<std::int64_t>(p.at("n_grains"));
   record.stress_free = p.at("stress_free");
   PackingReport& r = record.packing;
   r.porosity = number(p.at("porosity"));
   r.coordination = number(p.at("coordination"));
   r.fabric = number(p.at("fabric"));
   r.stress_left = number(p.at("stress_left [Pa]"));
-  r.n_rattlers = p.at(p.contains("n_rattlers") ? "n_rattlers" : "n_floaters");  // the latter in older folders
+  const char* rattlers =
+      p.contains("n_rattlers") ? "n_rattlers" : "n_floaters";  // the latter in older folders
+  r.n_rattlers = whole_number<decltype(r.n_rattlers)>(p.at(rattlers));
   r.mean_overlap = number(p.at("mean_overlap"));
   r.unbalanced = number(p.at("unbalanced"));
   for (const Json& b : j.at("bedding")) {
-    BeddingRecord& set = record.bedding.emplace_back(number(b.at("theta [deg]")), BeddingReport{});
+    BeddingRecord& set = record.bedding.emplace_back();
+    set.theta = number(b.at("theta [deg]"));
     set.report.dispersed = b.contains("joint_fraction");
     if (set.report.dispersed)
       set.report.joint_fraction = number(b.at("joint_fraction"));
@@ -64,7 +67,7 @@ void read_packing(const Json& j, SpecimenRecord& record) {
 }
 
 Json parse_format(const std::string& text) {
-  Json j = Json::parse(text);
+  Json j = parse_json<Json>(text);
   // A result of another format may have the same keys with another meaning.
   if (j.at("format") != result_format) throw std::out_of_range("another version of the format");
   return j;
@@ -106,8 +109,8 @@ SpecimenRecord parse_result(const std::string& text, const std::string& where) {
   read_packing(j, record);
   const Json& run = j.at("run");
   r.dt = number(run.at("dt [s]"));
-  r.n_steps = run.at("n_steps");
-  r.n_contacts = run.at("n_contacts");
+  r.n_steps = whole_number<std::int64_t>(run.at("n_steps"));
+  r.n_contacts = whole_number<std::int64_t>(run.at("n_contacts"));
   r.seconds = number(run.at("cpu_seconds"));
   r.hash = j.at("result_hash");
   return record;

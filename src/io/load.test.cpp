@@ -192,6 +192,21 @@ TEST_F(Load, ARunTellsWhatIsMissingAndWhatIsDamaged) {
   EXPECT_THAT(run.missing[0].reason, HasSubstr("theta_60_deg"));
 }
 
+TEST_F(Load, BracketsInBracketsAndNumbersThatAreNoCountsAreRefused) {
+  write("a");
+  const std::string json = read(folder / "a" / "result.json");
+  std::filesystem::remove(folder / "a" / ".written-by-phyllite");
+  const auto refused = [&](const std::string& before, const std::string& now) {
+    std::string bad = json;
+    ASSERT_NE(bad.find(before), bad.npos);
+    std::ofstream(folder / "a" / "result.json") << bad.replace(bad.find(before), before.size(), now);
+    EXPECT_THROW(read_result((folder / "a").string()), InputError) << now.substr(0, 40);
+  };
+  refused("{", "{\"deep\":" + std::string(100000, '[') + std::string(100000, ']') + ",");
+  refused("\"n_steps\": 123456789012", "\"n_steps\": 1e300");
+  refused("\"n_contacts\": 77", "\"n_contacts\": 18446744073709551615");
+}
+
 TEST_F(Load, AnUnknownOutcomeIsNotTakenForAnother) {
   write("a");
   std::string json = read(folder / "a" / "result.json");

@@ -383,9 +383,12 @@ TEST(Recipe, PorosityReplacesTheDefaultNumberOfGrains) {
 TEST(Recipe, DeepNestingIsRefused) {
   std::string dots, lists(4000, '[');
   for (int i = 0; i < 2000; ++i) dots += "a.";
-  EXPECT_THAT(problems_of(dots + "a = 1\n"), HasSubstr("r.toml:1: a: expected a known table"));
+  EXPECT_THAT(problems_of(dots + "a = 1\n"), HasSubstr("r.toml:1: expected keys of at most 16 full stops"));
   EXPECT_THAT(problems_of("[" + dots + "a]\n" + dots + "a = 1\n"), HasSubstr("r.toml:1"));
   EXPECT_THAT(problems_of("name = " + lists), HasSubstr("r.toml:1"));
+  std::string begin = "name = ", end;  // lists of tables of tables, line by line
+  for (int i = 0; i < 120; ++i) begin += "[\n{" + dots.substr(0, 3800) + "a = ", end += "}\n]";
+  EXPECT_THAT(problems_of(begin + "1" + end), HasSubstr("r.toml:2: expected keys of at most 16 full stops"));
 }
 
 TEST(Recipe, ReadingAMissingFileIsAnIoError) { EXPECT_THROW(read_recipe("/nonexistent/r.toml"), IoError); }

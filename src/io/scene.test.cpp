@@ -5,6 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/check.hpp"
 
 namespace phy::io {
 namespace {
@@ -34,6 +39,29 @@ TEST(Scene, WhatIsNoNumberStaysWhereItWasAndCarriesNothing) {
   EXPECT_NEAR(back.frames[1].u[2][0], 1e-5F, quantum) << "the others keep their resolution";
   EXPECT_EQ(back.forces[0].F_n[0], 0.0F);
   EXPECT_NEAR(back.forces[0].F_n[1], -250.0F, 1.0F);
+}
+
+TEST(Scene, NumbersThatTheWriterNeverMakesAreRefused) {
+  const std::string bytes = pack_scene(three_discs(), TestKind("uniaxial"));
+  const std::size_t end = bytes.find('\n') + 1;
+  const auto with = [&](const std::string& before, const std::string& now) {
+    std::string head = bytes.substr(0, end);
+    EXPECT_NE(head.find(before), head.npos) << before;
+    return head.replace(head.find(before), before.size(), now) + bytes.substr(end);
+  };
+  for (const auto& [before, now] : std::vector<std::pair<std::string, std::string>>{
+           {"\"n_discs\":3", "\"n_discs\":3.0"},
+           {"\"n_discs\":3", "\"n_discs\":1e300"},
+           {"\"n_links\":2", "\"n_links\":-2"},
+           {"\"width [m]\":0.01", "\"width [m]\":0"},
+           {"\"height [m]\":0.02", "\"height [m]\":1e300"},
+           {"\"displacement_quantum [m]\":", "\"displacement_quantum [m]\":1e300,\"before\":"},
+           {"\"disc_quantum [m]\":", "\"disc_quantum [m]\":1e3,\"before\":"},
+           {"\"F_max [N/m]\":", "\"F_max [N/m]\":1e300,\"before\":"}})
+    EXPECT_THROW(unpack_scene(with(before, now), "scene.bin"), InputError) << now;
+  Scene odd = three_discs();
+  odd.links[1].kind = static_cast<ContactKind>(9);
+  EXPECT_THROW(unpack_scene(pack_scene(odd, TestKind("uniaxial")), "scene.bin"), InputError);
 }
 
 TEST(Scene, OfAnOrdinaryTestSaysNothingOfLosses) {

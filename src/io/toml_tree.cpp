@@ -13,6 +13,7 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/quote.hpp"
 #include "base/units.hpp"
@@ -21,8 +22,9 @@ namespace phy::io {
 namespace {
 
 constexpr std::size_t max_bytes = 1U << 20U;  // what a user writes has some kilobytes
-constexpr std::size_t max_line = 4096;        // bounds the depth of nesting, on which the parser recurses
-constexpr std::size_t max_problems = 50;      // more in one message do not help the user
+constexpr std::size_t max_line = 4096;        // bounds the work on one line
+constexpr int max_dots = 16;              // of one key: tables in tables, on which parser and tree recurse
+constexpr std::size_t max_problems = 50;  // more in one message do not help the user
 
 /// Follows strings and comments through a text, one character after the other.
 class Lexer {
@@ -88,6 +90,7 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
   if (!problems.empty()) return;
   Lexer lexer;
   std::size_t line = 1, begin = 0, told = 0;
+  int dots = 0;
   const auto report_problem = [&](const std::string& expected, const std::string& remedy) {
     if (told != line) problems.push_back({at_line(where, line), "", "", expected, remedy});
     told = line;
@@ -97,7 +100,7 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
     // The lexer is fed every character, so it knows whether this one is inside a string or comment.
     lexer.take(text, i);
     if (u == '\n') {
-      ++line, begin = i + 1;
+      ++line, begin = i + 1, dots = 0;
       continue;
     }
     // Bytes above 127 outside strings are mostly typographic quotes or blanks copied from a text processor.
@@ -108,6 +111,10 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
     if (control || (u > 127 && !lexer.in_text()))
       report_problem("plain ASCII text",
                      "remove the odd character (byte " + std::to_string(u) + ") from this line");
+    if (!lexer.in_text() && std::strchr(",=[]{}", text[i]) != nullptr) dots = 0;
+    if (!lexer.in_text() && text[i] == '.' && ++dots > max_dots)
+      report_problem("keys of at most " + std::to_string(max_dots) + " full stops",
+                     "this is some other file");
     if (i - begin >= max_line)
       report_problem("lines of at most " + std::to_string(max_line) + " characters", "break the line");
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "io/json.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/output.hpp"
@@ -32,7 +33,7 @@ std::vector<Target> laboratory_of(const nlohmann::json& calibration) {
     for (int i = 0; i < n_properties; ++i)
       if (row.at("property") == to_string(static_cast<Property>(i))) t.property = static_cast<Property>(i);
     t.theta = row.at("theta [deg]"), t.mean = row.at("laboratory").at("mean");
-    t.sd = row.at("laboratory").at("sd"), t.n = row.at("laboratory").at("n");
+    t.sd = row.at("laboratory").at("sd"), t.n = io::whole_number<int>(row.at("laboratory").at("n"));
     t.diameter = row.value("diameter [m]", 0.0), t.confining = row.value("confining [Pa]", 0.0);
     targets.push_back(t);
   }
@@ -43,7 +44,7 @@ report::PageExtras of_calibration(const std::string& folder) {
   report::PageExtras extras;
   extras.calibration = text_of(folder, "calibration.json");
   try {
-    const auto j = nlohmann::json::parse(extras.calibration);
+    const auto j = io::parse_json<nlohmann::json>(extras.calibration);
     if (j.at("format") != 1) throw std::out_of_range("another version of the format");
     extras.name = j.at("rock");
     extras.laboratory = laboratory_of(j);

@@ -141,7 +141,7 @@ TheoryCurves theory_curves(const std::vector<Target>& table) {
   std::vector<theory::StrengthReading> strengths;
   for (const Target& t : table) {
     AngleValue E;
-    E.theta = t.theta, E.value.n = t.n, E.value.mean = t.mean;
+    E.theta = t.theta, E.value.n = static_cast<std::size_t>(std::max(t.n, 0)), E.value.mean = t.mean;
     if (t.property == Property::E) moduli.push_back(E);
     if (t.property == Property::ucs) strengths.push_back({t.theta, t.mean});
   }

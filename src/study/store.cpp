@@ -121,7 +121,8 @@ bool is_dead(const std::string& owner) {
 
 /// A history or a list of cracks.
 std::string unpacked(const std::string& blob, const std::string& path) {
-  std::optional<std::string> text = io::inflated(blob);
+  constexpr std::size_t most = 256U << 20U;  // as of a file: a few bytes can be gigabytes
+  std::optional<std::string> text = io::inflated(blob, most);
   if (!text) throw IoError(path + ": a history is damaged; delete its row and run it again");
   return std::move(*text);
 }
