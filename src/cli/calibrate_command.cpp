@@ -13,6 +13,7 @@
 #include "genesis/specimen.hpp"
 #include "io/rock_in.hpp"
 #include "jobs/calibration_folder.hpp"
+#include "records/specimen_record.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
 #include "study/experiment.hpp"

@@ -15,6 +15,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/run_folder.hpp"
 #include "records/recipe_schema.hpp"
+#include "records/specimen_record.hpp"
 #include "report/calibration_files.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
