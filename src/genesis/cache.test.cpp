@@ -79,7 +79,7 @@ TEST_F(Cache, MakesADamagedFileAnew) {
 TEST_F(Cache, RemovesWhatAKilledProcessHasLeft) {
   get();
   const fs::path dead = file().string() + ".phyllite-part-999999999",
-                 alive = file().string() + ".phyllite-part-" + std::to_string(::getpid());
+                 alive = file().string() + ".phyllite-part-" + std::to_string(::getppid());
   fs::copy(file(), dead), fs::copy(file(), alive);
   fs::remove(file());
   get();
