@@ -16,6 +16,7 @@
 
 #include "base/check.hpp"
 #include "io/output.hpp"
+#include "io/reads.hpp"
 
 namespace phy::io {
 
@@ -130,6 +131,10 @@ class FilesRead {
     const std::lock_guard lock(mutex_);
     return files_.contains(key(s));
   }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    files_.clear();
+  }
 
  private:
   using Key = std::tuple<dev_t, ino_t, time_t, long>;
@@ -164,6 +169,8 @@ std::string read_file(const std::string& path) {
   if (error != 0) fail(path, "be read", error);
   return content;
 }
+
+void forget_reads() { files_read.clear(); }
 
 bool was_read(const std::string& path) {
   struct stat about {};

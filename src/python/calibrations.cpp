@@ -78,9 +78,7 @@ py::list rows_of(const std::vector<Comparison>& table) {
   return rows;
 }
 
-/// The study of a file, or of keys with a recipe.
-study::Study study_from(const py::object& file, const py::dict& keys, const py::object& recipe) {
-  if (!file.is_none()) return study::read_study(file.cast<std::string>());
+study::Study study_from(const py::dict& keys, const py::object& recipe) {
   std::optional<Recipe> base;
   if (!recipe.is_none()) base = recipe.cast<Recipe>(), keys["recipe"] = base->name;
   return study::study_of(tree_of(keys, "study"), "study", base);
@@ -88,11 +86,13 @@ study::Study study_from(const py::object& file, const py::dict& keys, const py::
 
 py::dict run_study(const py::object& file, const py::dict& keys, const py::object& recipe,
                    const std::string& folder, int threads, const py::object& progress) {
-  const study::Study wanted = study_from(file, keys, recipe);
+  const auto path = file.is_none() ? std::nullopt : std::optional(file.cast<std::string>());
+  study::Study wanted = path ? study::Study() : study_from(keys, recipe);
   py::dict answer;
   std::string results, responses, effects, text, hash;
   std::size_t n_left = 0;
   run_released(progress, [&](Watch& watch) {
+    if (path) wanted = study::read_study(*path);
     const jobs::StudyFiles files = study::study_files(wanted);
     jobs::check_study_outputs(files, folder, {});
     jobs::refuse_other_study(wanted, folder), jobs::refuse_unmerged(folder);

@@ -149,7 +149,8 @@ NamedRock rock_of(py::dict keys, const std::string& where, const std::optional<s
 TomlValue tree_of(const py::dict& keys, const std::string& where) { return table_of(keys, "", where); }
 
 void add_recipes(py::module_& m) {
-  py::class_<Recipe>(m, "Recipe")
+  py::class_<Recipe>(m, "Recipe",
+                     "Everything that a run depends on, checked and completed. Not to be changed.")
       .def(py::init([](const py::kwargs& keys) { return io::recipe_of(tree_of(keys, "Recipe"), "Recipe"); }),
            R"(A recipe from keys: Recipe(matrix={"E_c": "38 GPa"}, bedding=[{}], test={"angles": ["30 deg"]}).
 

@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "io/reads.hpp"
+
 namespace phy::python {
 namespace {
 
@@ -66,6 +68,7 @@ std::vector<News> Watch::take(bool all) {
 }
 
 void run_released(const py::object& progress, const std::function<void(Watch&)>& work) {
+  io::forget_reads();
   Watch watch;
   End end;
   std::exception_ptr failure;

@@ -145,7 +145,7 @@ diameter [m]; alpha: half the loaded arc [deg].)",
             .c_str());
   m.def("hondros_cross_diameter", &on_diameter<theory::hondros_cross_diameter>, "rho"_a, "P"_a, "diameter"_a,
         "alpha"_a,
-        doc("As hondros_loaded_diameter, on the diameter across the load.", hondros_source).c_str());
+        doc("As hondros_loaded_diameter [Pa], on the diameter across the load.", hondros_source).c_str());
   m.def("brazilian_strength", py::vectorize([](double P, double diameter, double thickness) {
           return theory::brazilian_strength(P, diameter, thickness);
         }),
