@@ -90,7 +90,10 @@ class Result(_Sequence):
     def __getitem__(self, index: Any) -> Any:
         """A specimen by its place or its name."""
         if isinstance(index, str):
-            return next(s for s in self._specimens if s.name == index)
+            for s in self._specimens:
+                if s.name == index:
+                    return s
+            raise KeyError(f"{index}: the specimens are {', '.join(s.name for s in self._specimens)}")
         return self._specimens[index]
 
     def __iter__(self) -> Iterator[Specimen]:
@@ -102,7 +105,9 @@ class Result(_Sequence):
         return _np.array([s.theta for s in self])
 
     def values(self, number: str) -> _np.ndarray:
-        """One number of all specimens, SI: values("ucs"). NaN where a specimen has none."""
+        """One number of all specimens, SI: values("ucs"). NaN where a specimen has none; KeyError where all have none."""
+        if self._specimens and not any(number in s.numbers for s in self):
+            raise KeyError(f"{number}: the numbers are {', '.join(self._specimens[0].numbers)}")
         return _np.array([float(s.numbers[number]) if number in s.numbers else _np.nan for s in self])
 
     def _frame_rows(self) -> List[Dict[str, Any]]:

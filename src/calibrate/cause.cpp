@@ -84,12 +84,15 @@ std::string other_layers(const View& v, const std::string& otherwise) {
              : otherwise;
 }
 
-/// Flat joints break in tension at less of UCS; nobody has compared them where a matrix was asked for.
-std::string weaker_in_tension(const View& v) {
+/// Nobody has compared flat joints where a matrix was asked for; they have no directions, and no sequence.
+bool may_ask_for_flat_joints(const View& v) {
   return v.of.recipe.matrix.model == MatrixModel::parallel_bond && !v.of.model_chosen &&
-                 !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior
-             ? "--matrix flat_joint: flat joints break in tension at less of UCS"
-             : "leave the tensile strengths out if compression is what matters";
+         !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior;
+}
+
+std::string weaker_in_tension(const View& v) {
+  return may_ask_for_flat_joints(v) ? "--matrix flat_joint: flat joints break in tension at less of UCS"
+                                    : "leave the tensile strengths out if compression is what matters";
 }
 
 /// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
@@ -215,10 +218,9 @@ std::optional<Cause> cracks_begin(const View& v) {
     squares += off * off;
   }
   if (table.empty() || std::sqrt(squares / static_cast<double>(table.size())) <= other_strength) return {};
-  const bool slits = v.of.recipe.matrix.model == MatrixModel::flat_joint;
   return Cause{fmt::format("sigma_ci/UCS is {} in the table, {} in the model", range(table, "{:.2f}"),
                            range(model, "{:.2f}")),
-               all_too_high && !slits
+               all_too_high && may_ask_for_flat_joints(v)
                    ? "--matrix flat_joint: slits let cracks begin early"
                    : "check how sigma_ci was read (by crack volumetric strain here), or leave it out"};
 }

@@ -271,7 +271,8 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
   const auto [low, high] = interval_of(logs);
   Comparison c;
   c.target = t;
-  c.mean = std::exp(centre), c.low = std::exp(low), c.high = std::exp(high);
+  c.mean = std::exp(centre), c.low = std::exp(std::min(low, centre)),
+  c.high = std::exp(std::max(high, centre));
   return c;
 }
 

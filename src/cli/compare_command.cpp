@@ -56,15 +56,20 @@ void print_table(const std::vector<analysis::ComparedNumber>& numbers, int width
     if (!n.note.empty()) print_wrapped(width, 2, "{}: {}\n", n.name, n.note);
 }
 
-void draw(const CompareArguments& args, const History& ours, const History& theirs) {
+/// By the ending of --figure, before anything is read. Throws InputError.
+auto format_of(const CompareArguments& args) {
   const std::string ending = std::filesystem::path(args.figure).extension().string();
   const auto format = report::figure_formats().find(ending.empty() ? ending : ending.substr(1));
   if (format == report::figure_formats().end() || !is_plain(args.figure))
     throw InputError(Problem{"command line", "--figure", args.figure,
                              "a file that ends in .svg, .pdf or .png", "for example --figure compared.svg"});
+  return format->second;
+}
+
+void draw(const CompareArguments& args, const History& ours, const History& theirs) {
   make_file_or_stop(args.figure, [&](const std::string& temporary) {
     const std::string script = report::comparison_script(
-        ours, theirs, "Phyllite", std::filesystem::path(args.theirs).filename().string(), format->second,
+        ours, theirs, "Phyllite", std::filesystem::path(args.theirs).filename().string(), format_of(args),
         temporary);
     io::run_program("gnuplot", {"-"}, "gnuplot-nox", [&](const auto& write) { write(script); });
   });
@@ -73,6 +78,7 @@ void draw(const CompareArguments& args, const History& ours, const History& thei
 
 int compare(const CompareArguments& args, const Session& session) {
   const int width = session.terminal_width;
+  if (!args.figure.empty()) format_of(args);
   const io::ForeignCurve theirs = io::read_curve(args.theirs);
   const RunRecord run = io::read_run(args.folder);
   const SpecimenRecord& test = the_test(run, args.folder);

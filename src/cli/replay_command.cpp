@@ -239,7 +239,8 @@ void add_replay_command(CLI::App& app, Session& session) {
                    "folder of `phyllite run`, `envelope`, `study` or `calibrate`, or of one specimen")
       ->required();
   verb->add_option("--tests", args->tests,
-                   "how many tests to run again, spread over kinds and angles; default: all of a run, 8 of "
+                   "how many tests of the runs, and of each store, to run again, spread over kinds and "
+                   "angles; default: all of a run, 8 of "
                    "every store")
       ->check(CLI::Range(1, 1000000));
   verb->add_option("--out", args->out,

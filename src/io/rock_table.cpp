@@ -371,20 +371,30 @@ class ReadingReader {
 
   /// Where cracks begin is read in the test of UCS, and before its peak.
   void check_initiation() {
-    std::map<double, double> ucs;  // the largest by angle
-    for (const RockReading& r : readings_)
-      if (r.property == Property::ucs) ucs[r.theta] = std::max(ucs[r.theta], r.value);
+    struct Cell {
+      double sum = 0.0, n = 0.0;
+      int line = 0;  // the first
+      double mean() const { return sum / n; }
+    };
+    std::map<double, Cell> ucs, initiation;  // by angle
     for (const RockReading& r : readings_) {
-      if (r.property != Property::crack_initiation || r.confining > 0.0) continue;
-      const auto it = ucs.find(r.theta);
-      if (it == ucs.end())
-        problems_.push_back({at(r.line), "sigma_ci", fmt::format("{:.4g} MPa", r.value * 1e-6),
+      if (r.confining > 0.0 || (r.property != Property::ucs && r.property != Property::crack_initiation))
+        continue;
+      Cell& cell = (r.property == Property::ucs ? ucs : initiation)[r.theta];
+      if (cell.line == 0) cell.line = r.line;
+      cell.sum += r.n * r.value, cell.n += r.n;
+    }
+    for (const auto& [theta, cell] : initiation) {
+      const std::string value = fmt::format("{:.4g} MPa", cell.mean() * 1e-6);
+      if (!ucs.contains(theta))
+        problems_.push_back({at(cell.line), "sigma_ci", value,
                              "UCS at the same angle, in this row or another",
                              "sigma_ci is read in the test of UCS, and counts against that: leave it out"});
-      else if (r.value >= it->second)
-        problems_.push_back({at(r.line), "sigma_ci", fmt::format("{:.4g} MPa", r.value * 1e-6),
-                             fmt::format("a stress below UCS at this angle, {:.4g} MPa", it->second * 1e-6),
-                             "cracks begin before the peak: are two columns swapped?"});
+      else if (cell.mean() >= ucs[theta].mean())
+        problems_.push_back(
+            {at(cell.line), "sigma_ci", value,
+             fmt::format("a mean below that of UCS at this angle, {:.4g} MPa", ucs[theta].mean() * 1e-6),
+             "cracks begin before the peak: are two columns swapped?"});
     }
   }
 

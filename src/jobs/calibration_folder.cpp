@@ -10,6 +10,7 @@
 #include "base/quote.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "io/file.hpp"
+#include "io/load.hpp"
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
@@ -147,14 +148,22 @@ std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibr
   if (std::none_of(c.verification.begin(), c.verification.end(), is_ucs)) return {};
   Recipe recipe = calibrate::on_unseen_packing(c);
   const std::string place = specimens_in(folder);
-  const auto others = results_of_others(place, recipe);
-  const std::vector<std::string> names = specimen_names(recipe);
+  if (auto problems =
+          problems_of_others(place, recipe, "the calibrated rock", "move them away, and --resume");
+      !problems.empty())
+    throw InputError(std::move(problems));
   const auto is_there = [&](const std::string& name) {
-    return fs::exists(fs::path(place) / io::folder_name(name) / "result.json");
+    try {
+      return io::read_result((fs::path(place) / io::folder_name(name)).string()).result.name == name;
+    } catch (const InputError&) {  // absent, or damaged
+    } catch (const IoError&) {
+    }
+    return false;
   };
-  if (others.empty() && std::all_of(names.begin(), names.end(), is_there)) return {};
-  for (const auto& [other, difference] : others) io::check_result_place(other), io::remove_folder(other);
-  return recipe;
+  std::vector<double>& angles = recipe.test.angles;
+  if (angles.empty()) return is_there(specimen_names(recipe).front()) ? std::nullopt : std::optional(recipe);
+  std::erase_if(angles, [&](double theta) { return is_there(specimen_name(theta)); });
+  return angles.empty() ? std::nullopt : std::optional(recipe);
 }
 
 std::string screen_of(const Calibration& c, int width) {

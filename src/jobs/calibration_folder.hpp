@@ -37,8 +37,8 @@ void write_calibration(const std::string& folder, const Calibration& calibration
 std::string specimens_in(const std::string& folder);
 
 /// The calibrated rock as it is pressed once more, for pictures and curves: the verification keeps numbers
-/// alone. Nothing where a calibration has no UCS, or its specimens lie in their folder. Those of another
-/// version of the program are removed.
+/// alone; at the angles whose specimens are not in their folder yet. Nothing where a calibration has no UCS,
+/// or all of them are there. Throws InputError where results of another recipe lie there.
 std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibration& calibration);
 
 /// What a screen shows: the verdict first, parameters before comparisons.
