@@ -69,7 +69,10 @@ class Runs(InFolder):
         ucs = self.result.values("ucs")
         self.assertEqual(ucs[0], self.result["theta = 45 deg"].numbers["ucs"].value)
         self.assertGreater(ucs[2], ucs[1])
-        self.assertTrue(np.isnan(self.result.values("no_such_number")).all())
+        with self.assertRaisesRegex(KeyError, "no_such_number: the numbers are ucs"):
+            self.result.values("no_such_number")
+        with self.assertRaisesRegex(KeyError, "nobody: the specimens are"):
+            self.result["nobody"]
         self.assertTrue(any("theta = 45 deg" in str(n) for n in self.news))
         self.assertEqual(max(n.n_total for n in self.news), 3)
 
