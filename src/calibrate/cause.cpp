@@ -204,7 +204,7 @@ std::optional<Cause> ratio_to_tension(const View& v) {
   return {};
 }
 
-/// sigma_ci over UCS: slits of flat joints lower it, and nothing else that is sought moves it much.
+/// sigma_ci over UCS. Slits of flat joints lower it; so does a low tau_c, which other strengths decide.
 std::optional<Cause> cracks_begin(const View& v) {
   std::vector<double> table, model;
   double squares = 0.0;

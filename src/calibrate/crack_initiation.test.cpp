@@ -73,7 +73,7 @@ TEST(CrackInitiation, SlitsMeetItAndEWithThem) {
   EXPECT_LE(c.n_strength_tests, press.n_tests) << "counted once, though it answers twice";
 }
 
-// Bonds that all hold begin to break late: nothing but slits would let them begin earlier.
+// On this press nothing but slits lets cracks begin earlier.
 TEST(CrackInitiation, WithoutSlitsTheVerdictNamesIt) {
   Rock table = table_of(rock_with(0.25));
   table.matrix = MatrixModel::parallel_bond;
