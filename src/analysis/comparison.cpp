@@ -17,7 +17,9 @@ constexpr double secant_level = 0.5;
 Number first_crack(const LoadingBranch& branch) {
   for (const HistoryRow& row : branch.rows)
     if (row.n_cracks > 0.0) return {"first crack", row.axial_stress, "Pa", "", ""};
-  return {"first crack", nan, "Pa", "", "no crack in the rows up to the strength"};
+  const bool counted = !branch.rows.empty() && std::isfinite(branch.rows.front().n_cracks);
+  return {"first crack", nan, "Pa", "",
+          counted ? "no crack in the rows up to the strength" : "cracks were not counted"};
 }
 
 std::array<Number, 5> readings(const LoadingBranch& branch) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/nan.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
@@ -119,6 +120,7 @@ class CurveReader {
   void read_rows() {
     for (const TableRow& row : table_.rows) {
       HistoryRow r;
+      r.n_cracks = nan;  // where no column counts them
       for (const Column& c : columns_) {
         const std::string& cell = row.cells[c.cell];
         double value = 0.0;

@@ -9,7 +9,7 @@
 namespace phy::io {
 
 struct ForeignCurve {
-  History history;                 ///< strain, stress and, where the table has them, cracks; zeros elsewhere
+  History history;  ///< strain, stress and cracks, NaN where the table has no column of them; zeros elsewhere
   std::vector<std::string> notes;  ///< how the table was understood
 };
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/check.hpp"
 
 namespace phy::io {
@@ -32,6 +34,7 @@ TEST(CurveIn, CompressionThatIsNegativeIsTurned) {
       parse_curve("strain [1];stress [Pa]\n0;0\n-0,1;-10\n-0,2;-20\n-0,3;-25\n-0,4;-5\n", "theirs.csv");
   EXPECT_DOUBLE_EQ(c.history.rows[3].axial_stress, 25.0);
   EXPECT_DOUBLE_EQ(c.history.rows[3].axial_strain, 0.3);
+  EXPECT_TRUE(std::isnan(c.history.rows[3].n_cracks)) << "no column of cracks is not no crack";
   ASSERT_FALSE(c.notes.empty());
   EXPECT_THAT(c.notes.back(), HasSubstr("strain and stress was turned"));
 }
