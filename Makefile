@@ -16,7 +16,7 @@ MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linu
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence maps bench-peers mpi yade clang-hash fuzz sanitize coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
+.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -105,6 +105,12 @@ bench-peers: build
 yade: program
 	python3 bench/peers/equal.py $(BUILD)/phyllite
 
+# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some twelve minutes of CPU, never part of CI.
+RELIABILITY := compression tension brazilian confined packing resolution
+reliability: program
+	@for s in $(RELIABILITY); do $(BUILD)/phyllite study examples/reliability/$$s.toml --out results/reliability/$$s || [ $$? = 1 ] || exit 1; done
+	python3 tools/reliability.py results/reliability docs/reliability.md
+
 # Studies over MPI ranks (Debian: libopenmpi-dev, openmpi-bin), built and tested beside the usual build.
 mpi:
 	@cmake -S . -B build/mpi -G Ninja -DPHY_MPI=ON -DPHY_BENCH=OFF >/dev/null
@@ -139,6 +145,12 @@ sanitize: deps
 	@for s in asan tsan; do cmake --preset $$s >/dev/null && cmake --build build/$$s -j $(JOBS) || exit 1; done
 	@ASAN_OPTIONS=verify_asan_link_order=0 ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
 	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '$(THREADED)'
+
+# Tests of the rooms that read, these rooms under address and undefined: what fits into continuous integration.
+sanitize-short: deps
+	@cmake -S . -B build/watched -G Ninja -DPHY_WATCH=ON -DPHY_BENCH=OFF -DPHY_PYTHON=OFF >/dev/null
+	@cmake --build build/watched -j $(JOBS) --target test_base test_records test_io test_x_fuzz
+	@ctest --test-dir build/watched --output-on-failure -j $(JOBS) -L watched
 
 deps-coverage: PACKAGES += gcovr
 deps-coverage: deps
