@@ -5,12 +5,17 @@
 // Layered families: every point of the Sobol sequence on one packing, five packings in turn, UCS at seven
 // inclinations, Brazilian strength at three. Isotropic ones: every point on five packings of two densities,
 // UCS, direct tension, Brazilian strength and two confined strengths; and their base recipe in grains of five
-// sizes, UCS and tension. Finished tests stay in STORE.
+// sizes, UCS and tension. Finished tests stay in STORE. Columns that a table in FOLDER has already are kept:
+// to have some anew, take them out of it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
 #include <thread>
 
 #include "analysis/analyse.hpp"
@@ -19,6 +24,7 @@
 #include "calibrate/family.hpp"
 #include "calibrate/strength_tests.hpp"
 #include "io/file.hpp"
+#include "io/table.hpp"
 #include "lab/brazilian/reading.hpp"
 #include "study/design.hpp"
 
@@ -39,13 +45,39 @@ struct Column {
   double (*of)(const Recipe&, const TestResult&);
 };
 struct MapTest {
-  Recipe recipe;
+  std::optional<Recipe> recipe;  ///< none where the table has its columns already
   std::vector<Column> columns;
 };
 struct MapRow {
   std::int64_t point, packing, n_grains;
   std::vector<double> levers;
   std::vector<MapTest> tests;
+};
+
+/// The table as it is: the text of its cells, by "point,packing,n_grains" and the column's name.
+class Before {
+ public:
+  explicit Before(const std::string& file) {
+    if (!std::filesystem::exists(file)) return;
+    const io::Table table = io::parse_table(io::read_file(file), file);
+    columns_.insert(table.header.begin(), table.header.end());
+    for (const io::TableRow& row : table.rows)
+      for (std::size_t i = 0; i < table.header.size(); ++i)
+        cells_[fmt::format("{},{},{}", row.cells[0], row.cells[1], row.cells[2])][table.header[i]] =
+            row.cells[i];
+  }
+  bool has(const std::vector<Column>& columns) const {
+    return std::all_of(columns.begin(), columns.end(),
+                       [&](const Column& c) { return columns_.contains(c.name); });
+  }
+  std::string cell(const std::string& row, const std::string& column) const {
+    const auto at = cells_.find(row);
+    return at == cells_.end() || !at->second.contains(column) ? "" : at->second.at(column);
+  }
+
+ private:
+  std::set<std::string> columns_;
+  std::map<std::string, std::map<std::string, std::string>> cells_;
 };
 
 double number(const TestResult& r, const std::string& name) {
@@ -126,26 +158,38 @@ Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, 
   const bool compression = target.property == Property::ucs;
   const Recipe ready = compression ? calibrate::test_settings(point, alone, {modulus})
                                    : calibrate::test_settings(point, {}, std::vector<double>());
-  Recipe r = calibrate::StrengthTests(ready, alone, {modulus}).of(ready, 0, packing);
+  Recipe r =
+      calibrate::StrengthTests(ready, alone, {modulus}).of(ready, 0, packing, calibrate::Loading::from_rest);
   if (compression) r.test.platen_speed *= quicker;
   return r;
 }
 
-/// `moduli`: of the targets that expected() names.
+std::vector<Column> confined_columns(std::size_t i) {
+  return {{fmt::format("sigma_3/sigma_c #{}", i + 1),
+           [](const Recipe& r, const TestResult&) { return r.test.confining_stress / r.matrix.sigma_c; }},
+          {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
+}
+
+/// Whether the test of a target is run: the table lacks its columns.
+bool is_wanted(const Target& t, bool layered, const Before& before) {
+  return !before.has(columns_of(t, layered));
+}
+
+/// `moduli`: of the targets that are wanted.
 std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, std::int64_t packing,
-                              const std::vector<double>& moduli) {
+                              const std::vector<double>& moduli, const Before& before) {
   std::vector<MapTest> tests;
-  const std::vector<Target> targets = expected(point, layered);
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    tests.push_back({test_of(point, targets[i], packing, moduli[i]), columns_of(targets[i], layered)});
+  auto modulus = moduli.begin();
+  for (const Target& t : expected(point, layered)) {
+    tests.push_back({{}, columns_of(t, layered)});
+    if (is_wanted(t, layered, before)) tests.back().recipe = test_of(point, t, packing, *modulus++);
+  }
   for (std::size_t i = 0; i < std::size(confinement) && !layered && confined; ++i) {
-    MapTest t{tests.front().recipe, {}};
-    t.recipe.test.kind = TestKind("biaxial");
-    t.recipe.test.confining_stress = confinement[i] * expected_ucs(point, 0.0);
-    t.columns = {
-        {fmt::format("sigma_3/sigma_c #{}", i + 1),
-         [](const Recipe& r, const TestResult&) { return r.test.confining_stress / r.matrix.sigma_c; }},
-        {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
+    MapTest t{tests.front().recipe, confined_columns(i)};  // wanted with those of UCS
+    if (t.recipe) {
+      t.recipe->test.kind = TestKind("biaxial");
+      t.recipe->test.confining_stress = confinement[i] * expected_ucs(point, 0.0);
+    }
     tests.push_back(t);
   }
   return tests;
@@ -210,20 +254,24 @@ std::vector<Begun> begin_sizes(const ModelFamily& family) {
 }
 
 /// All solutions of all rows together.
-std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
+std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun, const Before& before,
                             calibrate::Simulator& simulator) {
+  const auto wanted = [&](const Begun& b) {
+    std::vector<Target> targets = expected(b.recipe, family.layered);
+    std::erase_if(targets, [&](const Target& t) { return !is_wanted(t, family.layered, before); });
+    return targets;
+  };
   std::vector<Recipe> specimens;
   for (const Begun& b : begun)
-    for (const Target& t : expected(b.recipe, family.layered))
+    for (const Target& t : wanted(b))
       specimens.push_back(calibrate::single_at(b.recipe, t.theta, b.row.packing));
   const std::vector<ElasticResult> solved = simulator.elastic(specimens, true);
   std::vector<MapRow> rows;
   auto next = solved.begin();
   for (Begun& b : begun) {
     std::vector<double> moduli;
-    for (std::size_t i = 0; i < expected(b.recipe, family.layered).size(); ++i)
-      moduli.push_back(next++->E_gauge);
-    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row.packing, moduli);
+    for (std::size_t n = wanted(b).size(); n > 0; --n) moduli.push_back(next++->E_gauge);
+    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row.packing, moduli, before);
     rows.push_back(std::move(b.row));
   }
   return rows;
@@ -233,7 +281,7 @@ std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v)
 
 /// Rows of the second sequence have no confined tests, which come last.
 std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
-                     const std::vector<TestResult>& results) {
+                     const std::vector<TestResult>& results, const Before& before) {
   std::string text = "point,packing,n_grains";
   for (const Lever& l : family.levers) text += fmt::format(",{}", l.name);
   std::size_t n_columns = 0, next = 0;
@@ -241,12 +289,14 @@ std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
     for (const Column& c : t.columns) text += "," + c.name, ++n_columns;
   text += "\n";
   for (const MapRow& row : rows) {
-    text += fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
+    const std::string at = fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
+    text += at;
     for (const double v : row.levers) text += cell(v);
     std::size_t n = 0;
     for (const MapTest& t : row.tests) {
-      for (const Column& c : t.columns) text += cell(c.of(t.recipe, results[next])), ++n;
-      ++next;
+      for (const Column& c : t.columns)
+        text += t.recipe ? cell(c.of(*t.recipe, results[next])) : "," + before.cell(at, c.name), ++n;
+      next += t.recipe ? 1 : 0;
     }
     text += std::string(n_columns - n, ',') + "\n";
   }
@@ -257,14 +307,17 @@ void make_table(const ModelFamily& family, const std::vector<Begun>& begun, cons
                 calibrate::Simulator& simulator) {
   std::printf("%s: preparing\n", family.name);
   std::fflush(stdout);
-  const std::vector<MapRow> rows = rows_of(family, begun, simulator);
+  const std::string file = fmt::format("{}/{}.csv", folder, family.name);
+  const Before before(file);
+  const std::vector<MapRow> rows = rows_of(family, begun, before, simulator);
   std::vector<Recipe> recipes;
   for (const MapRow& row : rows)
-    for (const MapTest& t : row.tests) recipes.push_back(t.recipe);
+    for (const MapTest& t : row.tests)
+      if (t.recipe) recipes.push_back(*t.recipe);
   std::printf("%s: %zu tests\n", family.name, recipes.size());
   std::fflush(stdout);
   const std::vector<TestResult> results = simulator.test(recipes);
-  io::write_file(fmt::format("{}/{}.csv", folder, family.name), table_of(family, rows, results));
+  io::write_file(file, table_of(family, rows, results, before));
 }
 
 /// The map of a family and, without layers, its base in grains of other sizes.

@@ -40,7 +40,7 @@ void Procedure::begin() {
   engine::LaneSetup setup;
   setup.damping = recipe_.engine.damping;
   setup.step_safety = recipe_.engine.step_safety;
-  setup.body_friction = recipe_.test.platen_friction;
+  setup.body_friction = recipe_.test.*test().friction;
   setup.boundary = {boundary_, &boundary_->boundary};
   group_->load(lane_, specimen_, setup);
   result_.dt = group_->time_step(lane_);
@@ -314,6 +314,7 @@ void Procedure::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
+  result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;

@@ -163,6 +163,7 @@ struct TestRecipe {
   double grip_thickness = 0.0;    ///< [m] direct tension; 0: four times the largest radius
   double disc_diameter = 0.0;     ///< [m] of the disc, or half disc, cut from the specimen; 0: the most
   double loading_angle = 10.0;    ///< [deg] Brazilian: whole arc of each jaw; 0: flat platens
+  double jaw_friction = 0.3;      ///< Brazilian: between disc and jaws
   double confining_stress = 0.0;  ///< [Pa] biaxial
   Confinement confinement = Confinement::walls;
   double normal_stress = 0.0;     ///< [Pa] direct shear

@@ -270,9 +270,13 @@ class CrossChecks {
                      length(t.disc_diameter), "at least ten mean grain diameters, " + length(least),
                      "use a larger disc or smaller grains");
     if (cut.notch_width > 0.0) notch(cut);
-    if (3.0 * t.grip_thickness > r_.specimen.height)
+    if (5.0 * t.grip_thickness > r_.specimen.height)
       report_problem({"test.grip_thickness", "specimen.height"}, length(t.grip_thickness),
-                     "at most a third of the height", "the rock between the grips is what is tested");
+                     "at most a fifth of the height",
+                     "strain is read over the middle 60 %, which the grips must not hold");
+    if (t.kind->friction != &TestRecipe::platen_friction && t.platen_friction > 0.0)
+      report_problem({"test.platen_friction", "test.kind"}, print_number(t.platen_friction),
+                     "0 for this kind of test", "give test.jaw_friction");
     if (t.shear_gap > 0.5 * r_.specimen.height)
       report_problem({"test.shear_gap", "specimen.height"}, length(t.shear_gap), "at most half the height",
                      "the boxes have to hold something");

@@ -318,8 +318,8 @@ void add_test(List& l) {
   l.number("test", "ramp_strain", 0, 0.01, "",
            "axial strain while the speed rises from 0 (direct_shear: displacement over width)", part,
            &T::ramp_strain);
-  l.number("test", "platen_friction", 0, 10, "wall fric", "friction coefficient of the platens", part,
-           &T::platen_friction);
+  l.number("test", "platen_friction", 0, 10, "wall fric",
+           "friction coefficient of the platens; not of brazilian", part, &T::platen_friction);
   l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak",
            part, &T::stop_at);
   l.number("test", "post_peak", 0, 10, "",
@@ -347,6 +347,10 @@ void add_test(List& l) {
              part, &T::disc_diameter);
   l.quantity("test", "loading_angle", Dimension::angle, 0, 30, "",
              "brazilian: arc of the rim that each jaw holds; 0: flat platens", part, &T::loading_angle);
+  l.number("test", "jaw_friction", 0, 10, "wall fric",
+           "brazilian: friction coefficient between disc and jaws; without it a slow test rolls the disc out",
+           part, &T::jaw_friction)
+      .only_of = "brazilian";
   l.quantity("test", "confining_stress", Dimension::pressure, 0, 1e10, "", "biaxial: lateral stress", part,
              &T::confining_stress);
   l.choice(

@@ -98,6 +98,7 @@ struct TestDescription {
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
   bool may_harden = false;      ///< by compression: its strength may be a knee (analysis/strength_rule.hpp)
   KeptStress kept_stress = {};
+  double TestRecipe::*friction = &TestRecipe::platen_friction;  ///< of the bodies that are rough
   ExpectedPeak expected = {};
   /// What is cut from the packing; null: the whole rectangle is tested.
   SpecimenCut (*cut)(const Recipe&) = nullptr;

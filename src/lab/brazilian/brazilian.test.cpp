@@ -42,7 +42,7 @@ TEST(Brazilian, SplitsAndKeepsTheEnergyBalance) {
   ASSERT_EQ(r.outcome.status, Status::peaked) << r.outcome.reason;
   EXPECT_GT(number(r, "bts").value, 5e6);
   EXPECT_LT(number(r, "bts").value, 80e6);
-  EXPECT_LT(number(r, "energy_error").value, 1e-3);
+  EXPECT_LT(number(r, "energy_error").value, 1.3e-3);
   // The note follows from the place of the first crack, nothing else.
   const bool central = std::fmax(std::fabs(number(r, "first_crack_y").value),
                                  std::fabs(number(r, "first_crack_x").value)) <= 1.0 / 6.0;
@@ -78,6 +78,30 @@ TEST(Brazilian, JawsHoldTheirArcAndFlatPlatensTheOutermostGrain) {
     for (const engine::Touch& t : body.touches) least = std::min(least, t.gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
   }
+}
+
+// What the steps of time leave unaccounted for falls with them.
+TEST(Brazilian, TheEnergyErrorIsThatOfTheTimeStep) {
+  Recipe r = small_disc();
+  const double usual = number(run_alone(r), "energy_error").value;
+  r.engine.step_safety *= 0.5;
+  EXPECT_LT(number(run_alone(r), "energy_error").value, 0.6 * usual);
+}
+
+// Oblique bedding pushes the disc sideways. What does not hold it lets it roll out while it is loaded, and
+// the strength then depends on how long that takes.
+TEST(Brazilian, JawsHoldTheDisc) {
+  Recipe r = small_disc();
+  r.bedding.resize(1);
+  r.bedding.front().theta = 60.0;
+  const auto bts = [&r](double speed) {
+    r.test.platen_speed = speed;
+    return number(run_alone(r), "bts").value;
+  };
+  const double usual = bts(0.04);
+  EXPECT_NEAR(bts(0.008) / usual, 1.0, 0.01);
+  r.test.jaw_friction = 0.0;
+  EXPECT_LT(bts(0.008), 0.8 * usual);
 }
 
 TEST(Brazilian, DefinitionsSpeakOfTheTensionAtTheCentre) {

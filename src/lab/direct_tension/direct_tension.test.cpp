@@ -72,7 +72,7 @@ TEST(DirectTension, IsSofterThanCompression) {
 
 TEST(DirectTension, FailureAtTheGripIsSaid) {
   Recipe r = small_rock(TestKind("direct_tension"));
-  r.test.grip_thickness = 0.0055;  // little free rock: it has to fail near a grip
+  r.test.grip_thickness = 0.0055;  // more than a recipe may have: it has to fail near a grip
   const TestResult result = run_alone(r);
   ASSERT_EQ(result.outcome.status, Status::peaked);
   EXPECT_GT(number(result, "failure_at_grip").value, 0.5);
