@@ -113,12 +113,13 @@ def by_key(all_errors, key, title, only):
 
 
 def by_grade(all_errors):
+    """Without other grips, which hold other planes: another specimen."""
     rows = []
     for e in all_errors.values():
         for label, _ in e.names:
             cells = []
             for grade in GRADES:
-                values = [x[label] for r, _, x in e.tests if r["quality"] == grade and label in x]
+                values = [x[label] for r, odd, x in e.tests if r["quality"] == grade and label in x and odd != "test.grip_thickness"]
                 beyond = sorted(abs(v) for v in values)
                 cells.append(summary(values))
                 cells.append(f"{beyond[math.ceil(0.95 * len(beyond)) - 1]:.1f}" if beyond else "-")

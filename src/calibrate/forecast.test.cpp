@@ -39,8 +39,9 @@ const ReachTable& map_named(const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// Left out of the regressions with a fifth of the points.
-TEST(Forecast, RocksThatAModelIsAreSaidToBeWithinReach) {
+/// How many of twenty specimens, drawn by a seed, are said to be within reach. Each is left out of the
+/// regressions with a fifth of the points.
+int n_right_of_twenty(std::uint32_t seed) {
   struct Share {
     const char* family;
     LayerModel layers;
@@ -51,20 +52,25 @@ TEST(Forecast, RocksThatAModelIsAreSaidToBeWithinReach) {
                          Share{"parallel-bond-directions", LayerModel::directions, 7},
                          Share{"parallel-bond-directions-crossing", LayerModel::planes_and_directions, 6}}) {
     const ReachTable& map = map_named(s.family);
-    for (const std::size_t row : drawn_rows(map, s.n, 20261201)) {
+    for (const std::size_t row : drawn_rows(map, s.n, seed)) {
       const int fold = static_cast<int>(map.at(row, "point")) % 5;
       const auto f = foretell(Evidence(rock_of(map, row, s.layers)), fold);
-      ASSERT_TRUE(f);
+      EXPECT_TRUE(f);
       ++n;
-      if (f->status != VerdictStatus::out_of_reach)
-        ++right;
-      else
-        std::cout << "wrong: " << s.family << ", row " << row << ": " << forecast_text(*f) << '\n';
+      right += f && f->status != VerdictStatus::out_of_reach ? 1 : 0;
     }
   }
   EXPECT_EQ(n, 20);
-  EXPECT_GE(right, 18);
-  RecordProperty("right", right);
+  return right;
+}
+
+TEST(Forecast, RocksThatAModelIsAreSaidToBeWithinReach) {
+  int right = 0;
+  for (std::uint32_t seed = 20261201; seed <= 20261210; ++seed) {
+    const int of_these = n_right_of_twenty(seed);
+    std::cout << of_these << " of 20\n", right += of_these;
+  }
+  EXPECT_GE(right, 180);
 }
 
 TEST(Forecast, RocksThatNoModelIsAreSaidToBeOutOfReach) {
