@@ -576,7 +576,7 @@ OPEN = """
 
 - **PFC2D itself** and a published 50 x 100 mm specimen (Bu 2021): not run. `phyllite export pfc2d` writes the files for the first
   (docs/formats.md), whoever has the program is asked to run them.
-- Set up in the studies and not, or not all, run: packings 6 to 10 of the granite (4 to 10 of its Brazilian and confined tests), 4,788
+- Set up in the studies and not, or not all, run: packings 6 to 10 of the granite (4 to 10 of its confined tests), 4,788
   discs of the resolution, the time step on more than one packing. The numbers of packings are in the tables; `make evidence` runs the rest.
 - Resolution above that, and BTS and sigma_ci of the granite against a table that somebody has read.
 - The default `elastic_reading` does not follow from one match: plane strain comes nearer to E of the granite, whose
