@@ -1,7 +1,8 @@
 // Which model a rock is given: what makes its layers and what holds its grains together. Taken is the model
 // whose expectation (prior_regression.hpp), fitted to all values of the table but one, predicts that one
 // better. Fit alone would always prefer the model with more parameters; but one that misses E by so much that
-// no calibration by it ends within reach gives way to any that does not.
+// no calibration by it ends within reach gives way to any that does not, and one that contains another has to
+// be better by a tenth.
 #pragma once
 #include <functional>
 #include <string>

@@ -284,17 +284,18 @@ double Procedure::progress() const {
   return phase_ == Phase::load ? std::min(1.0, reading(row_).strain / max_strain()) : 0.0;
 }
 
+double Procedure::value(const std::string& name) const {
+  const Number* n = analysis::find(result_.numbers, name);
+  return n != nullptr ? n->value : nan;
+}
+
 void Procedure::accept_strength() {
   Outcome& outcome = result_.outcome;
   const std::vector<HistoryRow>& rows = result_.history.rows;
   if (!test().may_harden || outcome.status != Status::not_peaked || rows.empty() ||
       rows.back().n_cracks < least_cracks)
     return;
-  const auto value = [&](const char* name) {
-    const Number* n = analysis::find(result_.numbers, name);
-    return n != nullptr ? n->value : nan;
-  };
-  const double rule = value("strength_rule"), stress = value(test().curve.strength.c_str());
+  const double rule = value("strength_rule"), stress = value(test().curve.strength);
   const double highest = value("largest_stress"), strain = value("peak_strain");
   const std::string at = fmt::format("{:.2f} MPa at {}", stress * 1e-6, extent(strain, 4));
   const std::string end = extent(reading(rows.back()).strain, 3);
@@ -310,11 +311,20 @@ void Procedure::accept_strength() {
                fmt::format("the {} bends at {}{}; no peak up to {}", test().stress, at, later, end), ""};
 }
 
+/// Of a peak: how much more stress the test has borne later.
+void Procedure::note_later_rise() {
+  if (!test().may_harden || value("strength_rule") != static_cast<double>(analysis::StrengthRule::peak))
+    return;
+  result_.numbers.push_back({"later_rise", value("largest_stress") / value(test().curve.strength) - 1.0, "1",
+                             "largest stress of the whole test / that of the peak - 1", ""});
+}
+
 void Procedure::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
+  note_later_rise();
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;

@@ -111,7 +111,9 @@ class Procedure {
   /// it found no peak.
   void read_numbers();
   /// A test at its largest strain may have a strength all the same: a first peak, or a knee.
+  double value(const std::string& name) const;  // of a number of the result
   void accept_strength();
+  void note_later_rise();
   bool check_stop();
   bool end_without_peak(const Reading& now);
   bool end_unstable(const engine::LaneHealth& health);

@@ -37,6 +37,8 @@ const std::vector<QualityLimit>& quality_limits() {
       {"peak_confirmed", true, 1.0, 0.5,
        "the test ended before it showed that the largest stress is the peak",
        "lower test.stop_at to 0.8 or less, raise test.post_peak to 0.5 or more, or raise test.max_strain"},
+      {"later_rise", false, 0.05, 1e3,
+       "the stress rises above the peak later, and the test ends before it falls", "raise test.max_strain"},
       {"rows_to_peak", true, 20.0, 5.0, "too few rows of the history see the way to the peak",
        "lower test.history_interval, or test.platen_speed"},
       {"platen_difference_95", false, 0.03, 0.1,
