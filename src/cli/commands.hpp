@@ -3,6 +3,14 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace phy::io {
+struct Schema;
+}
+
 namespace phy::cli {
 
 /// State shared by the verbs of one call.
@@ -24,6 +32,12 @@ inline CLI::Validator within(double low, double high) {
           range};
 }
 
+/// Words that the shell offers for an option whose value may also be another one; made when they are asked
+/// for. A closed set of words is a CLI::IsMember.
+CLI::Validator suggested(std::function<std::vector<std::string>()> words);
+/// Paths of all keys of these files, for an option that explains one.
+std::vector<std::string> keys_of(const std::vector<const io::Schema*>& schemas);
+
 void add_run_command(CLI::App& app, Session& session);
 void add_specimen_command(CLI::App& app, Session& session);
 void add_verify_command(CLI::App& app, Session& session);
@@ -43,5 +57,8 @@ void add_film_command(CLI::App& app, Session& session);
 void add_envelope_command(CLI::App& app, Session& session);
 void add_study_command(CLI::App& app, Session& session);
 void add_elastic_command(CLI::App& app, Session& session);
+/// What people and shells know of all other verbs: comes last.
+void add_man_command(CLI::App& app, Session& session);
+void add_completion_command(CLI::App& app, Session& session);
 
 }  // namespace phy::cli
