@@ -170,17 +170,20 @@ const CLI::Option* argument_at(const Place& place) {
   return nullptr;
 }
 
-void add_options(Offer& offer, const Place& place, const std::string& typed) {
-  for (const CLI::App* verb = place.verb; verb != nullptr; verb = verb->get_parent())
-    for (const CLI::Option* option :
-         verb->get_options([](const CLI::Option* o) { return o->nonpositional(); }))
-      if (!place.given.contains(option) || option->get_expected_max() > 1)
-        for (const std::string& name : option->get_lnames())
-          if (verb == place.verb || name != "help") add(offer, "--" + name, typed, option->get_description());
+/// Those of the verb, and those of the program, which every verb takes.
+void add_options(Offer& offer, const CLI::App& app, const Place& place, const std::string& typed) {
+  std::vector<const CLI::Option*> options =
+      place.verb->get_options([](const CLI::Option* o) { return o->nonpositional(); });
+  for (const CLI::Option* option : app.get_options())
+    if (place.verb != &app && option->get_items_expected_max() > 0) options.push_back(option);
+  for (const CLI::Option* option : options)
+    if (!place.given.contains(option) || option->get_expected_max() > 1)
+      for (const std::string& name : option->get_lnames())
+        add(offer, "--" + name, typed, option->get_description());
 }
 
 Offer complete(const CLI::App& app, const Words& words) {
-  Place place{&app};
+  Place place{&app, nullptr, 0, false, {}};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) pass(place, words[i]);
   const std::string typed = words.empty() ? "" : words.back();
   Offer offer;
@@ -189,7 +192,7 @@ Offer complete(const CLI::App& app, const Words& words) {
   } else if (!place.options_end && typed.starts_with("-")) {
     const std::size_t equals = typed.find('=');
     if (equals == typed.npos)
-      add_options(offer, place, typed);
+      add_options(offer, app, place, typed);
     else if (const CLI::Option* option = find_option(place.verb, typed.substr(0, equals)); option != nullptr)
       add_values(offer, *option, typed.substr(equals + 1), typed.substr(0, equals + 1));
   } else {
@@ -199,7 +202,7 @@ Offer complete(const CLI::App& app, const Words& words) {
     if (argument != nullptr)
       add_values(offer, *argument, typed);
     else if (verbs.empty() && !place.options_end)
-      add_options(offer, place, typed);
+      add_options(offer, app, place, typed);
   }
   return offer;
 }

@@ -134,14 +134,13 @@ std::string description(const std::string& text) {
 }
 
 std::string examples(const std::vector<ManExample>& all) {
-  std::string text = heading("EXAMPLES");
-  bool first = true;
+  std::string text;
   for (const ManExample& e : all) {
-    if (!e.why.empty()) text += (first ? "" : ".PP\n") + prose(e.why) + "\n";
-    text += ".PP\n.EX\n" + literal(e.command) + "\n.EE\n";
-    first = false;
+    if (!text.empty()) text += ".PP\n";
+    if (!e.why.empty()) text += prose(e.why) + "\n.PP\n";
+    text += ".EX\n" + literal(e.command) + "\n.EE\n";
   }
-  return text;
+  return heading("EXAMPLES") + text;
 }
 
 /// The verbs below one, each with its options; of the program their names, as each has a page.
