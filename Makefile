@@ -59,16 +59,18 @@ install:
 deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
 deps-package: deps
 
-# DEBFULLNAME and DEBEMAIL name who stands for it.
+# DEBFULLNAME and DEBEMAIL name who stands for it. What lintian says where nobody does, and of a package that no bug of Debian
+# asked for, is no fault here.
+UNNAMED := bogus-mail-host,bogus-mail-host-in-debian-changelog,root-in-contact,initial-upload-closes-no-bugs
 package: deps-package
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target manual
 	@cd $(BUILD) && cpack >cpack.txt || { cat cpack.txt; exit 1; }
 	@ls -l $(BUILD)/phyllite_*.deb
-	@lintian --fail-on error $(BUILD)/phyllite_*.deb
+	@lintian --fail-on error,warning --suppress-tags $(UNNAMED) $(BUILD)/phyllite_*.deb
 
 # Needs root, and a Debian mirror.
 package-check: package
-	@$(SUDO) sh packaging/check.sh $(BUILD)/phyllite_*.deb
+	@$(SUDO) bash packaging/check.sh $(BUILD)/phyllite_*.deb
 
 demo: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume

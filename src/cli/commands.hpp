@@ -3,14 +3,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
-#include <functional>
-#include <string>
-#include <vector>
-
-namespace phy::io {
-struct Schema;
-}
-
 namespace phy::cli {
 
 /// State shared by the verbs of one call.
@@ -31,12 +23,6 @@ inline CLI::Validator within(double low, double high) {
           },
           range};
 }
-
-/// Words that the shell offers for an option whose value may also be another one; made when they are asked
-/// for. A closed set of words is a CLI::IsMember.
-CLI::Validator suggested(std::function<std::vector<std::string>()> words);
-/// Paths of all keys of these files, for an option that explains one.
-std::vector<std::string> keys_of(const std::vector<const io::Schema*>& schemas);
 
 void add_run_command(CLI::App& app, Session& session);
 void add_specimen_command(CLI::App& app, Session& session);

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "cli/commands.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
-#include "io/document.hpp"
 
 namespace phy::cli {
 namespace {
@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 constexpr const char* bash_script =
     R"(# bash completion of phyllite: the program itself knows its verbs, options and their values.
 _phyllite() {
-  local answer line
+  local answer files line
   mapfile -t answer < <("${1/#\~/$HOME}" completion bash -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
   COMPREPLY=()
   for line in "${answer[@]:1}"; do
@@ -33,8 +33,8 @@ _phyllite() {
       if ((${#COMPREPLY[@]} == 0)); then
         compopt -o default
       else
-        compopt -o filenames
-        mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
+        mapfile -t files < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
+        ((${#files[@]})) && compopt -o filenames && COMPREPLY+=("${files[@]}")
       fi ;;
   esac
 }

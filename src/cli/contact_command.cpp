@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
 #include "jobs/contact_words.hpp"

@@ -6,6 +6,7 @@
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
 #include "cli/provenance.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"

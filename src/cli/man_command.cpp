@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/man_text.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
 
@@ -184,8 +185,9 @@ std::string page(const CLI::App& app) {
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
   std::string purpose = program ? "laboratory for layered rock" : app.get_description();
   std::erase(purpose, '`');
+  // .nh: no command is broken by a hyphen that nobody types.
   std::string text =
-      fmt::format(".TH {} 1 {} \"phyllite {}\" Phyllite\n", literal(upper), PHY_DATE, PHY_VERSION);
+      fmt::format(".TH {} 1 {} \"phyllite {}\" Phyllite\n.nh\n", literal(upper), PHY_DATE, PHY_VERSION);
   text += heading("NAME") + literal(page_name(app)) + " \\- " + prose(purpose) + "\n";
   text += synopses(app) + description(more.description) + heading("OPTIONS") + options_text(app);
   if (!program)

@@ -209,7 +209,7 @@ const std::vector<ManText>& texts() {
        {{"envelope.csv, fits.csv", "every test; what was fitted"},
         {"sigma_3_5_MPa/", "a folder per confining stress, which is the folder of a run"}},
        {{"",
-         "phyllite envelope examples/pfc2d/specimen.toml --confining \"0 MPa,10 MPa\" --out "
+         "phyllite envelope examples/pfc2d/specimen.toml --confining \"0 MPa,5 MPa,10 MPa\" --out "
          "results/envelope"}}},
       {"man",
        "Prints a manual page in the language of man(7), or writes all of them, made from the tree of verbs "

@@ -1,6 +1,7 @@
 // `phyllite recipe`: what every key means, a template, the reference page. All of it comes from the schema.
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"

@@ -7,6 +7,7 @@
 #include "base/quote.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/machine.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"

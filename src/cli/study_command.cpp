@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "cli/study_words.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"

@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "verification/cases.hpp"
 #include "verification/golden.hpp"
