@@ -1,6 +1,8 @@
 # make deps     install what is missing (Debian packages)    make demo    calibrate the twin rock, print the tables
 # make deps-all also what no test is left out without        make test    build and run all tests
 # make python   the Python package, into build/python-env
+# make install  program, manual pages, completion, documents: PREFIX=/usr/local, DESTDIR=
+# make package  a Debian package                          make package-check  install, try and remove it on a bare Debian 12
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
 # make fuzz     every reader under libFuzzer                  make bench   measure the speed of the press
 # make sanitize tests under the sanitizers                    make coverage  lines that the tests run, room by room
@@ -12,11 +14,13 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcl
 # For phyllite figure, film and study --mpi only, for the test of a full disk, for the Python package and its notebooks.
 MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount $(PYTHON) python3-pandas python3-matplotlib \
        python3-nbclient python3-ipykernel
+# For the tests of manual pages and completion.
+MORE += man-db mandoc zsh fish
 # For the Python package.
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
+.PHONY: deps deps-all build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -44,6 +48,29 @@ python: deps
 	@cmake --install $(BUILD) --component python \
 	  --prefix "$$($(VENV)/bin/python -c 'import sysconfig; print(sysconfig.get_path("platlib"))')" >/dev/null
 	@$(VENV)/bin/python -c 'import phyllite; print("python: phyllite", phyllite.__version__, "is installed in $(VENV): start $(VENV)/bin/python")'
+
+# As `cmake --install`: a plain copy, which remembers no prefix. What was copied stands in install_manifest_program.txt.
+PREFIX := /usr/local
+install:
+	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target manual
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" --component program | tail -1
+	@echo "install: phyllite is in $(DESTDIR)$(PREFIX)"
+
+deps-package: PACKAGES += dpkg-dev file lintian mmdebstrap
+deps-package: deps
+
+# DEBFULLNAME and DEBEMAIL name who stands for it. What lintian says where nobody does, and of a package that no bug of Debian
+# asked for, is no fault here.
+UNNAMED := bogus-mail-host,bogus-mail-host-in-debian-changelog,root-in-contact,initial-upload-closes-no-bugs
+package: deps-package
+	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target manual
+	@cd $(BUILD) && cpack >cpack.txt || { cat cpack.txt; exit 1; }
+	@ls -l $(BUILD)/phyllite_*.deb
+	@lintian --fail-on error,warning --suppress-tags $(UNNAMED) $(BUILD)/phyllite_*.deb
+
+# Needs root, and a Debian mirror.
+package-check: package
+	@$(SUDO) bash packaging/check.sh $(BUILD)/phyllite_*.deb
 
 demo: deps program
 	$(BUILD)/phyllite calibrate examples/twin/twin.toml --out results/twin --resume

@@ -35,8 +35,13 @@ def main():
         return
     file.write_text("".join(f"{name} {value}\n" for name, value in sorted(now.items())))
     groups = [f"{name} ({sum(c.startswith(name) for c in changed)})" for name in sorted({c.split("/")[0] + "/" for c in changed})]
-    with open(root / "CHANGELOG.md", "a") as log:
-        log.write(f"- Recorded numbers ({', '.join(groups)}): {reason}\n")
+    log = root / "CHANGELOG.md"
+    text = log.read_text()
+    end = text.find("\n## ", text.index("## Unreleased"))  # of the head section
+    head, rest = (text[:end], text[end:]) if end > 0 else (text, "")
+    head = head.rstrip("\n")
+    gap = "\n\n" if head.endswith("## Unreleased") else "\n"
+    log.write_text(f"{head}{gap}- Recorded numbers ({', '.join(groups)}): {reason}\n{rest}")
     print("record: " + ", ".join(changed) + "; the reason stands at the end of CHANGELOG.md")
 
 

@@ -107,8 +107,8 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<jobs::CalibrationRequest>();
   args->out = "results/calibration";
   CLI::App* verb = app.add_subcommand("calibrate", "micro-parameters from a laboratory table");
-  verb->add_option("rock", args->rock, "rock file (TOML)")->required();
-  verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  verb->add_option("rock", args->rock, "rock file (TOML)")->required()->type_name("FILE");
+  verb->add_option("--out", args->out, "folder for the results")->capture_default_str()->type_name("FOLDER");
   verb->add_flag("--resume", args->resume, "go on with an interrupted calibration in the same folder");
   verb->add_flag("--elastic", args->elastic, "elastic stage only");
   verb->add_option("--method", args->method,

@@ -107,9 +107,11 @@ void add_compare_command(CLI::App& app, Session& session) {
       "compare", "a stress-strain curve of another program or a laboratory beside a result");
   verb->add_option("theirs", args->theirs,
                    "table (CSV) with axial_strain and axial_stress, units in brackets in the header")
-      ->required();
-  verb->add_option("folder", args->folder, "result of one specimen")->required();
-  verb->add_option("--figure", args->figure, "also draw both curves: a file ending in .svg, .pdf or .png");
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("folder", args->folder, "result of one specimen")->required()->type_name("FOLDER");
+  verb->add_option("--figure", args->figure, "also draw both curves: a file ending in .svg, .pdf or .png")
+      ->type_name("FILE");
   verb->callback([args, &session] { session.exit_code = compare(*args, session); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/output.hpp"
 #include "jobs/contact_words.hpp"
@@ -19,6 +20,12 @@ struct ContactArguments {
   std::vector<std::string> values, corners;
   int steps = 100;
 };
+
+std::vector<std::string> names_of_laws() {
+  std::vector<std::string> names;
+  for (const lab::LawInfo& law : lab::law_infos()) names.push_back(law.name);
+  return names;
+}
 
 void explain_laws(int width) {
   for (const lab::LawInfo& law : lab::law_infos()) {
@@ -90,16 +97,19 @@ void add_contact_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ContactArguments>();
   CLI::App* verb = app.add_subcommand(
       "contact", "drive one contact along a path; the law's answer beside the closed form, as CSV");
-  verb->add_option("law", args->law, "name of a law; without one, all laws and their parameters are listed");
+  verb->add_option("law", args->law, "name of a law; without one, all laws and their parameters are listed")
+      ->type_name("LAW")
+      ->check(suggested(names_of_laws));
   verb->add_option("--set", args->values, "a parameter: --set \"k_n=38e9 N/m\"")->allow_extra_args(false);
   verb->add_option("--to", args->corners, "next corner of the path: --to \"1 um, 8 um, 0 deg\"")
       ->allow_extra_args(false);
   verb->add_option("--path", args->path, std::string("corners as CSV with the header ") + jobs::path_header)
+      ->type_name("FILE")
       ->excludes("--to");
   verb->add_option("--steps", args->steps, "steps from corner to corner")
       ->check(CLI::Range(1, 10000000))
       ->capture_default_str();
-  verb->add_option("--out", args->out, "file for the CSV; standard output without");
+  verb->add_option("--out", args->out, "file for the CSV; standard output without")->type_name("FILE");
   verb->callback([args, &session] {
     contact(*args, session.terminal_width);
     session.exit_code = 0;

@@ -271,7 +271,7 @@ void add_elastic_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ElasticArguments>();
   CLI::App* verb =
       app.add_subcommand("elastic", "E(theta), nu(theta), K_n, K_s and sensitivities by direct solution");
-  verb->add_option("recipe", args->recipe, "recipe file (TOML)")->required();
+  verb->add_option("recipe", args->recipe, "recipe file (TOML)")->required()->type_name("FILE");
   verb->add_flag("--glued", args->glued, "grains stick to the platens");
   verb->add_flag("--modulus-loss", args->modulus_loss, "fit Eq. 1 in modulus instead of compliance");
   verb->add_flag("--press", args->press, "compare with the press, without and with slip and cracking");

@@ -293,12 +293,14 @@ void add_envelope_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<EnvelopeArguments>();
   CLI::App* verb = app.add_subcommand(
       "envelope", "strength under several confining stresses: Mohr-Coulomb, Hoek-Brown, plane of weakness");
-  verb->add_option("recipe", args->recipe, "recipe file (TOML); its test.kind does not matter")->required();
+  verb->add_option("recipe", args->recipe, "recipe file (TOML); its test.kind does not matter")
+      ->required()
+      ->type_name("FILE");
   verb->add_option("--confining", args->confining, "confining stresses with units, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
-  verb->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  verb->add_option("--out", args->out, "folder for the results")->capture_default_str()->type_name("FOLDER");
   verb->add_flag("--ensemble", args->ensemble,
                  "every draw of the calibration that the recipe is from, and the band of all "
                  "(docs/calibration.md)");

@@ -94,8 +94,10 @@ void add_export_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ExportArguments>();
   CLI::App* pfc =
       verb->add_subcommand("pfc2d", "command files of PFC2D: discs, bonds, joints, platens, test");
-  pfc->add_option("what", args->what, "folder of a run or of one specimen, or a recipe (TOML)")->required();
-  pfc->add_option("--out", args->out, "folder for the files")->capture_default_str();
+  pfc->add_option("what", args->what, "folder of a run or of one specimen, or a recipe (TOML)")
+      ->required()
+      ->type_name("PATH");
+  pfc->add_option("--out", args->out, "folder for the files")->capture_default_str()->type_name("FOLDER");
   pfc->callback([args, &session] {
     session.exit_code = 0;
     export_pfc2d(*args, session);

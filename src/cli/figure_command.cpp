@@ -6,6 +6,7 @@
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
 #include "cli/provenance.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
@@ -75,6 +76,15 @@ int draw(FigureArguments args) {
   return tell_provenance(data.run, 0);
 }
 
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> names;
+  for (const report::FigureKind& k : report::figure_kinds()) {
+    names.push_back(k.name);
+    if (*k.paper != 0) names.push_back(k.paper);
+  }
+  return names;
+}
+
 std::string kinds_text() {
   std::string text = "what to draw:";
   for (const report::FigureKind& k : report::figure_kinds())
@@ -87,13 +97,18 @@ std::string kinds_text() {
 void add_figure_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FigureArguments>();
   CLI::App* verb = app.add_subcommand("figure", "write a figure for print (SVG, PDF, PNG) through gnuplot");
-  verb->add_option("result", args->result, "folder of a run or a study")->required();
-  verb->add_option("--kind", args->kind, kinds_text())->required();
+  verb->add_option("result", args->result, "folder of a run or a study")->required()->type_name("FOLDER");
+  verb->add_option("--kind", args->kind, kinds_text())
+      ->required()
+      ->type_name("KIND")
+      ->check(suggested(names_of_kinds));
   verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
-  verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind");
-  verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
-  verb->add_option("--out", args->out, "file; default: KIND.FORMAT here");
+  verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")
+      ->capture_default_str();
+  verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model")
+      ->type_name("FILE");
+  verb->add_option("--out", args->out, "file; default: KIND.FORMAT here")->type_name("FILE");
   verb->callback([args, &session] { session.exit_code = draw(*args); });
 }
 

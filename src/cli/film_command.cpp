@@ -43,8 +43,10 @@ void add_film_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FilmArguments>();
   CLI::App* verb = app.add_subcommand("film", "write an animation of the test (WebM or GIF) through ffmpeg");
   verb->add_option("result", args->result, "folder that `phyllite run` wrote, or one specimen of it")
-      ->required();
+      ->required()
+      ->type_name("FOLDER");
   verb->add_option("--out", args->out, "file that ends in .webm or .gif")
+      ->type_name("FILE")
       ->check([](const std::string& name) {
         return name.ends_with(".webm") || name.ends_with(".gif") ? ""
                                                                  : "name a file that ends in .webm or .gif";

@@ -76,7 +76,9 @@ int run(int argc, char** argv) {
   CLI::App app{"Phyllite: a laboratory for layered rock. Bonded-particle models in two dimensions.",
                "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
-  app.add_option("--threads", session.threads, "worker threads; 0 = all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   app.require_subcommand(1);
   app.fallthrough();
   phy::cli::add_run_command(app, session);
@@ -96,6 +98,8 @@ int run(int argc, char** argv) {
   phy::cli::add_export_command(app, session);
   phy::cli::add_compare_command(app, session);
   phy::cli::add_envelope_command(app, session);
+  phy::cli::add_man_command(app, session);
+  phy::cli::add_completion_command(app, session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

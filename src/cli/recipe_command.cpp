@@ -1,6 +1,7 @@
 // `phyllite recipe`: what every key means, a template, the reference page. All of it comes from the schema.
 #include "base/check.hpp"
 #include "cli/commands.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
@@ -26,8 +27,11 @@ void add_recipe_command(CLI::App& app, Session& session) {
   };
   auto args = std::make_shared<Arguments>();
   CLI::App* verb = app.add_subcommand("recipe", "explain the keys of a recipe, or check and complete one");
-  CLI::Option* file = verb->add_option("file", args->file, "recipe to check; prints it completed");
-  verb->add_option("--explain", args->key, "meaning, range and default of a key");
+  CLI::Option* file =
+      verb->add_option("file", args->file, "recipe to check; prints it completed")->type_name("FILE");
+  verb->add_option("--explain", args->key, "meaning, range and default of a key")
+      ->type_name("KEY")
+      ->check(suggested([] { return keys_of({&io::recipe_schema()}); }));
   verb->add_flag("--reference", args->reference, "all keys as a Markdown page");
   verb->add_flag("--pfc", args->pfc, "the file as commands for PFC2D 6 and later")->needs(file);
   verb->add_flag("--template", args->print_template, "a complete recipe with comments");

@@ -237,14 +237,16 @@ void add_replay_command(CLI::App& app, Session& session) {
       app.add_subcommand("replay", "run stored results again and compare every number with them");
   verb->add_option("folder", args->folder,
                    "folder of `phyllite run`, `envelope`, `study` or `calibrate`, or of one specimen")
-      ->required();
+      ->required()
+      ->type_name("FOLDER");
   verb->add_option("--tests", args->tests,
                    "how many tests of the runs, and of each store, to run again, spread over kinds and "
                    "angles; default: all of a run, 8 of "
                    "every store")
       ->check(CLI::Range(1, 1000000));
   verb->add_option("--out", args->out,
-                   "new folder for the results of the second run; default: none is written");
+                   "new folder for the results of the second run; default: none is written")
+      ->type_name("FOLDER");
   verb->callback([args, &session] {
     stop_on_interrupt();
     session.exit_code = replay(*args, session);

@@ -45,9 +45,11 @@ void add_report_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<ReportArguments>();
   CLI::App* verb = app.add_subcommand("report", "write report.html of a result anew");
   verb->add_option("result", args->result, "folder of a run (or one specimen of it), study or calibration")
-      ->required();
-  verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model");
-  verb->add_option("--out", args->out, "file; default: report.html in the folder");
+      ->required()
+      ->type_name("FOLDER");
+  verb->add_option("--rock", args->rock, "rock file (TOML): its laboratory values beside the model")
+      ->type_name("FILE");
+  verb->add_option("--out", args->out, "file; default: report.html in the folder")->type_name("FILE");
   verb->callback([args, &session] { session.exit_code = report(*args); });
 }
 

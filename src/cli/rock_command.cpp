@@ -7,6 +7,7 @@
 #include "base/quote.hpp"
 #include "calibrate/twin.hpp"
 #include "cli/machine.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
@@ -94,7 +95,9 @@ void add_rock_command(CLI::App& app, Session& session) {
   rock->require_subcommand(0, 1);
   auto key = std::make_shared<std::string>();
   auto reference = std::make_shared<bool>(false);
-  rock->add_option("--explain", *key, "meaning, range and default of a key of a rock file");
+  rock->add_option("--explain", *key, "meaning, range and default of a key of a rock file")
+      ->type_name("KEY")
+      ->check(suggested([] { return keys_of({&io::rock_schema()}); }));
   rock->add_flag("--reference", *reference, "print all keys of a rock file");
   rock->callback([=, &session] {
     if (!rock->get_subcommands().empty()) return;
@@ -111,12 +114,12 @@ void add_rock_command(CLI::App& app, Session& session) {
   fresh->callback([name, &session] { session.exit_code = rock_new(*name); });
   auto path = std::make_shared<std::string>();
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
-  check->add_option("rock", *path, "rock file (TOML)")->required();
+  check->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
   check->callback([path, &session] { session.exit_code = rock_check(*path, session.terminal_width); });
   auto recipe = std::make_shared<std::string>();
   CLI::App* twin = rock->add_subcommand(
       "twin", "write NAME.csv: a synthetic table made by the model itself, with 5 % noise");
-  twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required();
+  twin->add_option("recipe", *recipe, "recipe of the true model (TOML)")->required()->type_name("FILE");
   twin->add_option("name", *name, "name of the table")->required();
   auto E_is = std::make_shared<std::string>(to_string(ModulusReading::tangent_50));
   const std::vector<std::string> readings = find_field(io::rock_schema().fields, "E_is")->choices;

@@ -200,12 +200,15 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
 void add_run_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<RunArguments>();
   CLI::App* run = app.add_subcommand("run", "run the laboratory test of one or more recipes");
-  run->add_option("recipe", args->recipes, "recipe files (TOML)")->required();
-  run->add_option("--out", args->out, "folder for the results")->capture_default_str();
+  run->add_option("recipe", args->recipes, "recipe files (TOML)")->required()->type_name("FILE");
+  run->add_option("--out", args->out, "folder for the results")->capture_default_str()->type_name("FOLDER");
   run->add_option("--lanes", args->lanes,
                   "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
-      ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}));
-  run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")->check(CLI::Range(1, 64));
+      ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}))
+      ->capture_default_str();
+  run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   run->add_flag("--replace", args->replace, "remove results of another recipe from the folder");
   run->add_flag("--no-cache", args->no_cache, "make the packing anew");
   CLI::Option* ensemble = run->add_flag("--ensemble", args->ensemble,
@@ -232,8 +235,8 @@ void add_specimen_command(CLI::App& app, Session& session) {
   auto out = std::make_shared<std::string>();
   CLI::App* verb =
       app.add_subcommand("specimen", "make the packing and bedding of a recipe and report on them");
-  verb->add_option("recipe", *path, "recipe file (TOML)")->required();
-  verb->add_option("--out", *out, "folder for discs.csv and contacts.csv");
+  verb->add_option("recipe", *path, "recipe file (TOML)")->required()->type_name("FILE");
+  verb->add_option("--out", *out, "folder for discs.csv and contacts.csv")->type_name("FOLDER");
   verb->callback([path, out, &session] {
     session.exit_code = 0;
     const Recipe recipe = io::read_recipe(*path);

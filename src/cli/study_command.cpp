@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "cli/study_words.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
@@ -247,9 +248,12 @@ std::string slurm_script(const StudyArguments& args, const std::string& folder, 
       threads > 0 ? threads : 4);
 }
 
+/// Files of a study whose keys can be explained.
+std::vector<const io::Schema*> files_of_keys() { return {&study::study_schema(), &io::regression_schema()}; }
+
 int study_verb(const StudyArguments& args, const Session& session) {
   if (args.reference || !args.key.empty()) {
-    const std::vector<const io::Schema*> files = {&study::study_schema(), &io::regression_schema()};
+    const std::vector<const io::Schema*> files = files_of_keys();
     if (!args.key.empty()) return write_out(jobs::explain(files, args.key)), 0;
     for (const io::Schema* file : files) write_out("\n" + jobs::reference_markdown(*file));
     return 0;
@@ -289,8 +293,9 @@ void refuse_unused(const CLI::App& study, const CLI::App& verb) {
 }
 
 void add_study_options(CLI::App& study, StudyArguments& args) {
-  study.add_option("study", args.study, "study file (TOML)");
-  study.add_option("--out", args.out, "folder for the store and the table; default results/NAME");
+  study.add_option("study", args.study, "study file (TOML)")->type_name("FILE");
+  study.add_option("--out", args.out, "folder for the store and the table; default results/NAME")
+      ->type_name("FOLDER");
   CLI::Option* shard =
       study.add_option("--shard", args.shard, "run part i of n only, i/n, into a store of its own");
   CLI::Option* mpi = study.add_flag("--mpi", args.mpi, "work on all ranks of mpirun; rank 0 keeps the store");
@@ -301,7 +306,9 @@ void add_study_options(CLI::App& study, StudyArguments& args) {
       ->excludes(shard)
       ->excludes(mpi)
       ->excludes(dry_run);
-  study.add_option("--explain", args.key, "meaning, range and default of a key of a study file");
+  study.add_option("--explain", args.key, "meaning, range and default of a key of a study file")
+      ->type_name("KEY")
+      ->check(suggested([] { return keys_of(files_of_keys()); }));
   study.add_flag("--reference", args.reference, "print all keys of a study file");
 }
 
@@ -312,19 +319,23 @@ void add_study_command(CLI::App& app, Session& session) {
   study->require_subcommand(0, 1);
   const auto verb = [&](const char* name, const char* meaning) {
     CLI::App* sub = study->add_subcommand(name, meaning);
-    sub->add_option("folder", args->folder, "folder of the study (its --out)")->required();
+    sub->add_option("folder", args->folder, "folder of the study (its --out)")
+        ->required()
+        ->type_name("FOLDER");
     return sub;
   };
   CLI::App* status = verb("status", "what is finished, what failed, what is left");
   CLI::App* resume = verb("resume", "run what is left");
   CLI::App* csv = verb("export", "the table of all specimens as CSV");
-  csv->add_option("--csv", args->csv, "file to write; default: standard output");
+  csv->add_option("--csv", args->csv, "file to write; default: standard output")->type_name("FILE");
   CLI::App* effects = verb("effects", "curves, regressions and sensitivity indices of what is finished");
-  effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's");
+  effects->add_option("--out", args->out, "folder for responses.csv and effects.csv; default: the study's")
+      ->type_name("FOLDER");
   effects->add_flag("--with-untrusted", args->with_untrusted,
                     "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   CLI::App* merge = verb("merge", "join the stores of shards");
-  merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder");
+  merge->add_option("stores", args->stores, "stores to join; default: all shard-*.sqlite of the folder")
+      ->type_name("FILE");
   study->callback([=, &session] {
     for (const CLI::App* chosen : study->get_subcommands()) refuse_unused(*study, *chosen);
     stop_on_interrupt();

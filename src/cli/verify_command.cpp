@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
+#include "cli/suggested.hpp"
 #include "cli/terminal.hpp"
 #include "verification/cases.hpp"
 #include "verification/golden.hpp"
@@ -43,14 +44,14 @@ void print_markdown(const verification::VerificationCase& c, const std::vector<v
               k.passed() ? "ok" : "FAIL");
 }
 
-std::string names_of_cases() {
+std::vector<std::string> ids_of_cases() {
   std::vector<std::string> names;
   for (const verification::VerificationCase& c : verification::verification_cases())
     if (std::find(names.begin(), names.end(), c.id) == names.end()) names.push_back(c.id);
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
   });
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 /// What hashes that differ, or the lack of recorded ones, mean.
@@ -100,7 +101,9 @@ void add_verify_command(CLI::App& app, Session& session) {
   auto only = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("verify", "compare the program with closed forms");
   CLI::Option* page = verb->add_flag("--markdown", *markdown, "write the page docs/verification.md");
-  CLI::Option* one = verb->add_option("case", *only, "run one case only, for example V6");
+  CLI::Option* one = verb->add_option("case", *only, "run one case only, for example V6")
+                         ->type_name("CASE")
+                         ->check(suggested(ids_of_cases));
   verb->add_flag("--hash", *hash,
                  "compare the bits of small tests of every kind and contact model with the recorded ones")
       ->excludes(page)
@@ -126,7 +129,8 @@ void add_verify_command(CLI::App& app, Session& session) {
         print_plain(c, checks, session.terminal_width);
     }
     if (n_checks == 0)
-      throw InputError(Problem{"command line", "case", *only, "one of " + names_of_cases(), ""});
+      throw InputError(Problem{"command line", "case", *only,
+                               fmt::format("one of {}", fmt::join(ids_of_cases(), ", ")), ""});
     if (only->empty()) print_out("{}V16 is a unit test of src/genesis (make test).\n", *markdown ? "\n" : "");
     print_out("{}{} checks, {} failed\n", *markdown ? "\n" : "", n_checks, n_failed);
     session.exit_code = n_failed == 0 ? 0 : 1;
