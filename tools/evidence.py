@@ -16,26 +16,18 @@ import sqlite3
 import sys
 import zlib
 
+from results_csv import number
+from results_csv import rows_of as all_rows_of
+
 # Student's t, two-sided 95 %, by degrees of freedom.
 T95 = [math.nan, 12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131]
 PEERS = pathlib.Path(__file__).parent.parent / "bench" / "peers" / "equal.csv"  # written by `make yade`, committed
 COHESION, MU, WIDTH, HEIGHT = 5.0, 0.4, 0.010, 0.043  # of the joint and its column: examples/evidence/joint.toml
 
 
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def rows_of(folder):
-    """results.csv of a study, units cut off the head, numbers as such; tests that ran to their end; what they have no number for is text."""
-    path = folder / "results.csv"
-    if not path.exists():
-        return []
-    rows = ({k.split(" [")[0]: number(v) for k, v in row.items()} for row in csv.DictReader(open(path)))
-    return [r for r in rows if r["status"] in ("peaked", "knee", "not peaked", "solved")]
+    """Tests that ran to their end."""
+    return [r for r in all_rows_of(folder) if r["status"] in ("peaked", "knee", "not peaked", "solved")]
 
 
 def statistics(values):

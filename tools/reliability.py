@@ -7,10 +7,11 @@ A test with a strength is held against the same specimen pressed well: the slowe
 is another (packings, grain size) it is held against the mean of the same angle with the usual number of grains, or with the smallest grains.
 """
 import collections
-import csv
 import math
 import pathlib
 import sys
+
+from results_csv import rows_of
 
 BEGIN, END = "<!-- tables of tools/reliability.py -->", "<!-- end of tables -->"
 INF = math.inf
@@ -20,19 +21,6 @@ MODULI = {"compression": ("E", "E_tangent"), "tension": ("E in tension", "E_tang
 KEYS = ("test.platen_speed", "engine.damping", "test.history_interval", "test.stop_at", "test.post_peak", "test.grip_thickness")
 HAS_STRENGTH = ("peaked", "knee", "untrusted")
 GRADES = ("good", "warning", "untrusted")
-
-
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def rows_of(folder):
-    """results.csv of a study, units cut off the head; what is no number is text."""
-    with open(folder / "results.csv", newline="") as text:
-        return [{k.split(" [")[0]: number(v) for k, v in row.items()} for row in csv.DictReader(text)]
 
 
 def place(row, *more):
