@@ -300,23 +300,26 @@ void Procedure::accept_strength() {
   const std::string at = fmt::format("{:.2f} MPa at {}", stress * 1e-6, extent(strain, 4));
   const std::string end = extent(reading(rows.back()).strain, 3);
   const std::string later = highest > stress ? fmt::format(" and rises to {:.2f} MPa", highest * 1e-6) : "";
-  if (rule == static_cast<double>(analysis::StrengthRule::peak))
+  if (rule == static_cast<double>(analysis::StrengthRule::peak)) {
+    note_fall(strain, stress);
     outcome = {
         Status::peaked,
         fmt::format("peak {} {}, behind which it falls by at least 10 %{}; no drop to {:.0f} % up to {}",
                     test().stress, at, later, 100.0 * recipe_.test.stop_at, end),
         ""};
+  }
   if (rule == static_cast<double>(analysis::StrengthRule::knee))
     outcome = {Status::knee,
                fmt::format("the {} bends at {}{}; no peak up to {}", test().stress, at, later, end), ""};
 }
 
-/// Of a peak: how much more stress the test has borne later.
-void Procedure::note_later_rise() {
-  if (!test().may_harden || value("strength_rule") != static_cast<double>(analysis::StrengthRule::peak))
-    return;
-  result_.numbers.push_back({"later_rise", value("largest_stress") / value(test().curve.strength) - 1.0, "1",
-                             "largest stress of the whole test / that of the peak - 1", ""});
+void Procedure::note_fall(double strain, double stress) {
+  double lowest = stress;
+  for (const HistoryRow& row : result_.history.rows)
+    if (reading(row).strain > strain) lowest = std::min(lowest, reading(row).stress);
+  result_.numbers.push_back({"fall_seen", (1.0 - lowest / stress) / (1.0 - recipe_.test.stop_at), "1",
+                             "fall of stress behind the first peak / fall at which the recipe ends the test",
+                             ""});
 }
 
 void Procedure::read_numbers() {
@@ -324,7 +327,6 @@ void Procedure::read_numbers() {
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
-  note_later_rise();
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;

@@ -113,7 +113,7 @@ class Procedure {
   /// A test at its largest strain may have a strength all the same: a first peak, or a knee.
   double value(const std::string& name) const;  // of a number of the result
   void accept_strength();
-  void note_later_rise();
+  void note_fall(double strain, double stress);  // behind a peak whose test ended before its end of fall
   bool check_stop();
   bool end_without_peak(const Reading& now);
   bool end_unstable(const engine::LaneHealth& health);
