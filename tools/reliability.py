@@ -168,7 +168,7 @@ def page(results):
     n = sum(x.n_run for x in e.values()) + len(rows_of(results / "packing")) + len(rows_of(results / "resolution"))
     cell = "A cell has mean, root mean square and worst error in %, and in brackets the number of tests."
     return "\n".join([
-        f"{n:,} tests; {cell} First by what the program says of the test:\n", by_grade(e),
+        f"{n:,} tests. {cell} First by what the program says of the test:\n", by_grade(e),
         "By `wave_transits`, platens of all speeds:\n",
         by_measure(e, "wave_transits", [2, 5, 10, 20, 30, 50, 100, 200], ("", "test.platen_speed")),
         "By the difference of opposite platens and by the kinetic energy, platens of all speeds and dampings:\n",
