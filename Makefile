@@ -117,7 +117,8 @@ evidence: program
 	@for v in V25 V26 V27 V28; do $(BUILD)/phyllite verify $$v > results/evidence/$$v.txt || exit 1; done
 	python3 tools/evidence.py results/evidence docs
 
-# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. Some three and a half hours of CPU.
+# What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. What the tables
+# have is kept, without any some three and a half hours of CPU.
 maps: build
 	@cmake --build $(BUILD) --target maps && mkdir -p results
 	$(BUILD)/maps data/maps results/maps.sqlite
@@ -132,7 +133,7 @@ bench-peers: build
 yade: program
 	python3 bench/peers/equal.py $(BUILD)/phyllite
 
-# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some twelve minutes of CPU, never part of CI.
+# Tests made bad on purpose, and the tables of docs/reliability.md from them. Some nine minutes of CPU, never part of CI.
 RELIABILITY := compression tension brazilian confined packing resolution
 reliability: program
 	@for s in $(RELIABILITY); do $(BUILD)/phyllite study examples/reliability/$$s.toml --out results/reliability/$$s || [ $$? = 1 ] || exit 1; done

@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <thread>
 
 #include "analysis/analyse.hpp"
@@ -54,29 +53,37 @@ struct MapRow {
   std::vector<MapTest> tests;
 };
 
-/// The table as it is: the text of its cells, by "point,packing,n_grains" and the column's name.
+std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
+
+/// What a row begins with: point, packing, grains and levers. A point whose levers are others is another.
+std::string head_of(const MapRow& row) {
+  std::string text = fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
+  for (const double v : row.levers) text += cell(v);
+  return text;
+}
+
+/// The table as it is: the text of its cells, by the heads of rows and the names of columns.
 class Before {
  public:
-  explicit Before(const std::string& file) {
+  Before(const std::string& file, std::size_t n_levers) {
     if (!std::filesystem::exists(file)) return;
     const io::Table table = io::parse_table(io::read_file(file), file);
-    columns_.insert(table.header.begin(), table.header.end());
-    for (const io::TableRow& row : table.rows)
-      for (std::size_t i = 0; i < table.header.size(); ++i)
-        cells_[fmt::format("{},{},{}", row.cells[0], row.cells[1], row.cells[2])][table.header[i]] =
-            row.cells[i];
+    for (const io::TableRow& row : table.rows) {
+      const auto levers_end = row.cells.begin() + static_cast<std::ptrdiff_t>(3 + n_levers);
+      auto& cells = cells_[fmt::format("{}", fmt::join(row.cells.begin(), levers_end, ","))];
+      for (std::size_t i = 0; i < table.header.size(); ++i) cells[table.header[i]] = row.cells[i];
+    }
   }
-  bool has(const std::vector<Column>& columns) const {
-    return std::all_of(columns.begin(), columns.end(),
-                       [&](const Column& c) { return columns_.contains(c.name); });
+  bool has(const MapRow& row, const std::vector<Column>& columns) const {
+    const auto at = cells_.find(head_of(row));
+    return at != cells_.end() && std::all_of(columns.begin(), columns.end(),
+                                             [&](const Column& c) { return at->second.contains(c.name); });
   }
-  std::string cell(const std::string& row, const std::string& column) const {
-    const auto at = cells_.find(row);
-    return at == cells_.end() || !at->second.contains(column) ? "" : at->second.at(column);
+  std::string cell_of(const MapRow& row, const Column& column) const {
+    return cells_.at(head_of(row)).at(column.name);
   }
 
  private:
-  std::set<std::string> columns_;
   std::map<std::string, std::map<std::string, std::string>> cells_;
 };
 
@@ -170,19 +177,25 @@ std::vector<Column> confined_columns(std::size_t i) {
           {fmt::format("q/sigma_c #{}", i + 1), over_sigma_c<q_max>}};
 }
 
-/// Whether the test of a target is run: the table lacks its columns.
-bool is_wanted(const Target& t, bool layered, const Before& before) {
-  return !before.has(columns_of(t, layered));
+/// Whether the test of a target is run: the row lacks its columns, or those of the confined tests that go
+/// with UCS.
+bool is_wanted(const Target& t, bool layered, bool confined, const MapRow& row, const Before& before) {
+  std::vector<Column> columns = columns_of(t, layered);
+  for (std::size_t i = 0; i < std::size(confinement) && !layered && confined && t.property == Property::ucs;
+       ++i)
+    for (const Column& c : confined_columns(i)) columns.push_back(c);
+  return !before.has(row, columns);
 }
 
 /// `moduli`: of the targets that are wanted.
-std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, std::int64_t packing,
+std::vector<MapTest> tests_of(const Recipe& point, bool layered, bool confined, const MapRow& row,
                               const std::vector<double>& moduli, const Before& before) {
   std::vector<MapTest> tests;
   auto modulus = moduli.begin();
   for (const Target& t : expected(point, layered)) {
     tests.push_back({{}, columns_of(t, layered)});
-    if (is_wanted(t, layered, before)) tests.back().recipe = test_of(point, t, packing, *modulus++);
+    if (is_wanted(t, layered, confined, row, before))
+      tests.back().recipe = test_of(point, t, row.packing, *modulus++);
   }
   for (std::size_t i = 0; i < std::size(confinement) && !layered && confined; ++i) {
     MapTest t{tests.front().recipe, confined_columns(i)};  // wanted with those of UCS
@@ -258,7 +271,8 @@ std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
                             calibrate::Simulator& simulator) {
   const auto wanted = [&](const Begun& b) {
     std::vector<Target> targets = expected(b.recipe, family.layered);
-    std::erase_if(targets, [&](const Target& t) { return !is_wanted(t, family.layered, before); });
+    std::erase_if(targets,
+                  [&](const Target& t) { return !is_wanted(t, family.layered, b.confined, b.row, before); });
     return targets;
   };
   std::vector<Recipe> specimens;
@@ -271,13 +285,11 @@ std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
   for (Begun& b : begun) {
     std::vector<double> moduli;
     for (std::size_t n = wanted(b).size(); n > 0; --n) moduli.push_back(next++->E_gauge);
-    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row.packing, moduli, before);
+    b.row.tests = tests_of(b.recipe, family.layered, b.confined, b.row, moduli, before);
     rows.push_back(std::move(b.row));
   }
   return rows;
 }
-
-std::string cell(double v) { return std::isfinite(v) ? fmt::format(",{:.4g}", v) : ","; }
 
 /// Rows of the second sequence have no confined tests, which come last.
 std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
@@ -289,13 +301,11 @@ std::string table_of(const ModelFamily& family, const std::vector<MapRow>& rows,
     for (const Column& c : t.columns) text += "," + c.name, ++n_columns;
   text += "\n";
   for (const MapRow& row : rows) {
-    const std::string at = fmt::format("{},{},{}", row.point + 1, row.packing, row.n_grains);
-    text += at;
-    for (const double v : row.levers) text += cell(v);
+    text += head_of(row);
     std::size_t n = 0;
     for (const MapTest& t : row.tests) {
       for (const Column& c : t.columns)
-        text += t.recipe ? cell(c.of(*t.recipe, results[next])) : "," + before.cell(at, c.name), ++n;
+        text += t.recipe ? cell(c.of(*t.recipe, results[next])) : "," + before.cell_of(row, c), ++n;
       next += t.recipe ? 1 : 0;
     }
     text += std::string(n_columns - n, ',') + "\n";
@@ -308,7 +318,7 @@ void make_table(const ModelFamily& family, const std::vector<Begun>& begun, cons
   std::printf("%s: preparing\n", family.name);
   std::fflush(stdout);
   const std::string file = fmt::format("{}/{}.csv", folder, family.name);
-  const Before before(file);
+  const Before before(file, family.levers.size());
   const std::vector<MapRow> rows = rows_of(family, begun, before, simulator);
   std::vector<Recipe> recipes;
   for (const MapRow& row : rows)

@@ -176,8 +176,9 @@ std::string ModelChoice::text() const {
     text += fmt::format("; what misses E by more than {:g} % is passed over", 100.0 * modulus_limit);
   for (const Rival& r : rivals)
     if (contains(r, rivals[best]) && has_E(r) && r.error < rivals[best].error)
-      text += fmt::format("; {} contain planes alone and have to miss less than {:g} of what they do",
-                          model_in_words(r.rock), wider);
+      text += fmt::format(
+          "; {}, which contain planes alone, are taken only where they miss less than {:g} of what those do",
+          model_in_words(r.rock), wider);
   if (rivals.back().rock.model.matrix.model == MatrixModel::flat_joint)
     text += fmt::format(
         "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "

@@ -48,7 +48,7 @@ const std::vector<QualityLimit>& quality_limits() {
       {"kinetic_ratio", false, 0.01, 0.1, "the specimen is in motion, not in equilibrium",
        "lower test.platen_speed, or raise engine.damping"},
       {"damping", true, 0.3, -1.0,
-       "waves of each crack load its neighbours: strengths are lower than the static",
+       "waves of each crack load its neighbours, which mostly lowers the strength",
        "raise engine.damping to 0.7"},
       {"energy_error", false, 0.01, 0.1, "energy appears or is lost",
        "raise engine.damping where it is below 0.7, else lower engine.step_safety"},

@@ -347,9 +347,10 @@ void add_test(List& l) {
              part, &T::disc_diameter);
   l.quantity("test", "loading_angle", Dimension::angle, 0, 30, "",
              "brazilian: arc of the rim that each jaw holds; 0: flat platens", part, &T::loading_angle);
-  l.number("test", "jaw_friction", 0, 10, "wall fric",
-           "brazilian: friction coefficient between disc and jaws; without it a slow test rolls the disc out",
-           part, &T::jaw_friction)
+  l.number(
+       "test", "jaw_friction", 0, 10, "wall fric",
+       "brazilian: friction coefficient between disc and jaws; without it a coarse disc may roll out of them",
+       part, &T::jaw_friction)
       .only_of = "brazilian";
   l.quantity("test", "confining_stress", Dimension::pressure, 0, 1e10, "", "biaxial: lateral stress", part,
              &T::confining_stress);

@@ -138,13 +138,15 @@ TEST_F(Install, BashCompletesVerbsOptionsValuesFilesAndFolders) {
   EXPECT_THAT(tab({"study", "st"}), UnorderedElementsAre("-o filenames", "status", "study-of-mine.toml"));
 }
 
-TEST_F(Install, ScriptsAreRead) {
-  for (const std::string shell : {"zsh", "fish"}) {
-    if (!has(shell)) continue;
-    ASSERT_EQ(run_line(std::string(PHY_PROGRAM) + " completion " + shell + " > " + at(shell)), 0);
-    EXPECT_EQ(run_line(shell + " -n " + at(shell)), 0) << output;
-  }
-  if (!has("fish")) GTEST_SKIP() << "no fish";
+TEST_F(Install, ZshReadsItsScript) {
+  if (!has("zsh")) GTEST_SKIP() << "no zsh here";
+  EXPECT_EQ(run_line(PHY_PROGRAM " completion zsh > " + at("zsh") + " && zsh -n " + at("zsh")), 0) << output;
+}
+
+TEST_F(Install, FishCompletes) {
+  if (!has("fish")) GTEST_SKIP() << "no fish here";
+  EXPECT_EQ(run_line(PHY_PROGRAM " completion fish > " + at("fish") + " && fish -n " + at("fish")), 0)
+      << output;
   const std::string path = "PATH=" + fs::path(PHY_PROGRAM).parent_path().string() + ":$PATH ";
   write("tab.fish",
         "phyllite completion fish | source\ncomplete -C 'phyllite study ef'\n"

@@ -8,9 +8,9 @@
 // rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab/procedure.hpp.
 //
 // Jaws hold the disc by friction, test.jaw_friction. Without it nothing but inertia does: a jaw holds a few
-// grains whose radii do not add up to the load line, and oblique bedding pushes sideways. The disc then rolls
-// or slides out while it is loaded, the later the faster the platens, and its strength depends on their speed
-// and on the damping (docs/decisions/0012-jaw-friction.md has the numbers).
+// grains whose radii do not add up to the load line, and oblique bedding pushes sideways. A coarse disc then
+// rolls or slides out while it is loaded, the later the faster the platens, and its strength depends on their
+// speed and on the damping (docs/decisions/0012-jaw-friction.md has the numbers).
 //
 // History: stress is the tension at the centre of an elastic isotropic disc under the platen force,
 // 2P/(pi D t) times Hondros' factor for the arc; strain is the approach of the platens over the diameter.
