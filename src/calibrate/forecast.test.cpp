@@ -105,9 +105,11 @@ TEST(Forecast, WhatIsMetIsSaidToBeMetWithItsGrounds) {
   const auto f = foretell(Evidence(rock));
   ASSERT_TRUE(f);
   EXPECT_EQ(f->status, VerdictStatus::calibrated);
-  EXPECT_THAT(forecast_text(*f), AllOf(HasSubstr("probably end calibrated, or with few exceptions"),
-                                       HasSubstr("No test has run"), Not(HasSubstr("out of reach")),
-                                       Not(HasSubstr("Not foretold")), Not(HasSubstr("nothing was mapped"))));
+  EXPECT_THAT(
+      forecast_text(*f),
+      AllOf(HasSubstr("probably end calibrated, or with few exceptions"), HasSubstr("No test has run"),
+            Not(HasSubstr("out of reach")), HasSubstr("% of UCS, "), HasSubstr("% of E50; "),
+            Not(HasSubstr("BTS")), Not(HasSubstr("Not foretold")), Not(HasSubstr("nothing was mapped"))));
 }
 
 TEST(Forecast, WhatWasNotMappedIsNotForetold) {
