@@ -20,7 +20,7 @@ MORE += man-db mandoc zsh fish
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
+.PHONY: deps deps-all build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize asan sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -169,10 +169,14 @@ fuzz: deps-clang
 # All tests of `make test` under address and undefined, then under thread those of the rooms that start threads. The
 # library that counts events is loaded before the sanitizer's, which is meant.
 THREADED := test_base|test_statics|test_study|test_calibrate|test_x_determinism
-sanitize: deps
-	@for s in asan tsan; do cmake --preset $$s >/dev/null && cmake --build build/$$s -j $(JOBS) || exit 1; done
-	@ASAN_OPTIONS=verify_asan_link_order=0 ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
+sanitize: asan
+	@cmake --preset tsan >/dev/null && cmake --build build/tsan -j $(JOBS)
 	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '$(THREADED)'
+
+asan: deps
+	@cmake --preset asan >/dev/null && cmake --build build/asan -j $(JOBS)
+	@find build/asan -name '*.gcda' -delete
+	@ASAN_OPTIONS=verify_asan_link_order=0 ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE 'bench|soak|paper'
 
 # Tests of the rooms that read, these rooms under address and undefined: what fits into continuous integration.
 sanitize-short: deps
@@ -183,10 +187,10 @@ sanitize-short: deps
 deps-coverage: PACKAGES += gcovr
 deps-coverage: deps
 
+# Lines that the last `make asan` ran.
 coverage: deps-coverage
-	@cmake --preset coverage >/dev/null && cmake --build build/coverage -j $(JOBS)
-	@ctest --test-dir build/coverage -j $(JOBS) -LE 'bench|soak|paper' >build/coverage/tests.txt || { tail -30 build/coverage/tests.txt; exit 1; }
-	@python3 tools/coverage.py build/coverage
+	@test -d build/asan || $(MAKE) asan
+	@python3 tools/coverage.py build/asan
 
 clang: deps-clang
 	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS)
