@@ -10,7 +10,7 @@
 BUILD := build/release
 JOBS := $(shell nproc)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev \
-            libsqlite3-dev zlib1g-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libxxhash-dev libbenchmark-dev clang-format clang-tidy python3
+            libsqlite3-dev zlib1g-dev libzip-dev libpugixml-dev libboost-dev nlohmann-json3-dev libgtest-dev libgmock-dev libxxhash-dev libbenchmark-dev clang-format clang-tidy python3
 # For phyllite figure, film and study --mpi only, for the test of a full disk, for the Python package and its notebooks.
 MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linux mount $(PYTHON) python3-pandas python3-matplotlib \
        python3-nbclient python3-ipykernel

@@ -131,6 +131,8 @@ const std::vector<ManText>& texts() {
        "twin` makes a table from a recipe, whose parameters are thereby known.",
        {{"NAME.toml, NAME.csv", "written by `phyllite rock new NAME`, with comments"}},
        {{"A rock to be filled in:", "phyllite rock new slate"},
+        {"One whose table is there, CSV or .xlsx:",
+         "phyllite rock new gneiss --data examples/gneiss/gneiss.csv"},
         {"What a measured table determines:", "phyllite rock check examples/gneiss/gneiss.toml"},
         {"What a key means:", "phyllite rock --explain E_is"}}},
       {"show",

@@ -30,12 +30,25 @@ void check_free(const char* verb, const std::string& name, const std::vector<std
           Problem{"command line", verb, name + ending, "a name that is free", "nothing was written"});
 }
 
-int rock_new(const std::string& name) {
-  check_free("rock new", name, {".toml", ".csv"});
+/// `data`: a table that is there; without it one is written, too.
+int rock_new(const std::string& name, const std::string& data) {
+  check_free("rock new", name, {".toml"});
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
+  const std::string stem = toml.stem().string();
+  if (!data.empty()) {
+    if (!std::filesystem::exists(data))
+      throw InputError(Problem{"command line", "--data", data, "a table that is there", ""});
+    const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
+    const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
+    io::write_file(toml.string(), io::rock_template(stem, table));
+    print_out("{} names the table; how it is read and what it determines:\n  phyllite rock check {}\n",
+              toml.string(), sh_word(toml.string()));
+    return 0;
+  }
+  check_free("rock new", name, {".csv"});
   io::write_file(csv.string(), io::rock_table_template());
   try {
-    io::write_file(toml.string(), io::rock_template(toml.stem().string()));
+    io::write_file(toml.string(), io::rock_template(stem, stem + ".csv"));
   } catch (const IoError&) {
     std::filesystem::remove(csv);  // both or none: the next try wants free names
     throw;
@@ -111,7 +124,12 @@ void add_rock_command(CLI::App& app, Session& session) {
   auto name = std::make_shared<std::string>("rock");
   CLI::App* fresh = rock->add_subcommand("new", "write NAME.toml and NAME.csv to be filled in");
   fresh->add_option("name", *name, "name of the rock")->capture_default_str();
-  fresh->callback([name, &session] { session.exit_code = rock_new(*name); });
+  auto data = std::make_shared<std::string>();
+  fresh
+      ->add_option("--data", *data,
+                   "a table that is there, CSV or .xlsx: NAME.toml names it, and no NAME.csv is written")
+      ->type_name("FILE");
+  fresh->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
   auto path = std::make_shared<std::string>();
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
   check->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");

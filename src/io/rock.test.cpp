@@ -358,7 +358,7 @@ TEST_F(RockFile, AnotherSizeMagnifiesTheModel) {
 
 TEST_F(RockFile, TheTemplateIsARockWithoutValues) {
   write("new.csv", rock_table_template());
-  const std::string path = write("new.toml", rock_template("new"));
+  const std::string path = write("new.toml", rock_template("new", "new.csv"));
   try {
     read_rock(path);
     FAIL() << "an empty table was accepted";
@@ -571,6 +571,72 @@ TEST(TableText, QuotedCellsMayHoldTheDelimiter) {
   ASSERT_THAT(t.rows, SizeIs(1));
   EXPECT_EQ(t.rows[0].cells[0], "x, \"y\"");
   EXPECT_THAT(t.problems, IsEmpty());
+}
+
+TEST_F(RockFile, NamesOfLaboratoriesAreReadAndTold) {
+  const Rock r = rock(
+      "Sample;β (°);Et50 (GPa);σc (MPa);σ3 (MPa);q "
+      "(MPa)\nA;0;23,5;105;;\nB;45;20;53;;\nC;90;59;138;;\nD;0;;;10;150\n");
+  ASSERT_THAT(r.readings, SizeIs(7));
+  EXPECT_EQ(r.readings[0].theta, 90.0);
+  EXPECT_EQ(r.readings[6].property, Property::confined);
+  EXPECT_EQ(r.readings[6].value, 160e6);  // q and the confining stress
+  EXPECT_EQ(r.E_is, ModulusReading::tangent_50);
+  EXPECT_THAT(r.notes, Contains(HasSubstr(
+                           "columns by other names: β (°) is beta, Et50 (GPa) is E, σc (MPa) is UCS, σ3 "
+                           "(MPa) is confining, q (MPa) is sigma_1")));
+  EXPECT_THAT(r.notes, Contains("columns passed over: Sample"));
+}
+
+TEST_F(RockFile, UnitsMayStandInARowOfTheirOwn) {
+  const Rock r = rock("theta,E,nu,UCS\ndeg,[GPa],-,MPa\n0,23,0.2,105\n45,20,0.2,53\n90,59,0.2,138\n");
+  ASSERT_THAT(r.readings, SizeIs(9));
+  EXPECT_EQ(r.readings[0].value, 23e9);
+  EXPECT_EQ(r.readings[0].line, 3);
+}
+
+TEST_F(RockFile, TheUserSaysWhatAColumnHolds) {
+  const std::string csv = "angle [deg],UCS [MPa],Festigkeit,spread [MPa]\n0,1,105,5\n45,1,53,4\n90,1,138,7\n";
+  EXPECT_THAT(problems(csv), AllOf(Contains(HasSubstr("an angle that says from where it counts")),
+                                   Contains(HasSubstr("[columns] \"spread\""))));
+  const Rock r = rock(
+      csv, "[columns]\nangle = \"beta\"\n\"Festigkeit [MPa]\" = \"UCS\"\n\"spread [MPa]\" = \"UCS_sd\"\n");
+  ASSERT_THAT(r.readings, SizeIs(3));
+  EXPECT_EQ(r.readings[0].value, 105e6);
+  EXPECT_EQ(r.readings[0].sd, 5e6);
+  EXPECT_EQ(r.readings[0].theta, 90.0);
+  EXPECT_THAT(r.notes, Contains("columns passed over: UCS [MPa]"));
+  EXPECT_THAT(problems(csv, "[columns]\nangle = \"betta\"\nSpread = \"UCS_sd\"\n\"spread\" = \"-\"\n"),
+              AllOf(Contains(HasSubstr("did you mean \"beta\"?")),
+                    Contains(AllOf(HasSubstr("Spread"), HasSubstr("a header of this table"),
+                                   HasSubstr("Festigkeit")))));
+}
+
+TEST_F(RockFile, TwoColumnsOfOneNameAndValuesWithoutAHeaderAreRefused) {
+  EXPECT_THAT(problems("theta [deg],Et [GPa],Es [GPa]\n0,1,2\n45,1,2\n90,1,2\n"),
+              Contains(AllOf(HasSubstr("one column of E"), HasSubstr("[columns] \"Es\" = \"E\""))));
+  EXPECT_THAT(problems("theta [deg],UCS [MPa],,\n0,100,,\n45,60,71,\n90,120,,\n"),
+              Contains(AllOf(HasSubstr("column 3"), HasSubstr("line 3 has a value there"))));
+}
+
+TEST_F(RockFile, AHeaderAndE_isMayNotDiffer) {
+  const std::string csv = "theta [deg],Es [GPa]\n0,23\n45,20\n90,59\n";
+  EXPECT_THAT(rock(csv).notes, Contains("E_is = \"secant 50 %\", as the header Es says"));
+  EXPECT_THAT(problems(csv, "E_is = \"average\"\n"), Contains(HasSubstr("what the header Es says")));
+}
+
+TEST_F(RockFile, AWorkbookIsATable) {
+  const std::string seeds = PHY_SOURCE_DIR "/tests/fuzz/seeds/workbook/";
+  const Rock r = read_rock(write("x.toml", "data = \"" + seeds + "openpyxl.xlsx\"\nsheet = \"Results\"\n"));
+  EXPECT_THAT(of_property(targets_of(r), Property::ucs), SizeIs(4));
+  EXPECT_THAT(of_property(targets_of(r), Property::brazilian), SizeIs(3));
+  try {
+    read_rock(seeds + "openpyxl.xlsx");
+    ADD_FAILURE() << "a table is no rock file";
+  } catch (const InputError& e) {
+    ASSERT_THAT(e.problems(), SizeIs(1));
+    EXPECT_THAT(to_line(e.problems()[0]), HasSubstr("phyllite rock new NAME --data"));
+  }
 }
 
 }  // namespace

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "base/nan.hpp"
+#include "base/quote.hpp"
 #include "io/file.hpp"
+#include "io/rock_columns.hpp"
 #include "io/rock_table.hpp"
 #include "io/toml_in.hpp"
 #include "records/recipe_schema.hpp"
@@ -62,9 +66,13 @@ const Fields& rock_fields() {
     Field confining = as_in_recipe("test.confining_stress", "", "confining",
                                    "pressure of E and nu, of a table that has them at several");
     confining.otherwise.clear();
+    Field column = entry(K::choice, "\"header\"",
+                         "what a column of the table holds, by its header; \"-\" passes it over");
+    column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");
     return Fields{
         entry(K::text, "name", "name of the rock; default: the file's name"),
-        entry(K::text, "data", "CSV table of tests, counted from the folder of this file"),
+        entry(K::text, "data", "table of tests, CSV or .xlsx, counted from the folder of this file"),
+        entry(K::text, "sheet", "of a workbook (.xlsx); default: the first"),
         entry(K::text, "recipe",
               "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
               "[specimen]"),
@@ -81,7 +89,8 @@ const Fields& rock_fields() {
         as_in_recipe(
             "test.disc_diameter", "brazilian", "diameter",
             "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
-        as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens")};
+        as_in_recipe("test.loading_angle", "brazilian", "loading_angle", "arc of each jaw; 0: flat platens"),
+        column};
   }();
   return fields;
 }
@@ -317,13 +326,15 @@ class RockReader {
     table_ = parts_.table ? file_.text("data", "") : file_.beside(file_.text("data", ""));
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
-    bool has_angles = false;
+    const TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns()};
     auto readings = file_.read_named("data", [&](const std::string& table) {
-      return parse_readings(parts_.table ? *parts_.table : read_file(table), table_,
-                            file_.number("confining", nan), has_angles, problems_, rock_.notes);
+      return parse_readings(parts_.table ? *parts_.table : read_file(table), table_, keys, problems_,
+                            rock_.notes);
     });
     if (!readings) return;
-    rock_.readings = std::move(*readings);
+    rock_.readings = std::move(readings->values);
+    const bool has_angles = readings->bedded;
+    settle_E_is(*readings);
     // A column of angles means bedding, unless the file says otherwise.
     rock_.bedded = file_.number("bedded", has_angles ? 1.0 : 0.0) == 1.0;
     if (rock_.bedded && !has_angles)
@@ -346,6 +357,36 @@ class RockReader {
     }
     // Statements about the whole table need all of it.
     if (problems_.size() == n_before) check_content(where);
+  }
+  /// The headers that the file names, with our names for them.
+  std::map<std::string, std::string> columns() {
+    std::map<std::string, std::string> named;
+    const Field& field = *find_field(rock_fields(), "columns.\"header\"");
+    for (const TomlValue* table : file_.tables("columns"))
+      for (std::size_t i = 0; i < table->keys.size(); ++i) {
+        double choice = 0.0;
+        std::string remedy;
+        if (take_value(field, table->items[i], choice, remedy))
+          named[table->keys[i].name] = field.choices[static_cast<std::size_t>(choice)];
+        else
+          file_.report_problem(table->items[i], "columns.\"" + table->keys[i].name + '"', range_text(field),
+                               remedy);
+      }
+    return named;
+  }
+  /// A header may say what E is; the file may not say otherwise.
+  void settle_E_is(const Readings& readings) {
+    if (!readings.E_is || !file_.is_known("E_is")) return;
+    if (!is_given("E_is")) {
+      rock_.E_is = *readings.E_is;
+      rock_.notes.push_back(
+          fmt::format("E_is = \"{}\", as the header {} says", to_string(rock_.E_is), readings.E_title));
+    } else if (rock_.E_is != *readings.E_is) {
+      file_.report_problem(
+          *file_.find("E_is"), "E_is",
+          fmt::format("what the header {} says, \"{}\"", readings.E_title, to_string(*readings.E_is)),
+          "change one of the two: they are different moduli");
+    }
   }
   void check_content(const std::string& where) {
     std::set<double> angles, pressures;  // these of E and nu
@@ -393,6 +434,10 @@ const Schema& rock_schema() {
 }
 
 Rock read_rock(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".csv" || ending == ".xlsx" || ending == ".xls")
+    throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
+                             fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
   Rock rock;
   RockReader(path, rock).read();
   return rock;
@@ -404,21 +449,21 @@ Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts) {
   return rock;
 }
 
-std::string rock_template(const std::string& name) {
+std::string rock_template(const std::string& name, const std::string& table) {
   return "# A rock for `phyllite calibrate`. What is not measured stays out of the table: empty cells are "
          "fine.\n"
          "# `phyllite rock check` tells what the data determine before anything runs.\n"
          "name = \"" +
          name +
          "\"\n"
-         "data = \"" +
-         name +
-         ".csv\"        # the table of tests, beside this file\n"
+         "data = " +
+         toml_string(table) +
+         "        # the table of tests, CSV or .xlsx, counted from this file\'s folder\n"
          "\n"
          "# What E is: \"tangent 50 %\", \"average\", \"secant 50 %\", \"secant at peak\"; \"small strain\" "
-         "of "
-         "waves.\n"
-         "E_is = \"tangent 50 %\"\n"
+         "of waves.\n"
+         "# Left out: what the header says (Et, E_av, Es, E_dyn), else the tangent.\n"
+         "# E_is = \"tangent 50 %\"\n"
          "# Moduli of cylinders are read as plane stress; \"plane strain\" converts them (needs nu).\n"
          "elastic_reading = \"plane stress\"\n"
          "\n"
@@ -434,6 +479,7 @@ std::string rock_template(const std::string& name) {
          "# matrix = \"choose\"             # or \"parallel_bond\", \"flat_joint\" (UCS many times the "
          "tensile "
          "strength)\n"
+         "# sheet = \"Results\"             # of a workbook; default: the first\n"
          "\n"
          "[bedding]\n"
          "spacing = \"5 mm\"               # of bedding or foliation, as seen on the specimens\n"
@@ -445,7 +491,11 @@ std::string rock_template(const std::string& name) {
          "# [brazilian]                   # discs of the BTS column, unless a column diameter [mm] says "
          "otherwise\n"
          "# diameter = \"38 mm\"           # default: the smaller side of the specimen\n"
-         "# loading_angle = \"10 deg\"     # arc of each jaw; \"0 deg\": flat platens\n";
+         "# loading_angle = \"10 deg\"     # arc of each jaw; \"0 deg\": flat platens\n"
+         "\n"
+         "# [columns]                     # where `phyllite rock check` reads a header otherwise than it is "
+         "meant\n"
+         "# \"peak stress\" = \"UCS\"         # header = name; \"-\": passed over\n";
 }
 
 std::string rock_table_template() {
@@ -461,7 +511,7 @@ std::string rock_table_template() {
          "[MPa],\n"
          "# confining_max [MPa] of an envelope. The load, or the pull of DTS, is along y in every test.\n"
          "# E and nu are what E_is of the rock file says.\n"
-         "# _sd: standard deviation of single specimens; n: specimens. Other columns without a unit are "
+         "# _sd: standard deviation of single specimens; n: specimens. Other columns are "
          "passed over.\n"
          "theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n\n"
          "0,,,,,,,\n15,,,,,,,\n30,,,,,,,\n45,,,,,,,\n60,,,,,,,\n75,,,,,,,\n90,,,,,,,\n";

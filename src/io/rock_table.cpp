@@ -13,6 +13,7 @@
 
 #include "base/nan.hpp"
 #include "base/units.hpp"
+#include "io/rock_columns.hpp"
 #include "io/table.hpp"
 #include "theory/jaeger.hpp"
 
@@ -23,90 +24,6 @@ constexpr double most_apart = 5.0;  // standard deviations between two rows of o
 constexpr int least_with_sd = 2;    // specimens
 constexpr int least_of_envelope = 3;
 constexpr double least_over_sides = 1.1;  // sigma_1 over sigma_3; a friction angle of 3 degrees has as much
-
-/// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
-/// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`.
-enum class Column {
-  theta,
-  beta,
-  confining,
-  diameter,
-  n,
-  value,
-  scatter,
-  cohesion,
-  friction,
-  least_confining,
-  most_confining,
-  other
-};
-struct Head {
-  Column kind = Column::other;
-  Property property = Property::E;
-  std::string name, unit;  ///< name in lower case
-  std::string title;       ///< name as it is written, for messages
-};
-
-/// The names that columns of values may have, in lower case.
-const std::map<std::string, Property>& property_names() {
-  static const std::map<std::string, Property> names = {{"e", Property::E},
-                                                        {"nu", Property::nu},
-                                                        {"ucs", Property::ucs},
-                                                        {"dts", Property::direct_tension},
-                                                        {"bts", Property::brazilian},
-                                                        {"sigma_1", Property::confined},
-                                                        {"sigma_ci", Property::crack_initiation}};
-  return names;
-}
-
-Dimension dimension_of(const Head& h) {
-  if (h.kind == Column::theta || h.kind == Column::beta || h.kind == Column::friction)
-    return Dimension::angle;
-  if (h.kind == Column::diameter) return Dimension::length;
-  if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
-  return Dimension::pressure;
-}
-
-/// "E [GPa]", "E (GPa)" and "E_GPa" are the same head.
-Head head_of(const std::string& cell) {
-  Head h;
-  std::size_t open = cell.find_first_of("[(");
-  h.name = cell.substr(0, open);
-  if (open != cell.npos) {
-    h.unit = cell.substr(open + 1, cell.find_first_of("])", open) - open - 1);
-  } else if (const std::size_t bar = cell.rfind('_'); bar != cell.npos) {
-    // "E_GPa": the tail counts as a unit only if it is one; "E_sd" is a name.
-    const std::string tail = cell.substr(bar + 1);
-    for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
-      if (parse_quantity("1 " + tail, d).ok) h.unit = tail, h.name = cell.substr(0, bar);
-  }
-  h.title = h.name.substr(0, h.name.find_last_not_of(' ') + 1);
-  // Compared in lower case, blanks as underscores.
-  std::string word;
-  for (const char c : h.name)
-    word += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  while (!word.empty() && word.back() == '_') word.pop_back();
-  h.name = word;
-  static const std::map<std::string, Column> kinds = {{"theta", Column::theta},
-                                                      {"beta", Column::beta},
-                                                      {"confining", Column::confining},
-                                                      {"diameter", Column::diameter},
-                                                      {"n", Column::n},
-                                                      {"c", Column::cohesion},
-                                                      {"cohesion", Column::cohesion},
-                                                      {"friction_angle", Column::friction},
-                                                      {"phi", Column::friction},
-                                                      {"confining_min", Column::least_confining},
-                                                      {"confining_max", Column::most_confining}};
-  if (const auto kind = kinds.find(word); kind != kinds.end()) h.kind = kind->second;
-  // how far the errors of c and phi go together no table says: strengths have a scatter of their own
-  if (word == "c_sd" || word == "phi_sd") h.unit.clear();
-  const bool scatter = word.size() > 3 && word.ends_with("_sd");
-  const auto it = property_names().find(scatter ? word.substr(0, word.size() - 3) : word);
-  if (it != property_names().end())
-    h.kind = scatter ? Column::scatter : Column::value, h.property = it->second;
-  return h;
-}
 
 /// What can be computed with at all. Values that are merely doubtful are a matter of
 /// records/rock_warnings.hpp.
@@ -139,21 +56,22 @@ Range range_of(const Head& h) {
 /// Reads the cells of a table.
 class ReadingReader {
  public:
-  ReadingReader(const Table& table, std::string where, std::vector<Problem>& problems,
+  ReadingReader(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
                 std::vector<std::string>& notes)
-      : table_(table), where_(std::move(where)), problems_(problems), notes_(notes) {}
+      : table_(table), where_(table.where), keys_(keys), problems_(problems), notes_(notes) {}
 
-  std::vector<RockReading> read(double confining, bool& bedded) {
-    read_heads();
-    bedded = find(Column::theta) || find(Column::beta);
-    for (const TableRow& row : table_.rows) read_row(row, confining);
+  Readings read() {
+    name_heads();
+    take_row_of_units();
+    check_heads();
+    for (const TableRow& row : table_.rows) read_row(row, keys_.confining);
     check_repeats();
     check_confined();
     check_initiation();
     const bool moduli = std::any_of(readings_.begin(), readings_.end(),
                                     [](const RockReading& r) { return !is_strength(r.property); });
     if (n_elsewhere_ > 0 && !moduli)
-      problems_.push_back({where_, "confining", fmt::format("{:g} MPa", confining * 1e-6),
+      problems_.push_back({where_, "confining", fmt::format("{:g} MPa", keys_.confining * 1e-6),
                            "E and nu at that pressure", "the table has them at others alone"});
     if (n_envelopes_ > 0)
       notes_.push_back(
@@ -167,12 +85,16 @@ class ReadingReader {
                       "means of {}, "
                       "the fewest that have one",
                       n_assumed_, readings_.size(), least_with_sd));
-    return std::move(readings_);
+    Readings made{std::move(readings_), find(Column::theta) || find(Column::beta), {}, {}};
+    if (const auto E = find(Column::value, Property::E))
+      made.E_is = heads_[*E].E_is, made.E_title = heads_[*E].title;
+    return made;
   }
 
  private:
-  const Table& table_;
-  std::string where_;
+  Table& table_;
+  const std::string& where_;
+  const TableKeys& keys_;
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
   std::vector<Head> heads_;
@@ -195,34 +117,73 @@ class ReadingReader {
     problems_.push_back({at(table_.header_line), key, value, expected, remedy});
   }
 
-  void read_heads() {
-    std::vector<std::string> ignored;
-    std::map<std::string, std::string> seen;
+  /// What the user says of a header: our name, and the header as it stands there.
+  const std::pair<const std::string, std::string>* said_of(const std::string& cell) const {
+    if (const auto whole = keys_.columns.find(cell); whole != keys_.columns.end()) return &*whole;
+    for (const auto& said : keys_.columns)
+      if (title_of(said.first) == title_of(cell)) return &said;
+    return nullptr;
+  }
+
+  void name_heads() {
+    std::set<std::string> said, used;  // names of ours; headers
     for (const std::string& cell : table_.header) {
-      const Head h = head_of(cell);
-      heads_.push_back(h);
-      const Dimension d = dimension_of(h);
-      if (h.kind == Column::other) {
-        // A unit shows that numbers were meant: a column that is not understood must not be dropped in
-        // silence.
-        if (!h.unit.empty())
-          report_problem(
-              cell, "",
-              "a known column: theta or beta, E, nu, UCS, DTS, BTS, sigma_1, each with _sd, diameter, "
-              "confining, c, phi, confining_min, confining_max, n",
-              "rename it, or take its unit out of the header to have it passed over");
-        else if (!h.name.empty())
-          ignored.push_back(cell);
-        continue;
+      const auto* meant = said_of(cell);
+      heads_.push_back(head_of(cell, meant != nullptr ? meant->second : ""));
+      if (meant == nullptr) continue;
+      used.insert(meant->first), said.insert(heads_.back().name);
+      if (heads_.back().unit.empty()) heads_.back().unit = head_of(meant->first).unit;
+    }
+    // The user's word goes before what a header seems to say.
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (said_of(table_.header[i]) == nullptr && heads_[i].kind != Column::other &&
+          said.contains(heads_[i].name))
+        heads_[i].kind = Column::passed;
+    for (const auto& [header, name] : keys_.columns)
+      if (!used.contains(header))
+        report_problem("[columns]", header, "a header of this table",
+                       fmt::format("it has: {}", fmt::join(table_.header, ", ")));
+  }
+
+  /// Units in a row of their own, below headers that have none.
+  void take_row_of_units() {
+    const auto has_unit = [](const Head& h) { return !h.unit.empty(); };
+    if (table_.rows.empty() || std::any_of(heads_.begin(), heads_.end(), has_unit)) return;
+    const std::vector<std::string>& cells = table_.rows.front().cells;
+    const auto is_unit = [](const std::string& cell) { return !unit_of_cell(cell).empty(); };
+    const auto may_stand_there = [&](const std::string& cell) {
+      return cell.empty() || cell == "-" || cell == "[-]" || cell == "(-)" || is_unit(cell);
+    };
+    if (std::none_of(cells.begin(), cells.end(), is_unit) ||
+        !std::all_of(cells.begin(), cells.end(), may_stand_there))
+      return;
+    for (std::size_t i = 0; i < heads_.size(); ++i) heads_[i].unit = unit_of_cell(cells[i]);
+    table_.rows.erase(table_.rows.begin());
+    notes_.push_back(where_ + ": units stand in a row of their own");
+  }
+
+  void check_heads() {
+    std::vector<std::string> passed, named;
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      const Head& h = heads_[i];
+      const std::string& cell = table_.header[i];
+      if (h.kind == Column::passed) {
+        passed.push_back(cell);
+      } else if (h.kind == Column::other) {
+        check_other(i, passed);
+      } else if (h.kind == Column::unclear) {
+        report_problem(
+            cell, "", "an angle that says from where it counts",
+            fmt::format("name it theta (from the horizontal, load upright) or beta (from the load), or "
+                        "write it in the rock file: [columns] \"{}\" = \"beta\"",
+                        h.title));
+      } else if (const auto [it, fresh] = seen.emplace(h.name, i); !fresh) {
+        check_second(i, it->second);
+      } else {
+        check_unit(i);
+        if (!h.own) named.push_back(fmt::format("{} is {}", cell, h.name));
       }
-      if (const auto [it, fresh] = seen.emplace(h.name, h.unit); !fresh)
-        report_problem(cell, "", "one column of this name",
-                       it->second != h.unit ? "its units are mixed: " + it->second + " and " + h.unit : "");
-      // Counts and nu have no unit.
-      if (d == Dimension::none) continue;
-      if (!parse_quantity("1 " + h.unit, d).ok)
-        report_problem(cell, h.unit.empty() ? "" : h.unit, "a unit in the header: " + unit_names(d),
-                       "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
     }
     if (find(Column::theta) && find(Column::beta))
       report_problem("beta", "", "one convention of angles", "keep theta or beta, not both");
@@ -233,13 +194,58 @@ class ReadingReader {
       return h.kind == Column::value || h.kind == Column::cohesion;
     });
     if (!any)
-      report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c", "");
+      report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c",
+                     "the rock file can say which is which: [columns] \"peak stress\" = \"UCS\"");
     check_envelope_columns();
     // Both conventions are in use, so the conversion is mentioned.
     if (find(Column::beta))
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
-    if (!ignored.empty())
-      notes_.push_back("columns passed over: " + fmt::format("{}", fmt::join(ignored, ", ")));
+    if (!named.empty())
+      notes_.push_back(fmt::format("columns by other names: {} ([columns] in the rock file says otherwise)",
+                                   fmt::join(named, ", ")));
+    if (!passed.empty()) notes_.push_back(fmt::format("columns passed over: {}", fmt::join(passed, ", ")));
+  }
+
+  /// Numbers that may be meant for the model are not dropped in silence: those of a column that has no name,
+  /// or a name that is not understood with the unit of a stress or an angle.
+  void check_other(std::size_t i, std::vector<std::string>& passed) {
+    const std::string& cell = table_.header[i];
+    if (cell.empty()) {
+      for (const TableRow& row : table_.rows)
+        if (!row.cells[i].empty()) {
+          report_problem(fmt::format("column {}", i + 1), "", "a header",
+                         fmt::format("line {} has a value there", row.line));
+          return;
+        }
+      return;
+    }
+    const std::string one = "1 " + heads_[i].unit;
+    const bool angle = parse_quantity(one, Dimension::angle).ok;
+    if (!angle && !parse_quantity(one, Dimension::pressure).ok) {
+      passed.push_back(cell);
+      return;
+    }
+    report_problem(
+        cell, "", fmt::format("a known column: {}", fmt::join(column_names(), ", ")),
+        fmt::format("say in the rock file what it is, or \"-\" to pass it over: [columns] \"{}\" = \"{}\"",
+                    heads_[i].title, angle ? "theta" : "UCS"));
+  }
+  void check_second(std::size_t i, std::size_t first) {
+    const Head &a = heads_[first], &b = heads_[i];
+    const bool units = a.title == b.title && a.unit != b.unit;
+    report_problem(
+        table_.header[i], "", "one column of " + b.name,
+        units ? "its units are mixed: " + a.unit + " and " + b.unit
+              : fmt::format("{} is read as that too: the rock file chooses, [columns] \"{}\" = \"{}\"",
+                            table_.header[first], b.title, b.name));
+  }
+  void check_unit(std::size_t i) {
+    const Head& h = heads_[i];
+    const Dimension d = dimension_of(h);
+    // Counts and nu have no unit.
+    if (d == Dimension::none || parse_quantity("1 " + h.unit, d).ok) return;
+    report_problem(table_.header[i], h.unit, "a unit in the header: " + unit_names(d),
+                   "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
   }
 
   std::ptrdiff_t n_envelope_columns() const {
@@ -263,11 +269,9 @@ class ReadingReader {
     const Range range = range_of(h);
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-      // "45 GPa": a unit in a cell, while the header gives it for all.
-      const bool unit = error == std::errc() && std::isalpha(static_cast<unsigned char>(cell.back())) != 0;
+      const bool read = error == std::errc();
       problems_.push_back({at(row.line), h.title, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
-                           unit ? "units stand in the header only: mixed units are not read"
-                                : "leave the cell empty where nothing was measured"});
+                           remedy_of(cell, read)});
       return false;
     }
     if (const Dimension d = dimension_of(h); d != Dimension::none) {
@@ -282,6 +286,17 @@ class ReadingReader {
                              ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
                              : ""});
     return false;
+  }
+
+  /// What to do about a cell that is no number; `begins`: with one it begins.
+  static std::string remedy_of(const std::string& cell, bool begins) {
+    if (begins && std::isalpha(static_cast<unsigned char>(cell.back())) != 0)  // "45 GPa"
+      return "units stand in the header only: mixed units are not read";
+    const bool day = cell.size() == 10 && cell[4] == '-' && cell[7] == '-';
+    return day ? "a day of the calendar: did the spreadsheet take 1.5 for the first of May? Type it again in "
+                 "a "
+                 "cell that has the format of a number"
+               : "leave the cell empty where nothing was measured";
   }
 
   void read_row(const TableRow& row, double confining) {
@@ -309,7 +324,7 @@ class ReadingReader {
     if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
-      r.property = heads_[i].property, r.value = v[i];
+      r.property = heads_[i].property, r.value = v[i] + (heads_[i].deviatoric ? r.confining : 0.0);
       if (!asked && !is_strength(r.property)) {
         ++n_elsewhere_;
         continue;
@@ -387,9 +402,10 @@ class ReadingReader {
     for (const auto& [theta, cell] : initiation) {
       const std::string value = fmt::format("{:.4g} MPa", cell.mean() * 1e-6);
       if (!ucs.contains(theta))
-        problems_.push_back({at(cell.line), "sigma_ci", value,
-                             "UCS at the same angle, in this row or another",
-                             "sigma_ci is read in the test of UCS, and counts against that: leave it out"});
+        problems_.push_back(
+            {at(cell.line), "sigma_ci", value, "UCS at the same angle, in this row or another",
+             "here sigma_ci is where cracks begin, and counts against UCS: leave it out; what Hoek and "
+             "Brown call so is UCS"});
       else if (cell.mean() >= ucs[theta].mean())
         problems_.push_back(
             {at(cell.line), "sigma_ci", value,
@@ -436,15 +452,13 @@ class ReadingReader {
 
 }  // namespace
 
-std::vector<RockReading> parse_readings(std::string_view text, const std::string& where, double confining,
-                                        bool& bedded, std::vector<Problem>& problems,
-                                        std::vector<std::string>& notes) {
-  Table table = parse_table(text, where);
+Readings parse_readings(std::string_view bytes, const std::string& where, const TableKeys& keys,
+                        std::vector<Problem>& problems, std::vector<std::string>& notes) {
+  Table table = parse_table(bytes, where, keys.sheet);
   for (Problem& p : table.problems) problems.push_back(std::move(p));
-  for (std::string& note : table.notes) notes.push_back(fmt::format("{}: {}", where, note));
-  bedded = false;
+  for (std::string& note : table.notes) notes.push_back(fmt::format("{}: {}", table.where, note));
   if (table.header_line == 0) return {};
-  return ReadingReader(table, where, problems, notes).read(confining, bedded);
+  return ReadingReader(table, keys, problems, notes).read();
 }
 
 }  // namespace phy::io

@@ -1,20 +1,34 @@
-// The table of laboratory tests behind a rock file: CSV with units in its header (docs/formats.md, "Rock").
+// The table of laboratory tests behind a rock file: CSV or a workbook (docs/formats.md, "Rock").
 #pragma once
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "records/rock.hpp"
 
 namespace phy::io {
 
-/// Laboratory values from the text of a table. `where` names it in messages. `confining` [Pa]: of the rows of
-/// a table with several confining pressures only these; NaN: all. Appends what could not be understood to
-/// `problems` and how the rest was understood to `notes`; sets `bedded` to whether there is a column of
-/// angles.
-std::vector<RockReading> parse_readings(std::string_view text, const std::string& where, double confining,
-                                        bool& bedded, std::vector<Problem>& problems,
-                                        std::vector<std::string>& notes);
+/// What a rock file says of its table.
+struct TableKeys {
+  double confining = nan;  ///< [Pa] of several confining pressures these rows alone give E and nu; NaN: all
+  std::string sheet;       ///< of a workbook; "": the first
+  std::map<std::string, std::string> columns;  ///< header, with or without its unit -> our name, or "-"
+};
+
+struct Readings {
+  std::vector<RockReading> values;
+  bool bedded = false;                 ///< there is a column of angles
+  std::optional<ModulusReading> E_is;  ///< what the header of E says
+  std::string E_title;                 ///< that header
+};
+
+/// Laboratory values from the bytes of a table. `where` names it in messages. Appends what could not be
+/// understood to `problems` and how the rest was understood to `notes`.
+Readings parse_readings(std::string_view bytes, const std::string& where, const TableKeys& keys,
+                        std::vector<Problem>& problems, std::vector<std::string>& notes);
 
 }  // namespace phy::io

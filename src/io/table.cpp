@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/quote.hpp"
+#include "io/workbook.hpp"
 
 namespace phy::io {
 namespace {
@@ -49,18 +50,6 @@ bool has_outside_quotes(std::string_view line, char wanted) {
   return false;
 }
 
-/// Digits, one comma, digits: a number of half of Europe.
-bool is_comma_number(const std::string& cell) {
-  // At least a digit on either side; a list such as "1,2,3" is no number.
-  const std::size_t comma = cell.find(',');
-  if (comma == 0 || comma == cell.npos || comma + 1 == cell.size()) return false;
-  return std::all_of(cell.begin(), cell.end(),
-                     [](char c) {
-                       return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '-' ||
-                              c == '+' || c == 'e' || c == 'E';
-                     }) &&
-         cell.find(',', comma + 1) == cell.npos;
-}
 bool is_point_number(std::string cell) {
   // Points become commas, and commas something that no number holds: one rule serves both.
   std::replace(cell.begin(), cell.end(), ',', ';');
@@ -70,7 +59,9 @@ bool is_point_number(std::string cell) {
 
 class Reader {
  public:
-  Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
+  Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
+    table_.where = where_;
+  }
 
   Table read() {
     // Spreadsheets write this as "Unicode text"; every second byte is zero, so no line could be read.
@@ -171,6 +162,18 @@ class Reader {
 
 }  // namespace
 
+bool is_comma_number(const std::string& cell) {
+  // At least a digit on either side; a list such as "1,2,3" is no number.
+  const std::size_t comma = cell.find(',');
+  if (comma == 0 || comma == cell.npos || comma + 1 == cell.size()) return false;
+  return std::all_of(cell.begin(), cell.end(),
+                     [](char c) {
+                       return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '-' ||
+                              c == '+' || c == 'e' || c == 'E';
+                     }) &&
+         cell.find(',', comma + 1) == cell.npos;
+}
+
 std::string plain_text(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::string plain(text);
@@ -178,6 +181,18 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
-Table parse_table(std::string_view text, const std::string& where) { return Reader(text, where).read(); }
+Table parse_table(std::string_view bytes, const std::string& where, const std::string& sheet) {
+  if (is_archive(bytes)) return parse_workbook(bytes, sheet, where);
+  if (!bytes.starts_with("\xD0\xCF\x11\xE0") && sheet.empty()) return Reader(bytes, where).read();
+  Table none;
+  none.where = where;
+  if (sheet.empty())
+    none.problems.push_back({where, "", "a workbook of before 2007 (.xls)", "a workbook (.xlsx) or CSV",
+                             "save it anew in one of these formats"});
+  else
+    none.problems.push_back(
+        {where, "sheet", sheet, "a workbook (.xlsx)", "the table is text: leave sheet out"});
+  return none;
+}
 
 }  // namespace phy::io

@@ -3,7 +3,7 @@
 // Accepted: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma (all but
 // tabs are mentioned in the notes). Refused: a header whose delimiter could be two things, decimal points and
 // decimal commas in one table, rows with more or fewer cells than the header, UTF-16. Lines that begin with #
-// are comments; empty lines are skipped.
+// are comments; empty lines are skipped. Workbooks (.xlsx) are tables too.
 #pragma once
 #include <string>
 #include <string_view>
@@ -19,6 +19,7 @@ struct TableRow {
 };
 
 struct Table {
+  std::string where;  ///< for messages: the file, of a workbook with its sheet
   int header_line = 0;
   std::vector<std::string> header;
   std::vector<TableRow> rows;      ///< every row as long as the header
@@ -26,11 +27,15 @@ struct Table {
   std::vector<Problem> problems;   ///< everything that could not be; the rest was read nevertheless
 };
 
-/// Never throws; `where` names the source in problems.
 /// A table as editors and spreadsheets save it: without the byte-order mark of UTF-8, and where lines end as
 /// on old Macs (CR alone) with line breaks.
 std::string plain_text(std::string_view text);
 
-Table parse_table(std::string_view text, const std::string& where);
+/// Digits, one comma, digits: a number of half of Europe.
+bool is_comma_number(const std::string& cell);
+
+/// Text, or a workbook (io/workbook.hpp), of which `sheet` names the sheet; "": the first. Never throws;
+/// `where` names the source in problems.
+Table parse_table(std::string_view bytes, const std::string& where, const std::string& sheet = {});
 
 }  // namespace phy::io

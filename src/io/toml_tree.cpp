@@ -120,6 +120,13 @@ void scan(std::string_view text, const std::string& where, std::vector<Problem>&
   }
 }
 
+/// May toml++ see it? A part of a text can be what the whole is not: a quote that was open above is gone.
+bool passes_scan(std::string_view text) {
+  std::vector<Problem> problems;
+  scan(text, "", problems);
+  return problems.empty();
+}
+
 /// A parsed value without toml++.
 TomlValue tree_of(const toml::node& node) {
   TomlValue v;
@@ -178,7 +185,7 @@ bool stands_twice(std::string_view problem) { return problem.find("redefin") != 
 bool can_be_left_out(std::string_view line, std::string_view problem) {
   const std::size_t equals = line.find('=');
   if (equals == line.npos || line.find_first_of("[#") < equals) return false;
-  return stands_twice(problem) || !toml::parse(line);
+  return stands_twice(problem) || !passes_scan(line) || !toml::parse(line);
 }
 
 /// The likeliest slip in a line "key = value" that is no TOML.
@@ -218,6 +225,7 @@ toml::parse_result parse_all(std::string text, const std::string& where, std::ve
     if (problems.size() >= max_problems || !left_out) return result;
     // The line break stays, so that line numbers do not change.
     text.erase(begin, end - begin);
+    if (!passes_scan(text)) return result;
   }
 }
 

@@ -220,6 +220,8 @@ DTS [MPa], BTS [MPa], n ... (docs/formats.md, "Rock").)")
           py::arg("path"),
           R"(The rock of a table, with keys of a rock file: Rock.from_csv("shale.csv", E_is="secant 50 %").
 
+Workbooks are tables too: Rock.from_csv("shale.xlsx", sheet="UCS", columns={"peak stress": "UCS"}).
+
 recipe may be a Recipe or the name of a file. Raises IoError, or InputError with every problem found.)")
       .def_static(
           "from_dataframe",

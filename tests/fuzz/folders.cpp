@@ -1,17 +1,63 @@
 // Readers of several files that name each other, and of stores.
+#include <zip.h>
+
 #include <algorithm>
+#include <map>
 
 #include "contract.hpp"
 #include "io/load.hpp"
 #include "io/load_variation.hpp"
 #include "io/regressions.hpp"
 #include "io/rock_in.hpp"
+#include "io/rock_table.hpp"
 #include "io/scene.hpp"
 #include "io/store.hpp"
+#include "io/workbook.hpp"
 #include "study/store.hpp"
 #include "study/study_in.hpp"
 
 namespace phy::fuzz {
+namespace {
+
+std::string archive_of(const Files& files, const std::map<std::string, std::string>& places) {
+  const std::string path = files.at("archive");
+  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+  for (const auto& [name, place] : places) {
+    if (files.read(name).empty()) continue;
+    zip_source_t* source = zip_source_file(zip, files.at(name).c_str(), 0, -1);
+    const zip_int64_t at = zip_file_add(zip, place.c_str(), source, ZIP_FL_OVERWRITE);
+    zip_set_file_compression(zip, static_cast<zip_uint64_t>(at), ZIP_CM_STORE, 0);
+  }
+  zip_close(zip);
+  return files.read("archive");
+}
+
+}  // namespace
+
+/// An archive as it is, or the files of one that is put together here without compression, so that changed
+/// bytes are read and not refused by its checksums.
+bool read_workbook(std::string_view bytes) {
+  const std::map<std::string, std::string> places = {{"sheet", "xl/worksheets/sheet1.xml"},
+                                                     {"workbook", "xl/workbook.xml"},
+                                                     {"links", "xl/_rels/workbook.xml.rels"},
+                                                     {"texts", "xl/sharedStrings.xml"},
+                                                     {"styles", "xl/styles.xml"}};
+  std::string archive(bytes);
+  if (!io::is_archive(bytes)) {
+    std::vector<std::string> names;
+    for (const auto& [name, place] : places) names.push_back(name);
+    const Files files(bytes, names);
+    archive = archive_of(files, places);
+  }
+  const io::Table table = io::parse_workbook(archive, "", "t.xlsx");
+  for (const io::TableRow& row : table.rows)
+    if (row.cells.size() != table.header.size()) throw Finding("a row that is not as long as the header");
+  if (table.problems.empty() && table.rows.empty()) throw Finding("no row, and no problem");
+  std::vector<Problem> problems;
+  std::vector<std::string> notes;
+  io::parse_readings(archive, "t.xlsx", {}, problems, notes);
+  return table.problems.empty();
+}
 
 bool read_rock(std::string_view bytes) {
   const Files files(bytes, {"rock.toml", "table.csv", "model.toml"});

@@ -7,6 +7,7 @@ const std::vector<Reader>& readers() {
       {"quantity", read_quantity},  // numbers with units, of files and of the command line
       {"recipe", read_recipe},      // and so draws of ensembles, recipes in results and stores
       {"readings", read_readings},  // CSV tables of a laboratory, and so every table of others
+      {"workbook", read_workbook},  // tables of spreadsheet programs (.xlsx)
       {"discs", read_discs},        // imported packings
       {"series", read_series},      // history.csv, cracks.csv
       {"scene", read_scene},        // scene.bin

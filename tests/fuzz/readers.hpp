@@ -40,6 +40,7 @@ bool read_series(std::string_view);
 bool read_scene(std::string_view);
 bool read_packing(std::string_view);
 // Several files, each begun by a line "=== name".
+bool read_workbook(std::string_view);
 bool read_rock(std::string_view);
 bool read_study(std::string_view);
 bool read_regressions(std::string_view);

@@ -38,12 +38,12 @@ bool read_recipe(std::string_view bytes) {
 bool read_readings(std::string_view bytes) {
   bool read = false;
   for (const double confining : {1e7, std::nan("")}) {
-    bool bedded = false;
     std::vector<Problem> problems;
     std::vector<std::string> notes;
-    const auto readings = io::parse_readings(bytes, "table.csv", confining, bedded, problems, notes);
+    const io::Readings readings =
+        io::parse_readings(bytes, "table.csv", {confining, "", {}}, problems, notes);
     read = problems.empty();
-    for (const RockReading& r : readings)
+    for (const RockReading& r : readings.values)
       if (read && !std::isfinite(r.value)) throw Finding("a reading that is no number");
   }
   return read;

@@ -1,6 +1,7 @@
 """Recipes and rocks: from keys, text and files alike, with the messages of the program."""
 import pathlib
 import tempfile
+import os
 import unittest
 
 import numpy as np
@@ -107,6 +108,13 @@ class Rocks(InFolder):
             self.assertEqual(rock.check().split("\n", 1)[1], first.check().split("\n", 1)[1])
         ucs = {t.theta: t.mean for t in first.targets if t.property == "UCS"}
         self.assertEqual(ucs, {0.0: 105e6, 30.0: 60e6, 60.0: 45e6, 90.0: 128e6})
+
+    def test_a_workbook_is_a_table(self):
+        path = os.path.join(os.environ["PHY_SOURCE_DIR"], "tests/fuzz/seeds/workbook/openpyxl.xlsx")
+        rock = phyllite.Rock.from_csv(path, sheet="Results", columns={"σt": "DTS"})
+        tension = {t.theta: t.mean for t in rock.targets if t.property == "DTS"}
+        self.assertEqual(tension, {0.0: 4.6e6, 60.0: 7.55e6, 90.0: 9.1e6})
+        self.assertIn("sheets is read: Results", phyllite.Rock.from_csv(path).check())
 
     def test_what_is_wrong_with_a_table_is_told_by_line(self):
         path = write(self.at("bad.csv"), TABLE.replace("60,21.0", "60,soft"))

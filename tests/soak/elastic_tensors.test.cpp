@@ -38,8 +38,9 @@ std::vector<Rock> tensors() {
       Rock rock;
       rock.model.bedding.resize(1);
       std::vector<Problem> problems;
-      rock.readings = io::parse_readings(header + "\n" + table, file.filename().string(), std::nan(""),
-                                         rock.bedded, problems, rock.notes);
+      const io::Readings read =
+          io::parse_readings(header + "\n" + table, file.filename().string(), {}, problems, rock.notes);
+      rock.readings = read.values, rock.bedded = read.bedded;
       EXPECT_TRUE(problems.empty()) << file;
       rock.name = file.stem().string().substr(4) + " " + std::to_string(row / n_angles);
       rocks.push_back(rock);

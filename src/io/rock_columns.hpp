@@ -1,0 +1,57 @@
+// What columns of a laboratory's table are called, in headers as laboratories write them: "E [GPa]",
+// "sigma_c (MPa)", "Brazilian tensile strength, MPa". Compared without case, blanks and signs; Greek letters
+// are their names.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/units.hpp"
+#include "records/rock.hpp"
+
+namespace phy::io {
+
+/// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
+/// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`. `unclear`: an angle
+/// that may count from the load or from the horizontal.
+enum class Column {
+  theta,
+  beta,
+  confining,
+  diameter,
+  n,
+  value,
+  scatter,
+  cohesion,
+  friction,
+  least_confining,
+  most_confining,
+  unclear,
+  passed,  ///< by the user's word
+  other
+};
+
+struct Head {
+  Column kind = Column::other;
+  Property property = Property::E;
+  std::string name;                    ///< ours, "UCS" or "UCS_sd"; of other columns in lower case
+  std::string unit;                    ///< as the program reads it: "deg" for a degree sign
+  std::string title;                   ///< the header without its unit, for messages
+  bool own = true;                     ///< the header is our name
+  bool deviatoric = false;             ///< the axial stress less the confining stress
+  std::optional<ModulusReading> E_is;  ///< what the header says of E
+};
+
+/// What the header of a column says; `meant`: the name that the user gives the column, "-" to pass it over.
+Head head_of(const std::string& cell, const std::string& meant = {});
+Dimension dimension_of(const Head& head);
+
+/// The header without its unit.
+std::string title_of(const std::string& cell);
+/// A unit as cells below a header give it, "[MPa]" or "MPa", as the program reads it; "" where it is none.
+std::string unit_of_cell(const std::string& cell);
+
+/// Our names of columns, in the order of docs/formats.md.
+const std::vector<std::string>& column_names();
+
+}  // namespace phy::io

@@ -1,0 +1,92 @@
+// Headers as laboratories write them.
+#include "io/rock_columns.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace phy::io {
+namespace {
+
+struct Case {
+  const char* header;
+  Column kind;
+  const char* name;
+  const char* unit;
+};
+
+TEST(RockColumns, AreKnownByTheNamesOfLaboratories) {
+  for (const Case& c : {Case{"theta [deg]", Column::theta, "theta", "deg"},
+                        Case{"θ (°)", Column::theta, "theta", "deg"},
+                        Case{"θ°", Column::theta, "theta", "deg"},
+                        Case{"Dip angle, degrees", Column::theta, "theta", "deg"},
+                        Case{"β (°)", Column::beta, "beta", "deg"},
+                        Case{"E_GPa", Column::value, "E", "GPa"},
+                        Case{"E50 (GPa)", Column::value, "E", "GPa"},
+                        Case{"Young's modulus [MPa]", Column::value, "E", "MPa"},
+                        Case{"ν", Column::value, "nu", ""},
+                        Case{"Poisson's ratio (-)", Column::value, "nu", "-"},
+                        Case{"σc (MPa)", Column::value, "UCS", "MPa"},
+                        Case{"sigma_c_MPa", Column::value, "UCS", "MPa"},
+                        Case{"Uniaxial compressive strength / MPa", Column::value, "UCS", "MPa"},
+                        Case{"UCS N/mm²", Column::value, "UCS", "MPa"},
+                        Case{"mean UCS (MPa)", Column::value, "UCS", "MPa"},
+                        Case{"σt, MPa", Column::value, "BTS", "MPa"},
+                        Case{"Brazilian Tensile Strength [MPa]", Column::value, "BTS", "MPa"},
+                        Case{"direct tensile strength [kN/m2]", Column::value, "DTS", "kPa"},
+                        Case{"σ₁ [MPa]", Column::value, "sigma_1", "MPa"},
+                        Case{"sigma_1 - sigma_3 [MPa]", Column::value, "sigma_1", "MPa"},
+                        Case{"σ3 (MPa)", Column::confining, "confining", "MPa"},
+                        Case{"cell pressure [MPa]", Column::confining, "confining", "MPa"},
+                        Case{"sigma_ci [MPa]", Column::value, "sigma_ci", "MPa"},
+                        Case{"UCS_sd [MPa]", Column::scatter, "UCS_sd", "MPa"},
+                        Case{"SD of UCS (MPa)", Column::scatter, "UCS_sd", "MPa"},
+                        Case{"σc std. dev. (MPa)", Column::scatter, "UCS_sd", "MPa"},
+                        Case{"friction angle [deg]", Column::friction, "phi", "deg"},
+                        Case{"φ (°)", Column::friction, "phi", "deg"},
+                        Case{"c [MPa]", Column::cohesion, "c", "MPa"},
+                        Case{"number of specimens", Column::n, "n", ""}}) {
+    const Head h = head_of(c.header);
+    EXPECT_EQ(h.kind, c.kind) << c.header;
+    EXPECT_EQ(h.name, c.name) << c.header;
+    EXPECT_EQ(h.unit, c.unit) << c.header;
+  }
+  EXPECT_TRUE(head_of("ucs [MPa]").own);
+  EXPECT_TRUE(head_of("E_GPa").own);
+  EXPECT_FALSE(head_of("E50 [GPa]").own);
+  EXPECT_TRUE(head_of("q [MPa]").deviatoric);
+  EXPECT_FALSE(head_of("sigma_1 [MPa]").deviatoric);
+}
+
+TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
+  EXPECT_EQ(head_of("Foliation angle (°)").kind, Column::unclear);
+  EXPECT_EQ(head_of("orientation").kind, Column::unclear);
+  for (const char* other : {"Sample", "No.", "D [mm]", "Height (mm)", "Load (kN)", "c_sd [MPa]", "phi_sd",
+                            "q_sd [MPa]", "Is50 [MPa]", ""})
+    EXPECT_EQ(head_of(other).kind, Column::other) << other;
+}
+
+TEST(RockColumns, ModuliSayHowTheyWereRead) {
+  EXPECT_EQ(head_of("Et50 (GPa)").E_is, ModulusReading::tangent_50);
+  EXPECT_EQ(head_of("E_av [GPa]").E_is, ModulusReading::average);
+  EXPECT_EQ(head_of("secant modulus, GPa").E_is, ModulusReading::secant_50);
+  EXPECT_EQ(head_of("E dyn [GPa]").E_is, ModulusReading::small_strain);
+  EXPECT_FALSE(head_of("E50 [GPa]").E_is);
+  EXPECT_FALSE(head_of("Young's modulus [GPa]").E_is);
+}
+
+TEST(RockColumns, TheUserHasTheLastWord) {
+  const Head h = head_of("Festigkeit (MPa)", "UCS");
+  EXPECT_EQ(h.name, "UCS");
+  EXPECT_EQ(h.unit, "MPa");
+  EXPECT_EQ(h.title, "Festigkeit");
+  EXPECT_EQ(head_of("UCS [MPa]", "-").kind, Column::passed);
+  EXPECT_EQ(head_of("angle [deg]", "beta").kind, Column::beta);
+  EXPECT_EQ(head_of("spread", "E_sd").kind, Column::scatter);
+  for (const std::string& name : column_names()) {
+    EXPECT_TRUE(head_of(name).own) << name;
+    EXPECT_EQ(head_of(name).name, name);
+  }
+}
+
+}  // namespace
+}  // namespace phy::io

@@ -1,0 +1,360 @@
+#include "io/workbook.hpp"
+
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <pugixml.hpp>
+#include <set>
+
+#include "base/quote.hpp"
+#include "base/units.hpp"
+
+namespace phy::io {
+namespace {
+
+constexpr zip_uint64_t most_bytes = 64U << 20U;  // of one XML file
+constexpr int most_rows = 1048576,
+              most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
+
+/// A file of the archive as XML; an empty document where it is not there.
+class Archive {
+ public:
+  explicit Archive(std::string_view bytes) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    if (source != nullptr) archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
+    if (archive_ == nullptr && source != nullptr) zip_source_free(source);
+    zip_error_fini(&error);
+  }
+  ~Archive() {
+    if (archive_ != nullptr) zip_discard(archive_);
+  }
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+
+  bool has(const std::string& name) const {
+    return archive_ != nullptr && zip_name_locate(archive_, name.c_str(), 0) >= 0;
+  }
+  /// False: there is no such file, or it cannot be read.
+  bool read(const std::string& name, pugi::xml_document& document) const {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (archive_ == nullptr || zip_stat(archive_, name.c_str(), 0, &stat) != 0) return false;
+    if ((stat.valid & ZIP_STAT_SIZE) == 0 || stat.size > most_bytes) return false;
+    zip_file_t* file = zip_fopen(archive_, name.c_str(), 0);
+    if (file == nullptr) return false;
+    std::string text(stat.size, '\0');
+    const zip_int64_t n = zip_fread(file, text.data(), stat.size);
+    const bool whole = zip_fclose(file) == 0 && n == static_cast<zip_int64_t>(stat.size);
+    return whole && document.load_buffer(text.data(), text.size());
+  }
+
+ private:
+  zip_t* archive_ = nullptr;
+};
+
+/// Names of elements without the prefix of their namespace, which some programs write.
+std::string_view local_name(pugi::xml_node node) {
+  const std::string_view name = node.name();
+  const std::size_t colon = name.find(':');
+  return colon == name.npos ? name : name.substr(colon + 1);
+}
+pugi::xml_node child(pugi::xml_node node, std::string_view name) {
+  return node.find_child([&](pugi::xml_node n) { return local_name(n) == name; });
+}
+template <class Visit>
+void each_child(pugi::xml_node node, std::string_view name, const Visit& visit) {
+  for (const pugi::xml_node n : node.children())
+    if (local_name(n) == name) visit(n);
+}
+
+/// A text, whole (`t`) or in runs of one look (`r`).
+std::string text_of(pugi::xml_node node) {
+  std::string text = child(node, "t").text().get();
+  each_child(node, "r", [&](pugi::xml_node run) { text += child(run, "t").text().get(); });
+  return text;
+}
+
+/// "B7" is row 7, column 2; rows and columns from 1. False: that is no cell.
+struct Place {
+  int row = 0, column = 0;
+};
+bool parse_place(std::string_view text, Place& place) {
+  std::size_t i = 0;
+  int column = 0;
+  for (; i < text.size() && text[i] >= 'A' && text[i] <= 'Z' && column <= most_columns; ++i)
+    column = 26 * column + (text[i] - 'A' + 1);
+  int row = 0;
+  const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), row);
+  if (error != std::errc() || end != text.data() + text.size() || i == 0) return false;
+  if (row < 1 || row > most_rows || column > most_columns) return false;
+  place = {row, column};
+  return true;
+}
+std::string column_letters(int column) {
+  std::string letters;
+  for (; column > 0; column = (column - 1) / 26)
+    letters.insert(letters.begin(), static_cast<char>('A' + (column - 1) % 26));
+  return letters;
+}
+
+std::string trimmed(const std::string& s) {
+  const std::size_t from = s.find_first_not_of(" \t\r\n"), to = s.find_last_not_of(" \t\r\n");
+  std::string text = from == s.npos ? "" : s.substr(from, to - from + 1);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return text;
+}
+
+/// Does a number under this format look like a day? Quoted text, colours and [conditions] are no part of it.
+bool is_day_format(std::string_view code) {
+  bool quoted = false, bracketed = false;
+  for (const char c : code) {
+    if (c == '"') quoted = !quoted;
+    if (c == '[' || c == ']') bracketed = c == '[';
+    if (!quoted && !bracketed && (c == 'd' || c == 'y' || c == 'D' || c == 'Y')) return true;
+  }
+  return false;
+}
+
+/// Looks of cells (their `s`) that show a number as a day.
+std::set<int> day_looks(const Archive& archive) {
+  pugi::xml_document document;
+  std::set<int> looks;
+  if (!archive.read("xl/styles.xml", document)) return looks;
+  const pugi::xml_node sheet = child(document, "styleSheet");
+  std::set<int> days = {14, 15, 16, 17, 22};  // built in (ECMA-376 part 1, 18.8.30)
+  each_child(child(sheet, "numFmts"), "numFmt", [&](pugi::xml_node f) {
+    if (is_day_format(f.attribute("formatCode").value())) days.insert(f.attribute("numFmtId").as_int());
+  });
+  int look = 0;
+  each_child(child(sheet, "cellXfs"), "xf", [&](pugi::xml_node xf) {
+    if (days.contains(xf.attribute("numFmtId").as_int())) looks.insert(look);
+    ++look;
+  });
+  return looks;
+}
+
+/// A number that is shown as a day, as "2026-05-01": days are counted from the end of 1899.
+std::string day_of(const std::string& number) {
+  double n = 0.0;
+  std::from_chars(number.data(), number.data() + number.size(), n);
+  if (!(n >= 0.0 && n < 3e6)) return number;
+  using namespace std::chrono;
+  const year_month_day day{sys_days{year{1899} / 12 / 30} + days{static_cast<int>(n)}};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
+}
+
+struct Sheet {
+  std::map<int, std::map<int, std::string>> rows;  // cells that are not empty, by row and column
+  std::set<int> hidden;                            // rows
+};
+
+class WorkbookReader {
+ public:
+  WorkbookReader(std::string_view bytes, std::string sheet, std::string where)
+      : archive_(bytes), wanted_(std::move(sheet)), where_(std::move(where)) {}
+
+  Table read() {
+    if (const auto file = find_sheet(); file && read_sheet(*file)) cut_table();
+    table_.where = where_;
+    return std::move(table_);
+  }
+
+ private:
+  Archive archive_;
+  std::string wanted_, where_;
+  Table table_;
+  Sheet sheet_;
+  int n_commas_ = 0;  // numbers that are text
+
+  bool refuse(const std::string& found, const std::string& expected, const std::string& remedy) {
+    table_.problems.push_back({where_, "", found, expected, remedy});
+    return false;
+  }
+  std::string at(int row) const { return fmt::format("{}:{}", where_, row); }
+
+  /// The file of the sheet that is wanted.
+  std::optional<std::string> find_sheet() {
+    pugi::xml_document book, links;
+    if (!archive_.read("xl/workbook.xml", book) || !archive_.read("xl/_rels/workbook.xml.rels", links)) {
+      const bool open_document = archive_.has("content.xml");
+      refuse(open_document ? "an OpenDocument spreadsheet" : "an archive that is no workbook",
+             "a workbook (.xlsx) or CSV", "save it anew in one of these formats");
+      return {};
+    }
+    std::map<std::string, std::string> files;
+    each_child(child(links, "Relationships"), "Relationship", [&](pugi::xml_node link) {
+      const std::string target = link.attribute("Target").value();
+      files[link.attribute("Id").value()] = target.starts_with('/') ? target.substr(1) : "xl/" + target;
+    });
+    std::vector<std::pair<std::string, std::string>> sheets;  // name and file
+    each_child(child(child(book, "workbook"), "sheets"), "sheet", [&](pugi::xml_node sheet) {
+      for (const pugi::xml_attribute a : sheet.attributes())
+        if (const std::string_view name = a.name(); name == "r:id" || name.ends_with(":id"))
+          sheets.emplace_back(sheet.attribute("name").value(), files[a.value()]);
+    });
+    return choose(sheets);
+  }
+  std::optional<std::string> choose(const std::vector<std::pair<std::string, std::string>>& sheets) {
+    std::string names;
+    for (const auto& [name, file] : sheets) names += (names.empty() ? "" : ", ") + printable(name);
+    const auto chosen =
+        wanted_.empty() ? sheets.begin() : std::find_if(sheets.begin(), sheets.end(), [&](const auto& sheet) {
+          return sheet.first == wanted_;
+        });
+    if (chosen == sheets.end()) {
+      refuse(wanted_.empty() ? "no sheet" : "no sheet \"" + wanted_ + '"', "a sheet of the workbook",
+             names.empty() ? "" : "it has: " + names);
+      return {};
+    }
+    if (wanted_.empty() && sheets.size() > 1)
+      table_.notes.push_back("the first of its sheets is read: " + names);
+    where_ += " [" + printable(chosen->first) + "]";
+    return chosen->second;
+  }
+  static std::string printable(const std::string& text) { return is_plain(text) ? text : "?"; }
+
+  std::vector<std::string> shared_texts() const {
+    std::vector<std::string> texts;
+    pugi::xml_document document;
+    if (archive_.read("xl/sharedStrings.xml", document))
+      each_child(child(document, "sst"), "si", [&](pugi::xml_node si) { texts.push_back(text_of(si)); });
+    return texts;
+  }
+
+  bool read_sheet(const std::string& file) {
+    pugi::xml_document document;
+    if (!archive_.read(file, document))
+      return refuse("the sheet is missing, damaged or larger than 64 MB", "a whole workbook", "save it anew");
+    const std::vector<std::string> texts = shared_texts();
+    const std::set<int> days = day_looks(archive_);
+    const pugi::xml_node sheet = child(document, "worksheet");
+    int row = 0;
+    each_child(child(sheet, "sheetData"), "row", [&](pugi::xml_node r) {
+      row = r.attribute("r").as_int(row + 1);  // numbers may be left out
+      if (row < 1 || row > most_rows) return;
+      if (r.attribute("hidden").as_bool()) sheet_.hidden.insert(row);
+      int column = 0;
+      each_child(r, "c", [&](pugi::xml_node c) {
+        Place place{row, column + 1};
+        if (const pugi::xml_attribute a = c.attribute("r"); a && !parse_place(a.value(), place)) return;
+        column = place.column;
+        const std::string text = trimmed(content(c, texts));
+        if (!text.empty()) sheet_.rows[row][column] = is_day(c, days) ? day_of(text) : text;
+      });
+    });
+    each_child(child(sheet, "mergeCells"), "mergeCell",
+               [&](pugi::xml_node merged) { fill_merged(merged.attribute("ref").value()); });
+    return true;
+  }
+  static bool is_day(pugi::xml_node c, const std::set<int>& days) {
+    const std::string_view type = c.attribute("t").value();
+    return (type.empty() || type == "n") && days.contains(c.attribute("s").as_int());
+  }
+  static std::string content(pugi::xml_node c, const std::vector<std::string>& texts) {
+    const std::string_view type = c.attribute("t").value();
+    const std::string value = child(c, "v").text().get();
+    if (type == "inlineStr") return text_of(child(c, "is"));
+    if (type == "s") {
+      std::size_t i = texts.size();
+      std::from_chars(value.data(), value.data() + value.size(), i);
+      return i < texts.size() ? texts[i] : "";
+    }
+    // Numbers are saved with seventeen digits: the shortest that mean the same were typed.
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const bool whole = error == std::errc() && end == value.data() + value.size() && !value.empty();
+    return whole && (type.empty() || type == "n") ? print_number(number) : value;
+  }
+  /// Cells merged downwards are one value for several rows: an angle beside its replicates.
+  void fill_merged(std::string_view ref) {
+    const std::size_t colon = ref.find(':');
+    Place from, to;
+    if (colon == ref.npos || !parse_place(ref.substr(0, colon), from) ||
+        !parse_place(ref.substr(colon + 1), to) || from.column != to.column)
+      return;
+    const auto row = sheet_.rows.find(from.row);
+    if (row == sheet_.rows.end() || !row->second.contains(from.column)) return;
+    const std::string cell = row->second.at(from.column);
+    // Only rows that hold something else: below the table a merged cell says nothing.
+    for (auto r = std::next(row); r != sheet_.rows.end() && r->first <= to.row; ++r)
+      r->second.emplace(from.column, cell);
+  }
+
+  /// The table in the sheet: header, width, end.
+  void cut_table() {
+    auto header = sheet_.rows.begin();
+    while (header != sheet_.rows.end() && header->second.size() < 2) ++header;
+    if (header == sheet_.rows.end()) {
+      refuse("", "a row of headers and at least one row below it",
+             sheet_.rows.empty() ? "the sheet is empty" : "no row has two cells");
+      return;
+    }
+    if (header != sheet_.rows.begin())
+      table_.notes.push_back(fmt::format("what stands above row {} is passed over", header->first));
+    table_.header_line = header->first;
+    const int first = header->second.begin()->first, last = header->second.rbegin()->first;
+    for (int column = first; column <= last; ++column)
+      table_.header.push_back(header->second.contains(column) ? header->second[column] : "");
+    std::set<int> hidden;
+    int beside = 0, row = header->first;
+    auto it = std::next(header);
+    for (; it != sheet_.rows.end() && it->first == row + 1; ++it) {
+      row = it->first;
+      add_row(row, it->second, first, last, beside);
+      if (sheet_.hidden.contains(row)) hidden.insert(row);
+    }
+    if (it != sheet_.rows.end())
+      table_.notes.push_back(fmt::format(
+          "the table ends with row {}: below an empty one, row {} and what follows are passed over", row,
+          it->first));
+    if (beside > 0)
+      table_.notes.push_back(fmt::format("{} cell(s) beside the table are passed over", beside));
+    if (!hidden.empty())
+      table_.notes.push_back(
+          fmt::format("{} hidden row(s) are read too: {}", hidden.size(), fmt::join(hidden, ", ")));
+    if (n_commas_ > 0)
+      table_.notes.push_back(
+          fmt::format("{} number(s) are text with a decimal comma: read as numbers", n_commas_));
+    if (table_.rows.empty() && table_.problems.empty()) refuse("", "at least one row below the header", "");
+  }
+  void add_row(int row, const std::map<int, std::string>& cells, int first, int last, int& beside) {
+    TableRow made{row, {}};
+    for (const auto& [column, cell] : cells) beside += column < first || column > last ? 1 : 0;
+    for (int column = first; column <= last; ++column) {
+      const auto cell = cells.find(column);
+      made.cells.push_back(cell == cells.end() ? "" : cell->second);
+      if (!is_plain(made.cells.back()))
+        table_.problems.push_back({at(row), "column " + column_letters(column), "",
+                                   "text in UTF-8 without control characters", ""});
+      with_point(made.cells.back());
+    }
+    if (std::any_of(made.cells.begin(), made.cells.end(), [](const auto& c) { return !c.empty(); }))
+      table_.rows.push_back(std::move(made));
+  }
+  /// A number that was typed as text, with a comma.
+  void with_point(std::string& cell) {
+    if (!is_comma_number(cell)) return;
+    cell[cell.find(',')] = '.';
+    ++n_commas_;
+  }
+};
+
+}  // namespace
+
+bool is_archive(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
+
+Table parse_workbook(std::string_view bytes, const std::string& sheet, const std::string& where) {
+  return WorkbookReader(bytes, sheet, where).read();
+}
+
+}  // namespace phy::io
