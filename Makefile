@@ -3,6 +3,7 @@
 # make python   the Python package, into build/python-env
 # make install  program, manual pages, completion, documents: PREFIX=/usr/local, DESTDIR=
 # make package  a Debian package                          make package-check  install, try and remove it on a bare Debian 12
+# make docs     the documents as a searchable site, build/site
 # make web      bundle report.html anew                       make browser look at report.html in Chromium
 # make fuzz     every reader under libFuzzer                  make bench   measure the speed of the press
 # make sanitize tests under the sanitizers                    make coverage  lines that the tests run, room by room
@@ -16,11 +17,14 @@ MORE = gnuplot-nox fonts-dejavu-core ffmpeg libopenmpi-dev openmpi-bin util-linu
        python3-nbclient python3-ipykernel
 # For the tests of manual pages and completion.
 MORE += man-db mandoc zsh fish
+# For the documents as a site.
+SITE := python3-sphinx python3-myst-parser furo
+MORE += $(SITE)
 # For the Python package.
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize asan sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
+.PHONY: deps deps-all deps-docs build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize asan sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -199,9 +203,15 @@ clang: deps-clang
 record: build
 	@python3 tools/record.py $(BUILD) "$(REASON)"
 
-docs: build
+deps-docs: PACKAGES += $(SITE)
+deps-docs: deps
+
+# Pages that the program writes, then all as a site in build/site.
+docs: deps-docs build
 	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference; $(BUILD)/phyllite rock --reference) > docs/reference.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
+	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
+	@echo "docs: build/site/index.html, for any browser, without a network"
 
 # The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).
 web:

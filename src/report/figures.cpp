@@ -188,10 +188,52 @@ void show(GnuplotScript& s, const SpecimenRecord& t, const Window& w, double wid
   s.picture(picture_of(t, w, width, at_end), 1e3 * w.x0, 1e3 * w.y0, 1e3 * w.x1, 1e3 * w.y1, {});
 }
 
+/// What colours mean, in letters of 7 points in the middle below the pictures: in as few rows as the width
+/// allows.
+class Key {
+ public:
+  struct Word {
+    std::string text, color;
+  };
+  Key(std::vector<Word> words, double width) : words_(std::move(words)), width_(width) {
+    while (columns_ > 1 && row_length(0) > width) columns_ = (columns_ + 1) / 2;
+  }
+  double height() const { return 3.0 + row * static_cast<double>(rows()); }  // [mm]
+  /// `figure_height`: [mm]; labels are numbered from 1.
+  void add_to(GnuplotScript& s, double figure_height) const {
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+      const std::size_t first = k / columns_ * columns_;
+      double x = 0.5 * (width_ - row_length(first));
+      for (std::size_t i = first; i < k; ++i) x += length(words_[i]);
+      const double y = 2.5 + row * static_cast<double>(rows() - 1 - k / columns_);
+      s.add("set label {} '{}' at screen {:.4f},{:.4f} tc rgb '{}' font ',7'", k + 1, words_[k].text,
+            x / width_, y / figure_height, words_[k].color);
+    }
+  }
+
+ private:
+  static constexpr double row = 4.0, letter = 1.25, gap = 2.0;  // [mm]
+  std::vector<Word> words_;
+  double width_;
+  std::size_t columns_ = words_.size();
+
+  std::size_t rows() const { return (words_.size() + columns_ - 1) / columns_; }
+  static double length(const Word& w) { return gap + letter * static_cast<double>(w.text.size()); }
+  double row_length(std::size_t first) const {
+    double sum = 0.0;
+    for (std::size_t i = first; i < std::min(first + columns_, words_.size()); ++i) sum += length(words_[i]);
+    return sum;
+  }
+};
+
 /// Side by side, with room for titles and key [mm].
 double specimens(GnuplotScript& s, const FigureData& data, double width, bool at_end) {
   constexpr double title = 6.0, widest = 60.0;
-  const double key = at_end ? 7.0 : 1.0;
+  std::vector<Key::Word> modes;
+  for (std::size_t k = 0; k < 4; ++k)
+    modes.push_back({fmt::format("■ {}", crack_names[k]), hex_color(crack_colors[k])});
+  const Key words(modes, width);
+  const double key = at_end ? words.height() : 1.0;
   const auto tests = with_scene(data.run);
   const auto n = static_cast<double>(tests.size());
   double aspect = 0.0;
@@ -201,9 +243,7 @@ double specimens(GnuplotScript& s, const FigureData& data, double width, bool at
   }
   const double panel = std::min(width / n, widest), height = panel * aspect + title + key;
   s.add("set size ratio -1; unset border; unset tics; unset key");
-  for (std::size_t k = 0; at_end && k < 4; ++k)
-    s.add("set label {} '■ {}' at screen {},{:.4f} tc rgb '{}' font ',7'", k + 1, crack_names[k],
-          0.14 + 0.19 * static_cast<double>(k), 2.5 / height, hex_color(crack_colors[k]));
+  if (at_end) words.add_to(s, height);
   const double edge = 0.5 * (1.0 - n * panel / width) + 0.003;
   s.add("set multiplot layout 1,{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing 0.003,0", tests.size(), edge,
         1.0 - edge, key / height, 1.0 - title / height);
@@ -273,12 +313,13 @@ double rose(GnuplotScript& s, const FigureData& data, double width) {
       "set polar; set angles degrees; unset border; unset tics; unset raxis; unset rtics; set size square; "
       "unset key; set rrange [0:1.15]");
   s.add("set style fill solid 1.0 noborder");
-  s.add(
-      "set label 1 '■ tension' at screen 0.36,0.035 tc rgb '{}' font ',7'; set label 2 '■ shear' at screen "
-      "0.47,0.035 tc rgb '{}' font ',7'; "
-      "set label 3 '- - bedding' at screen 0.56,0.035 font ',7'",
-      hex_color(crack_colors[0]), hex_color(crack_colors[1]));
-  s.add("set multiplot layout {},{} margins 0.01,0.99,{},0.90 spacing 0.01,0.10", n > 4 ? 2 : 1,
+  const double height = n > 4 ? 0.6 * width : width / static_cast<double>(n) + 14.0;
+  Key({{"■ tension", hex_color(crack_colors[0])},
+       {"■ shear", hex_color(crack_colors[1])},
+       {"- - bedding", "#000000"}},
+      width)
+      .add_to(s, height);
+  s.add("set multiplot layout {},{} margins 0.04,0.96,{},0.90 spacing 0.01,0.10", n > 4 ? 2 : 1,
         n > 4 ? (n + 1) / 2 : n, n > 4 ? 0.07 : 0.12);
   for (const SpecimenRecord& t : data.run.tests) {
     const Rose r = crack_rose(t.result.cracks);
@@ -295,12 +336,12 @@ double rose(GnuplotScript& s, const FigureData& data, double width) {
     if (!t.result.intact)
       parts.push_back(s.block({{t.result.theta, 1.13}, {t.result.theta + 180.0, 1.13}}) +
                       " with lines dt 2 lw 1.4 lc rgb '#000000'");
-    s.add("set title '{} ({} cracks)' offset 0,-0.6", heading(t), t.result.cracks.size());
+    s.add("set title '{}, n = {}' offset 0,-0.6", heading(t), t.result.cracks.size());
     s.plot(parts);
     s.add("unset label");
   }
   s.add("unset multiplot");
-  return n > 4 ? 0.6 * width : width / static_cast<double>(n) + 14.0;
+  return height;
 }
 
 /// Draws a figure that is `width` mm wide and returns its height.

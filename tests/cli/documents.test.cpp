@@ -74,10 +74,19 @@ std::string small(const std::string& shown) {
       {"calibrate rock.toml", "calibrate rock.toml --elastic --out again/three"},
       {"elastic examples/paper/press.toml", "elastic base.toml"},
       {"figure --kind stiffness", "figure results/study --kind stiffness --out again/stiffness.svg"},
+      {"figure results/bend --kind cracks", "figure result --kind cracks --out again/bend.svg"},
+      {"figure results/brazilian --kind cracks", "figure result --kind cracks --out again/disc.svg"},
+      {"figure results/shear --kind cracks", "figure result --kind cracks --out again/shear.svg"},
+      {"run examples/lab/brazilian.toml --out results/brazilian", "run small.toml --out again/disc"},
+      {"run examples/lab/direct-shear.toml --out results/shear", "run small.toml --out again/shear"},
+      {"run examples/lab/semi-circular-bend.toml --out results/bend", "run small.toml --out again/bend"},
       {"film RESULT", "film result --seconds 0.5 --width 320"},
       {"film RESULT --out film.webm", "film result --seconds 0.5 --width 320 --out again/film.webm"},
       {"replay FOLDER", "replay result"},
       {"recipe --explain", "recipe --explain spacing"},
+      {"recipe first.toml", "recipe base.toml"},
+      {"rock new slate --data slate.csv", "rock new slates --data table.csv"},
+      {"study joints.toml --slurm 8", "study study.toml --slurm 8"},
       {"rock check", "rock check rock.toml"},
       {"rock new", "rock new fresh"},
       {"rock new NAME", "rock new another"},
@@ -126,6 +135,22 @@ TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
     EXPECT_THAT(code, testing::AnyOf(0, 1)) << "phyllite " << shown << "\nrun as: " << small(shown) << "\n"
                                             << output;
   }
+}
+
+/// `make docs`: no broken link between pages, a search, and nothing fetched from a network.
+TEST_F(Documents, AreASite) {
+  if (!has("sphinx-build")) GTEST_SKIP() << "sphinx-build is missing";
+  const std::string root = PHY_SOURCE_DIR;
+  ASSERT_EQ(run_line("sphinx-build -q -W --keep-going -b html -c " + root + "/docs/site -d " + at("trees") +
+                     " " + root + "/docs " + at("site")),
+            0)
+      << output;
+  EXPECT_TRUE(fs::exists(at("site/search.html")));
+  EXPECT_NE(read(at("site/searchindex.js")).find("smooth"), std::string::npos);
+  const std::regex fetched("(src|rel=\"stylesheet\"[^>]* href)=\"https?:");
+  for (const auto& entry : fs::recursive_directory_iterator(at("site")))
+    if (entry.path().extension() == ".html")
+      EXPECT_FALSE(std::regex_search(read(entry.path().string()), fetched)) << entry.path();
 }
 
 }  // namespace
