@@ -202,10 +202,10 @@ class Key {
   /// `figure_height`: [mm]; labels are numbered from 1.
   void add_to(GnuplotScript& s, double figure_height) const {
     for (std::size_t k = 0; k < words_.size(); ++k) {
-      const std::size_t first = k / columns_ * columns_;
+      const std::size_t line = k / columns_, first = line * columns_;
       double x = 0.5 * (width_ - row_length(first));
       for (std::size_t i = first; i < k; ++i) x += length(words_[i]);
-      const double y = 2.5 + row * static_cast<double>(rows() - 1 - k / columns_);
+      const double y = 2.5 + row * static_cast<double>(rows() - 1 - line);
       s.add("set label {} '{}' at screen {:.4f},{:.4f} tc rgb '{}' font ',7'", k + 1, words_[k].text,
             x / width_, y / figure_height, words_[k].color);
     }

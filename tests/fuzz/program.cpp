@@ -69,13 +69,14 @@ bool is_harmless(const Words& words) {
   static const Words verbs = {"contact", "envelope", "recipe", "study", "show",  "figure",
                               "film",    "elastic",  "run",    "rock",  "report"};
   if (words.empty() || std::find(verbs.begin(), verbs.end(), words.front()) == verbs.end()) return false;
+  std::error_code too_long;  // no file has such a name
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& w = words[i];
     for (const char* odd : {"--out", "..", "new", "twin", "verify", "calibrate"})
       if (w.find(odd) != w.npos) return false;
     if (w.starts_with('/') || (w.starts_with("--steps=") && w.size() > 11)) return false;
     if (i > 0 && words[i - 1] == "--steps" && w.size() > 3) return false;
-    if (words.front() != "contact" && std::filesystem::is_regular_file(w)) return false;
+    if (words.front() != "contact" && std::filesystem::is_regular_file(w, too_long)) return false;
   }
   return true;
 }
