@@ -36,8 +36,8 @@ int rock_new(const std::string& name, const std::string& data) {
   const std::filesystem::path toml(name + ".toml"), csv(name + ".csv");
   const std::string stem = toml.stem().string();
   if (!data.empty()) {
-    if (!std::filesystem::exists(data))
-      throw InputError(Problem{"command line", "--data", data, "a table that is there", ""});
+    if (!std::filesystem::is_regular_file(data))
+      throw InputError(Problem{"command line", "--data", data, "a file that is there", ""});
     const std::filesystem::path from = std::filesystem::absolute(toml).parent_path();
     const std::string table = std::filesystem::proximate(std::filesystem::absolute(data), from).string();
     io::write_file(toml.string(), io::rock_template(stem, table));

@@ -146,7 +146,8 @@ TEST_F(RockFile, KeysAreHeldAgainstTheirList) {
 TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {
   EXPECT_THAT(problems("theta [deg],E [GPa],E [MPa]\n0,23,23000\n45,20,20000\n90,59,59000\n"),
               Contains(HasSubstr("its units are mixed: GPa and MPa")));
-  EXPECT_THAT(problems("theta [deg],E\n0,23\n45,20\n90,59\n"), Contains(HasSubstr("a unit in the header")));
+  EXPECT_THAT(problems("theta [deg],E\n0,23\n45,20\n90,59\n"),
+              Contains(HasSubstr("a unit of E in the header")));
 }
 
 TEST_F(RockFile, ABeddedRockNeedsThreeAnglesAnIsotropicOneNone) {
@@ -584,7 +585,7 @@ TEST_F(RockFile, NamesOfLaboratoriesAreReadAndTold) {
   EXPECT_EQ(r.E_is, ModulusReading::tangent_50);
   EXPECT_THAT(r.notes, Contains(HasSubstr(
                            "columns by other names: β (°) is beta, Et50 (GPa) is E, σc (MPa) is UCS, σ3 "
-                           "(MPa) is confining, q (MPa) is sigma_1")));
+                           "(MPa) is confining, q (MPa) is deviator")));
   EXPECT_THAT(r.notes, Contains("columns passed over: Sample"));
 }
 
@@ -637,6 +638,64 @@ TEST_F(RockFile, AWorkbookIsATable) {
     ASSERT_THAT(e.problems(), SizeIs(1));
     EXPECT_THAT(to_line(e.problems()[0]), HasSubstr("phyllite rock new NAME --data"));
   }
+}
+
+TEST_F(RockFile, SummaryRowsAreNoSpecimens) {
+  for (const char* word : {"Mean", "SD", "St. dev.", "average"})
+    EXPECT_THAT(problems("Specimen,theta [deg],UCS [MPa]\nS1,0,100\nS2,45,60\nS3,90,120\n" +
+                         std::string(word) + ",0,98\n"),
+                Contains(AllOf(HasSubstr("r.csv:5"), HasSubstr("a row of specimens"))))
+        << word;
+}
+
+TEST_F(RockFile, RowsWithoutAValueAreNone) {
+  const Rock r =
+      rock("Results of May\nsample,theta [deg],UCS [MPa]\na,0,100\n,,\nb,45,60\nc,90,120\nby N.N.,,\n,,\n");
+  EXPECT_THAT(r.readings, SizeIs(3));
+  EXPECT_THAT(r.notes, Contains(HasSubstr("line 1, a title, is passed over")));
+  EXPECT_THAT(rock("sep=;\ntheta [deg];UCS [MPa]\n0;100\n45;60,5\n90;120\n;\n").readings, SizeIs(3));
+}
+
+TEST_F(RockFile, PorosityAndLoadAreNoCounts) {
+  for (const char* head : {"n (%)", "N (kN)", "nu (%)", "v [km/s]"})
+    EXPECT_THAT(problems("theta [deg],UCS [MPa]," + std::string(head) + "\n0,100,12\n45,60,14\n90,120,9\n"),
+                Contains(AllOf(HasSubstr("without a unit"), HasSubstr("= \"-\" in the rock file"))))
+        << head;
+}
+
+TEST_F(RockFile, AnglesThatSayNotFromWhereTheyCountAreAskedFor) {
+  for (const char* head : {"Angle to bedding", "Angle to bedding (°)", "dip direction [deg]"})
+    EXPECT_THAT(problems(std::string(head) + ",UCS [MPa]\n0,100\n45,60\n90,120\n"),
+                Contains(HasSubstr("an angle that says from where it counts")))
+        << head;
+  const std::string csv = "Angle to bedding,UCS [MPa],Bedding\n0,100,clear\n45,60,clear\n90,120,weak\n";
+  EXPECT_EQ(rock(csv, "[columns]\n\"Angle to bedding [deg]\" = \"beta\"\n").readings[0].theta, 90.0);
+}
+
+TEST_F(RockFile, TheUserChoosesBetweenTwoColumns) {
+  const std::string csv = "theta [deg],UCS (MPa) dry,UCS (MPa) wet\n0,100,80\n45,60,50\n90,120,90\n";
+  EXPECT_THAT(problems(csv), SizeIs(3));  // two unknown columns, and nothing to read
+  const Rock r = rock(csv, "[columns]\n\"UCS (MPa) dry\" = \"UCS\"\n\"UCS wet\" = \"-\"\n");
+  ASSERT_THAT(r.readings, SizeIs(3));
+  EXPECT_EQ(r.readings[0].value, 100e6);
+  EXPECT_THAT(problems("theta [deg],UCS [MPa],UCS [MPa]\n0,100,80\n"), Contains(HasSubstr("rename one")));
+  EXPECT_THAT(
+      problems("theta [deg],sigma_1 [MPa],q [MPa],sigma_3 [MPa]\n0,100,80,20\n45,90,70,20\n90,99,79,20\n"),
+      Contains(HasSubstr("sigma_1 or the deviator stress")));
+}
+
+TEST_F(RockFile, AMergedValueIsOneSpecimens) {
+  const Rock r = read_rock(write("x.toml", "data = \"" + std::string(PHY_SOURCE_DIR) +
+                                               "/tests/fuzz/seeds/workbook/merged.xlsx\"\nbedded = false\n"));
+  ASSERT_THAT(of_property(targets_of(r), Property::E), SizeIs(1));
+  EXPECT_EQ(of_property(targets_of(r), Property::E)[0].n, 3);
+  EXPECT_EQ(of_property(targets_of(r), Property::ucs)[0].n, 1);
+  EXPECT_THAT(r.notes, Contains("2 cell(s) merged with the row above count once, in the first row"));
+}
+
+TEST_F(RockFile, E50IsSaidToBeTheTangent) {
+  EXPECT_THAT(rock("theta [deg],E50 [GPa]\n0,23\n45,20\n90,59\n").notes,
+              Contains("E50 is taken as \"tangent 50 %\"; a secant is E_is = \"secant 50 %\""));
 }
 
 }  // namespace

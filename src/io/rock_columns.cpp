@@ -49,8 +49,13 @@ const std::vector<Known>& known_columns() {
        {"sigmat", "sigmabt", "brazilianstrength", "braziliantensilestrength", "indirecttensilestrength",
         "splittingtensilestrength", "tensilestrength", "its"}},
       {"sigma_1", C::value, P::confined, {"s1", "majorprincipalstress", "axialstressatfailure"}},
+      {"deviator",
+       C::value,
+       P::confined,
+       {"q", "sigmad", "sigma1sigma3", "deviatorstress", "deviatoricstress", "peakdeviatorstress",
+        "peakdeviatoricstress"}},
       {"sigma_ci", C::value, P::crack_initiation, {"crackinitiation", "crackinitiationstress"}},
-      {"n", C::n, P::E, {"numberofspecimens", "numberoftests", "numberofsamples", "specimens"}},
+      {"n", C::n, P::E, {"numberofspecimens", "numberoftests", "numberofsamples"}},
       {"diameter", C::diameter, P::E, {"discdiameter", "diskdiameter"}},
       {"confining",
        C::confining,
@@ -67,10 +72,10 @@ const std::vector<Known>& known_columns() {
   return known;
 }
 
-/// Words whose angle counts from the load in some laboratories, from the horizontal in others.
-constexpr std::array unclear_angles = {
-    "angle",      "orientation",        "beddingangle",         "foliationangle", "anisotropyangle",
-    "layerangle", "beddingorientation", "foliationorientation", "alpha",          "psi"};
+/// Words of angles, which count from the load in some laboratories, from the horizontal in others.
+constexpr std::array angle_words = {"angle",     "orientation", "inclination", "bedding",
+                                    "foliation", "schistosity", "theta",       "beta",
+                                    "alpha",     "psi",         "dip"};
 
 /// Moduli whose name says how they are read (ISRM's suggested methods; waves).
 const std::map<std::string, ModulusReading>& moduli() {
@@ -92,38 +97,40 @@ const std::map<std::string, ModulusReading>& moduli() {
                                                  {"secantyoungsmodulus", M::secant_50},
                                                  {"ed", M::small_strain},
                                                  {"edyn", M::small_strain},
+                                                 {"edynamic", M::small_strain},
                                                  {"dynamicmodulus", M::small_strain},
                                                  {"dynamicyoungsmodulus", M::small_strain}};
   return names;
 }
 
-/// The deviatoric stress at the peak: sigma_1 less the confining stress.
-constexpr std::array deviators = {"q",
-                                  "sigmad",
-                                  "sigma1sigma3",
-                                  "deviator",
-                                  "deviatorstress",
-                                  "deviatoricstress",
-                                  "peakdeviatorstress",
-                                  "peakdeviatoricstress"};
-
-constexpr std::array<std::pair<const char*, const char*>, 16> letters = {
-    {{"σ", "sigma"},
-     {"Σ", "sigma"},
-     {"θ", "theta"},
-     {"ϑ", "theta"},
-     {"β", "beta"},
-     {"ν", "nu"},
-     {"υ", "nu"},
-     {"φ", "phi"},
-     {"ϕ", "phi"},
-     {"Φ", "phi"},
-     {"α", "alpha"},
-     {"ψ", "psi"},
-     {"₀", "0"},
-     {"₁", "1"},
-     {"₃", "3"},
-     {"\xC2\xA0", ""}}};  // the last: a blank that breaks no line
+constexpr std::array<std::pair<const char*, const char*>, 26> letters = {{
+    {"σ", "sigma"},
+    {"Σ", "sigma"},
+    {"θ", "theta"},
+    {"ϑ", "theta"},
+    {"β", "beta"},
+    {"ν", "nu"},
+    {"υ", "nu"},
+    {"φ", "phi"},
+    {"ϕ", "phi"},
+    {"Φ", "phi"},
+    {"α", "alpha"},
+    {"ψ", "psi"},
+    {"₀", "0"},
+    {"₁", "1"},
+    {"₃", "3"},
+    {"−", ""},
+    {"–", ""},
+    {"—", ""},
+    {"‘", ""},
+    {"’", ""},
+    {"′", ""},
+    {"´", ""},
+    {"“", ""},
+    {"”", ""},
+    {"\xC2\xA0", ""},      // a blank that breaks no line
+    {"\xE2\x80\x89", ""},  // a thin one
+}};
 
 /// A name as names are compared: lower case, no blanks and signs, Greek letters by their names.
 std::string key_of(std::string_view name) {
@@ -154,36 +161,79 @@ std::string trimmed(std::string_view s, std::string_view of = " \t") {
 }
 
 /// The program's word for a unit; nothing for what is no unit of a table.
-std::string unit_word(const std::string& text) {
+std::string unit_word(std::string text) {
   static const std::map<std::string, std::string> same = {
-      {"°", "deg"},      {"degree", "deg"}, {"degrees", "deg"}, {"N/mm²", "MPa"},
-      {"N/mm2", "MPa"},  {"N/mm^2", "MPa"}, {"MN/m²", "MPa"},   {"MN/m2", "MPa"},
-      {"MN/m^2", "MPa"}, {"kN/m²", "kPa"},  {"kN/m2", "kPa"},   {"kN/m^2", "kPa"}};
-  const auto found = same.find(text);
-  const std::string& word = found == same.end() ? text : found->second;
-  for (const Dimension d : {Dimension::pressure, Dimension::angle, Dimension::length})
-    if (parse_quantity("1 " + word, d).ok) return word;
-  return "";
+      {"°", "deg"},       {"º", "deg"},      {"degree", "deg"}, {"degrees", "deg"}, {"n/mm²", "MPa"},
+      {"n/mm2", "MPa"},   {"n/mm^2", "MPa"}, {"mn/m²", "MPa"},  {"mn/m2", "MPa"},   {"mn/m^2", "MPa"},
+      {"kn/m²", "kPa"},   {"kn/m2", "kPa"},  {"kn/m^2", "kPa"}, {"kn/mm²", "GPa"},  {"kn/mm2", "GPa"},
+      {"kn/mm^2", "GPa"}, {"gn/m2", "GPa"},  {"pa", "Pa"},      {"kpa", "kPa"},     {"mpa", "MPa"},
+      {"gpa", "GPa"},     {"deg", "deg"}};
+  for (const std::string blank : {"\xC2\xA0", " "})
+    for (std::size_t at = text.find(blank); at != text.npos; at = text.find(blank))
+      text.erase(at, blank.size());
+  if (text.ends_with('.')) text.pop_back();
+  std::string lower;
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (const auto found = same.find(lower); found != same.end()) return found->second;
+  return parse_quantity("1 " + text, Dimension::length).ok ? text : "";
 }
 
-/// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. In brackets anything is
-/// a unit; a tail counts as one only if it is one ("E_sd" is a name).
+/// Takes "[GPa]" and "(GPa)" out of a header, wherever they stand; the last one is its unit.
+std::string take_units(std::string cell, std::string& unit) {
+  for (std::size_t open = cell.find_first_of("[("); open != cell.npos;
+       open = cell.find_first_of("[(", open)) {
+    const std::size_t close = cell.find_first_of("])", open);
+    if (close == cell.npos) break;
+    const std::string inside = trimmed(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
+    const bool counts = inside.empty() || inside == "-" || inside == "1" || inside == "%";
+    if (known.empty() && !counts) {
+      ++open;
+      continue;
+    }
+    unit = known.empty() ? inside : known;
+    cell = trimmed(cell.substr(0, open)) + " " + trimmed(cell.substr(close + 1));
+  }
+  return trimmed(cell);
+}
+
+bool take_name(const std::string& key, Head& h);
+bool is_name(const std::string& key) {
+  Head none;
+  return take_name(key, none);
+}
+
+/// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
+/// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& cell) {
-  const std::size_t open = cell.find_first_of("[(");
-  if (open != cell.npos) {
-    const std::string inside = trimmed(cell.substr(open + 1, cell.find_first_of("])", open) - open - 1));
-    const std::string known = unit_word(inside);
-    return {trimmed(cell.substr(0, open)), known.empty() ? inside : known};
-  }
-  if (cell.ends_with("°")) return {trimmed(cell.substr(0, cell.size() - 2)), "deg"};
-  const std::size_t bar = cell.find_last_of("_ ,;/");
+  std::string unit;
+  std::string title = take_units(cell, unit);
+  if (!unit.empty() || title != trimmed(cell)) return {title, unit};
+  for (const std::string degree : {"°", "º"})
+    if (title.ends_with(degree)) return {trimmed(title.substr(0, title.size() - degree.size())), "deg"};
   // "N/mm2" holds a separator itself: the tail that begins a word earlier is tried too.
-  for (std::size_t at = bar; at != cell.npos && at > 0; at = cell.find_last_of("_ ,;/", at - 1)) {
-    const std::string unit = unit_word(cell.substr(at + 1));
-    if (!unit.empty()) return {trimmed(cell.substr(0, at), " \t_,;/"), unit};
-    if (cell[at] != '/') break;
+  for (std::size_t at = title.find_last_of("_ ,;/"); at != title.npos && at > 0;
+       at = title.find_last_of("_ ,;/", at - 1)) {
+    if (unit = unit_word(title.substr(at + 1)); !unit.empty())
+      return {trimmed(title.substr(0, at), " \t_,;/"), unit};
+    if (title[at] != '/') break;
   }
-  return {trimmed(cell), ""};
+  // A unit of none of our columns, "[km/s]": the last brackets hold it.
+  const std::size_t open = title.find_last_of("[("), close = title.find_last_of("])");
+  if (open != title.npos && open > 0 && close == title.size() - 1 && close > open)
+    if (const std::string inside = trimmed(title.substr(open + 1, close - open - 1));
+        (inside.find('/') != inside.npos || inside.size() <= 2) && !is_name(key_of(inside)))
+      return {trimmed(title.substr(0, open)), inside};
+  return {title, ""};
+}
+
+/// A title in brackets and without: "compressive strength (UCS)" is both.
+std::vector<std::string> readings_of(const std::string& title) {
+  std::vector<std::string> all = {title};
+  const std::size_t open = title.find_first_of("[("), close = title.find_first_of("])", open);
+  if (open == title.npos || close == title.npos) return all;
+  all.push_back(title.substr(0, open) + title.substr(close + 1));
+  all.push_back(title.substr(open + 1, close - open - 1));
+  return all;
 }
 
 /// "UCS_sd", "SD of UCS", "UCS std. dev.": the rest of the name, or nothing.
@@ -200,18 +250,26 @@ std::string without_scatter(const std::string& key) {
 bool take_name(const std::string& key, Head& h) {
   for (const Known& k : known_columns())
     if (key == key_of(k.name) || contains(k.others, key)) {
-      h.kind = k.kind, h.property = k.property, h.name = k.name;
+      h.kind = k.kind, h.property = k.property, h.name = k.name, h.deviatoric = h.name == "deviator";
       return true;
     }
   if (const auto modulus = moduli().find(key); modulus != moduli().end()) {
     h.kind = Column::value, h.property = Property::E, h.name = "E", h.E_is = modulus->second;
     return true;
   }
-  if (contains(deviators, key)) {
-    h.kind = Column::value, h.property = Property::confined, h.name = "sigma_1", h.deviatoric = true;
-    return true;
-  }
   return false;
+}
+
+/// "mean UCS" is UCS; how far the errors of c and phi go together no table says.
+void take_reading(const std::string& key, Head& h) {
+  const std::string bare = key.starts_with("mean") ? key.substr(4)
+                           : key.ends_with("mean") ? key.substr(0, key.size() - 4)
+                                                   : key;
+  const std::string of = without_scatter(key);
+  if (take_name(bare, h) || of.empty() || !take_name(of, h)) return;
+  const bool scatters = h.kind == Column::value;
+  h.kind = scatters ? Column::scatter : Column::other;
+  h.name = scatters ? h.name + "_sd" : key, h.deviatoric = false, h.E_is.reset();
 }
 
 }  // namespace
@@ -219,27 +277,27 @@ bool take_name(const std::string& key, Head& h) {
 Head head_of(const std::string& cell, const std::string& meant) {
   Head h;
   std::tie(h.title, h.unit) = split_head(cell);
-  const std::string key = key_of(meant.empty() ? h.title : meant);
-  h.name = key;
+  h.name = key_of(h.title);
   if (meant == "-") {
     h.kind = Column::passed;
     return h;
   }
-  // "mean UCS" is UCS; how far the errors of c and phi go together no table says.
-  const std::string bare = key.starts_with("mean") ? key.substr(4)
-                           : key.ends_with("mean") ? key.substr(0, key.size() - 4)
-                                                   : key;
-  const std::string of = without_scatter(key);
-  if (!take_name(bare, h) && !of.empty() && take_name(of, h)) {
-    const bool scatters = h.kind == Column::value && !h.deviatoric;
-    h.kind = scatters ? Column::scatter : Column::other;
-    if (scatters) h.name += "_sd", h.E_is.reset();
-    if (!scatters) h.name = key, h.unit.clear();
-  }
-  if (h.kind == Column::other && contains(unclear_angles, key)) h.kind = Column::unclear;
+  for (const std::string& reading : readings_of(meant.empty() ? h.title : meant))
+    if (h.kind == Column::other) take_reading(key_of(reading), h);
+  const std::string key = key_of(h.title);
+  if (h.kind == Column::other)
+    h.speaks_of_angles = std::any_of(angle_words.begin(), angle_words.end(),
+                                     [&](const char* word) { return key.find(word) != key.npos; });
   const std::string own = meant.empty() ? h.title : meant;
   h.own = own.size() == h.name.size() && key_of(own) == key_of(h.name);
   return h;
+}
+
+bool is_summary(const std::string& cell) {
+  constexpr std::array words = {
+      "mean",    "average", "avg",     "sd",     "std", "stdev", "stddev", "standarddeviation", "min",
+      "minimum", "max",     "maximum", "median", "cov", "cv",    "range",  "variance"};
+  return contains(words, key_of(cell));
 }
 
 std::string title_of(const std::string& cell) { return split_head(cell).first; }

@@ -12,8 +12,7 @@
 namespace phy::io {
 
 /// What a column holds. `scatter`: the standard deviation of the property. `cohesion` and `friction`: of a
-/// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`. `unclear`: an angle
-/// that may count from the load or from the horizontal.
+/// Mohr-Coulomb envelope through strengths under `least_confining` to `most_confining`.
 enum class Column {
   theta,
   beta,
@@ -26,7 +25,6 @@ enum class Column {
   friction,
   least_confining,
   most_confining,
-  unclear,
   passed,  ///< by the user's word
   other
 };
@@ -36,10 +34,16 @@ struct Head {
   Property property = Property::E;
   std::string name;                    ///< ours, "UCS" or "UCS_sd"; of other columns in lower case
   std::string unit;                    ///< as the program reads it: "deg" for a degree sign
-  std::string title;                   ///< the header without its unit, for messages
+  std::string title;                   ///< the header without its unit
   bool own = true;                     ///< the header is our name
   bool deviatoric = false;             ///< the axial stress less the confining stress
+  bool speaks_of_angles = false;       ///< a name that is not understood, with a word such as "dip" in it
   std::optional<ModulusReading> E_is;  ///< what the header says of E
+
+  /// For messages: the title, with our name where it is another.
+  std::string shown() const {
+    return own || kind == Column::other ? title : title + " (read as " + name + ")";
+  }
 };
 
 /// What the header of a column says; `meant`: the name that the user gives the column, "-" to pass it over.
@@ -50,6 +54,8 @@ Dimension dimension_of(const Head& head);
 std::string title_of(const std::string& cell);
 /// A unit as cells below a header give it, "[MPa]" or "MPa", as the program reads it; "" where it is none.
 std::string unit_of_cell(const std::string& cell);
+/// Does a cell say that its row is no specimen, "Mean" or "SD"?
+bool is_summary(const std::string& cell);
 
 /// Our names of columns, in the order of docs/formats.md.
 const std::vector<std::string>& column_names();

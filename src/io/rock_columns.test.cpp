@@ -34,7 +34,16 @@ TEST(RockColumns, AreKnownByTheNamesOfLaboratories) {
                         Case{"Brazilian Tensile Strength [MPa]", Column::value, "BTS", "MPa"},
                         Case{"direct tensile strength [kN/m2]", Column::value, "DTS", "kPa"},
                         Case{"σ₁ [MPa]", Column::value, "sigma_1", "MPa"},
-                        Case{"sigma_1 - sigma_3 [MPa]", Column::value, "sigma_1", "MPa"},
+                        Case{"sigma_1 - sigma_3 [MPa]", Column::value, "deviator", "MPa"},
+                        Case{"sigma_1 (MPa) - sigma_3 (MPa)", Column::value, "deviator", "MPa"},
+                        Case{"(σ1−σ3) [MPa]", Column::value, "deviator", "MPa"},
+                        Case{"q, MPa", Column::value, "deviator", "MPa"},
+                        Case{"Young’s modulus (E) [GPa]", Column::value, "E", "GPa"},
+                        Case{"Uniaxial compressive strength (UCS), Mpa", Column::value, "UCS", "MPa"},
+                        Case{"Bedding inclination (θ) [º]", Column::theta, "theta", "deg"},
+                        Case{"UCS (MPa) mean", Column::value, "UCS", "MPa"},
+                        Case{"UCS (MPa) SD", Column::scatter, "UCS_sd", "MPa"},
+                        Case{"E (GPa) dynamic", Column::value, "E", "GPa"},
                         Case{"σ3 (MPa)", Column::confining, "confining", "MPa"},
                         Case{"cell pressure [MPa]", Column::confining, "confining", "MPa"},
                         Case{"sigma_ci [MPa]", Column::value, "sigma_ci", "MPa"},
@@ -54,15 +63,25 @@ TEST(RockColumns, AreKnownByTheNamesOfLaboratories) {
   EXPECT_TRUE(head_of("E_GPa").own);
   EXPECT_FALSE(head_of("E50 [GPa]").own);
   EXPECT_TRUE(head_of("q [MPa]").deviatoric);
+  EXPECT_EQ(head_of("σc (MPa)").shown(), "σc (read as UCS)");
+  EXPECT_EQ(head_of("UCS (MPa)").shown(), "UCS");
   EXPECT_FALSE(head_of("sigma_1 [MPa]").deviatoric);
 }
 
 TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
-  EXPECT_EQ(head_of("Foliation angle (°)").kind, Column::unclear);
-  EXPECT_EQ(head_of("orientation").kind, Column::unclear);
-  for (const char* other : {"Sample", "No.", "D [mm]", "Height (mm)", "Load (kN)", "c_sd [MPa]", "phi_sd",
-                            "q_sd [MPa]", "Is50 [MPa]", ""})
+  for (const char* angle : {"Foliation angle (°)", "orientation", "dip direction [deg]", "Angle to bedding",
+                            "Inclination from core axis [°]"}) {
+    EXPECT_EQ(head_of(angle).kind, Column::other) << angle;
+    EXPECT_TRUE(head_of(angle).speaks_of_angles) << angle;
+  }
+  for (const char* other : {"Sample", "Specimens", "No.", "D [mm]", "Height (mm)", "Load (kN)", "c_sd [MPa]",
+                            "phi_sd", "Is50 [MPa]", "Is(50) [MPa]", "UCS (MPa) residual", "UCS (MPa) dry",
+                            "E (MPa) x 10^4", "E/10^4 MPa", "E [GPa] ± SD", "Vp (km/s)", ""}) {
     EXPECT_EQ(head_of(other).kind, Column::other) << other;
+    EXPECT_FALSE(head_of(other).speaks_of_angles) << other;
+  }
+  EXPECT_EQ(head_of("Is(50) [MPa]").unit, "MPa");
+  EXPECT_EQ(head_of("density (g/cm³)").unit, "g/cm³");
 }
 
 TEST(RockColumns, ModuliSayHowTheyWereRead) {

@@ -376,6 +376,9 @@ class RockReader {
   }
   /// A header may say what E is; the file may not say otherwise.
   void settle_E_is(const Readings& readings) {
+    if (readings.E_title == "E50" && !is_given("E_is"))
+      rock_.notes.push_back(
+          fmt::format("E50 is taken as \"{}\"; a secant is E_is = \"secant 50 %\"", to_string(rock_.E_is)));
     if (!readings.E_is || !file_.is_known("E_is")) return;
     if (!is_given("E_is")) {
       rock_.E_is = *readings.E_is;
@@ -434,8 +437,10 @@ const Schema& rock_schema() {
 }
 
 Rock read_rock(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".csv" || ending == ".xlsx" || ending == ".xls")
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".csv" || ending == ".tsv" || ending == ".xlsx" || ending == ".xls")
     throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
                              fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
   Rock rock;
@@ -482,7 +487,8 @@ std::string rock_template(const std::string& name, const std::string& table) {
          "# sheet = \"Results\"             # of a workbook; default: the first\n"
          "\n"
          "[bedding]\n"
-         "spacing = \"5 mm\"               # of bedding or foliation, as seen on the specimens\n"
+         "# spacing = \"5 mm\"             # of bedding or foliation, as seen on the specimens; 5 mm is a "
+         "guess\n"
          "\n"
          "[specimen]                      # of the compression tests\n"
          "width = \"38 mm\"\n"

@@ -15,6 +15,7 @@
 #include "base/units.hpp"
 #include "io/rock_columns.hpp"
 #include "io/table.hpp"
+#include "io/workbook.hpp"
 #include "theory/jaeger.hpp"
 
 namespace phy::io {
@@ -73,6 +74,9 @@ class ReadingReader {
     if (n_elsewhere_ > 0 && !moduli)
       problems_.push_back({where_, "confining", fmt::format("{:g} MPa", keys_.confining * 1e-6),
                            "E and nu at that pressure", "the table has them at others alone"});
+    if (n_merged_ > 0)
+      notes_.push_back(
+          fmt::format("{} cell(s) merged with the row above count once, in the first row", n_merged_));
     if (n_envelopes_ > 0)
       notes_.push_back(
           fmt::format("c and phi of {} row(s) are read as two strengths each, inside confining_min to "
@@ -99,6 +103,7 @@ class ReadingReader {
   std::vector<std::string>& notes_;
   std::vector<Head> heads_;
   std::vector<RockReading> readings_;
+  int n_merged_ = 0;     // cells that are one with that above
   int n_assumed_ = 0;    // values with an SD of an unknown number of specimens
   int n_envelopes_ = 0;  // rows with c and phi
   int n_elsewhere_ = 0;  // E and nu under another pressure than the one asked for
@@ -117,11 +122,15 @@ class ReadingReader {
     problems_.push_back({at(table_.header_line), key, value, expected, remedy});
   }
 
-  /// What the user says of a header: our name, and the header as it stands there.
+  /// What the user says of a header: the header, whole or without its unit where no other has that title, and
+  /// our name.
   const std::pair<const std::string, std::string>* said_of(const std::string& cell) const {
     if (const auto whole = keys_.columns.find(cell); whole != keys_.columns.end()) return &*whole;
+    const std::string title = title_of(cell);
+    const auto alike = std::count_if(table_.header.begin(), table_.header.end(),
+                                     [&](const std::string& other) { return title_of(other) == title; });
     for (const auto& said : keys_.columns)
-      if (title_of(said.first) == title_of(cell)) return &said;
+      if (alike == 1 && title_of(said.first) == title) return &said;
     return nullptr;
   }
 
@@ -145,19 +154,23 @@ class ReadingReader {
                        fmt::format("it has: {}", fmt::join(table_.header, ", ")));
   }
 
-  /// Units in a row of their own, below headers that have none.
+  /// Units in a row of their own, below headers that have none: in each column that is read a unit or
+  /// nothing, and somewhere a unit.
   void take_row_of_units() {
-    const auto has_unit = [](const Head& h) { return !h.unit.empty(); };
-    if (table_.rows.empty() || std::any_of(heads_.begin(), heads_.end(), has_unit)) return;
+    if (table_.rows.empty()) return;
     const std::vector<std::string>& cells = table_.rows.front().cells;
-    const auto is_unit = [](const std::string& cell) { return !unit_of_cell(cell).empty(); };
-    const auto may_stand_there = [&](const std::string& cell) {
-      return cell.empty() || cell == "-" || cell == "[-]" || cell == "(-)" || is_unit(cell);
-    };
-    if (std::none_of(cells.begin(), cells.end(), is_unit) ||
-        !std::all_of(cells.begin(), cells.end(), may_stand_there))
-      return;
-    for (std::size_t i = 0; i < heads_.size(); ++i) heads_[i].unit = unit_of_cell(cells[i]);
+    bool any = false;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      if (heads_[i].kind == Column::passed || heads_[i].kind == Column::other) continue;
+      const std::string& cell = cells[i];
+      const bool unit = !unit_of_cell(cell).empty();
+      any = any || unit;
+      if (!unit && !cell.empty() && cell != "-" && cell != "[-]" && cell != "(-)" && cell != "%") return;
+    }
+    if (!any) return;
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (const std::string unit = unit_of_cell(cells[i]); !unit.empty() || cells[i] == "%")
+        heads_[i].unit = unit.empty() ? cells[i] : unit;
     table_.rows.erase(table_.rows.begin());
     notes_.push_back(where_ + ": units stand in a row of their own");
   }
@@ -172,12 +185,6 @@ class ReadingReader {
         passed.push_back(cell);
       } else if (h.kind == Column::other) {
         check_other(i, passed);
-      } else if (h.kind == Column::unclear) {
-        report_problem(
-            cell, "", "an angle that says from where it counts",
-            fmt::format("name it theta (from the horizontal, load upright) or beta (from the load), or "
-                        "write it in the rock file: [columns] \"{}\" = \"beta\"",
-                        h.title));
       } else if (const auto [it, fresh] = seen.emplace(h.name, i); !fresh) {
         check_second(i, it->second);
       } else {
@@ -187,6 +194,10 @@ class ReadingReader {
     }
     if (find(Column::theta) && find(Column::beta))
       report_problem("beta", "", "one convention of angles", "keep theta or beta, not both");
+    if (seen.contains("sigma_1") && seen.contains("deviator"))
+      report_problem("deviator", "", "sigma_1 or the deviator stress",
+                     "pass one of the two over in the rock file: [columns] \"" +
+                         heads_[seen.at("deviator")].title + "\" = \"-\"");
     for (std::size_t i = 0; i < heads_.size(); ++i)
       if (heads_[i].kind == Column::scatter && !find(Column::value, heads_[i].property))
         report_problem(table_.header[i], "", "a column of the values themselves", "");
@@ -194,8 +205,11 @@ class ReadingReader {
       return h.kind == Column::value || h.kind == Column::cohesion;
     });
     if (!any)
-      report_problem("header", "", "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c",
-                     "the rock file can say which is which: [columns] \"peak stress\" = \"UCS\"");
+      report_problem(
+          "header", fmt::format("{}", fmt::join(table_.header, ", ")),
+          "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c",
+          "is this the line of the headers? Take away what stands above it; the rock file can say which "
+          "is which: [columns] \"peak stress\" = \"UCS\"");
     check_envelope_columns();
     // Both conventions are in use, so the conversion is mentioned.
     if (find(Column::beta))
@@ -221,31 +235,62 @@ class ReadingReader {
     }
     const std::string one = "1 " + heads_[i].unit;
     const bool angle = parse_quantity(one, Dimension::angle).ok;
-    if (!angle && !parse_quantity(one, Dimension::pressure).ok) {
+    if (heads_[i].speaks_of_angles && (angle || (heads_[i].unit.empty() && holds_numbers(i)))) {
+      report_problem(
+          cell, "", "an angle that says from where it counts",
+          fmt::format("name it theta (from the horizontal, load upright) or beta (from the load), with its "
+                      "unit, or write it in the rock file: [columns] \"{} [deg]\" = \"beta\"; \"-\" passes "
+                      "it over",
+                      heads_[i].title));
+    } else if (angle || parse_quantity(one, Dimension::pressure).ok) {
+      report_problem(
+          cell, "", fmt::format("a known column: {}", fmt::join(column_names(), ", ")),
+          fmt::format("say in the rock file what it is: [columns] \"{}\" = one of these, or \"-\" to pass it "
+                      "over",
+                      heads_[i].title));
+    } else {
       passed.push_back(cell);
-      return;
     }
-    report_problem(
-        cell, "", fmt::format("a known column: {}", fmt::join(column_names(), ", ")),
-        fmt::format("say in the rock file what it is, or \"-\" to pass it over: [columns] \"{}\" = \"{}\"",
-                    heads_[i].title, angle ? "theta" : "UCS"));
+  }
+  bool holds_numbers(std::size_t column) const {
+    bool any = false;
+    for (const TableRow& row : table_.rows) {
+      const std::string& cell = row.cells[column];
+      double value = 0.0;
+      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+      if (!cell.empty() && (error != std::errc() || end != cell.data() + cell.size())) return false;
+      any = any || !cell.empty();
+    }
+    return any;
   }
   void check_second(std::size_t i, std::size_t first) {
     const Head &a = heads_[first], &b = heads_[i];
-    const bool units = a.title == b.title && a.unit != b.unit;
-    report_problem(
-        table_.header[i], "", "one column of " + b.name,
-        units ? "its units are mixed: " + a.unit + " and " + b.unit
-              : fmt::format("{} is read as that too: the rock file chooses, [columns] \"{}\" = \"{}\"",
-                            table_.header[first], b.title, b.name));
+    const std::string remedy = a.title != b.title ? fmt::format(
+                                                        "{} is read as that too: the rock file chooses, "
+                                                        "[columns] \"{}\" = \"{}\" and \"{}\" = \"-\"",
+                                                        table_.header[first], b.title, b.name, a.title)
+                               : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
+                                                  : "two headers are the same: rename one";
+    report_problem(table_.header[i], "", "one column of " + b.name, remedy);
   }
   void check_unit(std::size_t i) {
     const Head& h = heads_[i];
     const Dimension d = dimension_of(h);
-    // Counts and nu have no unit.
-    if (d == Dimension::none || parse_quantity("1 " + h.unit, d).ok) return;
-    report_problem(table_.header[i], h.unit, "a unit in the header: " + unit_names(d),
-                   "write for example " + h.title + (d == Dimension::angle ? " [deg]" : " [MPa]"));
+    const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
+    if (d == Dimension::none ? bare : parse_quantity("1 " + h.unit, d).ok) return;
+    const std::string otherwise =
+        fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
+    if (d == Dimension::none)
+      report_problem(table_.header[i], h.unit, fmt::format("{} without a unit", h.name),
+                     "write it as a bare number" + otherwise);
+    else
+      report_problem(table_.header[i], h.unit,
+                     fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
+                     "write for example " + h.title +
+                         (d == Dimension::angle                                  ? " [deg]"
+                          : h.property == Property::E && h.kind == Column::value ? " [GPa]"
+                                                                                 : " [MPa]") +
+                         otherwise);
   }
 
   std::ptrdiff_t n_envelope_columns() const {
@@ -266,12 +311,17 @@ class ReadingReader {
     const std::string& cell = row.cells[column];
     value = nan;
     if (cell.empty() || cell == "-") return true;
+    if (row.merged.contains(column) && h.kind != Column::theta && h.kind != Column::beta &&
+        h.kind != Column::confining) {
+      ++n_merged_;  // one value over several rows is one specimen's
+      return true;
+    }
     const Range range = range_of(h);
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
       const bool read = error == std::errc();
-      problems_.push_back({at(row.line), h.title, cell, "a bare number in " + (h.unit.empty() ? "1" : h.unit),
-                           remedy_of(cell, read)});
+      problems_.push_back({at(row.line), h.shown(), cell,
+                           "a bare number in " + (h.unit.empty() ? "1" : h.unit), remedy_of(cell, read)});
       return false;
     }
     if (const Dimension d = dimension_of(h); d != Dimension::none) {
@@ -281,29 +331,54 @@ class ReadingReader {
     }
     const bool whole = h.kind != Column::n || value == std::floor(value);
     if (value >= range.low && value <= range.high && whole) return true;
-    problems_.push_back({at(row.line), h.title, cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
-                         h.kind == Column::theta || h.kind == Column::beta
-                             ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
-                             : ""});
+    const bool angle = h.kind == Column::theta || h.kind == Column::beta;
+    const bool strength = h.kind == Column::value && is_strength(h.property);
+    problems_.push_back({at(row.line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
+                         angle ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
+                         : strength && value < 0.0 ? "strengths are positive, those in tension too"
+                                                   : ""});
     return false;
   }
 
   /// What to do about a cell that is no number; `begins`: with one it begins.
   static std::string remedy_of(const std::string& cell, bool begins) {
+    if (cell == formula_without_value)
+      return "its value was not saved: open the workbook in the spreadsheet and save it";
     if (begins && std::isalpha(static_cast<unsigned char>(cell.back())) != 0)  // "45 GPa"
       return "units stand in the header only: mixed units are not read";
     const bool day = cell.size() == 10 && cell[4] == '-' && cell[7] == '-';
-    return day ? "a day of the calendar: did the spreadsheet take 1.5 for the first of May? Type it again in "
-                 "a "
-                 "cell that has the format of a number"
-               : "leave the cell empty where nothing was measured";
+    return day ? "a day or an hour: did the spreadsheet take 1.5 for the first of May? Type it again in a "
+                 "cell that has "
+                 "the format of a number"
+               : "write digits and a point alone, no sign, limit, +- or blanks between digits; leave the "
+                 "cell empty "
+                 "only where nothing was measured";
+  }
+
+  /// A row that holds nothing of what is read: blank, or a remark.
+  bool is_empty(const TableRow& row) const {
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      if (heads_[i].kind != Column::other && heads_[i].kind != Column::passed && !row.cells[i].empty() &&
+          !row.merged.contains(i))
+        return false;
+    return true;
   }
 
   void read_row(const TableRow& row, double confining) {
+    if (is_empty(row)) return;
+    if (const auto word = std::find_if(row.cells.begin(), row.cells.end(), is_summary);
+        word != row.cells.end()) {
+      problems_.push_back(
+          {at(row.line), "", *word, "a row of specimens",
+           "take it out: specimens and their mean would count twice; of means alone give SD in a "
+           "column ..._sd and their number in n"});
+      return;
+    }
     std::vector<double> v(heads_.size(), nan);
     bool good = true;
     for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (heads_[i].kind != Column::other) good = number(row, i, v[i]) && good;
+      if (heads_[i].kind != Column::other && heads_[i].kind != Column::passed)
+        good = number(row, i, v[i]) && good;
     RockReading r;
     r.line = row.line;
     const auto theta = find(Column::theta), beta = find(Column::beta), n = find(Column::n);

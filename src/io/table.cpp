@@ -101,6 +101,7 @@ class Reader {
   void take_line(std::string_view line, int number) {
     const std::string text = trimmed(line);
     if (text.empty() || text.front() == '#') return;
+    if (table_.header_line == 0 && is_above_header(text, number)) return;
     if (!is_text(std::string(line))) {
       table_.problems.push_back({at(number), "", "", "text in UTF-8 without control characters",
                                  "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")"});
@@ -113,6 +114,8 @@ class Reader {
       split(line, delimiter_, table_.header);
       return;
     }
+    if (line.find_first_not_of(std::string(" \t\r") + delimiter_) == line.npos)
+      return;  // blank in every cell
     TableRow row{number, {}};
     if (!split(line, delimiter_, row.cells)) {
       table_.problems.push_back({at(number), "", trimmed(line.substr(0, 60)), "closed quotes", ""});
@@ -126,6 +129,21 @@ class Reader {
     } else {
       table_.rows.push_back(std::move(row));
     }
+  }
+  /// "sep=;", which spreadsheets write for each other, and a title: a line without a delimiter above one that
+  /// has several.
+  bool is_above_header(const std::string& line, int number) {
+    if (line.size() == 5 && line.starts_with("sep=")) return true;
+    const auto n_delimiters = [](std::string_view s) {
+      return std::count_if(s.begin(), s.end(), [](char c) { return c == ',' || c == ';' || c == '\t'; });
+    };
+    const std::size_t from = std::min(text_.find('\n'), text_.size());
+    std::string_view rest = text_.substr(std::min(from + 1, text_.size()));
+    while (!rest.empty() && trimmed(rest.substr(0, rest.find('\n'))).empty())
+      rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
+    if (n_delimiters(line) > 0 || n_delimiters(rest.substr(0, rest.find('\n'))) < 2) return false;
+    table_.notes.push_back("line " + std::to_string(number) + ", a title, is passed over");
+    return true;
   }
   void choose_delimiter(std::string_view header) {
     std::string found;
@@ -154,9 +172,9 @@ class Reader {
       table_.problems.push_back(
           {at(std::max(comma_line, point_line)), "", "", "decimal commas or decimal points, not both",
            "line " + std::to_string(std::min(comma_line, point_line)) + " writes the other"});
-    if (delimiter_ == ';')
-      table_.notes.emplace_back(comma_line != 0 ? "cells are separated by semicolons, with decimal commas"
-                                                : "cells are separated by semicolons");
+    const std::string between = delimiter_ == ';' ? "semicolons" : "tabs";
+    table_.notes.push_back("cells are separated by " + between +
+                           (comma_line != 0 ? ", with decimal commas" : ""));
   }
 };
 
@@ -187,8 +205,8 @@ Table parse_table(std::string_view bytes, const std::string& where, const std::s
   Table none;
   none.where = where;
   if (sheet.empty())
-    none.problems.push_back({where, "", "a workbook of before 2007 (.xls)", "a workbook (.xlsx) or CSV",
-                             "save it anew in one of these formats"});
+    none.problems.push_back({where, "", "a workbook of before 2007 (.xls), or one with a password",
+                             "a workbook (.xlsx) or CSV", "save it anew in one of these formats"});
   else
     none.problems.push_back(
         {where, "sheet", sheet, "a workbook (.xlsx)", "the table is text: leave sheet out"});

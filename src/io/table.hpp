@@ -1,10 +1,11 @@
 // Tables of other people: text with a delimiter, as spreadsheets of any country write it.
 //
-// Accepted: a byte-order mark, line ends of Windows, tabs, and the pair semicolon + decimal comma (all but
-// tabs are mentioned in the notes). Refused: a header whose delimiter could be two things, decimal points and
-// decimal commas in one table, rows with more or fewer cells than the header, UTF-16. Lines that begin with #
-// are comments; empty lines are skipped. Workbooks (.xlsx) are tables too.
+// Accepted: a byte-order mark, line ends of Windows, tabs or semicolons with decimal commas, a title above
+// the header (all mentioned in the notes), rows without a value. Refused: a header whose delimiter could be
+// two things, decimal points and decimal commas in one table, rows with more or fewer cells than the header,
+// UTF-16. Lines that begin with # are comments; empty lines are skipped. Workbooks (.xlsx) are tables too.
 #pragma once
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,9 @@
 namespace phy::io {
 
 struct TableRow {
-  int line = 0;                    ///< in the file, from 1
-  std::vector<std::string> cells;  ///< without quotes and outer blanks; decimal points
+  int line = 0;                       ///< in the file, from 1
+  std::vector<std::string> cells;     ///< without quotes and outer blanks; decimal points
+  std::set<std::size_t> merged = {};  ///< cells that are one with that of the row above
 };
 
 struct Table {

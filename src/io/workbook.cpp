@@ -19,6 +19,7 @@ namespace phy::io {
 namespace {
 
 constexpr zip_uint64_t most_bytes = 64U << 20U;  // of one XML file
+constexpr int most_used_columns = 256;
 constexpr int most_rows = 1048576,
               most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
 
@@ -113,13 +114,14 @@ std::string trimmed(const std::string& s) {
   return text;
 }
 
-/// Does a number under this format look like a day? Quoted text, colours and [conditions] are no part of it.
+/// Does a number under this format look like a day or an hour? Quoted text, colours and [conditions] are no
+/// part of it.
 bool is_day_format(std::string_view code) {
   bool quoted = false, bracketed = false;
   for (const char c : code) {
     if (c == '"') quoted = !quoted;
     if (c == '[' || c == ']') bracketed = c == '[';
-    if (!quoted && !bracketed && (c == 'd' || c == 'y' || c == 'D' || c == 'Y')) return true;
+    if (!quoted && !bracketed && std::string_view("dyhDYH").find(c) != std::string_view::npos) return true;
   }
   return false;
 }
@@ -130,7 +132,9 @@ std::set<int> day_looks(const Archive& archive) {
   std::set<int> looks;
   if (!archive.read("xl/styles.xml", document)) return looks;
   const pugi::xml_node sheet = child(document, "styleSheet");
-  std::set<int> days = {14, 15, 16, 17, 22};  // built in (ECMA-376 part 1, 18.8.30)
+  std::set<int> days;  // formats; built in are 14 to 22 and 45 to 47, in East Asia 27 to 36 and 50 to 58
+  for (const auto& [from, to] : {std::pair{14, 22}, {27, 36}, {45, 47}, {50, 58}})
+    for (int id = from; id <= to; ++id) days.insert(id);
   each_child(child(sheet, "numFmts"), "numFmt", [&](pugi::xml_node f) {
     if (is_day_format(f.attribute("formatCode").value())) days.insert(f.attribute("numFmtId").as_int());
   });
@@ -155,7 +159,9 @@ std::string day_of(const std::string& number) {
 
 struct Sheet {
   std::map<int, std::map<int, std::string>> rows;  // cells that are not empty, by row and column
+  std::map<int, std::set<int>> merged;             // columns that a row shares with the row above
   std::set<int> hidden;                            // rows
+  int hidden_columns = 0;
 };
 
 class WorkbookReader {
@@ -198,6 +204,8 @@ class WorkbookReader {
     });
     std::vector<std::pair<std::string, std::string>> sheets;  // name and file
     each_child(child(child(book, "workbook"), "sheets"), "sheet", [&](pugi::xml_node sheet) {
+      const bool hidden = std::string_view(sheet.attribute("state").value()).ends_with("idden");
+      if (hidden && wanted_ != sheet.attribute("name").value()) return;
       for (const pugi::xml_attribute a : sheet.attributes())
         if (const std::string_view name = a.name(); name == "r:id" || name.ends_with(":id"))
           sheets.emplace_back(sheet.attribute("name").value(), files[a.value()]);
@@ -252,6 +260,10 @@ class WorkbookReader {
         if (!text.empty()) sheet_.rows[row][column] = is_day(c, days) ? day_of(text) : text;
       });
     });
+    each_child(child(sheet, "cols"), "col", [&](pugi::xml_node c) {
+      const int from = c.attribute("min").as_int(), to = std::min(c.attribute("max").as_int(), most_columns);
+      if (c.attribute("hidden").as_bool() && from >= 1 && from <= to) sheet_.hidden_columns += to - from + 1;
+    });
     each_child(child(sheet, "mergeCells"), "mergeCell",
                [&](pugi::xml_node merged) { fill_merged(merged.attribute("ref").value()); });
     return true;
@@ -263,6 +275,8 @@ class WorkbookReader {
   static std::string content(pugi::xml_node c, const std::vector<std::string>& texts) {
     const std::string_view type = c.attribute("t").value();
     const std::string value = child(c, "v").text().get();
+    if (value.empty() && child(c, "f")) return formula_without_value;
+    if (type == "b") return value == "1" ? "TRUE" : "FALSE";
     if (type == "inlineStr") return text_of(child(c, "is"));
     if (type == "s") {
       std::size_t i = texts.size();
@@ -287,7 +301,7 @@ class WorkbookReader {
     const std::string cell = row->second.at(from.column);
     // Only rows that hold something else: below the table a merged cell says nothing.
     for (auto r = std::next(row); r != sheet_.rows.end() && r->first <= to.row; ++r)
-      r->second.emplace(from.column, cell);
+      if (r->second.emplace(from.column, cell).second) sheet_.merged[r->first].insert(from.column);
   }
 
   /// The table in the sheet: header, width, end.
@@ -301,24 +315,25 @@ class WorkbookReader {
     }
     if (header != sheet_.rows.begin())
       table_.notes.push_back(fmt::format("what stands above row {} is passed over", header->first));
-    table_.header_line = header->first;
     const int first = header->second.begin()->first, last = header->second.rbegin()->first;
+    if (last - first >= most_used_columns) {
+      refuse(fmt::format("headers from column {} to {}", column_letters(first), column_letters(last)),
+             fmt::format("at most {} columns side by side", most_used_columns),
+             "clear what stands far to the right");
+      return;
+    }
+    table_.header_line = header->first;
     for (int column = first; column <= last; ++column)
       table_.header.push_back(header->second.contains(column) ? header->second[column] : "");
     std::set<int> hidden;
-    int beside = 0, row = header->first;
-    auto it = std::next(header);
-    for (; it != sheet_.rows.end() && it->first == row + 1; ++it) {
-      row = it->first;
-      add_row(row, it->second, first, last, beside);
-      if (sheet_.hidden.contains(row)) hidden.insert(row);
+    int beside = 0;
+    for (auto it = std::next(header); it != sheet_.rows.end(); ++it) {
+      add_row(it->first, it->second, first, last, beside);
+      if (sheet_.hidden.contains(it->first)) hidden.insert(it->first);
     }
-    if (it != sheet_.rows.end())
-      table_.notes.push_back(fmt::format(
-          "the table ends with row {}: below an empty one, row {} and what follows are passed over", row,
-          it->first));
     if (beside > 0)
       table_.notes.push_back(fmt::format("{} cell(s) beside the table are passed over", beside));
+    if (sheet_.hidden_columns > 0) table_.notes.push_back("hidden columns are read too");
     if (!hidden.empty())
       table_.notes.push_back(
           fmt::format("{} hidden row(s) are read too: {}", hidden.size(), fmt::join(hidden, ", ")));
@@ -337,13 +352,16 @@ class WorkbookReader {
         table_.problems.push_back({at(row), "column " + column_letters(column), "",
                                    "text in UTF-8 without control characters", ""});
       with_point(made.cells.back());
+      if (const auto shared = sheet_.merged.find(row);
+          shared != sheet_.merged.end() && shared->second.contains(column))
+        made.merged.insert(static_cast<std::size_t>(column - first));
     }
     if (std::any_of(made.cells.begin(), made.cells.end(), [](const auto& c) { return !c.empty(); }))
       table_.rows.push_back(std::move(made));
   }
-  /// A number that was typed as text, with a comma.
+  /// A number that was typed as text, with a comma; "45,000" may be either.
   void with_point(std::string& cell) {
-    if (!is_comma_number(cell)) return;
+    if (!is_comma_number(cell) || cell.size() - cell.find(',') == 4) return;
     cell[cell.find(',')] = '.';
     ++n_commas_;
   }

@@ -2,8 +2,8 @@
 // archive of XML files; libzip opens the one, pugixml reads the others.
 //
 // What of a sheet is the table: the header is the first row with two cells that are not empty (a title above
-// it has one), the table is as wide as it and ends above the first empty row. Cells merged over several rows
-// hold their value in each of them. Of formulas the value counts that the spreadsheet saved last.
+// it has one), the table is as wide as it. Cells merged over several rows hold their value in each of them,
+// marked. Of formulas the value counts that the spreadsheet saved last.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,6 +11,9 @@
 #include "io/table.hpp"
 
 namespace phy::io {
+
+/// What stands in a cell whose formula was saved without its value.
+constexpr const char* formula_without_value = "a formula";
 
 /// Does a file begin as ZIP archives do?
 bool is_archive(std::string_view bytes);

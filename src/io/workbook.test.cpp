@@ -72,13 +72,15 @@ TEST(WorkbookOfOtherPrograms, OfOpenpyxlWithATitleAndMergedAngles) {
   EXPECT_EQ(t.header_line, 3);
   EXPECT_THAT(t.header, ElementsAre("Sample", "β (°)", "E50 (GPa)", "ν", "σc (MPa)", "σt, MPa",
                                     "Density (g/cm³)", "Remark"));
-  ASSERT_THAT(t.rows, SizeIs(6));
+  ASSERT_THAT(t.rows, SizeIs(7));  // with the remark below an empty row
   EXPECT_EQ(t.rows[1].line, 5);
+  EXPECT_THAT(t.rows[1].merged, ElementsAre(1U));
+  EXPECT_THAT(t.rows[0].merged, IsEmpty());
   EXPECT_THAT(t.rows[1].cells, ElementsAre("A2", "0", "55.1", "0.22", "117", "", "2.7", ""));
   EXPECT_EQ(t.rows[3].cells[1], "30");
   EXPECT_THAT(t.notes, Contains("the first of its sheets is read: Results, Raw"));
   EXPECT_THAT(t.notes, Contains("what stands above row 3 is passed over"));
-  EXPECT_THAT(t.notes, Contains(HasSubstr("the table ends with row 9")));
+  EXPECT_EQ(t.rows[6].line, 11);
 }
 
 TEST(WorkbookOfOtherPrograms, OfXlsxwriterWithFormulaDayAndCommaInText) {
@@ -104,7 +106,31 @@ TEST_F(Workbook, NumbersAreThoseThatWereTyped) {
                         R"(<row><c><v>45.200000000000003</v></c><c t="b"><v>1</v></c></row></sheetData>)");
   ASSERT_THAT(t.rows, SizeIs(1));
   EXPECT_EQ(t.rows[0].line, 2);
-  EXPECT_THAT(t.rows[0].cells, ElementsAre("45.2", "1"));
+  EXPECT_THAT(t.rows[0].cells, ElementsAre("45.2", "TRUE"));
+}
+
+TEST_F(Workbook, AFormulaWithoutItsValueIsNoEmptyCell) {
+  const Table t =
+      sheet("<sheetData>" + row(1, "a|b|c") +
+            "<row><c><f>2*3</f><v>6</v></c><c><f>2*3</f></c><c><f>2*3</f><v></v></c></row></sheetData>");
+  ASSERT_THAT(t.rows, SizeIs(1));
+  EXPECT_THAT(t.rows[0].cells, ElementsAre("6", "a formula", "a formula"));
+}
+
+TEST_F(Workbook, TextsThatMayBeThousandsAreLeft) {
+  const Table t = sheet("<sheetData>" + row(1, "a|b") + row(2, "45,000|1,5") + "</sheetData>");
+  EXPECT_THAT(t.rows[0].cells, ElementsAre("45,000", "1.5"));
+}
+
+TEST_F(Workbook, HoursAreNoNumbersAndHiddenSheetsAndColumnsAreSeen) {
+  Parts parts;
+  parts["xl/styles.xml"] =
+      R"(<styleSheet><cellXfs><xf numFmtId="0"/><xf numFmtId="20"/></cellXfs></styleSheet>)";
+  const Table t = sheet("<cols><col min=\"2\" max=\"2\" hidden=\"1\"/></cols><sheetData>" + row(1, "a|b") +
+                            R"(<row><c s="1"><v>0.0625</v></c><c><v>1</v></c></row></sheetData>)",
+                        parts);
+  EXPECT_EQ(t.rows[0].cells[0], "1899-12-30");
+  EXPECT_THAT(t.notes, Contains("hidden columns are read too"));
 }
 
 TEST_F(Workbook, SharedTextsInRunsAndNamesWithPrefixes) {
@@ -148,6 +174,12 @@ TEST_F(Workbook, WhatIsNoneIsRefused) {
               Contains(HasSubstr("before 2007")));
   EXPECT_THAT(lines(parse_table("a,b\n1,2\n", "t.csv", "Raw").problems),
               Contains(HasSubstr("leave sheet out")));
+}
+
+TEST_F(Workbook, AStrayCellFarToTheRightIsTold) {
+  const Table t =
+      sheet("<sheetData><row r=\"1\"><c r=\"A1\"><v>1</v></c><c r=\"XFD1\"><v>1</v></c></row></sheetData>");
+  EXPECT_THAT(lines(t.problems), Contains(HasSubstr("headers from column A to XFD")));
 }
 
 TEST_F(Workbook, AFileThatUnpacksToGigabytesIsNotUnpacked) {
