@@ -1,7 +1,9 @@
 #include "genesis/cache.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -63,6 +65,13 @@ std::string to_text(const std::string& key, const Packing& p) {
   return text + std::string(last_line) + fingerprint(text) + "\n";
 }
 
+/// A checksum says that a file is as it was written, not that a packing was written.
+bool is_packing(const Packing& p) {
+  const auto is_disc = [](const Disc& d) { return std::isfinite(d.x + d.y + d.r) && d.r > 0.0; };
+  return std::isfinite(p.width + p.height) && p.width > 0.0 && p.height > 0.0 && !p.discs.empty() &&
+         std::all_of(p.discs.begin(), p.discs.end(), is_disc) && packing_hash(p.discs) == p.hash;
+}
+
 std::optional<Packing> from_text(const std::string& text, const std::string& key) {
   if (!is_whole(text)) return {};
   std::istringstream in(text);
@@ -78,6 +87,7 @@ std::optional<Packing> from_text(const std::string& text, const std::string& key
   p.discs.resize(n);
   for (Disc& d : p.discs)
     if (!read_hex(in, d.x) || !read_hex(in, d.y) || !read_hex(in, d.r)) return {};
+  if (!is_packing(p)) return {};
   return p;
 }
 

@@ -28,6 +28,13 @@ class Cache : public InFolder {
   }
   std::string key() const { return packing_key(recipe.specimen, recipe.packing, recipe.matrix); }
   fs::path file() const { return cache_file(cache, key()); }
+  /// The text in place of the file, with a fingerprint that fits.
+  void write_fitting(std::string text) const {
+    text.resize(text.rfind("end "));
+    Hash h;
+    h.add(std::string_view(text));
+    write(file(), text + "end " + h.text() + "\n");
+  }
 
   const fs::path cache = folder / "cache";
   Recipe recipe;
@@ -55,14 +62,21 @@ TEST_F(Cache, IsReallyRead) {
   get();
   // Another specimen height, with a fitting fingerprint: only reading can tell.
   std::string text = read(file());
-  text.resize(text.rfind("end "));
   const std::size_t line = text.find('\n', text.find('\n') + 1) + 1;
   const std::size_t height = text.find(' ', line) + 1;
   text.replace(height, text.find(' ', height) - height, "1p+3");
-  Hash h;
-  h.add(std::string_view(text));
-  write(file(), text + "end " + h.text() + "\n");
+  write_fitting(text);
   EXPECT_EQ(get()->height, 8.0);
+}
+
+TEST_F(Cache, TakesNoDiscsThatAreNone) {
+  const std::string hash = get()->hash, whole = read(file());
+  const std::size_t end = whole.rfind("end "), radius = whole.rfind(' ', end) + 1;
+  for (const char* odd : {"nan", "-1p-12", "0", "1p-12"}) {  // the last is one, of another packing
+    write_fitting(whole.substr(0, radius) + odd + "\n" + whole.substr(end));
+    EXPECT_EQ(get()->hash, hash) << odd;
+    EXPECT_EQ(read(file()), whole) << odd;
+  }
 }
 
 TEST_F(Cache, MakesADamagedFileAnew) {
