@@ -596,6 +596,11 @@ TEST_F(RockFile, UnitsMayStandInARowOfTheirOwn) {
   EXPECT_EQ(r.readings[0].line, 3);
 }
 
+TEST_F(RockFile, ARowOfUnitsMayNotContradictTheHeader) {
+  EXPECT_THAT(problems("theta,E [MPa],w\ndeg,GPa,%\n0,23,1\n45,20,1\n90,59,1\n"),
+              Contains(AllOf(HasSubstr("E [MPa] = GPa"), HasSubstr("one unit"))));
+}
+
 TEST_F(RockFile, TheUserSaysWhatAColumnHolds) {
   const std::string csv = "angle [deg],UCS [MPa],Festigkeit,spread [MPa]\n0,1,105,5\n45,1,53,4\n90,1,138,7\n";
   EXPECT_THAT(problems(csv), AllOf(Contains(HasSubstr("an angle that says from where it counts")),

@@ -168,9 +168,14 @@ class ReadingReader {
       if (!unit && !cell.empty() && cell != "-" && cell != "[-]" && cell != "(-)" && cell != "%") return;
     }
     if (!any) return;
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (const std::string unit = unit_of_cell(cells[i]); !unit.empty() || cells[i] == "%")
-        heads_[i].unit = unit.empty() ? cells[i] : unit;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      const std::string known = unit_of_cell(cells[i]), unit = known.empty() && cells[i] == "%" ? "%" : known;
+      std::string& of_head = heads_[i].unit;
+      if (!unit.empty() && !of_head.empty() && unit != of_head)
+        report_problem(table_.header[i], cells[i], "one unit",
+                       "the row below the header has another: correct one");
+      if (of_head.empty()) of_head = unit;
+    }
     table_.rows.erase(table_.rows.begin());
     notes_.push_back(where_ + ": units stand in a row of their own");
   }

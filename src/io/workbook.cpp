@@ -193,8 +193,9 @@ class WorkbookReader {
     pugi::xml_document book, links;
     if (!archive_.read("xl/workbook.xml", book) || !archive_.read("xl/_rels/workbook.xml.rels", links)) {
       const bool open_document = archive_.has("content.xml");
-      refuse(open_document ? "an OpenDocument spreadsheet" : "an archive that is no workbook",
-             "a workbook (.xlsx) or CSV", "save it anew in one of these formats");
+      refuse(
+          open_document ? "an OpenDocument spreadsheet" : "an archive that is no workbook, or a damaged one",
+          "a workbook (.xlsx) or CSV", "save it anew in one of these formats");
       return {};
     }
     std::map<std::string, std::string> files;
