@@ -226,13 +226,14 @@ std::pair<std::string, std::string> split_head(const std::string& cell) {
   return {title, ""};
 }
 
-/// A title in brackets and without: "compressive strength (UCS)" is both.
+/// What a title may say: "compressive strength (UCS)" its words, or what stands in brackets. A letter or two
+/// there may be anything: "porosity (n)".
 std::vector<std::string> readings_of(const std::string& title) {
   std::vector<std::string> all = {title};
   const std::size_t open = title.find_first_of("[("), close = title.find_first_of("])", open);
   if (open == title.npos || close == title.npos) return all;
   all.push_back(title.substr(0, open) + title.substr(close + 1));
-  all.push_back(title.substr(open + 1, close - open - 1));
+  if (close - open > 3) all.push_back(title.substr(open + 1, close - open - 1));
   return all;
 }
 

@@ -41,6 +41,7 @@ TEST(RockColumns, AreKnownByTheNamesOfLaboratories) {
                         Case{"Young’s modulus (E) [GPa]", Column::value, "E", "GPa"},
                         Case{"Uniaxial compressive strength (UCS), Mpa", Column::value, "UCS", "MPa"},
                         Case{"Bedding inclination (θ) [º]", Column::theta, "theta", "deg"},
+                        Case{"Dry strength (UCS) [MPa]", Column::value, "UCS", "MPa"},
                         Case{"UCS (MPa) mean", Column::value, "UCS", "MPa"},
                         Case{"UCS (MPa) SD", Column::scatter, "UCS_sd", "MPa"},
                         Case{"E (GPa) dynamic", Column::value, "E", "GPa"},
@@ -74,9 +75,26 @@ TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
     EXPECT_EQ(head_of(angle).kind, Column::other) << angle;
     EXPECT_TRUE(head_of(angle).speaks_of_angles) << angle;
   }
-  for (const char* other : {"Sample", "Specimens", "No.", "D [mm]", "Height (mm)", "Load (kN)", "c_sd [MPa]",
-                            "phi_sd", "Is50 [MPa]", "Is(50) [MPa]", "UCS (MPa) residual", "UCS (MPa) dry",
-                            "E (MPa) x 10^4", "E/10^4 MPa", "E [GPa] ± SD", "Vp (km/s)", ""}) {
+  for (const char* other : {"Sample",
+                            "Specimens",
+                            "No.",
+                            "D [mm]",
+                            "Height (mm)",
+                            "Load (kN)",
+                            "c_sd [MPa]",
+                            "phi_sd",
+                            "Is50 [MPa]",
+                            "Is(50) [MPa]",
+                            "UCS (MPa) residual",
+                            "UCS (MPa) dry",
+                            "E (MPa) x 10^4",
+                            "E/10^4 MPa",
+                            "E [GPa] ± SD",
+                            "Vp (km/s)",
+                            "Porosity (n)",
+                            "Void ratio (e)",
+                            "Load at failure (q)",
+                            ""}) {
     EXPECT_EQ(head_of(other).kind, Column::other) << other;
     EXPECT_FALSE(head_of(other).speaks_of_angles) << other;
   }
