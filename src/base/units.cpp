@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/trimmed.hpp"
+
 namespace phy {
 namespace {
 
@@ -31,12 +33,6 @@ constexpr Unit units[] = {
 };
 
 constexpr const char* beyond = "is larger or smaller than a number can be";
-
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
-  while (!s.empty() && (s.back() == ' ' || s.back() == '\t')) s.remove_suffix(1);
-  return s;
-}
 
 bool same_but_for_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -138,14 +134,14 @@ std::string inner_unit(Dimension dimension) {
 }
 
 Quantity parse_quantity(std::string_view text, Dimension dimension, double usual) {
-  std::string_view s = trimmed(text);
+  std::string_view s = trimmed(text, " \t");
   if (s.size() > 1 && s.front() == '+' && s[1] != '-') s.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), number);
   if (error == std::errc::invalid_argument || !std::isfinite(number))
     return {false, 0.0, "does not start with a number"};
   const auto length = static_cast<std::size_t>(end - s.data());
-  const std::string_view unit = trimmed(s.substr(length));
+  const std::string_view unit = trimmed(s.substr(length), " \t");
   if (dimension == Dimension::none)
     return unit.empty()
                ? Quantity{error == std::errc(), unsigned_zero(number), error == std::errc() ? "" : beyond}

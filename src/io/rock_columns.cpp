@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "base/trimmed.hpp"
+
 namespace phy::io {
 namespace {
 
@@ -155,10 +157,7 @@ bool contains(const List& list, const std::string& key) {
   return std::find(list.begin(), list.end(), key) != list.end();
 }
 
-std::string trimmed(std::string_view s, std::string_view of = " \t") {
-  const std::size_t from = s.find_first_not_of(of), to = s.find_last_not_of(of);
-  return from == s.npos ? "" : std::string(s.substr(from, to - from + 1));
-}
+std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
 
 /// The program's word for a unit; nothing for what is no unit of a table.
 std::string unit_word(std::string text) {
@@ -184,16 +183,16 @@ std::string take_units(std::string cell, std::string& unit) {
        open = cell.find_first_of("[(", open)) {
     const std::size_t close = cell.find_first_of("])", open);
     if (close == cell.npos) break;
-    const std::string inside = trimmed(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
+    const std::string inside = bare(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
     const bool counts = inside.empty() || inside == "-" || inside == "1" || inside == "%";
     if (known.empty() && !counts) {
       ++open;
       continue;
     }
     unit = known.empty() ? inside : known;
-    cell = trimmed(cell.substr(0, open)) + " " + trimmed(cell.substr(close + 1));
+    cell = bare(cell.substr(0, open)) + " " + bare(cell.substr(close + 1));
   }
-  return trimmed(cell);
+  return bare(cell);
 }
 
 bool take_name(const std::string& key, Head& h);
@@ -207,22 +206,22 @@ bool is_name(const std::string& key) {
 std::pair<std::string, std::string> split_head(const std::string& cell) {
   std::string unit;
   std::string title = take_units(cell, unit);
-  if (!unit.empty() || title != trimmed(cell)) return {title, unit};
+  if (!unit.empty() || title != bare(cell)) return {title, unit};
   for (const std::string degree : {"°", "º"})
-    if (title.ends_with(degree)) return {trimmed(title.substr(0, title.size() - degree.size())), "deg"};
+    if (title.ends_with(degree)) return {bare(title.substr(0, title.size() - degree.size())), "deg"};
   // "N/mm2" holds a separator itself: the tail that begins a word earlier is tried too.
   for (std::size_t at = title.find_last_of("_ ,;/"); at != title.npos && at > 0;
        at = title.find_last_of("_ ,;/", at - 1)) {
     if (unit = unit_word(title.substr(at + 1)); !unit.empty())
-      return {trimmed(title.substr(0, at), " \t_,;/"), unit};
+      return {bare(title.substr(0, at), " \t_,;/"), unit};
     if (title[at] != '/') break;
   }
   // A unit of none of our columns, "[km/s]": the last brackets hold it.
   const std::size_t open = title.find_last_of("[("), close = title.find_last_of("])");
   if (open != title.npos && open > 0 && close == title.size() - 1 && close > open)
-    if (const std::string inside = trimmed(title.substr(open + 1, close - open - 1));
+    if (const std::string inside = bare(title.substr(open + 1, close - open - 1));
         (inside.find('/') != inside.npos || inside.size() <= 2) && !is_name(key_of(inside)))
-      return {trimmed(title.substr(0, open)), inside};
+      return {bare(title.substr(0, open)), inside};
   return {title, ""};
 }
 
@@ -263,11 +262,11 @@ bool take_name(const std::string& key, Head& h) {
 
 /// "mean UCS" is UCS; how far the errors of c and phi go together no table says.
 void take_reading(const std::string& key, Head& h) {
-  const std::string bare = key.starts_with("mean") ? key.substr(4)
+  const std::string name = key.starts_with("mean") ? key.substr(4)
                            : key.ends_with("mean") ? key.substr(0, key.size() - 4)
                                                    : key;
   const std::string of = without_scatter(key);
-  if (take_name(bare, h) || of.empty() || !take_name(of, h)) return;
+  if (take_name(name, h) || of.empty() || !take_name(of, h)) return;
   const bool scatters = h.kind == Column::value;
   h.kind = scatters ? Column::scatter : Column::other;
   h.name = scatters ? h.name + "_sd" : key, h.deviatoric = false, h.E_is.reset();
@@ -304,7 +303,7 @@ bool is_summary(const std::string& cell) {
 std::string title_of(const std::string& cell) { return split_head(cell).first; }
 
 std::string unit_of_cell(const std::string& cell) {
-  return unit_word(cell.starts_with('[') || cell.starts_with('(') ? trimmed(cell, "[]() \t") : cell);
+  return unit_word(cell.starts_with('[') || cell.starts_with('(') ? bare(cell, "[]() \t") : cell);
 }
 
 Dimension dimension_of(const Head& h) {

@@ -4,16 +4,11 @@
 #include <cctype>
 
 #include "base/quote.hpp"
+#include "base/trimmed.hpp"
 #include "io/workbook.hpp"
 
 namespace phy::io {
 namespace {
-
-std::string trimmed(std::string_view s) {
-  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.front())) != 0) s.remove_prefix(1);
-  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.back())) != 0) s.remove_suffix(1);
-  return std::string(s);
-}
 
 /// Cells of a line; a quoted cell may hold the delimiter, and "" for a quote. False: quotes left open.
 bool split(std::string_view line, char delimiter, std::vector<std::string>& cells) {
@@ -26,11 +21,11 @@ bool split(std::string_view line, char delimiter, std::vector<std::string>& cell
     else if (line[i] == '"')
       quoted = !quoted;
     else if (line[i] == delimiter && !quoted)
-      cells.push_back(trimmed(cell)), cell.clear();
+      cells.emplace_back(trimmed(cell)), cell.clear();
     else
       cell += line[i];
   }
-  cells.push_back(trimmed(cell));
+  cells.emplace_back(trimmed(cell));
   return !quoted;
 }
 
@@ -99,7 +94,7 @@ class Reader {
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   void take_line(std::string_view line, int number) {
-    const std::string text = trimmed(line);
+    const std::string text(trimmed(line));
     if (text.empty() || text.front() == '#') return;
     if (table_.header_line == 0 && is_above_header(text, number)) return;
     if (!is_text(std::string(line))) {
@@ -118,7 +113,8 @@ class Reader {
       return;  // blank in every cell
     TableRow row{number, {}};
     if (!split(line, delimiter_, row.cells)) {
-      table_.problems.push_back({at(number), "", trimmed(line.substr(0, 60)), "closed quotes", ""});
+      table_.problems.push_back(
+          {at(number), "", std::string(trimmed(line.substr(0, 60))), "closed quotes", ""});
     } else if (row.cells.size() != table_.header.size()) {
       // The usual cause of too many cells: 1,5 read as two.
       const bool commas = delimiter_ == ',' && row.cells.size() > table_.header.size();
@@ -152,7 +148,7 @@ class Reader {
     // A single column needs no delimiter. With several candidates the last is assumed, and reported.
     delimiter_ = found.empty() ? ',' : found.back();
     if (found.size() > 1)
-      table_.problems.push_back({at(table_.header_line), "", trimmed(header.substr(0, 80)),
+      table_.problems.push_back({at(table_.header_line), "", std::string(trimmed(header.substr(0, 80))),
                                  "one delimiter: comma, semicolon or tab",
                                  "the header holds two of them; quote names that contain one"});
   }

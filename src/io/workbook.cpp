@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/quote.hpp"
+#include "base/trimmed.hpp"
 #include "base/units.hpp"
 
 namespace phy::io {
@@ -106,9 +107,9 @@ std::string column_letters(int column) {
   return letters;
 }
 
-std::string trimmed(const std::string& s) {
-  const std::size_t from = s.find_first_not_of(" \t\r\n"), to = s.find_last_not_of(" \t\r\n");
-  std::string text = from == s.npos ? "" : s.substr(from, to - from + 1);
+/// The text of a cell on one line.
+std::string one_line(const std::string& s) {
+  std::string text(trimmed(s));
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return text;
@@ -257,7 +258,7 @@ class WorkbookReader {
         Place place{row, column + 1};
         if (const pugi::xml_attribute a = c.attribute("r"); a && !parse_place(a.value(), place)) return;
         column = place.column;
-        const std::string text = trimmed(content(c, texts));
+        const std::string text = one_line(content(c, texts));
         if (!text.empty()) sheet_.rows[row][column] = is_day(c, days) ? day_of(text) : text;
       });
     });

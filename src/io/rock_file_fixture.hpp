@@ -1,0 +1,29 @@
+// For tests of rock files: one with its table in a folder of its own.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/in_folder_fixture.hpp"
+#include "io/rock_in.hpp"
+
+namespace phy::io {
+
+class RockFile : public InFolder {
+ protected:
+  Rock rock(const std::string& csv, const std::string& more = "") const {
+    write("r.csv", csv);
+    return read_rock(write("r.toml", "data = \"r.csv\"\n" + more));
+  }
+  /// All problems of a rock that must be refused, one per line.
+  std::vector<std::string> problems(const std::string& csv, const std::string& more = "") const {
+    std::vector<std::string> lines;
+    try {
+      rock(csv, more);
+    } catch (const InputError& e) {
+      for (const Problem& p : e.problems()) lines.push_back(to_line(p));
+    }
+    return lines;
+  }
+};
+
+}  // namespace phy::io
