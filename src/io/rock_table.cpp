@@ -220,7 +220,7 @@ class ReadingReader {
     if (find(Column::beta))
       notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
     if (!named.empty())
-      notes_.push_back(fmt::format("columns by other names: {} ([columns] in the rock file says otherwise)",
+      notes_.push_back(fmt::format("columns by other names: {} ([columns] in the rock file changes that)",
                                    fmt::join(named, ", ")));
     if (!passed.empty()) notes_.push_back(fmt::format("columns passed over: {}", fmt::join(passed, ", ")));
   }
