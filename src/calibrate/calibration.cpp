@@ -190,13 +190,15 @@ struct Work {
   }
   bool by_sequence() const { return options.method == CalibrationMethod::sequence; }
   void fit_moduli(const Evidence& table) {
-    elastic = by_sequence() ? moduli_by_sequence(table, fit, simulator, options.say)
-                            : fit_elastic(table, fit, spare, simulator, options.say);
+    elastic = by_sequence() ? moduli_by_sequence(table, fit, simulator, options.listener.say)
+                            : fit_elastic(table, fit, spare, simulator, options.listener.say);
+    options.listener.estimates({elastic.parameters.begin(), elastic.parameters.end()});
   }
   StrengthFit fit_strengths(const Recipe& recipe, std::int64_t max_tests, const Remodel& remodel) {
-    return by_sequence() ? strengths_by_sequence(evidence, recipe, search.front(), max_tests, simulator,
-                                                 options.say, remodel)
-                         : fit_strength(evidence, recipe, search, max_tests, simulator, options.say, remodel);
+    return by_sequence()
+               ? strengths_by_sequence(evidence, recipe, search.front(), max_tests, simulator,
+                                       options.listener.say, remodel)
+               : fit_strength(evidence, recipe, search, max_tests, simulator, options.listener, remodel);
   }
 };
 
@@ -264,7 +266,7 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   const std::int64_t reserved = work.evidence.n_compressive() * n_unseen;
   Pass nearest;
   for (int pass = 1; pass <= most_passes; ++pass) {
-    work.options.say("moduli as the laboratory reads them, at the estimate");
+    work.options.listener.say("moduli as the laboratory reads them, at the estimate");
     const Softenings measured = softenings_of(result.recipe, work.evidence.rock.model, strengths, some,
                                               work.evidence.rock.E_is, work.simulator);
     if (work.simulator.stopped()) return false;
@@ -312,7 +314,8 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   const std::int64_t n = evidence.n_tests(), n_tension = n - evidence.n_compressive();
   std::vector<Comparison> rows;
   for (;;) {
-    work.options.say(fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
+    work.options.listener.say(
+        fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
     rows = strength_response(result.recipe, evidence.strengths, work.unseen, Loading::from_rest,
                              work.simulator, reading, &from_test);
@@ -410,7 +413,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   result.recipe = work.elastic.recipe;
   result.fitted = work.elastic.comparisons;
   result.n_elastic += work.elastic.n_solutions;
-  options.say("verification of the moduli on unseen packings");
+  options.listener.say("verification of the moduli on unseen packings");
   result.verification = elastic_response(result.recipe, evidence.moduli, work.unseen, simulator);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   strength = strength && all_answered(work.elastic.comparisons);
@@ -445,7 +448,7 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
         fmt::format("the model is {}: a sequence compares no rivals", model_in_words(rock)));
   } else if (candidates.size() > 1) {
     const ModelChoice choice =
-        choose_model(evidence, candidates, rock.model.packing.seed, simulator, options.say);
+        choose_model(evidence, candidates, rock.model.packing.seed, simulator, options.listener.say);
     rock = choice.rock();
     result.model_chosen = true;
     result.notes.push_back(choice.text());

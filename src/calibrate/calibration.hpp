@@ -5,10 +5,10 @@
 // options and the answers alone. A calibration that was interrupted therefore takes the same way again and
 // finds its answers in the store: it ends with the identical result.
 #pragma once
-#include <functional>
 #include <string>
 
 #include "calibrate/evidence.hpp"
+#include "calibrate/listener.hpp"
 #include "calibrate/simulator.hpp"
 #include "records/calibration.hpp"
 
@@ -18,7 +18,7 @@ struct CalibrationOptions {
   CalibrationMethod method = CalibrationMethod::posterior;
   bool elastic_only = false;
   std::int64_t max_tests = 1000;  ///< in compression, verification included; tests in tension come on top
-  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< progress, one line
+  Listener listener = {};
 };
 
 /// What the physics do is never thrown: the verdict says it. InputError where there is nothing to fit, the

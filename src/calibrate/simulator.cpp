@@ -164,6 +164,10 @@ class OwnSimulator : public Simulator {
       hooks.on_progress = [&](const study::StudyProgress& p) {
         options_.on_progress({p.n_done, p.n_total, clockwork_.seconds_left(p)});
       };
+    if (options_.on_reading)
+      hooks.on_reading = [&](const study::PlannedTest& test, double strain, double stress) {
+        options_.on_reading(test.recipe, strain, stress);
+      };
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;
     machine.threads = options_.threads, machine.isa = engine::native_isa();

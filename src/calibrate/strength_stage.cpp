@@ -242,11 +242,19 @@ Estimate strength_behind(const CalibratedParameter& ratio, const StrengthPosteri
   return e;
 }
 
+/// What is sought, with its intervals.
+std::vector<Estimate> estimates_of(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                                   const Point& best) {
+  std::vector<Estimate> all;
+  for (const StrengthParameter* p : posterior.parameters())
+    all.push_back(with_interval(sought(*p), std::exp(posterior.log_value(best, *p)),
+                                logs_of(posterior, draws, *p), posterior.box(*p)));
+  return all;
+}
+
 void report_parameters(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
                        StrengthFit& fit) {
-  for (const StrengthParameter* p : posterior.parameters())
-    fit.parameters.push_back(with_interval(sought(*p), std::exp(posterior.log_value(best, *p)),
-                                           logs_of(posterior, draws, *p), posterior.box(*p)));
+  fit.parameters = estimates_of(posterior, draws, best);
   for (const StrengthParameter* p : posterior.parameters())
     if (p->over != nullptr) fit.parameters.push_back(strength_behind(*p, posterior, draws, fit.recipe));
 }
@@ -352,7 +360,7 @@ Recipe with_moduli(Recipe recipe, const Recipe& moduli) {
 
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
-                         const std::function<void(const std::string&)>& say, const Remodel& remodel) {
+                         const Listener& listener, const Remodel& remodel) {
   StrengthFit fit;
   const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
@@ -371,6 +379,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     posterior.learn();
     draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
     estimate = nearest_point(posterior, draws);
+    const std::vector<Estimate> known = estimates_of(posterior, draws, estimate);
+    listener.estimates({known.begin(), known.end()});
   };
   learn(0);  // from the prior mean alone
   Packings packings(seeds.size());
@@ -381,9 +391,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                            batch.at_estimate ? std::vector<Point>(batch.n_points, tried)
                                              : spread_draws(tried, draws, batch.n_points),
                            packings.of(batch)};
-    say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(), batch.n_points,
-                    batch.at_estimate ? "packings at the estimate" : "points", targets.size(),
-                    batch.coarse ? " on coarse grains" : ""));
+    listener.say(fmt::format("strength, batch {} of {}: {} {} x {} tests{}", b + 1, batches.size(),
+                             batch.n_points, batch.at_estimate ? "packings at the estimate" : "points",
+                             targets.size(), batch.coarse ? " on coarse grains" : ""));
     const auto surprise =
         run_batch(posterior, tests, design, seeds, recipe, simulator, fit, remodel ? &read : nullptr);
     if (!surprise || !posterior.without_runs().empty()) {

@@ -12,10 +12,10 @@
 // every test of a round on another packing, and each moves it.
 #pragma once
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "calibrate/evidence.hpp"
+#include "calibrate/listener.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/softening.hpp"
 #include "calibrate/strength_tests.hpp"
@@ -60,6 +60,6 @@ Recipe with_moduli(Recipe recipe, const Recipe& moduli);
 /// called after every batch; empty: the moduli are those of small strain and stay.
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
                          const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
-                         const std::function<void(const std::string&)>& say, const Remodel& remodel = {});
+                         const Listener& listener, const Remodel& remodel = {});
 
 }  // namespace phy::calibrate

@@ -59,7 +59,7 @@ std::vector<Target> laboratory(const Recipe& rock, std::uint32_t k) {
 StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, std::int64_t budget = 252) {
   Rock rock;
   rock.model.bedding.resize(1);
-  return fit_strength(Evidence(rock, targets), rock.model, seeds, budget, press, [](const std::string&) {});
+  return fit_strength(Evidence(rock, targets), rock.model, seeds, budget, press, Listener{});
 }
 
 /// A rock of strengths only.
@@ -144,7 +144,7 @@ TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
     Rock rock;
     rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
     return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, budget, press,
-                        [](const std::string&) {});
+                        Listener{});
   };
   const auto unsettled = [](const StrengthFit& f) {
     return std::any_of(f.notes.begin(), f.notes.end(),
@@ -165,8 +165,8 @@ TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
   rock.model.bedding.resize(1);
   const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   const auto packings = [&](std::int64_t budget) {
-    const StrengthFit f = fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget,
-                                       press, [](const std::string&) {});
+    const StrengthFit f =
+        fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget, press, Listener{});
     return f.fitted.front().n_packings;
   };
   // Three, two and two points, two to a packing, and the estimate on two more.
@@ -180,8 +180,7 @@ TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
   rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
   const auto n_coarse = [&] {
     PaperPress press;
-    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press,
-                        [](const std::string&) {})
+    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press, Listener{})
         .n_coarse;
   };
   EXPECT_EQ(n_coarse(), 5 * 7);
@@ -231,7 +230,7 @@ TEST(StrengthStage, ARockWithoutBeddingHasThreeStrengthParameters) {
   Rock rock;
   rock.bedded = false;
   const StrengthFit f = fit_strength(Evidence(rock, {{Property::ucs, 0.0, 150e6, 7e6, 3, false}}), rock.model,
-                                     seeds, 40, press, [](const std::string&) {});
+                                     seeds, 40, press, Listener{});
   ASSERT_EQ(f.parameters.size(), 4U);  // sigma_c, tau_c/sigma_c, mu, and tau_c
   EXPECT_NEAR(PaperPress::ucs(f.recipe) / 150e6, 1.0, 0.06);
   EXPECT_TRUE(f.left_out.empty());

@@ -13,6 +13,7 @@
 #include "genesis/specimen.hpp"
 #include "io/rock_in.hpp"
 #include "jobs/calibration_folder.hpp"
+#include "jobs/calibration_watch.hpp"
 #include "records/specimen_record.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
@@ -43,11 +44,11 @@ std::size_t press_calibrated(const Calibration& c, const std::string& folder, co
 }
 
 /// How to go on with what was stopped.
-std::string resume_command(const jobs::CalibrationRequest& args) {
-  return fmt::format("phyllite calibrate {} --out {} --max-tests {}{}{}{}{} --resume", sh_word(args.rock),
-                     sh_word(args.out), args.max_tests, args.matrix.empty() ? "" : " --matrix " + args.matrix,
-                     args.by_sequence() ? " --method sequence" : "", args.elastic ? " --elastic" : "",
-                     args.with_untrusted ? " --with-untrusted" : "");
+std::string resume_command(jobs::CalibrationRequest args) {
+  args.resume = true;
+  std::string command = "phyllite";
+  for (const std::string& word : jobs::words_of(args)) command += " " + sh_word(word);
+  return command;
 }
 
 int run_calibration(const jobs::CalibrationRequest& args, const Session& session) {
@@ -64,15 +65,21 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   print_out("\n{}\n", report::target_table(evidence.targets, width));
   flush_out();
   ProgressLine line;
+  jobs::CalibrationWatch watch(args.out);
   machine.on_progress = [&](const calibrate::TestProgress& p) {
     line.show([&](double) { return jobs::progress_text(p); });
+    watch.tests(p);
+  };
+  machine.on_reading = [&](const Recipe& r, double strain, double stress) {
+    watch.reading(r, strain, stress);
   };
   study::WorkReport work;
   machine.on_work = [&](const study::WorkReport& some) {
     work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
   };
   calibrate::CalibrationOptions options = jobs::options_of(args);
-  options.say = [&](const std::string& text) { line.note(text); };
+  options.listener.say = [&](const std::string& text) { line.note(text), watch.say(text); };
+  options.listener.estimates = [&](const std::vector<ParameterEstimate>& known) { watch.estimates(known); };
   const auto simulator = calibrate::make_simulator(machine);
   const Calibration result = calibrate::calibrate(evidence, options, *simulator);
   line.finish();
@@ -86,10 +93,12 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   print_out("{}{:.1f} s in all{}\n", jobs::screen_of(result, width), result.seconds,
             lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
   if (interrupted) {
+    watch.end("stopped");
     print_wrapped(width, 2, "to go on: {}\n", resume_command(args));
     return 1;
   }
   write_report(args.out);
+  watch.end(n_missing > 0 ? "stopped" : "finished");
   print_wrapped(width, 2, "calibrated.toml, {}PFC and Yade files, calibration.json and every run in {}\n",
                 result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
                 args.out);

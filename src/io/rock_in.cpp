@@ -104,8 +104,12 @@ bool is_ideal(const BeddingRecipe& b) {
 /// Keys of the rock file.
 class RockReader {
  public:
-  RockReader(const std::string& path, Rock& rock)
-      : path_(path), file_(read_file(path), path, rock_schema()), rock_(rock), problems_(file_.problems) {}
+  RockReader(std::string_view text, const std::string& path, const RockParts& parts, Rock& rock)
+      : path_(path),
+        file_(text, path, rock_schema()),
+        rock_(rock),
+        problems_(file_.problems),
+        parts_(parts) {}
   RockReader(TomlValue keys, const std::string& where, const RockParts& parts, Rock& rock)
       : path_(where),
         file_(std::move(keys), where, rock_schema(), {}),
@@ -443,8 +447,12 @@ Rock read_rock(const std::string& path) {
   if (ending == ".csv" || ending == ".tsv" || ending == ".xlsx" || ending == ".xls")
     throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
                              fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
+  return parse_rock(read_file(path), path, {});
+}
+
+Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts) {
   Rock rock;
-  RockReader(path, rock).read();
+  RockReader(text, path, parts, rock).read();
   return rock;
 }
 

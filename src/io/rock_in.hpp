@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/document.hpp"
 #include "records/rock.hpp"
@@ -20,6 +21,8 @@ struct RockParts {
   std::optional<std::string> table;  ///< the text of the table
   std::optional<Recipe> recipe;
 };
+/// As read_rock, from the text of a rock file that is or will be at `path`.
+Rock parse_rock(std::string_view text, const std::string& path, const RockParts& parts);
 /// As read_rock, from keys that stand in no file; the files that they name count from the working directory.
 Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "base/hash.hpp"
 #include "base/quote.hpp"
@@ -49,12 +50,23 @@ std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRe
   return hash.text();
 }
 
+/// Options beside the rock and the folder.
+std::vector<std::string> options_in_words(const CalibrationRequest& request) {
+  std::vector<std::string> words = {"--max-tests", fmt::format("{}", request.max_tests)};
+  if (!request.matrix.empty()) words.insert(words.end(), {"--matrix", request.matrix});
+  if (request.by_sequence()) words.insert(words.end(), {"--method", "sequence"});
+  if (request.elastic) words.emplace_back("--elastic");
+  if (request.with_untrusted) words.emplace_back("--with-untrusted");
+  return words;
+}
+
+constexpr const char* label_name = "calibration-of.txt";
+constexpr const char* label_options = "), options: ";
+
 /// What a folder holds, in words; the fingerprint of the rock stands in the last line.
 std::string label(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
-  return fmt::format("calibration of \"{}\" ({}){}{}{}{}, --max-tests {}\n{}\n", evidence.rock.name,
-                     comment_text(request.rock), request.matrix.empty() ? "" : ", --matrix " + request.matrix,
-                     request.by_sequence() ? ", --method sequence" : "", request.elastic ? ", --elastic" : "",
-                     request.with_untrusted ? ", --with-untrusted" : "", request.max_tests,
+  return fmt::format("calibration of \"{}\" ({}{}{}\n{}\n", evidence.rock.name, comment_text(request.rock),
+                     label_options, fmt::join(options_in_words(request), " "),
                      fingerprint(evidence, request));
 }
 
@@ -76,7 +88,7 @@ void check_same(const std::string& file, const std::string& expected, const Cali
 /// All that is written beside the store.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
-  for (const char* name : {"calibration-of.txt", "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
+  for (const char* name : {label_name, "calibrated.toml", "calibrated.p2dat", "calibrated-yade.py",
                            "calibration.json", "tables.txt", "report.html"})
     files.push_back((fs::path(folder) / name).string());
   for (std::size_t k = 0; k < calibrate::ensemble_size; ++k) files.push_back(ensemble_file(folder, k));
@@ -91,6 +103,33 @@ std::string tables_of(const Calibration& c) {
 }
 
 }  // namespace
+
+std::vector<std::string> words_of(const CalibrationRequest& request) {
+  std::vector<std::string> words = {"calibrate", request.rock, "--out", request.out};
+  for (std::string& option : options_in_words(request)) words.push_back(std::move(option));
+  if (request.resume) words.emplace_back("--resume");
+  return words;
+}
+
+std::optional<CalibrationRequest> request_in(const std::string& folder) {
+  const fs::path file = fs::path(folder) / label_name;
+  if (!fs::exists(file)) return {};
+  const std::string text = io::read_file(file.string()), line = text.substr(0, text.find('\n'));
+  const std::size_t open = line.find("\" ("), end = line.rfind(label_options);
+  if (open == line.npos || end == line.npos) return {};
+  CalibrationRequest request;
+  request.rock = line.substr(open + 3, end - open - 3);
+  request.out = folder;
+  std::istringstream words(line.substr(end + std::string_view(label_options).size()));
+  for (std::string word; words >> word;) {
+    if (word == "--max-tests") words >> request.max_tests;
+    if (word == "--matrix") words >> request.matrix;
+    if (word == "--method") words >> request.method;
+    request.elastic |= word == "--elastic";
+    request.with_untrusted |= word == "--with-untrusted";
+  }
+  return request;
+}
 
 Rock with_matrix(Rock rock, const CalibrationRequest& request) {
   if (request.matrix.empty()) return rock;
@@ -124,7 +163,7 @@ std::string begin_calibration(const calibrate::Evidence& evidence, const Calibra
   const std::string text = label(evidence, request);
   const fs::path folder(request.out);
   std::string store = (folder / "runs.sqlite").string();
-  const std::string label_file = (folder / "calibration-of.txt").string();
+  const std::string label_file = (folder / label_name).string();
   check_calibration_outputs(request.out);
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);

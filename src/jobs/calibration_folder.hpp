@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "calibrate/calibration.hpp"
 
@@ -17,6 +18,12 @@ struct CalibrationRequest {
   std::int64_t max_tests = 1000;
   bool by_sequence() const { return method == "sequence"; }
 };
+
+/// The words that ask for it, after `phyllite`.
+std::vector<std::string> words_of(const CalibrationRequest& request);
+/// What was asked of the calibration that a folder holds, to go on with; nothing: it holds none. `rock` is as
+/// it was named then.
+std::optional<CalibrationRequest> request_in(const std::string& folder);
 
 /// The rock with the matrix that is asked for. Throws InputError where that cannot be.
 Rock with_matrix(Rock rock, const CalibrationRequest& request);

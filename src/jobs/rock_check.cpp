@@ -32,28 +32,37 @@ std::string all_in_words(const std::vector<Rock>& models) {
 
 }  // namespace
 
+RockCheck check(const Rock& read) {
+  RockCheck found{calibrate::Evidence(calibrate::with_model(read, read.layers, read.matrix)), {}, {}, {}, {}};
+  const calibrate::Evidence& evidence = found.evidence;
+  found.says = what_the_table_says(evidence);
+  const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
+  found.parameters = {expected.begin(), expected.end()};
+  if (const std::vector<Rock> models = calibrate::candidates_of(evidence); models.size() > 1)
+    found.advice.push_back(fmt::format("parameters as of {}; calibrate chooses between {}",
+                                       calibrate::model_in_words(models.front()), all_in_words(models)));
+  for (auto more : {calibrate::advice(evidence), calibrate::place_in_maps(evidence)})
+    found.advice.insert(found.advice.end(), more.begin(), more.end());
+  if (const auto forecast = calibrate::foretell(evidence))
+    found.forecast = calibrate::forecast_text(*forecast);
+  return found;
+}
+
 std::string rock_check(const Rock& read, const std::string& path, int width) {
-  const calibrate::Evidence evidence(calibrate::with_model(read, read.layers, read.matrix));
-  const Rock& rock = evidence.rock;
+  const RockCheck found = check(read);
+  const Rock& rock = found.evidence.rock;
   std::string text;
   const auto items = [&](const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text += wrapped("- " + line + "\n", width, 2);
   };
   text += wrapped(fmt::format("rock      {} ({})\n", rock.name, path), width, 10);
   for (const std::string& note : rock.notes) text += wrapped("          " + note + "\n", width, 10);
-  text += "\n" + report::target_table(evidence.targets, width) + "\n";
-  const std::vector<std::string> by_itself = what_the_table_says(evidence);
-  items(by_itself);
-  if (!by_itself.empty()) text += "\n";
-  const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
-  text += report::identifiability_table({expected.begin(), expected.end()}, width);
-  if (const std::vector<Rock> models = calibrate::candidates_of(evidence); models.size() > 1)
-    items({fmt::format("parameters as of {}; calibrate chooses between {}",
-                       calibrate::model_in_words(models.front()), all_in_words(models))});
-  items(calibrate::advice(evidence));
-  items(calibrate::place_in_maps(evidence));
-  if (const auto forecast = calibrate::foretell(evidence))
-    text += wrapped("\n" + calibrate::forecast_text(*forecast) + "\n", width, 2);
+  text += "\n" + report::target_table(found.evidence.targets, width) + "\n";
+  items(found.says);
+  if (!found.says.empty()) text += "\n";
+  text += report::identifiability_table(found.parameters, width);
+  items(found.advice);
+  if (found.forecast) text += wrapped("\n" + *found.forecast + "\n", width, 2);
   return text;
 }
 

@@ -40,7 +40,7 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
       watch.show({jobs::progress_text(p), p.n_done, p.n_total});
     };
     calibrate::CalibrationOptions how = jobs::options_of(request);
-    how.say = [&](const std::string& text) { watch.say(text); };
+    how.listener.say = [&](const std::string& text) { watch.say(text); };
     result = calibrate::calibrate(evidence, how, *calibrate::make_simulator(machine));
     if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;
     jobs::write_calibration(request.out, result);

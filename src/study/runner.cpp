@@ -113,7 +113,8 @@ class Worker {
               use_.add(use);
               queue_.count(use.test_steps * static_cast<double>(n_grains));
             },
-            [this] { return stopped(); }};
+            [this] { return stopped(); },
+            [this](std::size_t test, double strain, double stress) { queue_.read(test, strain, stress); }};
   }
   std::optional<Job> next(std::size_t batch) {
     while (!stopped()) {
@@ -304,6 +305,12 @@ void StoreQueue::count(double work) {
   const std::lock_guard lock(mutex_);
   progress_.work += work;
   if (hooks_.on_progress) hooks_.on_progress(progress_);
+}
+
+void StoreQueue::read(std::size_t test, double strain, double stress) {
+  if (!hooks_.on_reading) return;
+  const std::lock_guard lock(mutex_);
+  hooks_.on_reading(plan_.tests[test], strain, stress);
 }
 
 StudyProgress StoreQueue::progress() {

@@ -40,6 +40,8 @@ struct StudyProgress {
 struct StudyHooks {
   std::function<void(const PlannedTest&, const TestResult&)> on_result;  ///< one at a time
   std::function<void(const StudyProgress&)> on_progress;                 ///< one at a time
+  /// Strain and stress [Pa] of a running test after each block; one at a time. Not of tests on other ranks.
+  std::function<void(const PlannedTest&, double strain, double stress)> on_reading = nullptr;
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -64,6 +66,8 @@ class TaskQueue {
   virtual void deliver(std::size_t test, const TestResult& result) = 0;
   /// Progress: cycles times grains.
   virtual void count(double work) = 0;
+  /// Of a running test: strain and stress [Pa].
+  virtual void read(std::size_t /*test*/, double /*strain*/, double /*stress*/) {}
   virtual bool stopped() = 0;
 };
 
@@ -78,6 +82,7 @@ class StoreQueue : public TaskQueue {
   /// A result of another host; "": of this one.
   void deliver_from(const std::string& host, std::size_t test, const TestResult& result);
   void count(double work) override;
+  void read(std::size_t test, double strain, double stress) override;
   bool stopped() override { return closed_ || (hooks_.stop != nullptr && hooks_.stop->load()); }
   /// As if the user had stopped: something is broken.
   void close() { closed_ = true; }

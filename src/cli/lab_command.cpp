@@ -1,0 +1,60 @@
+// `phyllite lab FOLDER`: a page to work in, for a browser on this machine.
+#include <filesystem>
+#include <system_error>
+
+#include "base/check.hpp"
+#include "cli/commands.hpp"
+#include "cli/machine.hpp"
+#include "cli/terminal.hpp"
+#include "desk/desk.hpp"
+#include "io/file.hpp"
+
+namespace phy::cli {
+namespace {
+
+struct LabArguments {
+  std::string folder = ".";
+  int port = 0;
+};
+
+int run_lab(const LabArguments& args, const Session& session) {
+  io::check_writable(args.folder);
+  std::filesystem::current_path(args.folder);
+  desk::Desk desk(session.threads);
+  desk::Server server(static_cast<unsigned short>(args.port), desk::random_token(),
+                      [&](const desk::Request& request) { return desk.answer(request); });
+  const int width = session.terminal_width;
+  print_out("{}\n", server.address());
+  print_wrapped(
+      width, 2,
+      "a page to work in, for a browser on this machine; the address is a key: whoever has it can use "
+      "the page. Files are in {}\n",
+      std::filesystem::current_path().string());
+  print_wrapped(width, 2, "Ctrl-C ends it; what it runs then keeps what is finished\n");
+  flush_out();
+  server.run(*stop_on_interrupt());
+  for (const std::string& folder : desk.running())
+    print_wrapped(width, 2, "stopping what writes {}: the page, started again, goes on with it\n", folder);
+  flush_out();
+  return 0;
+}
+
+}  // namespace
+
+void add_lab_command(CLI::App& app, Session& session) {
+  auto args = std::make_shared<LabArguments>();
+  CLI::App* verb = app.add_subcommand(
+      "lab", "a page to work in: type a table, calibrate, test (in a browser on this machine)");
+  verb->add_option("folder", args->folder, "where its files are; made if it is missing")
+      ->capture_default_str()
+      ->type_name("FOLDER");
+  verb->add_option("--port", args->port, "port on 127.0.0.1; 0: one that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  verb->callback([args, &session] {
+    stop_on_interrupt();
+    session.exit_code = run_lab(*args, session);
+  });
+}
+
+}  // namespace phy::cli

@@ -1,0 +1,357 @@
+#include "desk/desk.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "base/check.hpp"
+#include "desk/project.hpp"
+#include "desk/recipes.hpp"
+#include "io/file.hpp"
+#include "io/json.hpp"
+#include "io/load.hpp"
+#include "io/reads.hpp"
+#include "io/rock_in.hpp"
+#include "jobs/calibration_folder.hpp"
+#include "jobs/calibration_watch.hpp"
+#include "jobs/machine.hpp"
+#include "records/test_description.hpp"
+
+// The page, taken into the program by the assembler.
+asm(".section .rodata\n"
+    "phy_lab_page_begin: .incbin \"" PHY_LAB_PAGE
+    "\"\n"
+    "phy_lab_page_end: .byte 0\n"
+    ".previous\n");
+extern "C" const char phy_lab_page_begin[], phy_lab_page_end[];
+
+namespace phy::desk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_log = 20000;  // of what is shown
+constexpr std::chrono::seconds heartbeat{30};
+
+Response json(const Json& j, int status = 200) {
+  return {status, "application/json", j.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+Response error(int status, const std::string& text) { return json({{"error", text}}, status); }
+
+/// The value of a key of what was asked; `otherwise` where it is absent or null.
+template <class T>
+T get(const Json& asked, const char* key, T otherwise) {
+  return asked.contains(key) && !asked[key].is_null() ? asked[key].get<T>() : otherwise;
+}
+
+std::string path_in(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+std::string log_of(const std::string& folder) { return folder + ".log"; }
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+/// The text of a file, or nothing.
+std::string content(const std::string& file) {
+  try {
+    return exists(file) ? io::read_file(file) : "";
+  } catch (const IoError&) {
+    return "";
+  }
+}
+
+std::string tail(const std::string& text) {
+  return text.size() <= longest_log ? text : text.substr(text.find('\n', text.size() - longest_log) + 1);
+}
+
+/// Null where there is no such file, or no JSON in it.
+Json json_in(const std::string& file) {
+  try {
+    const std::string text = content(file);
+    return text.empty() ? Json(nullptr) : io::parse_json<Json>(text);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+/// Has somebody written it just now?
+bool is_fresh(const std::string& file) {
+  std::error_code failed;
+  const auto written = fs::last_write_time(file, failed);
+  return !failed && fs::file_time_type::clock::now() - written < heartbeat;
+}
+
+/// Those of a folder that a user would open.
+Json files_in(const std::string& folder, const std::vector<const char*>& names) {
+  Json files = Json::array();
+  for (const char* name : names)
+    if (exists(path_in(folder, name))) files.push_back(path_in(folder, name));
+  return files;
+}
+
+/// The laboratory's word for a test.
+const TestDescription* find_test(const std::string& name) {
+  for (const TestDescription* test : laboratory_tests())
+    if (name == test->name) return test;
+  return nullptr;
+}
+
+/// The number that a test was made for.
+Json specimen_json(const Json& result) {
+  Json j = {{"specimen", result.value("specimen", "")},
+            {"theta", result.contains("theta [deg]") ? result["theta [deg]"] : Json(nullptr)},
+            {"status", result.contains("outcome") ? result["outcome"].value("status", "") : ""}};
+  const TestDescription* test = find_test(result.value("test", "uniaxial"));
+  if (test == nullptr || !result.contains("numbers")) return j;
+  const TestQuantity made_for = test->curve.quantity();
+  if (!result["numbers"].contains(made_for.number)) return j;
+  j["strength"] = made_for.label;
+  j["value"] = result["numbers"][made_for.number]["value"];
+  j["unit"] = result["numbers"][made_for.number]["unit"];
+  return j;
+}
+
+Json choices_of(const char* key) { return find_field(io::rock_schema().fields, key)->choices; }
+
+}  // namespace
+
+Response Desk::answer(const Request& request) {
+  try {
+    const Response response = route(request);
+    io::forget_reads();
+    return response;
+  } catch (const Changed& e) {
+    return error(409, e.what());
+  } catch (const InputError& e) {
+    return error(400, e.what());
+  } catch (const Json::exception&) {
+    return error(400, "not what the page of this version asks: load the page anew");
+  } catch (const IoError& e) {
+    return error(500, e.what());
+  }
+}
+
+Response Desk::route(const Request& request) {
+  const bool get = request.method == "GET";
+  if (get && request.path == "/")
+    return {200, "text/html; charset=utf-8", {phy_lab_page_begin, phy_lab_page_end}};
+  if (get && request.path.starts_with("/files/")) {
+    const auto file = served_file(request.path.substr(7));
+    if (!file) return error(404, "no such file in the folder of `phyllite lab`");
+    return {200, content_type(*file), io::read_file(*file), true};
+  }
+  if (get && request.path == "/api/project") return json(project());
+  if (get && request.path == "/api/rock") {
+    const auto name = request.query.find("name");
+    return json(rock(name == request.query.end() ? "" : name->second));
+  }
+  if (get) return error(404, "no such address");
+  const Json asked = io::parse_json<Json>(request.body);
+  if (request.path == "/api/check") {
+    check_name(asked.at("name").get<std::string>());
+    const auto table = desk::get<std::string>(asked, "table", "");
+    return json(check_answer(asked.at("name"), asked.at("toml"),
+                             asked.at("table").is_null() ? std::nullopt : std::optional(table)));
+  }
+  if (request.path == "/api/recipe") {
+    const std::string name = asked.at("name");
+    check_name(name);
+    return json(recipe_answer(path_in(calibration_of(name), "calibrated.toml"),
+                              asked.at("changes").get<std::map<std::string, std::string>>()));
+  }
+  const std::lock_guard lock(mutex_);
+  if (request.path == "/api/save") {
+    try {
+      return json(save(asked));
+    } catch (const Changed& e) {
+      const RockFiles now = read_rock_files(asked.at("name"));
+      Json j = {{"error", e.what()}, {"toml", now.toml}, {"table", nullptr}, {"stamp", now.stamp}};
+      if (now.table) j["table"] = *now.table;
+      return json(j, 409);
+    }
+  }
+  if (request.path == "/api/calibrate") return json(calibrate(asked));
+  if (request.path == "/api/stop") return json(stop(asked));
+  if (request.path == "/api/test") return json(run_test(asked));
+  return error(404, "no such address");
+}
+
+Json Desk::project() {
+  const std::lock_guard lock(mutex_);
+  Json rocks = Json::array();
+  for (const std::string& name : rock_names()) {
+    const Json c = calibration(name);
+    const Json verdict = c["verdict"].is_null() ? Json(nullptr) : c["verdict"]["status"];
+    rocks.push_back({{"name", name}, {"state", c["state"]}, {"verdict", verdict}});
+  }
+  return {
+      {"version", PHY_VERSION},
+      {"folder", fs::current_path().string()},
+      {"threads", jobs::n_threads(threads_)},
+      {"choices",
+       {{"E_is", choices_of("E_is")}, {"layers", choices_of("layers")}, {"matrix", choices_of("matrix")}}},
+      {"columns", choices_of("columns.\"header\"")},
+      {"rocks", std::move(rocks)},
+      {"kinds", kinds_json()},
+      {"keys", keys_json()}};
+}
+
+Json Desk::rock(const std::string& name) {
+  const RockFiles files = read_rock_files(name);
+  const std::lock_guard lock(mutex_);
+  Json tests = Json::array();
+  for (const std::string& t : test_names(name)) tests.push_back(test(name, t));
+  return {{"name", name},
+          {"table", files.table ? Json(*files.table) : Json(nullptr)},
+          {"toml", files.toml},
+          {"table_file", files.table_file},
+          {"stamp", files.stamp},
+          {"calibration", calibration(name)},
+          {"tests", std::move(tests)}};
+}
+
+bool Desk::is_running(const std::string& folder) {
+  const auto child = children_.find(folder);
+  return child != children_.end() && child->second->running();
+}
+
+int Desk::exit_code(const std::string& folder) {
+  const auto child = children_.find(folder);
+  return child == children_.end() || child->second->running() ? -1 : child->second->exit_code();
+}
+
+Json Desk::calibration(const std::string& name) {
+  const std::string folder = calibration_of(name);
+  const auto earlier = jobs::request_in(folder);
+  const bool here = is_running(folder), finished = exists(path_in(folder, "calibration.json"));
+  const std::string watched = path_in(folder, jobs::watch_file);
+  Json progress = json_in(watched);
+  const std::string told = progress.is_object() ? progress.value("state", "") : "";
+  const int code = exit_code(folder);
+  const bool elsewhere = !finished && told == "running" && code < 0 && is_fresh(watched);
+  const std::string state = here || elsewhere                              ? "running"
+                            : code >= 2 || (!finished && told == "failed") ? "failed"
+                            : finished                                     ? "finished"
+                            : earlier                                      ? "stopped"
+                                                                           : "new";
+  jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
+  next.rock = name + ".toml", next.out = folder;
+  next.resume = earlier && state != "finished";
+  const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
+  return {{"state", state},
+          {"command", command_of(jobs::words_of(next))},
+          {"folder", folder},
+          {"here", here},
+          {"progress", std::move(progress)},
+          {"log", tail(content(log_of(folder)))},
+          {"verdict", result.is_object() && result.contains("verdict") ? result["verdict"] : Json(nullptr)},
+          {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
+          {"files", files_in(folder, {"report.html", "calibrated.toml", "tables.txt", "calibration.json",
+                                      "calibrated.p2dat", "calibrated-yade.py"})}};
+}
+
+Json Desk::test(const std::string& rock, const std::string& name) {
+  const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
+  Json specimens = Json::array();
+  if (exists(folder))
+    for (const std::string& of : io::result_folders(folder))
+      if (const Json result = json_in(path_in(of, "result.json")); result.is_object())
+        specimens.push_back(specimen_json(result));
+  const int code = exit_code(folder);
+  const std::string state = is_running(folder)                       ? "running"
+                            : code >= 2                              ? "failed"
+                            : exists(path_in(folder, "report.html")) ? "finished"
+                            : specimens.empty() && code < 0          ? "new"
+                                                                     : "stopped";
+  Json files = files_in(folder, {"report.html"});
+  files.push_back(recipe);
+  return {{"name", name},
+          {"state", state},
+          {"command", command_of({"run", recipe, "--out", folder})},
+          {"log", tail(content(log_of(folder)))},
+          {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
+          {"files", std::move(files)},
+          {"specimens", std::move(specimens)}};
+}
+
+Json Desk::save(const Json& asked) {
+  const std::string name = asked.at("name"), toml = asked.at("toml");
+  const Json& table = asked.at("table");
+  const std::string stamp =
+      save_rock(name, toml, table.is_null() ? std::nullopt : std::optional(table.get<std::string>()),
+                asked.at("stamp"));
+  Json files = {name + ".toml"};
+  if (!table.is_null()) files.push_back(table_named_in(toml, ""));
+  return {{"stamp", stamp}, {"files", std::move(files)}};
+}
+
+Json Desk::start(const std::vector<std::string>& words, const std::string& folder) {
+  if (is_running(folder))
+    throw InputError(Problem{"", folder, "", "nothing that writes there", "it is running already"});
+  std::vector<std::string> all = words;
+  if (threads_ > 0) all.insert(all.end(), {"--threads", fmt::format("{}", threads_)});
+  children_.erase(folder);
+  children_[folder] = std::make_unique<Child>(all, log_of(folder));
+  return {{"command", command_of(all)}};
+}
+
+Json Desk::calibrate(const Json& asked) {
+  const std::string name = asked.at("name");
+  check_name(name);
+  jobs::CalibrationRequest request;
+  const bool anew = desk::get(asked, "anew", false);
+  const auto earlier = jobs::request_in(calibration_of(name));
+  if (earlier && desk::get(asked, "resume", false)) {
+    request = *earlier, request.resume = true;
+  } else {
+    request.max_tests = desk::get(asked, "max_tests", request.max_tests);
+    request.elastic = desk::get(asked, "elastic", false);
+  }
+  request.rock = name + ".toml";
+  request.out = anew ? next_calibration_of(name) : calibration_of(name);
+  if (const Json now = calibration(name); now["state"] == "running")
+    throw InputError(
+        Problem{"", request.out, "", "one calibration of a rock at a time", "stop the other first"});
+  return start(jobs::words_of(request), request.out);
+}
+
+Json Desk::stop(const Json& asked) {
+  const std::string name = asked.at("name"), test = desk::get<std::string>(asked, "test", "");
+  check_name(name);
+  const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
+  const auto child = children_.find(folder);
+  if (child == children_.end() || !child->second->running())
+    throw InputError(Problem{"", folder, "", "something that was started here",
+                             "what runs in a terminal is stopped there, by Ctrl-C"});
+  child->second->interrupt();
+  return Json::object();
+}
+
+Json Desk::run_test(const Json& asked) {
+  const std::string rock = asked.at("name"), name = asked.at("test");
+  check_name(rock), check_name(name);
+  const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
+  const std::string toml = asked.at("toml");
+  if (is_running(folder) || (exists(recipe) && content(recipe) != toml))
+    throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
+  io::write_file(recipe, toml);
+  return start({"run", recipe, "--out", folder}, folder);
+}
+
+std::vector<std::string> Desk::running() {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> folders;
+  for (const auto& [folder, child] : children_)
+    if (child->running()) folders.push_back(folder);
+  return folders;
+}
+
+}  // namespace phy::desk

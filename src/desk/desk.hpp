@@ -1,0 +1,56 @@
+// What the page of `phyllite lab` can ask for: the folder, its rocks, checks, calibrations and tests. Every
+// answer is made from the files as they are now, so that pages, terminals and editors may work side by side;
+// this process alone knows only what it has started (desk/child.hpp).
+//
+//   GET  /                the page
+//   GET  /api/project     folder, rocks, choices
+//   GET  /api/rock        ?name=: files, calibration, tests of a rock
+//   POST /api/check       what `phyllite rock check` says of texts that are being typed
+//   POST /api/save        the rock and its table
+//   POST /api/calibrate   starts, goes on with, or begins afresh
+//   POST /api/stop        a calibration, or a test
+//   POST /api/recipe      a recipe for a test on the calibrated rock
+//   POST /api/test        saves it and runs it
+//   GET  /files/...       a file of the folder
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "desk/child.hpp"
+#include "desk/server.hpp"
+#include "desk/table_check.hpp"
+
+namespace phy::desk {
+
+class Desk {
+ public:
+  /// Works in the working directory. `threads` of what it starts; 0: all cores.
+  explicit Desk(int threads) : threads_(threads) {}
+  /// From any thread.
+  Response answer(const Request& request);
+  /// What is running, as commands that go on with it.
+  std::vector<std::string> running();
+
+ private:
+  int threads_;
+  std::mutex mutex_;
+  std::map<std::string, std::unique_ptr<Child>> children_;  // by the folder of the results
+
+  Response route(const Request& request);
+  Json project();
+  Json rock(const std::string& name);
+  Json calibration(const std::string& name);
+  Json test(const std::string& rock, const std::string& name);
+  Json save(const Json& asked);
+  Json calibrate(const Json& asked);
+  Json stop(const Json& asked);
+  Json run_test(const Json& asked);
+  Json start(const std::vector<std::string>& words, const std::string& folder);
+  bool is_running(const std::string& folder);
+  int exit_code(const std::string& folder);
+};
+
+}  // namespace phy::desk

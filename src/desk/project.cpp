@@ -1,0 +1,202 @@
+#include "desk/project.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "base/check.hpp"
+#include "base/hash.hpp"
+#include "base/quote.hpp"
+#include "io/file.hpp"
+#include "io/rock_in.hpp"
+#include "io/toml_tree.hpp"
+
+namespace phy::desk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t largest_text = 4 << 20;
+constexpr std::size_t longest_name = 80;
+
+bool is_text(const std::string& bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const std::size_t n = utf8_length(std::string_view(bytes).substr(i));
+    if (n == 0 || bytes[i] == '\0') return false;
+    i += n;
+  }
+  return true;
+}
+
+/// Nothing: absent, too large to be edited in a page, or no text.
+std::optional<std::string> text_of(const std::string& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_text) return {};
+  std::string text = io::read_file(file);
+  if (!is_text(text)) return {};
+  return text;
+}
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+std::string stamp_of(const std::string& toml, const std::string& table) {
+  Hash hash;
+  hash.add(std::string_view(toml)), hash.add(std::string_view(table));
+  return hash.text();
+}
+
+/// The text behind the key `data`; "": none, or no text.
+std::string data_of(const std::string& toml) {
+  std::vector<Problem> ignored;
+  try {
+    const io::TomlValue root = io::parse_toml(toml, "", ignored);
+    const io::TomlValue* data = root.find("data");
+    return data != nullptr && data->kind == io::TomlValue::Kind::text ? data->text : "";
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+bool is_table_name(const std::string& name) {
+  const std::string ending = fs::path(name).extension().string();
+  return name.find('/') == name.npos && !name.starts_with('.') && is_plain(name) &&
+         (ending == ".csv" || ending == ".tsv" || ending == ".txt");
+}
+
+std::string toml_file(const std::string& name) { return name + ".toml"; }
+
+}  // namespace
+
+void check_name(const std::string& name) {
+  const bool good = !name.empty() && name.size() <= longest_name && is_plain(name) &&
+                    name.find_first_of("/\\\"'") == name.npos && name.front() != '.' && name.front() != '-' &&
+                    name.front() != ' ' && name.back() != ' ';
+  if (!good)
+    throw InputError(Problem{"", "name", name,
+                             fmt::format("1 to {} characters without / \\ and quotes", longest_name),
+                             "it becomes the name of a file, and begins with a letter or a digit"});
+}
+
+std::string table_named_in(const std::string& toml, const std::string& otherwise) {
+  const std::string data = data_of(toml);
+  return data.empty() ? otherwise : data;
+}
+
+std::vector<std::string> rock_names() {
+  std::vector<std::string> names;
+  for (const std::string& path : io::list_folder(".")) {
+    const fs::path file = fs::path(path).filename();
+    if (file.extension() != ".toml" || file.string().starts_with('.')) continue;
+    const auto text = text_of(file.string());
+    if (text && !data_of(*text).empty()) names.push_back(file.stem().string());
+  }
+  return names;
+}
+
+RockFiles read_rock_files(const std::string& name) {
+  check_name(name);
+  if (!exists(toml_file(name))) {
+    const std::string csv = name + ".csv", toml = io::rock_template(name, csv);
+    if (const auto table = text_of(csv)) return {toml, csv, table, stamp_of("", *table)};
+    return {toml, csv, io::rock_table_template(), ""};
+  }
+  const auto toml = text_of(toml_file(name));
+  if (!toml) throw IoError(toml_file(name) + ": no text of at most 4 MB");
+  RockFiles rock{*toml, table_named_in(*toml, name + ".csv"), {}, ""};
+  if (is_table_name(rock.table_file)) {
+    rock.table = text_of(rock.table_file);
+    if (!exists(rock.table_file)) rock.table = "";
+  }
+  rock.stamp = stamp_of(rock.toml, rock.table.value_or(""));
+  return rock;
+}
+
+std::string save_rock(const std::string& name, const std::string& toml,
+                      const std::optional<std::string>& table, const std::string& stamp) {
+  const RockFiles before = read_rock_files(name);
+  if (before.stamp != stamp) throw Changed("the files of this rock have been changed since they were shown");
+  const std::string table_file = table_named_in(toml, "");
+  if (table_file.empty())
+    throw InputError(Problem{toml_file(name), "data", "", "the name of the table",
+                             fmt::format("write data = \"{}.csv\"", name)});
+  if (table && !is_table_name(table_file))
+    throw InputError(Problem{toml_file(name), "data", table_file,
+                             "a CSV file of this folder (.csv, .tsv, .txt)",
+                             "the table that is typed here is saved under this name"});
+  if (table && (stamp.empty() || table_file != before.table_file) && exists(table_file) &&
+      text_of(table_file) != table)
+    throw InputError(Problem{toml_file(name), "data", table_file, "a name that is free",
+                             "another table lies there, which is not written over"});
+  if (table) io::write_file(table_file, *table);
+  io::write_file(toml_file(name), toml);
+  return read_rock_files(name).stamp;
+}
+
+namespace {
+
+std::string numbered(const std::string& rock, int k) {
+  return k == 1 ? rock + "-calibration" : fmt::format("{}-calibration-{}", rock, k);
+}
+
+/// How many there are.
+int n_calibrations(const std::string& rock) {
+  int k = 0;
+  while (exists(numbered(rock, k + 1))) ++k;
+  return k;
+}
+
+}  // namespace
+
+std::string calibration_of(const std::string& rock) {
+  return numbered(rock, std::max(1, n_calibrations(rock)));
+}
+std::string next_calibration_of(const std::string& rock) { return numbered(rock, n_calibrations(rock) + 1); }
+
+std::string tests_of(const std::string& rock) { return rock + "-tests"; }
+
+std::vector<std::string> test_names(const std::string& rock) {
+  std::vector<std::string> names;
+  if (!exists(tests_of(rock))) return names;
+  for (const std::string& path : io::list_folder(tests_of(rock)))
+    if (fs::path(path).extension() == ".toml") names.push_back(fs::path(path).stem().string());
+  return names;
+}
+
+std::optional<std::string> served_file(const std::string& path) {
+  std::error_code error;
+  const fs::path asked(path);
+  if (asked.is_absolute()) return {};
+  for (const fs::path& part : asked)
+    if (part.empty() || part.string().starts_with('.') || part.string().find('\\') != std::string::npos)
+      return {};
+  const fs::path home = fs::canonical(".", error);
+  if (error) return {};
+  const fs::path file = fs::canonical(asked, error);
+  if (error || !fs::is_regular_file(file, error)) return {};
+  const auto [end_of_home, rest] = std::mismatch(home.begin(), home.end(), file.begin(), file.end());
+  if (end_of_home != home.end()) return {};
+  return file.string();
+}
+
+std::string content_type(const std::string& path) {
+  static const std::map<std::string, std::string> types = {{".html", "text/html; charset=utf-8"},
+                                                           {".json", "application/json"},
+                                                           {".png", "image/png"},
+                                                           {".csv", "text/csv; charset=utf-8"},
+                                                           {".toml", "text/plain; charset=utf-8"},
+                                                           {".txt", "text/plain; charset=utf-8"},
+                                                           {".log", "text/plain; charset=utf-8"},
+                                                           {".py", "text/plain; charset=utf-8"},
+                                                           {".p2dat", "text/plain; charset=utf-8"}};
+  const auto type = types.find(fs::path(path).extension().string());
+  return type == types.end() ? "application/octet-stream" : type->second;
+}
+
+}  // namespace phy::desk

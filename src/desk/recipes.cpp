@@ -1,0 +1,114 @@
+#include "desk/recipes.hpp"
+
+#include <algorithm>
+
+#include "io/document.hpp"
+#include "io/toml_in.hpp"
+#include "records/recipe_schema.hpp"
+#include "records/test_description.hpp"
+
+namespace phy::desk {
+namespace {
+
+constexpr const char* table = "test";
+
+const char* kind_in_words(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::quantity: return "quantity";
+    case FieldKind::number: return "number";
+    case FieldKind::integer: return "integer";
+    case FieldKind::boolean: return "boolean";
+    case FieldKind::choice: return "choice";
+    case FieldKind::quantities:
+    case FieldKind::integers:
+    case FieldKind::values: return "list";
+    default: return "text";
+  }
+}
+
+/// What would stand behind a key. A word of a choice needs no quotes here, nor a quantity.
+io::TomlValue value_of(const std::string& text) {
+  std::vector<Problem> problems;
+  try {
+    io::TomlValue root = io::parse_toml("x = " + text, "", problems);
+    if (problems.empty() && root.items.size() == 1) return std::move(root.items.front());
+  } catch (const InputError&) {  // a word without quotes
+  }
+  io::TomlValue word;
+  word.kind = io::TomlValue::Kind::text;
+  word.text = text;
+  return word;
+}
+
+/// False: `remedy` says why not, or nothing where the range says it.
+bool take(const Field& field, const io::TomlValue& value, Recipe& recipe, std::string& remedy) {
+  double number = 0.0;
+  if (!field.list) {
+    if (!io::take_value(field, value, number, remedy)) return false;
+    field.set(recipe, 0, number);
+    return true;
+  }
+  if (value.kind != io::TomlValue::Kind::list) return remedy = "write a list: [\"0 deg\", \"45 deg\"]", false;
+  std::vector<double> numbers;
+  for (const io::TomlValue& item : value.items) {
+    if (!io::take_value(field, item, number, remedy)) return false;
+    numbers.push_back(number);
+  }
+  field.list(recipe) = numbers;
+  return true;
+}
+
+}  // namespace
+
+Json keys_json() {
+  Json keys = Json::array();
+  for (const Field& f : recipe_fields()) {
+    if (f.table != table) continue;
+    Json key = {{"path", f.path()},
+                {"meaning", f.meaning},
+                {"range", range_text(f)},
+                {"kind", kind_in_words(f.kind)}};
+    if (!f.choices.empty()) key["choices"] = f.choices;
+    if (!f.only_of.empty()) key["only_of"] = f.only_of;
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+Json kinds_json() {
+  Json kinds = Json::array();
+  for (const TestDescription* test : laboratory_tests()) {
+    std::string title = test->name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    kinds.push_back({{"name", test->name}, {"title", title}});
+  }
+  return kinds;
+}
+
+Json recipe_answer(const std::string& base, const std::map<std::string, std::string>& changes) {
+  Recipe recipe = io::read_recipe(base);
+  Json problems = Json::array();
+  const auto problem = [&](const std::string& key, const std::string& text) {
+    problems.push_back({{"key", key}, {"text", text}});
+  };
+  for (const auto& [path, text] : changes) {
+    const Field* field = find_field(recipe_fields(), path);
+    if (field == nullptr || field->table != table) {
+      problem(path, "no key of a test; " + io::recipe_key_hint(path));
+      continue;
+    }
+    std::string remedy;
+    if (!take(*field, value_of(text), recipe, remedy))
+      problem(path, "expected " + range_text(*field) + (remedy.empty() ? "" : "; " + remedy));
+  }
+  if (problems.empty())
+    for (Problem& p : cross_checks(recipe, [](const std::string&) { return std::string(); })) {
+      const std::string key = p.key;
+      p.key.clear();
+      problem(key, to_line(p));
+    }
+  return {{"toml", problems.empty() ? Json(io::write_recipe(recipe)) : Json(nullptr)},
+          {"problems", problems}};
+}
+
+}  // namespace phy::desk

@@ -1,0 +1,19 @@
+// Recipes for tests on a calibrated rock, by choosing values of keys.
+#pragma once
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace phy::desk {
+
+using Json = nlohmann::ordered_json;
+
+/// The keys that a test may choose, and the laboratory tests: what a form is made of, from the one list.
+Json keys_json();
+Json kinds_json();
+
+/// The recipe of a file with other values: path of a key to what would stand behind it in a recipe. Answers
+/// the finished text, or what is wrong with which key. Throws what io::read_recipe throws.
+Json recipe_answer(const std::string& base, const std::map<std::string, std::string>& changes);
+
+}  // namespace phy::desk

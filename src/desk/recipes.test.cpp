@@ -1,0 +1,70 @@
+#include "desk/recipes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/check.hpp"
+#include "base/in_folder_fixture.hpp"
+#include "io/toml_in.hpp"
+#include "records/test_description.hpp"
+
+namespace phy::desk {
+namespace {
+
+using testing::HasSubstr;
+
+class RecipesTest : public InFolder {
+ protected:
+  const std::string base = write("base.toml",
+                                 "name = \"mine\"\n[specimen]\nwidth = \"8 mm\"\nheight = \"16 "
+                                 "mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = \"2 mm\"\n");
+};
+
+TEST_F(RecipesTest, ChoicesBecomeAFinishedRecipe) {
+  const Json answer = recipe_answer(base, {{"test.kind", "biaxial"},
+                                           {"test.angles", "[\"0 deg\", \"45 deg\"]"},
+                                           {"test.confining_stress", "10 MPa"},
+                                           {"test.intact", "true"}});
+  ASSERT_TRUE(answer["problems"].empty()) << answer;
+  const Recipe recipe = io::parse_recipe(answer["toml"].get<std::string>(), "answer");
+  EXPECT_STREQ(recipe.test.kind->name, "biaxial");
+  EXPECT_EQ(recipe.test.angles, (std::vector<double>{0.0, 45.0}));
+  EXPECT_DOUBLE_EQ(recipe.test.confining_stress, 10e6);
+  EXPECT_TRUE(recipe.test.intact);
+  EXPECT_EQ(recipe.name, "mine");
+  EXPECT_EQ(recipe.packing.n_grains, 330);
+}
+
+TEST_F(RecipesTest, EveryTestCanBeChosen) {
+  for (const TestDescription* test : laboratory_tests()) {
+    const Json answer = recipe_answer(base, {{"test.kind", test->name}, {"test.angles", "[\"30 deg\"]"}});
+    EXPECT_TRUE(answer["problems"].empty()) << test->name << answer["problems"];
+  }
+}
+
+TEST_F(RecipesTest, WhatIsWrongIsSaidOfItsKey) {
+  const std::map<std::string, std::string> wrong = {
+      {"test.kind", "triaxal"},        {"test.angles", "0, 45"},         {"test.confining_stress", "10"},
+      {"test.platen_speed", "-1 m/s"}, {"test.n_frames", "2.5"},         {"matrix.E_c", "\"1 GPa\""},
+      {"test.no_such", "1"},           {"test.stop_at", "1]\n[matrix]"}, {"test.intact", "perhaps"}};
+  for (const auto& [key, value] : wrong) {
+    const Json answer = recipe_answer(base, {{key, value}});
+    ASSERT_EQ(answer["problems"].size(), 1U) << key << answer;
+    EXPECT_EQ(answer["problems"][0]["key"], key);
+    EXPECT_TRUE(answer["toml"].is_null());
+  }
+  EXPECT_THAT(
+      recipe_answer(base, {{"test.confining_stress", "10"}})["problems"][0]["text"].get<std::string>(),
+      HasSubstr("unit"));
+}
+
+TEST_F(RecipesTest, KeysAreThoseOfTheOneList) {
+  const Json keys = keys_json();
+  EXPECT_TRUE(
+      std::any_of(keys.begin(), keys.end(), [](const Json& k) { return k["path"] == "test.platen_speed"; }));
+  EXPECT_EQ(kinds_json().size(), laboratory_tests().size());
+  EXPECT_THROW(recipe_answer(at("absent.toml"), {}), IoError);
+}
+
+}  // namespace
+}  // namespace phy::desk

@@ -1,0 +1,152 @@
+#include "desk/server.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <thread>
+#include <vector>
+
+#include "base/check.hpp"
+#include "desk/http_fixture.hpp"
+
+namespace phy::desk {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string token = "0123456789abcdef0123456789abcdef";
+
+/// A server that echoes; "/slow" takes a second, "/broken" throws.
+class ServerTest : public testing::Test {
+ protected:
+  std::atomic<bool> stop{false};
+  std::atomic<int> n_handled{0};
+  Server server{
+      0, token, [this](const Request& r) {
+        ++n_handled;
+        if (r.path == "/slow") std::this_thread::sleep_for(std::chrono::seconds(1));
+        if (r.path == "/broken") throw std::runtime_error("a reason");
+        std::string query;
+        for (const auto& [key, value] : r.query) query += key + "=" + value + ";";
+        return Response{200, "text/plain", r.method + " " + r.path + " " + query + r.body, r.path == "/file"};
+      }};
+  std::thread runs{[this] { server.run(stop); }};
+  ~ServerTest() override {
+    stop = true;
+    runs.join();
+  }
+
+  std::string host() const { return fmt::format("Host: 127.0.0.1:{}\r\n", server.port()); }
+  std::string known() const { return host() + "X-Phyllite-Token: " + token + "\r\n"; }
+  Answer get(const std::string& target, const std::string& fields) const {
+    return ask(server.port(), "GET " + target, fields);
+  }
+};
+
+TEST_F(ServerTest, AnswersItsOwnPageAlone) {
+  const std::string mine = fmt::format("http://127.0.0.1:{}", server.port());
+  EXPECT_EQ(get("/a%20b?x=1+2&y=%26", known()).body, "GET /a b x=1 2;y=&;");
+  EXPECT_EQ(get("/a?token=" + token, host()).body, "GET /a ");  // the handler does not see the token
+  EXPECT_EQ(get("/a", known() + "Origin: " + mine + "\r\n").status, 200);
+  EXPECT_EQ(ask(server.port(), "POST /a", known(), "some text").body, "POST /a some text");
+  const std::string local =
+      fmt::format("Host: localhost:{}\r\nX-Phyllite-Token: {}\r\n", server.port(), token);
+  EXPECT_EQ(get("/a", local).status, 200);
+}
+
+TEST_F(ServerTest, RefusesEverybodyElse) {
+  const std::string with_token = "X-Phyllite-Token: " + token + "\r\n";
+  const std::string other_port = fmt::format("127.0.0.1:{}", server.port() == 9 ? 10 : 9);
+  for (const std::string& fields :
+       {host(), host() + "X-Phyllite-Token: " + token.substr(1) + "\r\n",
+        host() + "X-Phyllite-Token: " + token.substr(1) + "x\r\n", with_token,
+        "Host: phyllite.example\r\n" + with_token, "Host: " + other_port + "\r\n" + with_token,
+        host() + "Host: phyllite.example\r\n" + with_token, known() + "Origin: http://phyllite.example\r\n",
+        known() + "Origin: https://127.0.0.1:" + std::to_string(server.port()) + "\r\n",
+        known() + "Origin: http://" + other_port + "\r\n", known() + "Origin: null\r\n"})
+    EXPECT_EQ(get("/a", fields).status, 403) << fields;
+  for (const char* method : {"OPTIONS", "PUT", "DELETE", "HEAD", "TRACE"})
+    EXPECT_EQ(ask(server.port(), std::string(method) + " /a", known()).status, 405) << method;
+  for (const char* target : {"/%zz", "/%0", "/%00", "a", "http://127.0.0.1/a"})
+    EXPECT_EQ(get(target, known()).status, 400) << target;
+  EXPECT_EQ(n_handled, 0);
+}
+
+TEST_F(ServerTest, ForbidsTheBrowserAllOthers) {
+  const Answer own = get("/a", known()), file = get("/file", known());
+  EXPECT_THAT(own.head, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(own.head, HasSubstr("frame-ancestors 'none'"));
+  EXPECT_THAT(own.head, HasSubstr("no-referrer"));
+  EXPECT_THAT(own.head, Not(HasSubstr("sandbox")));
+  EXPECT_THAT(file.head, HasSubstr("sandbox allow-scripts"));  // a script there has another origin
+  EXPECT_THAT(file.head, Not(HasSubstr("allow-same-origin")));
+  EXPECT_THAT(file.head, Not(HasSubstr("connect-src")));
+  EXPECT_THAT(own.head, Not(HasSubstr("Access-Control")));
+}
+
+TEST_F(ServerTest, RefusesAGigabyte) {
+  EXPECT_EQ(ask(server.port(), "POST /a", known() + "Content-Length: 1073741824\r\n").status, 413);
+  // the same in parts, which say no length before they end
+  Wire wire(server.port());
+  ASSERT_TRUE(wire.send("POST /a HTTP/1.1\r\n" + known() + "Transfer-Encoding: chunked\r\n\r\n"));
+  const std::string part = "100000\r\n" + std::string(0x100000, 'x') + "\r\n";
+  int n_sent = 0;
+  while (n_sent < 1024 && wire.send(part)) ++n_sent;
+  EXPECT_LT(n_sent, 64);
+  EXPECT_EQ(get("/a", known() + "X-Long: " + std::string(100000, 'x') + "\r\n").status, 431);
+  EXPECT_EQ(n_handled, 0);
+}
+
+TEST_F(ServerTest, AThousandConnectionsKeepNobodyOut) {
+  rlimit files{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &files), 0);
+  files.rlim_cur = files.rlim_max;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &files), 0);
+  if (files.rlim_cur < 1200) GTEST_SKIP() << "this machine allows " << files.rlim_cur << " open files";
+  std::vector<Wire> idle;
+  for (int i = 0; i < 1000; ++i) {
+    idle.emplace_back(server.port());
+    ASSERT_TRUE(idle.back().open()) << i;
+    if (i % 2 == 0) idle.back().send("GET /a HTTP/1.1\r\nHost: ");  // and never the rest
+  }
+  EXPECT_EQ(get("/a", known()).status, 200);
+}
+
+TEST_F(ServerTest, OneSlowAnswerKeepsNobodyWaiting) {
+  const auto start = std::chrono::steady_clock::now();
+  std::thread slow([&] { EXPECT_EQ(get("/slow", known()).status, 200); });
+  while (n_handled == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(get("/a", known()).status, 200);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(900));
+  slow.join();
+}
+
+TEST_F(ServerTest, OneConnectionAsksSeveralTimes) {
+  Wire wire(server.port());
+  ASSERT_TRUE(wire.send("GET /one HTTP/1.1\r\n" + known() + "\r\nGET /two HTTP/1.1\r\nConnection: close\r\n" +
+                        known() + "\r\n"));
+  const std::string answers = wire.rest();
+  EXPECT_THAT(answers, HasSubstr("GET /one"));
+  EXPECT_THAT(answers, HasSubstr("GET /two"));
+}
+
+TEST_F(ServerTest, WhatAHandlerThrowsIsAnAnswer) {
+  const Answer broken = get("/broken", known());
+  EXPECT_EQ(broken.status, 500);
+  EXPECT_EQ(broken.body, "a reason\n");
+}
+
+TEST_F(ServerTest, APortThatIsTakenIsSaid) {
+  EXPECT_THROW(Server(static_cast<unsigned short>(server.port()), token, {}), IoError);
+}
+
+TEST(Token, IsLongAndAnotherEveryTime) {
+  EXPECT_EQ(random_token().size(), 32U);
+  EXPECT_NE(random_token(), random_token());
+}
+
+}  // namespace
+}  // namespace phy::desk

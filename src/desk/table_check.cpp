@@ -1,0 +1,119 @@
+#include "desk/table_check.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "desk/project.hpp"
+#include "io/rock_in.hpp"
+#include "io/table.hpp"
+#include "jobs/rock_check.hpp"
+#include "report/curves.hpp"
+
+namespace phy::desk {
+namespace {
+
+/// The line behind the name of a file, "shale.csv:12"; 0: another file, or none named.
+int line_in(const std::string& where, const std::string& file) {
+  if (!where.starts_with(file + ":")) return 0;
+  int line = 0;
+  std::from_chars(where.data() + file.size() + 1, where.data() + where.size(), line);
+  return line;
+}
+
+/// The one cell of a line that holds what a problem quotes; -1: none, or several.
+int column_of(const io::Table& table, int line, const Problem& problem) {
+  const auto quoted = [&](const std::string& cell) {
+    return !cell.empty() && (problem.value == cell || problem.value.starts_with(cell + " ") ||
+                             (line == table.header_line && problem.key == cell));
+  };
+  const std::vector<std::string>* cells = line == table.header_line ? &table.header : nullptr;
+  for (const io::TableRow& row : table.rows)
+    if (row.line == line) cells = &row.cells;
+  if (cells == nullptr) return -1;
+  int found = -1;
+  for (std::size_t i = 0; i < cells->size(); ++i) {
+    if (!quoted((*cells)[i])) continue;
+    if (found >= 0) return -1;
+    found = static_cast<int>(i);
+  }
+  return found;
+}
+
+Json problem_json(Problem problem, const std::string& toml_file, const std::string& table_file,
+                  const io::Table& table) {
+  const int in_table = line_in(problem.where, table_file), in_rock = line_in(problem.where, toml_file);
+  const bool of_table = in_table > 0 || problem.where == table_file;
+  const int line = of_table ? in_table : in_rock;
+  const int column = in_table > 0 ? column_of(table, in_table, problem) : -1;
+  if (of_table || in_rock > 0 || problem.where == toml_file) problem.where.clear();
+  return {{"where", of_table ? "table" : "rock"},
+          {"line", line > 0 ? Json(line) : Json(nullptr)},
+          {"column", column >= 0 ? Json(column) : Json(nullptr)},
+          {"text", to_line(problem)}};
+}
+
+Json target_json(const Target& t) {
+  const double half = t.half_width();
+  Json j = {{"property", to_string(t.property)},
+            {"unit", t.property == Property::nu ? "1" : "Pa"},
+            {"theta", t.theta},
+            {"mean", t.mean},
+            {"sd", t.sd},
+            {"n", t.n},
+            {"low", t.mean - half},
+            {"high", t.mean + half},
+            {"specimens", t.specimens}};
+  if (t.confining > 0.0) j["confining"] = t.confining;
+  if (t.diameter > 0.0) j["diameter"] = t.diameter;
+  return j;
+}
+
+Json curve_json(const report::AngleCurve& curve) {
+  return {{"note", curve.note}, {"theta", curve.theta}, {"value", curve.value}};
+}
+
+Json parameter_json(const ParameterEstimate& e) {
+  const bool known = e.determined && std::isfinite(e.low);
+  return {{"symbol", e.symbol},
+          {"determined", e.determined},
+          {"interval", known ? Json(fmt::format("x {:.2f} ... {:.2f}", e.low, e.high)) : Json(nullptr)},
+          {"rests_on", e.rests_on},
+          {"next_test", e.next_test}};
+}
+
+void tell(const Rock& rock, Json& answer) {
+  const jobs::RockCheck found = jobs::check(rock);
+  answer["notes"] = found.evidence.rock.notes;
+  for (const Target& t : found.evidence.targets) answer["targets"].push_back(target_json(t));
+  const report::TheoryCurves theory = report::theory_curves(found.evidence.targets);
+  answer["theory"] = {{"E", curve_json(theory.E)}, {"UCS", curve_json(theory.ucs)}};
+  answer["says"] = found.says;
+  for (const ParameterEstimate& e : found.parameters) answer["parameters"].push_back(parameter_json(e));
+  answer["advice"] = found.advice;
+  if (found.forecast) answer["forecast"] = *found.forecast;
+}
+
+}  // namespace
+
+Json check_answer(const std::string& name, const std::string& toml, const std::optional<std::string>& table) {
+  Json answer = {{"problems", Json::array()}, {"notes", Json::array()}, {"targets", Json::array()},
+                 {"theory", nullptr},         {"says", Json::array()},  {"parameters", Json::array()},
+                 {"advice", Json::array()},   {"forecast", nullptr}};
+  const std::string toml_file = name + ".toml", table_file = table_named_in(toml, name + ".csv");
+  try {
+    tell(io::parse_rock(toml, toml_file, {table, {}}), answer);
+  } catch (const InputError& e) {
+    const io::Table cells = io::parse_table(table.value_or(""), table_file);
+    for (const Problem& p : e.problems())
+      answer["problems"].push_back(problem_json(p, toml_file, table_file, cells));
+  } catch (const IoError& e) {
+    answer["problems"].push_back(
+        {{"where", "rock"}, {"line", nullptr}, {"column", nullptr}, {"text", e.what()}});
+  }
+  return answer;
+}
+
+}  // namespace phy::desk

@@ -1,0 +1,73 @@
+#include "desk/table_check.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace phy::desk {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string toml = "data = \"shale.csv\"\n";
+const std::string good =
+    "theta (deg)\tE (GPa)\tnu\tUCS (MPa)\n0\t23.2\t0.2\t105\n30\t16.6\t0.3\t67\n45\t15\t0.3\t52\n"
+    "60\t21\t0.3\t50\n90\t59\t0.2\t138\n";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(TableCheck, AProblemNamesItsCell) {
+  const Json answer = check_answer("shale", toml, with(good, "\t67", "\tabout 67"));
+  ASSERT_EQ(answer["problems"].size(), 1U) << answer;
+  const Json& p = answer["problems"][0];
+  EXPECT_EQ(p["where"], "table");
+  EXPECT_EQ(p["line"], 3);
+  EXPECT_EQ(p["column"], 3);
+  EXPECT_THAT(p["text"].get<std::string>(), HasSubstr("UCS = about 67"));
+  EXPECT_EQ(p["text"].get<std::string>().find("shale.csv"), std::string::npos);  // the page shows where
+  EXPECT_TRUE(answer["targets"].empty());
+}
+
+TEST(TableCheck, ANumberThatStandsTwiceInItsRowHasNoCell) {
+  const Json answer = check_answer("shale", toml, with(good, "16.6\t0.3\t67", "-7\t0.3\t-7"));
+  ASSERT_EQ(answer["problems"].size(), 2U) << answer;
+  for (const Json& p : answer["problems"]) {
+    EXPECT_EQ(p["line"], 3);
+    EXPECT_TRUE(p["column"].is_null());
+  }
+}
+
+TEST(TableCheck, ProblemsOfTheRockFileHaveItsLines) {
+  const Json answer = check_answer("shale", toml + "E_is = \"guess\"\n", good);
+  ASSERT_EQ(answer["problems"].size(), 1U);
+  EXPECT_EQ(answer["problems"][0]["where"], "rock");
+  EXPECT_EQ(answer["problems"][0]["line"], 2);
+  const Json other = check_answer("shale", toml + "recipe = \"absent.toml\"\n", good);
+  ASSERT_FALSE(other["problems"].empty());
+  EXPECT_THAT(other["problems"][0]["text"].get<std::string>(), HasSubstr("absent.toml"));
+}
+
+TEST(TableCheck, AGoodTableIsToldAsByRockCheck) {
+  const Json answer = check_answer("shale", toml, good);
+  EXPECT_TRUE(answer["problems"].empty()) << answer["problems"];
+  EXPECT_EQ(answer["targets"].size(), 15U);
+  EXPECT_EQ(answer["targets"][0]["property"], "E");
+  EXPECT_DOUBLE_EQ(answer["targets"][0]["mean"], 23.2e9);
+  EXPECT_LT(answer["targets"][0]["low"], answer["targets"][0]["mean"]);
+  EXPECT_GT(answer["theory"]["E"]["theta"].size(), 10U);
+  EXPECT_GT(answer["theory"]["UCS"]["value"].size(), 10U);
+  EXPECT_GT(answer["parameters"].size(), 4U);
+  EXPECT_THAT(answer["forecast"].get<std::string>(), HasSubstr("foretold"));
+}
+
+TEST(TableCheck, RubbishIsAnsweredToo) {
+  for (const std::string& table :
+       {std::string(), std::string("\0\0\xff", 3), std::string(5000, ','), std::string("PK\x03\x04")})
+    EXPECT_FALSE(check_answer("shale", toml, table)["problems"].empty());
+  for (const char* rock : {"", "data", "data = 3", "= = =", "[", "data = \"x\x01y\""})
+    EXPECT_FALSE(check_answer("shale", rock, good)["problems"].empty()) << rock;
+}
+
+}  // namespace
+}  // namespace phy::desk

@@ -1,0 +1,123 @@
+#include "jobs/calibration_watch.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+#include "base/clock.hpp"
+#include "io/file.hpp"
+#include "records/specimen_record.hpp"
+
+namespace phy::jobs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::chrono::seconds period{1}, patience{3};
+constexpr std::size_t most_points = 400;  // of a curve on a screen
+
+void keep_every_second(std::vector<double>& values) {
+  for (std::size_t i = 1; 2 * i < values.size(); ++i) values[i] = values[2 * i];
+  values.resize((values.size() + 1) / 2);
+}
+
+}  // namespace
+
+CalibrationWatch::CalibrationWatch(const std::string& folder)
+    : file_((std::filesystem::path(folder) / watch_file).string()), start_(Clock::now()) {
+  write_now();
+}
+
+CalibrationWatch::~CalibrationWatch() {
+  if (state_ == "running") end("failed");
+}
+
+void CalibrationWatch::say(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  said_.push_back(text);
+  tests_ = {};
+  write_now();
+}
+
+void CalibrationWatch::tests(const calibrate::TestProgress& progress) {
+  const std::lock_guard lock(mutex_);
+  tests_ = progress;
+  write_soon();
+}
+
+void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameters) {
+  const std::lock_guard lock(mutex_);
+  for (const ParameterEstimate& p : parameters) {
+    auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.key == p.key; });
+    if (known == known_.end())
+      known = known_.insert(known_.end(), {p.key, p.symbol, p.unit, p.box_low, p.box_high, {}});
+    known->steps.push_back({p.value, p.low, p.high});
+  }
+  write_now();
+}
+
+void CalibrationWatch::begin_test(const Recipe& test) {
+  pressed_ = {&test, specimen_names(test).front(), test.test.kind->name, {}, {}, Clock::now()};
+}
+
+void CalibrationWatch::reading(const Recipe& test, double strain, double stress) {
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  if (&test != pressed_.test) {
+    if (pressed_.test != nullptr && now - pressed_.heard < patience) return;
+    begin_test(test);
+  }
+  if (!pressed_.strain.empty() && strain < pressed_.strain.back()) begin_test(test);  // it starts over
+  pressed_.heard = now;
+  pressed_.strain.push_back(strain), pressed_.stress.push_back(stress);
+  if (pressed_.strain.size() > most_points)
+    keep_every_second(pressed_.strain), keep_every_second(pressed_.stress);
+  write_soon();
+}
+
+void CalibrationWatch::end(const std::string& state) {
+  const std::lock_guard lock(mutex_);
+  state_ = state, tests_ = {}, pressed_ = {};
+  write_now();
+}
+
+std::string CalibrationWatch::text() const {
+  Json j = {{"state", state_},
+            {"stage", said_.empty() ? "" : said_.back()},
+            {"seconds", seconds_since(start_)},
+            {"n_done", tests_.n_done},
+            {"n_total", tests_.n_total},
+            {"seconds_left", tests_.seconds_left > 0.0 ? Json(tests_.seconds_left) : Json(nullptr)},
+            {"said", said_},
+            {"parameters", Json::array()},
+            {"pressed", nullptr}};
+  for (const Known& k : known_) {
+    Json steps = Json::array();
+    for (const Step& s : k.steps) steps.push_back({{"value", s.value}, {"low", s.low}, {"high", s.high}});
+    j["parameters"].push_back({{"key", k.key},
+                               {"symbol", k.symbol},
+                               {"unit", k.unit},
+                               {"box", {k.box_low, k.box_high}},
+                               {"steps", std::move(steps)}});
+  }
+  if (pressed_.test != nullptr)
+    j["pressed"] = {{"specimen", pressed_.name},
+                    {"test", pressed_.kind},
+                    {"strain", pressed_.strain},
+                    {"stress", pressed_.stress}};
+  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void CalibrationWatch::write_now() {
+  written_ = Clock::now();
+  try {
+    io::write_file(file_, text());
+  } catch (const IoError&) {  // a full disk is told by what matters
+  }
+}
+
+void CalibrationWatch::write_soon() {
+  if (Clock::now() - written_ >= period) write_now();
+}
+
+}  // namespace phy::jobs

@@ -1,0 +1,65 @@
+// What can be seen of a calibration while it runs: a file in its folder, rewritten once a second, for pages
+// and scripts that follow it (docs/formats.md, "Calibration"). It says how far the tests have come, what is
+// known of the parameters after every batch, and how the specimen does that is in the press.
+#pragma once
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "calibrate/calibration.hpp"
+
+namespace phy::jobs {
+
+/// Its name. Like the list of written files it belongs to the program, and to no result.
+constexpr const char* watch_file = ".progress.json";
+
+/// All may be called from any thread. A file that cannot be written is no failure: nobody will see it.
+class CalibrationWatch {
+ public:
+  /// `folder` is there. Writes at once.
+  explicit CalibrationWatch(const std::string& folder);
+  /// Without an end the calibration has "failed".
+  ~CalibrationWatch();
+  CalibrationWatch(const CalibrationWatch&) = delete;
+  CalibrationWatch& operator=(const CalibrationWatch&) = delete;
+  void say(const std::string& text);
+  void tests(const calibrate::TestProgress& progress);
+  void estimates(const std::vector<ParameterEstimate>& parameters);
+  /// Of all tests that run one is shown, from its beginning, until it ends or falls silent.
+  void reading(const Recipe& test, double strain, double stress);
+  /// The last that is written: "finished", or "stopped" by the user.
+  void end(const std::string& state);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Step {
+    double value, low, high;
+  };
+  struct Known {
+    std::string key, symbol, unit;
+    double box_low, box_high;
+    std::vector<Step> steps;
+  };
+  struct Pressed {
+    const Recipe* test = nullptr;  // of these tests, never followed
+    std::string name, kind;
+    std::vector<double> strain, stress;
+    Clock::time_point heard;
+  };
+  std::string file_;
+  std::mutex mutex_;
+  std::string state_ = "running";
+  std::vector<std::string> said_;
+  std::vector<Known> known_;  // in the order of their first estimate
+  calibrate::TestProgress tests_;
+  Pressed pressed_;
+  Clock::time_point start_, written_;
+
+  std::string text() const;
+  void write_now();
+  void write_soon();
+  void begin_test(const Recipe& test);
+};
+
+}  // namespace phy::jobs
