@@ -14,6 +14,7 @@
 #include "io/load.hpp"
 #include "io/reads.hpp"
 #include "io/rock_in.hpp"
+#include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
 #include "jobs/machine.hpp"
@@ -97,25 +98,35 @@ Json files_in(const std::string& folder, const std::vector<const char*>& names) 
   return files;
 }
 
-/// The laboratory's word for a test.
-const TestDescription* find_test(const std::string& name) {
-  for (const TestDescription* test : laboratory_tests())
-    if (name == test->name) return test;
-  return nullptr;
+/// What a recipe asks for; nullptr: it cannot be read.
+const TestDescription* test_in(const std::string& recipe) {
+  try {
+    return &*io::read_recipe(recipe).test.kind;
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+/// The value behind keys, one in the other; null where one of them is missing.
+Json value_in(const Json& j, const std::vector<std::string>& keys) {
+  const Json* value = &j;
+  for (const std::string& key : keys) {
+    if (!value->is_object() || !value->contains(key)) return nullptr;
+    value = &value->at(key);
+  }
+  return *value;
 }
 
 /// The number that a test was made for.
-Json specimen_json(const Json& result) {
-  Json j = {{"specimen", result.value("specimen", "")},
-            {"theta", result.contains("theta [deg]") ? result["theta [deg]"] : Json(nullptr)},
-            {"status", result.contains("outcome") ? result["outcome"].value("status", "") : ""}};
-  const TestDescription* test = find_test(result.value("test", "uniaxial"));
-  if (test == nullptr || !result.contains("numbers")) return j;
+Json specimen_json(const Json& result, const TestDescription* test) {
+  Json j = {{"specimen", value_in(result, {"specimen"})},
+            {"theta", value_in(result, {"theta [deg]"})},
+            {"status", value_in(result, {"outcome", "status"})}};
+  if (test == nullptr) return j;
   const TestQuantity made_for = test->curve.quantity();
-  if (!result["numbers"].contains(made_for.number)) return j;
   j["strength"] = made_for.label;
-  j["value"] = result["numbers"][made_for.number]["value"];
-  j["unit"] = result["numbers"][made_for.number]["unit"];
+  j["value"] = value_in(result, {"numbers", made_for.number, "value"});
+  j["unit"] = value_in(result, {"numbers", made_for.number, "unit"});
   return j;
 }
 
@@ -164,8 +175,10 @@ Response Desk::route(const Request& request) {
   if (request.path == "/api/recipe") {
     const std::string name = asked.at("name");
     check_name(name);
-    return json(recipe_answer(path_in(calibration_of(name), "calibrated.toml"),
-                              asked.at("changes").get<std::map<std::string, std::string>>()));
+    const std::string base = path_in(calibration_of(name), "calibrated.toml");
+    if (!exists(base))
+      throw InputError(Problem{"", "rock", name, "a rock that has been calibrated", "calibrate it first"});
+    return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
   }
   const std::lock_guard lock(mutex_);
   if (request.path == "/api/save") {
@@ -189,8 +202,7 @@ Json Desk::project() {
   Json rocks = Json::array();
   for (const std::string& name : rock_names()) {
     const Json c = calibration(name);
-    const Json verdict = c["verdict"].is_null() ? Json(nullptr) : c["verdict"]["status"];
-    rocks.push_back({{"name", name}, {"state", c["state"]}, {"verdict", verdict}});
+    rocks.push_back({{"name", name}, {"state", c["state"]}, {"verdict", value_in(c, {"verdict", "status"})}});
   }
   return {
       {"version", PHY_VERSION},
@@ -234,7 +246,7 @@ Json Desk::calibration(const std::string& name) {
   const bool here = is_running(folder), finished = exists(path_in(folder, "calibration.json"));
   const std::string watched = path_in(folder, jobs::watch_file);
   Json progress = json_in(watched);
-  const std::string told = progress.is_object() ? progress.value("state", "") : "";
+  const Json told = value_in(progress, {"state"});
   const int code = exit_code(folder);
   const bool elsewhere = !finished && told == "running" && code < 0 && is_fresh(watched);
   const std::string state = here || elsewhere                              ? "running"
@@ -252,7 +264,7 @@ Json Desk::calibration(const std::string& name) {
           {"here", here},
           {"progress", std::move(progress)},
           {"log", tail(content(log_of(folder)))},
-          {"verdict", result.is_object() && result.contains("verdict") ? result["verdict"] : Json(nullptr)},
+          {"verdict", value_in(result, {"verdict"})},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
           {"files", files_in(folder, {"report.html", "calibrated.toml", "tables.txt", "calibration.json",
                                       "calibrated.p2dat", "calibrated-yade.py"})}};
@@ -260,11 +272,12 @@ Json Desk::calibration(const std::string& name) {
 
 Json Desk::test(const std::string& rock, const std::string& name) {
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
+  const TestDescription* kind = test_in(recipe);
   Json specimens = Json::array();
   if (exists(folder))
     for (const std::string& of : io::result_folders(folder))
       if (const Json result = json_in(path_in(of, "result.json")); result.is_object())
-        specimens.push_back(specimen_json(result));
+        specimens.push_back(specimen_json(result, kind));
   const int code = exit_code(folder);
   const std::string state = is_running(folder)                       ? "running"
                             : code >= 2                              ? "failed"
@@ -320,6 +333,7 @@ Json Desk::calibrate(const Json& asked) {
   if (const Json now = calibration(name); now["state"] == "running")
     throw InputError(
         Problem{"", request.out, "", "one calibration of a rock at a time", "stop the other first"});
+  io::make_folder(request.out);  // now: it is the newest from here on
   return start(jobs::words_of(request), request.out);
 }
 

@@ -1,0 +1,198 @@
+// `phyllite lab`: what its page asks for, over the wire. The page itself: tests/browser/lab.test.mjs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "../program.hpp"
+#include "desk/http_fixture.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using phy::desk::Answer;
+using testing::HasSubstr;
+
+/// The program as a server, in a folder of its own.
+class Lab : public ProgramTest {
+ protected:
+  pid_t process = 0;
+  int port = 0;
+  std::string token;
+  const std::string home = at("rocks");
+
+  void SetUp() override {
+    ProgramTest::SetUp();
+    fs::create_directory(home);
+    std::ofstream(fs::path(home) / "model.toml")
+        << "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\n"
+           "spacing = \"2 mm\"\n[test]\nplaten_speed = \"0.2 m/s\"\n";
+    begin();
+  }
+  void TearDown() override { end(SIGTERM); }
+
+  void begin() {
+    const std::string said = at("said.txt");
+    fs::remove(said);
+    const std::string line =
+        "exec " + std::string(PHY_PROGRAM) + " --threads 2 lab " + home + " > " + said + " 2>&1";
+    const char* arguments[] = {"sh", "-c", line.c_str(), nullptr};
+    ASSERT_EQ(posix_spawn(&process, "/bin/sh", nullptr, nullptr, const_cast<char**>(arguments), environ), 0);
+    const std::string mark = "?token=";
+    for (int i = 0; i < 200 && read(said).find("Ctrl-C") == std::string::npos; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const std::string address = read(said).substr(0, read(said).find('\n'));
+    ASSERT_THAT(address, HasSubstr("http://127.0.0.1:"));
+    port = std::stoi(address.substr(std::string("http://127.0.0.1:").size()));
+    token = address.substr(address.find(mark) + mark.size());
+  }
+  /// The exit code, 128 + signal where a signal ended it.
+  int end(int signal) {
+    if (process == 0) return -1;
+    ::kill(process, signal);
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    process = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  std::string known() const {
+    return "Host: 127.0.0.1:" + std::to_string(port) + "\r\nX-Phyllite-Token: " + token + "\r\n";
+  }
+  Json get(const std::string& target) const {
+    const Answer answer = phy::desk::ask(port, "GET " + target, known());
+    EXPECT_EQ(answer.status, 200) << target << "\n" << answer.body;
+    return Json::parse(answer.body, nullptr, false);
+  }
+  Answer post(const std::string& target, const Json& asked) const {
+    return phy::desk::ask(port, "POST " + target, known(), asked.dump());
+  }
+  Json done(const std::string& target, const Json& asked) const {
+    const Answer answer = post(target, asked);
+    EXPECT_EQ(answer.status, 200) << target << "\n" << answer.body;
+    return Json::parse(answer.body, nullptr, false);
+  }
+  Json calibration() const { return get("/api/rock?name=shale")["calibration"]; }
+  /// Asks until nothing runs; the last answer.
+  Json waited() const {
+    Json now = calibration();
+    for (int i = 0; i < 1200 && now["state"] == "running"; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      now = calibration();
+    }
+    return now;
+  }
+  void save_rock() const {
+    done("/api/save",
+         {{"name", "shale"},
+          {"toml", "data = \"shale.csv\"\nrecipe = \"model.toml\"\nE_is = \"small strain\"\n"},
+          {"table",
+           "theta [deg],E [GPa],nu,UCS [MPa]\n0,23.2,0.2,105\n30,16.6,0.3,67\n60,21,0.3,50\n90,59,0.2,138\n"},
+          {"stamp", ""}});
+  }
+};
+
+TEST_F(Lab, WhatThePageStartsIsTheCommandThatItShows) {
+  save_rock();
+  EXPECT_EQ(calibration()["state"], "new");
+  const std::string command = done("/api/calibrate", {{"name", "shale"}, {"elastic", true}})["command"];
+  const Json finished = waited();
+  EXPECT_EQ(finished["state"], "finished") << finished;
+  EXPECT_FALSE(finished["verdict"]["sentence"].get<std::string>().empty());
+  EXPECT_EQ(finished["progress"]["state"], "finished");
+  EXPECT_FALSE(finished["progress"]["parameters"].empty());
+  EXPECT_THAT(finished["log"].get<std::string>(), testing::StartsWith("$ " + command + "\n"));
+  // the same by hand, elsewhere
+  fs::create_directory(at("hand"));
+  for (const char* file : {"shale.toml", "shale.csv", "model.toml"})
+    fs::copy_file(fs::path(home) / file, fs::path(at("hand")) / file);
+  const std::string words = command.substr(std::string("phyllite").size());
+  run_line("cd " + at("hand") + " && " + PHY_PROGRAM + words);
+  EXPECT_EQ(read(at("hand/shale-calibration/calibrated.toml")),
+            read(fs::path(home) / "shale-calibration/calibrated.toml"));
+  // begun afresh, the first one stays
+  done("/api/calibrate", {{"name", "shale"}, {"elastic", true}, {"anew", true}});
+  EXPECT_EQ(waited()["folder"], "shale-calibration-2");
+  EXPECT_TRUE(fs::exists(fs::path(home) / "shale-calibration/report.html"));
+  const Answer report = phy::desk::ask(port, "GET /files/shale-calibration/report.html", known());
+  EXPECT_EQ(report.status, 200);
+  EXPECT_THAT(report.head, HasSubstr("sandbox"));
+}
+
+TEST_F(Lab, ATestIsARecipeAndItsResults) {
+  save_rock();
+  done("/api/calibrate", {{"name", "shale"}, {"elastic", true}});
+  waited();
+  const Json recipe = done("/api/recipe", {{"name", "shale"},
+                                           {"changes",
+                                            {{"test.kind", "direct_tension"},
+                                             {"test.platen_speed", "0.02 m/s"},
+                                             {"test.angles", "[\"0 deg\", \"90 deg\"]"}}}});
+  ASSERT_TRUE(recipe["problems"].empty()) << recipe;
+  done("/api/test", {{"name", "shale"}, {"test", "pull"}, {"toml", recipe["toml"]}});
+  Json test;
+  for (int i = 0; i < 600; ++i) {
+    test = get("/api/rock?name=shale")["tests"].at(0);
+    if (test["state"] != "running") break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_EQ(test["state"], "finished") << test;
+  ASSERT_EQ(test["specimens"].size(), 2U);
+  EXPECT_EQ(test["specimens"][0]["status"], "peaked");
+  EXPECT_GT(test["specimens"][0]["value"].get<double>(), 1e6);
+  EXPECT_EQ(read(fs::path(home) / "shale-tests/pull.toml"), recipe["toml"].get<std::string>());
+  EXPECT_EQ(post("/api/test", {{"name", "shale"}, {"test", "pull"}, {"toml", "another"}}).status, 400);
+}
+
+TEST_F(Lab, StoppedAndTakenUpAgainAlsoByAnotherServer) {
+  save_rock();
+  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 72}});
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // one at a time
+  const auto n_done = [&] {
+    const Json progress = calibration()["progress"];
+    return progress.is_null() ? 0 : progress["n_done"].get<int>();
+  };
+  for (int i = 0; i < 600 && n_done() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  done("/api/stop", {{"name", "shale"}});
+  Json stopped = waited();
+  EXPECT_EQ(stopped["state"], "stopped") << stopped;
+  EXPECT_EQ(stopped["progress"]["state"], "stopped");
+  done("/api/calibrate", {{"name", "shale"}, {"resume", true}});
+  // the server goes, and what it runs with it; nothing is lost
+  EXPECT_EQ(end(SIGTERM), 0);
+  begin();
+  stopped = calibration();
+  EXPECT_EQ(stopped["state"], "stopped") << stopped;
+  EXPECT_THAT(stopped["command"].get<std::string>(), HasSubstr("--max-tests 72 --resume"));
+  done("/api/calibrate", {{"name", "shale"}, {"resume", true}});
+  EXPECT_EQ(waited()["state"], "finished");
+}
+
+TEST_F(Lab, WhatCannotRunFailsWithItsReason) {
+  save_rock();
+  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}});
+  const Json failed = waited();
+  EXPECT_EQ(failed["state"], "failed");
+  EXPECT_EQ(failed["exit_code"], 2);
+  EXPECT_EQ(failed["progress"]["state"], "failed");
+  EXPECT_THAT(failed["log"].get<std::string>(), HasSubstr("--max-tests = 5"));
+  EXPECT_EQ(post("/api/stop", {{"name", "shale"}}).status, 400);
+  for (const char* body :
+       {"", "{", "[]", "{\"name\": 3}", "{\"name\": \"../x\", \"toml\": \"\", \"table\": null}"})
+    EXPECT_EQ(phy::desk::ask(port, "POST /api/check", known(), std::string(body) + " ").status, 400) << body;
+  EXPECT_EQ(phy::desk::ask(port, "GET /api/no-such", known()).status, 404);
+}
+
+TEST_F(Lab, ItsOwnInput) {
+  EXPECT_EQ(run("lab " + at("x") + " --port 70000"), 2);
+  EXPECT_EQ(run("lab " + at("x") + " --port " + std::to_string(port)), 3);
+  EXPECT_THAT(output, HasSubstr("choose another --port"));
+  write("file", "");
+  EXPECT_EQ(run("lab " + at("file")), 3);
+}
+
+}  // namespace
