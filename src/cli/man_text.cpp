@@ -213,6 +213,17 @@ const std::vector<ManText>& texts() {
        {{"",
          "phyllite envelope examples/pfc2d/specimen.toml --confining \"0 MPa,5 MPa,10 MPa\" --out "
          "results/envelope"}}},
+      {"lab",
+       "Serves a page to work in on 127.0.0.1, for a browser on the same machine, and prints its address, "
+       "which "
+       "is a key: whoever has it can use the page. On it a table is typed or pasted and checked, a rock "
+       "calibrated, and tests on the calibrated rock are set up and run. Each button is a command of this "
+       "program, which is shown, and leaves the same files in FOLDER. It runs until it is stopped; what it "
+       "has started is then stopped as by Ctrl-C and can be gone on with.",
+       {{"NAME.toml, NAME.csv", "a rock and its table"},
+        {"NAME-calibration/, NAME-calibration.log", "its calibration, and what that printed"},
+        {"NAME-tests/", "recipes of tests on the calibrated rock, and their results"}},
+       {}},
       {"man",
        "Prints a manual page in the language of man(7), or writes all of them, made from the tree of verbs "
        "and "
