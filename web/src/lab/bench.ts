@@ -70,6 +70,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     // what cannot be read was not kept by this page
   }
   let recipe: Recipe | null = null;
+  let of = ""; // which calibration the recipe is of
   let asked = 0;
   let taken: string[] = [];
 
@@ -143,6 +144,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
       if (mine === asked) recipe = answer;
     });
     draw();
+    if (document.activeElement !== area.node) area.reveal(area.node.value.split("\n").indexOf("[test]"));
   }
 
   const applies = (k: Key) => always.includes(k.path) || kindsOf(k, kinds).length === 0 || own().includes(k);
@@ -197,7 +199,9 @@ export function benchView(rock: string, project: Project, changed: () => void): 
       const calibrated = answer.calibration.files.some((f) => f.endsWith("/calibrated.toml"));
       before.hidden = calibrated;
       form.hidden = !calibrated;
-      if (calibrated && asked === 0) void fetchRecipe();
+      const version = JSON.stringify(answer.calibration.verdict);
+      if (calibrated && version !== of) void fetchRecipe();
+      if (calibrated) of = version;
       taken = answer.tests.map((t) => t.name);
       showTests(answer.tests);
       if (calibrated) draw();
@@ -232,7 +236,7 @@ function testView(rock: string, name: string, changed: () => void) {
     node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, output),
     show(t: LabTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
-      keyed(state, [t.state, t.exit_code], () => [t.state === "failed" ? `ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why` : t.state]);
+      keyed(state, [t.state, t.exit_code], () => [t.state === "failed" ? `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.` : `${t.state[0].toUpperCase()}${t.state.slice(1)}.`]);
       stop.hidden = t.state !== "running";
       keyed(results, t.specimens, () => [specimens(t)]);
       keyed(rest, [t.files, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command), t.files.length > 0 && fold(counted(t.files.length, "file"), fileList(t.files))]);

@@ -22,15 +22,15 @@ export function duration(seconds: number): string {
 function state(c: Calibrating): string {
   switch (c.state) {
     case "new":
-      return "not calibrated yet";
+      return "Not calibrated yet.";
     case "running":
-      return c.here ? "running" : "running, started elsewhere: it is stopped there";
+      return c.here ? "Running." : "Running, started elsewhere: it is stopped there.";
     case "stopped":
-      return "stopped; what is finished is kept";
+      return "Stopped; what is finished is kept.";
     case "failed":
-      return `ended with an error${c.exit_code === null ? "" : ` (exit code ${c.exit_code})`}; the output says why`;
+      return `Ended with an error${c.exit_code === null ? "" : ` (exit code ${c.exit_code})`}; the output says why.`;
     case "finished":
-      return "finished";
+      return "Finished.";
   }
 }
 
@@ -45,12 +45,13 @@ function watch() {
   return {
     node: h("div", { class: "watch" }, h("div", {}, stage, bar, time, said), press.node, heading, parameters.node),
     show(p: Progress, running: boolean) {
-      stage.textContent = p.stage;
+      stage.textContent = p.state === "finished" ? "" : p.stage;
       bar.hidden = !running;
       bar.max = Math.max(1, p.n_total);
       bar.value = p.n_done;
-      const left = !running ? "" : p.seconds_left === null ? ", time left not known yet" : `, about ${duration(p.seconds_left)} left`;
-      time.textContent = `${p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests, ` : ""}${duration(p.seconds)} so far${left}`;
+      const left = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left`;
+      const tests = p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage, ` : "";
+      time.textContent = running ? `${tests}${duration(p.seconds)} so far, ${left}` : `It took ${duration(p.seconds)}.`;
       said.textContent = running ? (p.said.at(-1) ?? "") : "";
       const angle = p.pressed?.theta == null ? "" : `, θ = ${p.pressed.theta}°`;
       const now = running ? p.pressed : null;

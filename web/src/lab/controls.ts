@@ -73,8 +73,15 @@ export function keyed(place: HTMLElement, shown: unknown, make: () => Child[]) {
   place.replaceChildren(...make().filter((c): c is Node | string => !!c));
 }
 
+export interface TextArea {
+  node: HTMLTextAreaElement;
+  set(text: string): void;
+  goTo(line: number): void; // its text selected
+  reveal(line: number): void; // at the top of what is seen
+}
+
 /** A text area that keeps the caret when its text is set from elsewhere. */
-export function textArea(changed: (text: string) => void, attributes: Record<string, string>): { node: HTMLTextAreaElement; set(text: string): void; goTo(line: number): void } {
+export function textArea(changed: (text: string) => void, attributes: Record<string, string>): TextArea {
   const node = h("textarea", { spellcheck: "false", autocapitalize: "off", autocomplete: "off", wrap: "off", ...attributes });
   node.addEventListener("input", () => changed(node.value));
   return {
@@ -84,7 +91,7 @@ export function textArea(changed: (text: string) => void, attributes: Record<str
       const caret = node.selectionStart;
       node.value = text;
       node.setSelectionRange(caret, caret);
-      node.rows = Math.min(28, Math.max(6, text.split("\n").length + 1));
+      node.rows = Math.min(22, Math.max(6, text.split("\n").length + 1));
     },
     goTo(line) {
       const before = node.value.split("\n").slice(0, line);
@@ -92,6 +99,9 @@ export function textArea(changed: (text: string) => void, attributes: Record<str
       const end = node.value.indexOf("\n", from);
       node.focus();
       node.setSelectionRange(from, end < 0 ? node.value.length : end);
+    },
+    reveal(line) {
+      node.scrollTop = (line * node.scrollHeight) / Math.max(1, node.value.split("\n").length);
     },
   };
 }

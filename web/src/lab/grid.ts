@@ -95,7 +95,7 @@ export class Grid {
   private input(line: number, column: number, value: string, label: string, head = false): HTMLInputElement {
     const i = h("input", { type: "text", "data-line": String(line), "data-column": String(column), "aria-label": label, autocomplete: "off", spellcheck: "false", ...(head ? { list: "column-names" } : {}) });
     i.value = value;
-    i.size = Math.min(24, Math.max(head ? 10 : 6, value.length + 1));
+    i.style.minWidth = `${Math.min(26, Math.max(6, value.length) + 3)}ch`;
     return i;
   }
 
@@ -165,7 +165,7 @@ export class Grid {
   private pressed(e: KeyboardEvent) {
     const i = e.target;
     if (!(i instanceof HTMLInputElement) || e.altKey) return;
-    if ((e.ctrlKey || e.metaKey) && e.key === "z") return this.act(e, () => this.undo());
+    if ((e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z") return this.act(e, () => this.undo());
     if (e.ctrlKey || e.metaKey) return;
     const moves: Record<string, () => void> = {
       Enter: () => this.move(e.shiftKey ? -1 : 1, 0),

@@ -2,7 +2,7 @@
 import { h, theme } from "../dom";
 import { benchView } from "./bench";
 import { calibrationView } from "./calibration";
-import { attempt, button, counted, field, input, keyed, objections } from "./controls";
+import { argument, attempt, button, command, counted, field, input, keyed, objections } from "./controls";
 import { draft, onDraft } from "./drafts";
 import { findingsView } from "./findings";
 import { Rock } from "./rock";
@@ -28,15 +28,18 @@ function section(id: string, title: string, ...children: Node[]): HTMLElement {
 
 const away = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program has been stopped. "), "Start ", h("code", {}, "phyllite lab"), " again in this folder. The table as typed is kept in this browser.");
 const stranger = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program does not know this page any more. "), "Open the address that it has printed. The table as typed is kept in this browser.");
-away.hidden = stranger.hidden = true;
+const trouble = h("div", { class: "notice", role: "alert" });
+for (const n of [away, stranger, trouble]) n.hidden = true;
+document.getElementById("bar")!.prepend(away, stranger, trouble);
 
 onConnection((answers) => {
-  if (away.hidden !== answers && answers) recheck();
+  if (answers && !away.hidden) recheck();
   away.hidden = answers;
 });
 
 // --- rocks ----------------------------------------------------------------------------------------------------
 
+const opening = objections();
 const rockList = h("ul", { class: "rocks" });
 const folder = h("p", { class: "muted" });
 const place = h("div");
@@ -45,7 +48,7 @@ function listRocks() {
   const states = project.rocks.map((r) => [r.name, r.verdict ?? r.state, draft(project.folder, r.name) !== null, r.name === open?.rock.name]);
   keyed(rockList, states, () =>
     project.rocks.map((r) => {
-      const b = button(r.name, () => void openRock(r.name));
+      const b = button(r.name, () => void attempt(opening, () => openRock(r.name)));
       b.append(h("small", {}, r.verdict ?? r.state, draft(project.folder, r.name) ? ", not saved" : ""));
       if (r.name === open?.rock.name) b.setAttribute("aria-current", "true");
       return h("li", {}, b);
@@ -57,7 +60,8 @@ function listRocks() {
 const beginning = (name: string) => `name = ${quoted(name)}\ndata = ${quoted(`${name}.csv`)}\n\n[specimen]\nwidth = "38 mm"\nheight = "76 mm"\n`;
 
 function newRock(): HTMLElement {
-  const name = input(() => {}, { required: "" });
+  const asked = h("div");
+  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`)]), { required: "" });
   const wrong = objections();
   const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
   form.addEventListener("submit", (e) => {
@@ -72,7 +76,7 @@ function newRock(): HTMLElement {
       main.querySelector<HTMLInputElement>(".sheet input")?.focus();
     });
   });
-  return h("div", {}, form, wrong);
+  return h("div", {}, form, wrong, asked);
 }
 
 // --- the rock that is open ------------------------------------------------------------------------------------
@@ -179,6 +183,7 @@ function layOut(answer: RockAnswer) {
   document.getElementById("title")!.textContent = name;
   document.title = `${name} – Phyllite lab`;
   show();
+  rock.takeDraft();
   meet(answer);
 }
 
@@ -201,11 +206,14 @@ async function look() {
       const answer = await ask<RockAnswer>(`/api/rock?name=${encodeURIComponent(name)}`);
       if (open?.rock.name === name) open.meet(answer);
     }
-    if (!open || turn % 4 === 0) project = await ask<Project>("/api/project");
-    stranger.hidden = true;
+    if (!open?.running || turn % 4 === 0) project = await ask<Project>("/api/project");
+    stranger.hidden = trouble.hidden = true;
     listRocks();
   } catch (error) {
-    stranger.hidden = !(error instanceof Refused && [401, 403].includes(error.status));
+    const unknown = error instanceof Refused && [401, 403].includes(error.status);
+    stranger.hidden = !unknown;
+    trouble.hidden = unknown || error instanceof Gone;
+    trouble.textContent = (error as Error).message;
   }
 }
 
@@ -222,7 +230,7 @@ function refresh() {
 
 addEventListener("visibilitychange", () => document.hidden || refresh());
 addEventListener("keydown", (e) => {
-  if (!(e.ctrlKey || e.metaKey) || e.key !== "s") return;
+  if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== "s") return;
   e.preventDefault();
   saving.querySelector<HTMLButtonElement>("button.main")?.click();
 });
@@ -239,17 +247,16 @@ async function start() {
   try {
     project = await ask<Project>("/api/project");
   } catch (error) {
-    main.append(error instanceof Gone ? away : stranger);
-    stranger.hidden = !(error instanceof Refused);
+    stranger.hidden = error instanceof Gone;
     setTimeout(() => location.reload(), 3000);
     return;
   }
   document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
   folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
-  main.append(away, stranger, section("rocks", "Rocks", folder, rockList, newRock()), place);
+  main.append(section("rocks", "Rocks", folder, rockList, opening, newRock()), place);
   listRocks();
   const wanted = sessionStorage.getItem(openKey) ?? (project.rocks.length === 1 ? project.rocks[0].name : null);
-  if (wanted && project.rocks.some((r) => r.name === wanted)) await openRock(wanted);
+  if (wanted && project.rocks.some((r) => r.name === wanted)) await attempt(opening, () => openRock(wanted));
   document.documentElement.dataset.ready = "true";
   void watch();
 }

@@ -23,7 +23,6 @@ export class Rock {
     this.name = answer.name;
     this.disk = only(answer);
     this.text = { table: answer.table, toml: answer.toml };
-    this.takeDraft();
   }
 
   get dirty() {

@@ -39,7 +39,7 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
     return field(label, node);
   };
   const area = textArea((t) => edit(t, "typing the rock file"), { id: "rock-text", "aria-describedby": "rock-problems" });
-  const label = h("label", { for: "rock-text" }, "Rock file");
+  const label = h("label", { for: "rock-text" }, "Rock file as text");
   const name = h("code");
   const problems = h("ul", { class: "problems", id: "rock-problems" });
   const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map(sized)];

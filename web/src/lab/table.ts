@@ -16,7 +16,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   let asText = false;
   let steps = 0;
   let found: Problem[] = [];
-  const grid = new Grid(edit, undo, () => toggle.focus());
+  const grid = new Grid(edit, undo, () => names.querySelector("summary")!.focus());
   const area = textArea((t) => edit(t, "typing the table"), { id: "table-text", "aria-describedby": "table-problems" });
   const change = (f: (text: string) => string) => {
     const place = grid.place;
@@ -39,6 +39,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const problems = h("ul", { class: "problems", id: "table-problems" });
   const place = h("div");
   const files = h("div");
+  const names = fold("Names that a column may have", h("dl", {}, ...project.columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word)])));
   const workbook = h("p", { class: "warning" });
   const editor = h("div", {}, h("div", { class: "tools" }, toggle, back, tools), problems, place);
   const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
@@ -66,7 +67,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
       workbook,
       editor,
       files,
-      fold("Names that a column may have", h("dl", {}, ...project.columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word)]))),
+      names,
       h("datalist", { id: "column-names" }, ...project.columns.map(([name]) => h("option", { value: name }))),
     ),
     show(next, file, canUndo) {
