@@ -1,7 +1,7 @@
 // Any test on the calibrated rock: chosen, seen as a recipe, run.
 import { Child, fold, h, table } from "../dom";
 import { readable } from "../units";
-import { argument, attempt, button, command, counted, field, fileLink, fileList, input, keyed, objections, select, textArea } from "./controls";
+import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, select, textArea } from "./controls";
 import { Key, LabTest, Project, RockAnswer, ask } from "./server";
 import { get, quoted, set } from "./toml";
 
@@ -30,7 +30,7 @@ const last = (path: string) => path.slice(path.lastIndexOf(".") + 1);
 const tableOf = (path: string) => path.slice(0, path.lastIndexOf("."));
 
 function label(path: string): string {
-  const words = last(path).replaceAll("_", " ");
+  const words = last(path).replaceAll("_", " ").replace(/^n /, "number of ");
   return words[0].toUpperCase() + words.slice(1);
 }
 
@@ -113,7 +113,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const shownTests = new Map<string, ReturnType<typeof testView>>();
 
   function control(k: Key) {
-    const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v));
+    const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: "not said" });
     const problem = h("p", { class: "objection" });
     const hint = [k.meaning, k.range].filter(Boolean).join("; ");
     return { key: k, node, problem, place: h("div", {}, field(label(k.path), node, h("span", { title: k.path }, hint)), problem) };
@@ -226,6 +226,7 @@ function testView(rock: string, name: string, changed: () => void) {
   const [results, rest] = [h("div"), h("div")];
   const log = h("pre", { tabindex: "0" });
   const output = fold("Output of the program", log);
+  const files = fileFold();
   const stop = button("Stop the test", () =>
     attempt(wrong, async () => {
       await ask("/api/stop", { name: rock, test: name });
@@ -233,13 +234,14 @@ function testView(rock: string, name: string, changed: () => void) {
     }),
   );
   return {
-    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, output),
+    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, files.node, output),
     show(t: LabTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
       keyed(state, [t.state, t.exit_code], () => [t.state === "failed" ? `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.` : `${t.state[0].toUpperCase()}${t.state.slice(1)}.`]);
       stop.hidden = t.state !== "running";
       keyed(results, t.specimens, () => [specimens(t)]);
-      keyed(rest, [t.files, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command), t.files.length > 0 && fold(counted(t.files.length, "file"), fileList(t.files))]);
+      keyed(rest, [report, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command)]);
+      files.show(t.files);
       output.hidden = t.log === "";
       if (t.state === "failed" && log.textContent !== t.log) output.open = true;
       if (log.textContent !== t.log) log.textContent = t.log;

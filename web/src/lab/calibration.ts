@@ -1,7 +1,7 @@
 // A calibration: started, watched, stopped, gone on with, read.
 import { Child, fold, h } from "../dom";
 import { growing, narrowing } from "./charts";
-import { argument, attempt, button, command, counted, field, fileLink, fileList, input, keyed, objections, ticked } from "./controls";
+import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, ticked } from "./controls";
 import { Figures } from "./figures";
 import { Calibrating, Progress, ask } from "./server";
 
@@ -84,8 +84,9 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
   const elastic = h("input", { type: "checkbox" });
   elastic.addEventListener("change", () => describe());
   const wrong = objections();
-  const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), files: h("div"), log: h("pre", { tabindex: "0" }) };
+  const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), log: h("pre", { tabindex: "0" }) };
   const output = fold("Output of the program", place.log);
+  const files = fileFold();
   const live = watch();
 
   const begin = (how: { resume?: boolean; anew?: boolean }) =>
@@ -128,7 +129,7 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
   }
 
   return {
-    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, stop), sure, wrong, place.command, live.node, place.files, output),
+    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, stop), sure, wrong, place.command, live.node, files.node, output),
     show(c, dirty) {
       now = c;
       const running = c.state === "running";
@@ -145,7 +146,7 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
       live.node.hidden = c.progress === null;
       if (c.progress) live.show(c.progress, running);
       keyed(place.verdict, [c.verdict, c.files], () => verdict(c));
-      keyed(place.files, c.files, () => [c.files.length > 0 && fold(counted(c.files.length, "file"), fileList(c.files))]);
+      files.show(c.files);
       output.hidden = c.log === "";
       if (c.state === "failed" && place.log.textContent !== c.log) output.open = true;
       if (place.log.textContent !== c.log) place.log.textContent = c.log;

@@ -41,8 +41,8 @@ export const counted = (n: number, thing: string) => `${n} ${thing}${n === 1 ? "
 export const argument = (text: string) => (/^[\w./-]+$/.test(text) ? text : `"${text}"`);
 
 /** The same as a command line. */
-export function command(text: string): HTMLElement {
-  return h("p", { class: "command" }, h("span", { class: "muted" }, "As a command: "), h("code", {}, text), " ", copyButton(text));
+export function command(text: string, lead = "As a command: "): HTMLElement {
+  return h("p", { class: "command" }, h("span", { class: "muted" }, lead), h("code", {}, text), " ", copyButton(text));
 }
 
 /** Does what a button asks for; what the program says against it stands at the place. */
@@ -58,9 +58,18 @@ export async function attempt(place: HTMLElement, act: () => Promise<unknown>) {
 /** Where attempt() speaks. */
 export const objections = () => h("p", { class: "objection", role: "alert" });
 
-/** Files of the folder, each to be opened beside the page. */
-export function fileList(files: string[]): HTMLElement {
-  return h("ul", { class: "files" }, ...files.map((f) => h("li", {}, fileLink(f, f))));
+/** Files of the folder, each to be opened beside the page; it stays unfolded while they become more. */
+export function fileFold(): { node: HTMLElement; show(files: string[]): void } {
+  const [head, list] = [h("summary"), h("ul", { class: "files" })];
+  const node = h("details", {}, head, list);
+  return {
+    node,
+    show(files) {
+      node.hidden = files.length === 0;
+      head.textContent = counted(files.length, "file");
+      keyed(list, files, () => files.map((f) => h("li", {}, fileLink(f, f))));
+    },
+  };
 }
 
 export const fileLink = (file: string, text: string) => h("a", { href: fileAddress(file), target: "_blank", rel: "noopener" }, text);

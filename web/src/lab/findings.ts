@@ -8,7 +8,8 @@ import { Checked, Target } from "./server";
 
 export interface FindingsView {
   node: HTMLElement;
-  show(checked: Checked | null, words: string): void;
+  busy(words: string): void;
+  show(checked: Checked, words: string): void;
 }
 
 /** Those of several confining stresses share a chart. */
@@ -39,7 +40,8 @@ function determined(checked: Checked): Child {
 }
 
 export function findingsView(rock: string): FindingsView {
-  const state = h("p", { role: "status", id: "check-state", class: "state" });
+  const state = h("span", { role: "status" });
+  const busy = h("span", { class: "muted" }); // not read aloud at every key
   const forecast = h("div");
   const charts = new Figures("grid small");
   const legend = h(
@@ -51,10 +53,11 @@ export function findingsView(rock: string): FindingsView {
   );
   const words = h("div");
   return {
-    node: h("div", {}, state, forecast, charts.node, legend, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), forecast, charts.node, legend, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    busy: (words) => (busy.textContent = words),
     show(checked, says) {
-      if (state.textContent !== says) state.textContent = says;
-      if (!checked) return;
+      busy.textContent = "";
+      state.textContent = says;
       const targets = checked.targets ?? [];
       charts.show(
         properties(targets).map((p) => {

@@ -61,7 +61,7 @@ const beginning = (name: string) => `name = ${quoted(name)}\ndata = ${quoted(`${
 
 function newRock(): HTMLElement {
   const asked = h("div");
-  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`)]), { required: "" });
+  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`, "A rock file with comments on all that can be said, as a command: ")]), { required: "" });
   const wrong = objections();
   const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
   form.addEventListener("submit", (e) => {
@@ -109,13 +109,15 @@ function layOut(answer: RockAnswer) {
   const state = h("p", { role: "status" });
   const save = button("Save", () => void attempt(wrong, () => rock.save()), { class: "main", "aria-keyshortcuts": "Control+S" });
   const discard = button("Discard changes", () => rock.discard());
-  saving.replaceChildren(state, save, discard, wrong);
+  const back = button("Undo", () => rock.undo());
+  saving.replaceChildren(state, save, back, discard, wrong);
 
   function show() {
-    table.show(rock.text.table, answer.table_file, rock.canUndo);
+    table.show(rock.text.table, answer.table_file);
     rockFile.show(rock.text.toml, `${name}.toml`);
     keyed(state, rock.dirty, () => [h("span", { class: rock.dirty ? "unsaved" : "muted" }, rock.dirty ? `${name}: not saved` : `${name}: saved`)]);
-    save.disabled = discard.hidden = !rock.dirty;
+    save.disabled = !rock.dirty;
+    back.disabled = !rock.canUndo;
     discard.hidden = !rock.dirty;
     calibration.show(answer.calibration, rock.dirty);
     keyed(conflict, rock.theirs, () => (rock.theirs ? [choose()] : []));
@@ -142,7 +144,7 @@ function layOut(answer: RockAnswer) {
     last = now;
     clearTimeout(timer);
     timer = window.setTimeout(check, 400);
-    findings.show(null, "Checking …");
+    findings.busy("Checking …");
   }
 
   async function check() {
@@ -156,7 +158,7 @@ function layOut(answer: RockAnswer) {
       const n = checked.problems.length;
       findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend, said beside the cells and lines.`);
     } catch (error) {
-      if (mine === asked) findings.show(null, error instanceof Gone ? "Not checked: the program does not answer." : `Not checked: ${(error as Error).message}`);
+      if (mine === asked) findings.busy(`Not checked: ${(error as Error).message}.`);
     }
   }
 
@@ -167,6 +169,8 @@ function layOut(answer: RockAnswer) {
 
   /** Calibrations read the files. */
   async function ready() {
+    clearTimeout(timer);
+    await check();
     if (checked && checked.problems.length > 0) throw new Error("the table or the rock file has problems, said above; mend them first");
     if (rock.dirty && !(await rock.save())) throw new Error("the files have been changed elsewhere: choose above which to keep");
   }
@@ -248,7 +252,7 @@ async function start() {
     project = await ask<Project>("/api/project");
   } catch (error) {
     stranger.hidden = error instanceof Gone;
-    setTimeout(() => location.reload(), 3000);
+    if (error instanceof Gone) setTimeout(() => location.reload(), 3000);
     return;
   }
   document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;

@@ -7,7 +7,7 @@ import { addColumn, insertRow, removeColumn, removeLine } from "./sheet";
 
 export interface TableView {
   node: HTMLElement;
-  show(text: string | null, file: string, canUndo: boolean): void;
+  show(text: string | null, file: string): void;
   mark(checked: Checked | null): void;
 }
 
@@ -27,7 +27,6 @@ export function tableView(project: Project, edit: (table: string, step: string) 
     asText = !asText;
     draw();
   });
-  const back = button("Undo", undo);
   const tools = h(
     "div",
     { class: "tools" },
@@ -41,7 +40,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const files = h("div");
   const names = fold("Names that a column may have", h("dl", {}, ...project.columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word)])));
   const workbook = h("p", { class: "warning" });
-  const editor = h("div", {}, h("div", { class: "tools" }, toggle, back, tools), problems, place);
+  const editor = h("div", {}, h("div", { class: "tools" }, toggle, tools), problems, place);
   const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
 
   function draw() {
@@ -70,12 +69,11 @@ export function tableView(project: Project, edit: (table: string, step: string) 
       names,
       h("datalist", { id: "column-names" }, ...project.columns.map(([name]) => h("option", { value: name }))),
     ),
-    show(next, file, canUndo) {
+    show(next, file) {
       text = next;
       workbook.hidden = next !== null;
       workbook.textContent = `${file} is no text: change it in its own program, and it is read again here.`;
       editor.hidden = next === null;
-      back.disabled = !canUndo;
       keyed(files, file, () => [h("p", { class: "muted" }, "The file: ", h("code", {}, file))]);
       draw();
     },
