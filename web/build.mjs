@@ -1,17 +1,19 @@
-// Bundles src/ into report.html, one file without references: `phyllite` carries it and puts the data in.
+// Bundles src/ into report.html and lab.html, files without references: `phyllite` carries them. Into the report it puts the data.
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
 
 const options = { bundle: true, minify: true, write: false, target: "es2022", legalComments: "none", charset: "utf8" };
-const script = await build({ ...options, entryPoints: ["src/main.ts"], format: "iife" });
-const style = await build({ ...options, entryPoints: ["src/style.css"] });
-const page = await readFile("src/page.html", "utf8");
 const licences = (await readFile("LICENCES", "utf8")).trim();
-const text = script.outputFiles[0].text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
-await writeFile(
-  "report.html",
-  page
+
+async function bundle(script, style, page, out) {
+  const [code, looks] = await Promise.all([build({ ...options, entryPoints: [script], format: "iife" }), build({ ...options, entryPoints: [style] })]);
+  const text = code.outputFiles[0].text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+  const filled = (await readFile(page, "utf8"))
     .replace("<head>", `<head>\n<!-- ${licences} -->`)
-    .replace("/*style*/", () => style.outputFiles[0].text.trim())
-    .replace("/*script*/", () => text.trim()),
-);
+    .replace("/*style*/", () => looks.outputFiles[0].text.trim())
+    .replace("/*script*/", () => text.trim());
+  await writeFile(out, filled);
+}
+
+await bundle("src/main.ts", "src/style.css", "src/page.html", "report.html");
+await bundle("src/lab/lab.ts", "src/lab/lab.css", "src/lab/page.html", "lab.html");

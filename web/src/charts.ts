@@ -2,18 +2,18 @@
 import * as Plot from "@observablehq/plot";
 import { Axes, Comparison, Curve, LabPoint, Report, Spread, Test, crackKinds, lastUpTo } from "./data";
 
-const base = {
+export const base = {
   style: { background: "none", fontFamily: "inherit", fontSize: "12px", overflow: "visible" },
   grid: true,
 };
 
 /** A chart that shares its row with others. */
-const panel = (width: number, marginLeft = 46) => ({ ...base, width, height: Math.max(220, width * 0.66), marginLeft, marginTop: 28, marginBottom: 40 });
+export const panel = (width: number, marginLeft = 46) => ({ ...base, width, height: Math.max(220, width * 0.66), marginLeft, marginTop: 28, marginBottom: 40 });
 
-const inclination = { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none" } as const;
+export const inclination = { label: "inclination of bedding θ [°]", labelAnchor: "center", labelArrow: "none" } as const;
 
 /** Ticks every 15 degrees, or 30 where it is narrow. */
-const angles = (far: number, width: number) => {
+export const angles = (far: number, width: number) => {
   const step = width < 280 ? 30 : 15;
   return Array.from({ length: Math.floor(far / step) + 1 }, (_, i) => i * step);
 };

@@ -1,17 +1,9 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
 import { Calibration, Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
+import { Child, Figure, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
+import { friendly, scales } from "./units";
 import { Field, Viewer, headHeight, ramps } from "./viewer";
-
-type Child = Node | string | null | false;
-
-/** Makes an element; text goes in as text, never as markup. */
-function h<K extends keyof HTMLElementTagNameMap>(name: K, attributes: Record<string, string> = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
-  const e = document.createElement(name);
-  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
-  for (const c of children) if (c) e.append(c);
-  return e;
-}
 
 const report: Report = readReport();
 const main = document.getElementById("main")!;
@@ -25,45 +17,28 @@ function section(id: string, title: string, ...children: Child[]): HTMLElement {
 }
 
 /** Charts that are drawn anew when their place changes its width. */
-const charts: { place: HTMLElement; draw: (width: number) => void; width: number }[] = [];
+const charts: Figure[] = [];
 const observer = new ResizeObserver(() => opened && redraw());
 let opened = false; // the charts below the first come one by one, after the page has opened
 
 function redraw(always = false, some = charts) {
-  for (const c of some) {
-    const width = Math.floor(c.place.clientWidth);
-    if (width < 10 || (!always && Math.abs(width - c.width) < 2)) continue;
-    c.width = width;
-    c.draw(width);
-  }
+  for (const c of some) c.redraw(always);
 }
 
 async function drawRest() {
   for (const c of charts) {
     await new Promise((next) => setTimeout(next));
-    redraw(false, [c]);
+    c.redraw();
   }
   opened = true;
   update();
 }
 
 function chart(label: string, caption: Child, draw: (width: number, place: HTMLElement) => Node): HTMLElement {
-  const place = h("div", { class: "plot" });
-  charts.push({
-    place,
-    width: 0,
-    draw: (width) => {
-      const node = draw(width, place);
-      if (node instanceof Element) {
-        node.setAttribute("role", "img");
-        node.setAttribute("aria-label", label);
-      }
-      place.querySelector(":scope > svg, :scope > figure")?.remove();
-      place.prepend(node);
-    },
-  });
-  observer.observe(place);
-  return h("figure", {}, h("h3", {}, label), place, caption && h("figcaption", {}, caption));
+  const made = figure(label, caption, draw);
+  charts.push(made);
+  observer.observe(made.place);
+  return made.node;
 }
 
 function heading(t: Test): string {
@@ -173,23 +148,6 @@ function playButton(): HTMLElement {
     requestAnimationFrame(tick);
   });
   return button;
-}
-
-function labelled(text: string, control: HTMLElement): HTMLElement {
-  return h("label", {}, text, control);
-}
-
-function choice(options: [string, string][], onChange: (value: string) => void, id: string): HTMLSelectElement {
-  const s = h("select", { id }, ...options.map(([v, text]) => h("option", { value: v }, text)));
-  s.addEventListener("change", () => onChange(s.value));
-  return s;
-}
-
-function check(id: string, on: boolean, onChange: (on: boolean) => void): HTMLInputElement {
-  const c = h("input", { type: "checkbox", id });
-  c.checked = on;
-  c.addEventListener("change", () => onChange(c.checked));
-  return c;
 }
 
 function fieldLegend(v: Viewer, place: HTMLElement) {
@@ -522,30 +480,6 @@ function tables() {
 
 // --- calibration ---------------------------------------------------------------------------------------------
 
-const scales: Record<string, [number, string]> = { E: [1e-9, "E [GPa]"], nu: [1, "ν"], UCS: [1e-6, "UCS [MPa]"], DTS: [1e-6, "direct tensile strength [MPa]"], BTS: [1e-6, "Brazilian strength [MPa]"], sigma_1: [1e-6, "σ₁ at the peak [MPa]"], sigma_ci: [1e-6, "crack initiation σci [MPa]"] };
-
-function friendly(value: number | null, unit: string): string {
-  if (value === null || !Number.isFinite(value)) return "–";
-  const giga = unit.startsWith("Pa") && Math.abs(value) >= 1e9;
-  const mega = unit.startsWith("Pa") && !giga;
-  return `${(value * (giga ? 1e-9 : mega ? 1e-6 : 1)).toPrecision(4)}${unit === "1" ? "" : ` ${giga ? "G" : mega ? "M" : ""}${unit}`}`;
-}
-
-function table(label: string, heads: string[], rows: Child[][], caption: string | null = null, words: number[] = []): HTMLElement {
-  const of = (i: number): Record<string, string> => (words.includes(i) ? { class: "words" } : {});
-  return h(
-    "div",
-    { class: "scroll", tabindex: "0", role: "region", "aria-label": label },
-    h(
-      "table",
-      {},
-      caption && h("caption", {}, caption),
-      h("thead", {}, h("tr", {}, ...heads.map((x, i) => h("th", { scope: "col", ...of(i) }, x)))),
-      h("tbody", {}, ...rows.map((r) => h("tr", {}, h("th", { scope: "row" }, r[0]), ...r.slice(1).map((x, i) => h("td", of(i + 1), x))))),
-    ),
-  );
-}
-
 function comparisonTable(rows: Comparison[], caption: string): Child {
   if (rows.length === 0) return null;
   const rules = ([["interpolated", "error of a straight line between neighbours"], ["parabola", "of a parabola"], ["jaeger", "of a plane of weakness"]] as const).filter(([key]) => rows.some((r) => typeof r[key] === "number"));
@@ -659,8 +593,6 @@ function whatIsDetermined(c: Calibration): HTMLElement {
   );
 }
 
-const fold = (title: string, ...children: Child[]) => h("details", {}, h("summary", {}, title), ...children);
-
 function calibration() {
   const c = report.calibration;
   if (!c) return;
@@ -749,16 +681,6 @@ function studies() {
 
 // --- text ----------------------------------------------------------------------------------------------------
 
-function copyButton(text: string): HTMLElement {
-  const b = h("button", { type: "button" }, "Copy");
-  b.addEventListener("click", async () => {
-    await navigator.clipboard?.writeText(text);
-    b.textContent = "Copied";
-    setTimeout(() => (b.textContent = "Copy"), 1500);
-  });
-  return b;
-}
-
 function texts() {
   if (report.methods.length > 0) section("methods", "Methods", ...report.methods.map((p) => h("p", {}, p)), copyButton(report.methods.join("\n\n")));
   if (report.recipe) section("recipe", "Recipe", h("p", { class: "muted" }, "The completed recipe: every key with its value. Running it again gives the same bits."), h("pre", { tabindex: "0" }, report.recipe), copyButton(report.recipe));
@@ -768,29 +690,19 @@ function texts() {
 
 // --- start ---------------------------------------------------------------------------------------------------
 
-function theme() {
-  const root = document.documentElement;
-  const system = matchMedia("(prefers-color-scheme: dark)");
-  let chosen: string | null = null;
-  const apply = () => {
-    root.dataset.theme = chosen ?? (system.matches ? "dark" : "light");
+function colours() {
+  const apply = theme(() => {
     viewer?.readColors();
     viewer?.draw();
-  };
-  system.addEventListener("change", apply);
+  });
   // Paper is light: the specimens are drawn with light colours for it, everything is unfolded.
   addEventListener("beforeprint", () => {
-    root.dataset.theme = "light";
+    document.documentElement.dataset.theme = "light";
     document.querySelectorAll("details").forEach((d) => (d.open = true));
     viewer?.readColors();
     viewer?.drawNow();
   });
   addEventListener("afterprint", apply);
-  document.getElementById("theme")!.addEventListener("click", () => {
-    chosen = root.dataset.theme === "dark" ? "light" : "dark";
-    apply();
-  });
-  apply();
 }
 
 function start() {
@@ -800,7 +712,7 @@ function start() {
   const peaked = report.tests.filter((t) => t.outcome.status === "peaked").length;
   const about = report.calibration ? "calibration" : report.variations.length > 0 ? "study" : `${n} specimen${n === 1 ? "" : "s"}, ${peaked} to the peak`;
   document.getElementById("subtitle")!.textContent = `${about} · ${report.program}`;
-  theme();
+  colours();
   main.append(...notices().filter((x): x is HTMLElement => x instanceof HTMLElement));
   calibration();
   studies();

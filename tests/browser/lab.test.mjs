@@ -1,0 +1,271 @@
+// The page of `phyllite lab` in Debian's Chromium, by visible labels alone: from a pasted table to a calibrated rock and a test on it.
+// `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser. The tests follow one another on one small rock.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
+
+const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
+const folder = mkdtempSync(join(tmpdir(), "phyllite-lab-"));
+const file = (name) => readFileSync(join(folder, name), "utf8");
+const model = `[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "2 mm"\nrule = "crossing"\n[engine]\nprecision = "float"\n`;
+const copied = "theta [deg]\tE [GPa]\tUCS [MPa]\r\n0\t8,9\t92,5\r\n45\t7,3\t5o\r\n90\t53,6\t102,5\r\n"; // out of a spreadsheet; one letter for a digit
+
+let browser;
+let program;
+let address;
+let page; // the tab that most is done in
+
+/** Starts the program and waits for the address that it prints. */
+function start(port = 0) {
+  program = spawn(phyllite, ["--threads", "2", "lab", folder, "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
+  return new Promise((resolve, reject) => {
+    let said = "";
+    program.stdout.on("data", (bytes) => {
+      said += bytes;
+      const found = said.match(/http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/);
+      if (found) resolve(found[0]);
+    });
+    program.on("exit", (code) => reject(new Error(`ended with ${code}: ${said}`)));
+  });
+}
+
+/** Whatever goes wrong on a page or wants another address is in `trouble`. */
+function watch(tab) {
+  tab.trouble = [];
+  tab.on("console", (m) => ["error", "warning"].includes(m.type()) && !/status of 409|ERR_CONNECTION_REFUSED|GPU stall/.test(m.text()) && tab.trouble.push(m.text()));
+  tab.on("pageerror", (e) => tab.trouble.push(String(e)));
+  tab.on("request", (r) => !r.url().startsWith(new URL(address).origin) && !/^(data|blob):/.test(r.url()) && tab.trouble.push(r.url()));
+  return tab;
+}
+
+async function open(context) {
+  const tab = watch(await context.newPage());
+  tab.setDefaultTimeout(15000);
+  await tab.goto(address);
+  await tab.getByRole("heading", { name: "Rocks", level: 2 }).waitFor();
+  return tab;
+}
+
+const newContext = (options = {}) => browser.newContext({ viewport: { width: 1280, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
+const button = (name, tab = page) => tab.getByRole("button", { name, exact: true });
+const box = (name, tab = page) => tab.getByRole("textbox", { name, exact: true });
+const shown = (text, options = {}) => page.getByText(text).first().waitFor(options);
+const setTable = async (text, tab = page) => {
+  if (await button("Edit as text", tab).isVisible()) await button("Edit as text", tab).click();
+  await box("Table as text", tab).fill(text);
+};
+const within = async (seconds, holds) => {
+  for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
+    if (await holds()) return;
+    await new Promise((next) => setTimeout(next, 100));
+  }
+  assert.ok(await holds(), String(holds));
+};
+
+before(async () => {
+  writeFileSync(join(folder, "model.toml"), model);
+  address = await start();
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+  page = await open(await newContext());
+});
+
+after(async () => {
+  await browser?.close();
+  program?.removeAllListeners("exit");
+  program?.kill("SIGINT");
+  await new Promise((gone) => (program && program.exitCode === null ? program.on("exit", gone) : gone()));
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("a pasted table is checked while typing, beside its cells", async () => {
+  await page.getByLabel("Name of the new rock").fill("slate");
+  await page.keyboard.press("Enter");
+  await page.getByLabel("Heading of column 1").focus();
+  await page.evaluate((text) => navigator.clipboard.writeText(text), copied);
+  await page.keyboard.press("Control+V");
+  const wrong = page.getByLabel("UCS [MPa], line 3");
+  assert.equal(await wrong.inputValue(), "5o");
+  await within(10, async () => (await wrong.getAttribute("aria-invalid")) === "true");
+  const says = await page.locator(`[id="${await wrong.getAttribute("aria-describedby")}"]`).textContent();
+  assert.match(says, /UCS.*5o/);
+  assert.equal(await page.getByLabel("UCS [MPa], line 2").getAttribute("aria-invalid"), null);
+  await shown("1 problem to mend");
+  await page.getByLabel("UCS [MPa], line 2").focus(); // by keyboard from here
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.type("56,5");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "UCS [MPa], line 4");
+  await shown("No problems");
+  for (const name of ["E [GPa]", "UCS [MPa]"]) await page.getByRole("img", { name, exact: true }).waitFor();
+  await page.getByRole("table").filter({ hasText: "sigma_c" }).first().waitFor(); // what the data determine
+});
+
+test("nothing is written before it is saved; a choice changes its line", async () => {
+  assert.ok(!file("slate.csv").includes("56,5"));
+  await shown("slate: not saved");
+  await box("Rock file as text").fill(`name = "slate"\ndata = "slate.csv"\nrecipe = "model.toml"   # small\n`);
+  await page.getByLabel("What E is").selectOption("average");
+  assert.match(await box("Rock file as text").inputValue(), /recipe = "model.toml" {3}# small\nE_is = "average"\n/);
+  await shown("No problems");
+  await page.keyboard.press("Control+S");
+  await shown("slate: saved");
+  assert.equal(file("slate.csv"), "theta [deg];E [GPa];UCS [MPa]\n0;8,9;92,5\n45;7,3;56,5\n90;53,6;102,5\n");
+  assert.match(file("slate.toml"), /E_is = "average"/);
+  await shown("phyllite rock check slate.toml");
+});
+
+test("comments and blanks of the text survive cells; Undo takes a step back", async () => {
+  await setTable("# by hand\ntheta [deg]; E [GPa]\n0;  8.9\n\n90;  50\n");
+  await button("Edit as cells").click();
+  await page.getByLabel("E [GPa], line 5").fill("51");
+  await button("Edit as text").click();
+  assert.equal(await box("Table as text").inputValue(), "# by hand\ntheta [deg]; E [GPa]\n0;  8.9\n\n90;  51\n");
+  await button("Undo").click();
+  assert.match(await box("Table as text").inputValue(), /90; {2}50/);
+  await button("Discard changes").click();
+  await shown("slate: saved");
+});
+
+test("a reload and other tabs keep what is typed", async () => {
+  const saved = file("slate.csv");
+  await setTable(`# typed\n${saved}`);
+  await page.reload();
+  await shown("slate: not saved");
+  await page.getByLabel("Line 1, a comment").waitFor();
+  const second = await open(page.context());
+  await second.getByRole("button", { name: /^slate/ }).first().click();
+  assert.equal(await second.getByLabel("Line 1, a comment").inputValue(), "# typed");
+  await second.getByLabel("Line 1, a comment").fill("# typed in the second tab");
+  await within(5, async () => (await page.getByLabel("Line 1, a comment").inputValue()) === "# typed in the second tab");
+  await button("Save", second).click();
+  await shown("slate: saved");
+  assert.equal(file("slate.csv"), `# typed in the second tab\n${saved}`);
+  assert.deepEqual(second.trouble, []);
+  await second.close();
+});
+
+test("files that were changed elsewhere are shown, and the user chooses", async () => {
+  const elsewhere = await open(await newContext()); // another browser: it shares no drafts
+  await elsewhere.getByRole("button", { name: /^slate/ }).first().click();
+  await elsewhere.getByLabel("Line 1, a comment").fill("# elsewhere");
+  await page.getByLabel("Line 1, a comment").fill("# here");
+  await button("Save").click();
+  await shown("slate: saved");
+  await button("Save", elsewhere).click();
+  await elsewhere.getByRole("heading", { name: "The files have been changed elsewhere" }).waitFor();
+  assert.match(file("slate.csv"), /^# here\n/);
+  await elsewhere.getByText("# here").waitFor(); // both are seen
+  await button("Keep mine", elsewhere).click();
+  await within(5, () => file("slate.csv").startsWith("# elsewhere\n"));
+  await within(10, async () => (await page.getByLabel("Line 1, a comment").inputValue()) === "# elsewhere");
+  await page.getByLabel("Line 1, a comment").fill("# here again");
+  writeFileSync(join(folder, "slate.csv"), file("slate.csv").replace("# elsewhere", "# by an editor"));
+  await button("Take the file’s").click();
+  assert.equal(await page.getByLabel("Line 1, a comment").inputValue(), "# by an editor");
+  await shown("slate: saved");
+  assert.deepEqual(elsewhere.trouble, []);
+  await elsewhere.context().close();
+});
+
+test("a calibration is started, watched, stopped, gone on with", async () => {
+  await page.getByLabel("Largest number of tests").fill("60");
+  await shown("phyllite calibrate slate.toml --out slate --max-tests 60");
+  await button("Start calibration").click();
+  await shown("Running.");
+  await shown(/so far, /);
+  await page.getByRole("progressbar").waitFor();
+  await page.reload(); // goes on without the page
+  await page.getByRole("img", { name: "In the press now" }).waitFor({ timeout: 60000 });
+  await button("Stop").click();
+  await shown("Stopped; what is finished is kept.", { timeout: 30000 });
+  assert.ok(existsSync(join(folder, "slate/runs.sqlite")));
+  await shown(/phyllite calibrate slate.toml .*--resume/);
+  await button("Go on").click();
+  await shown("Running.");
+  await page.getByRole("img", { name: "sigma_c", exact: true }).waitFor({ timeout: 60000 });
+  await shown("Finished.", { timeout: 120000 });
+});
+
+test("the verdict stands there, the report opens", async () => {
+  const { verdict } = JSON.parse(file("slate/calibration.json"));
+  await shown(verdict.sentence);
+  const [report] = await Promise.all([page.waitForEvent("popup"), page.getByRole("link", { name: "Open the report", exact: true }).click()]);
+  watch(report);
+  await report.getByRole("heading", { level: 1 }).waitFor();
+  assert.match(await report.title(), /slate.*Phyllite report/);
+  assert.deepEqual(report.trouble, []);
+  await report.close();
+});
+
+test("a test on the calibrated rock is chosen, seen and saved as a recipe, run", async () => {
+  await page.getByLabel("Kind of test").selectOption({ label: "direct tension" });
+  await page.getByRole("textbox", { name: "Angles" }).fill("0 deg");
+  await within(10, async () => /kind = "direct_tension"[^]*angles = \["0 deg"\]/.test(await box("Recipe").inputValue()));
+  await page.getByLabel("Name of the test").fill("pulled apart");
+  await page.getByLabel("Name of the test").fill("pulled");
+  await shown("phyllite run slate-tests/pulled.toml --out slate-tests/pulled");
+  const recipe = await box("Recipe").inputValue();
+  await button("Run the test").click();
+  const article = page.getByRole("article", { name: "Test pulled" });
+  await article.getByText("Finished.").waitFor({ timeout: 60000 });
+  await article.getByRole("table").getByText("peaked").first().waitFor();
+  assert.equal(file("slate-tests/pulled.toml").trim(), recipe.trim());
+  await article.getByRole("link", { name: "Open the report of pulled" }).waitFor();
+});
+
+test("a wrong value of a recipe is said beside it", async () => {
+  await page.getByLabel("Kind of test").selectOption({ label: "biaxial compression" });
+  const stress = page.getByRole("textbox", { name: "Confining stress" });
+  await stress.fill("10");
+  await within(10, async () => (await stress.getAttribute("aria-invalid")) === "true");
+  await stress.fill("10 MPa");
+  await within(10, async () => (await stress.getAttribute("aria-invalid")) === "false");
+  assert.match(await box("Recipe").inputValue(), /confining_stress = "10 MPa"/);
+});
+
+test("light and dark, 390 to 1920 px: nothing sticks out", async () => {
+  const ground = (tab) => tab.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
+  for (const [width, colorScheme] of [[390, "dark"], [820, "light"], [1920, "light"]]) {
+    const context = await newContext({ viewport: { width, height: 900 }, colorScheme });
+    const tab = await open(context);
+    await tab.getByRole("img", { name: "UCS [MPa]", exact: true }).waitFor(); // the only rock is opened at once
+    assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} px`);
+    assert.equal((await ground(tab)) < 60, colorScheme === "dark");
+    assert.deepEqual(tab.trouble, []);
+    if (width === 820) {
+      await button("Light or dark", tab).click();
+      await tab.reload();
+      await tab.getByRole("heading", { name: "Rocks", level: 2 }).waitFor();
+      assert.ok((await ground(tab)) < 60, "the choice is kept");
+    }
+    await context.close();
+  }
+});
+
+test("everything is reached by keyboard", async () => {
+  const reached = new Set();
+  await page.evaluate(() => document.activeElement.blur());
+  for (let i = 0; i < 150; ++i) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.labels?.[0]?.textContent || document.activeElement.getAttribute("aria-label") || document.activeElement.textContent.slice(0, 40)));
+  }
+  for (const name of ["Light or dark", "Name of the new rock", "New rock", "Edit as text", "Insert row below", "UCS [MPa], line 3", "Rock file as text", "Model of the layers", "Calibrate anew", "Open the report", "Kind of test", "Recipe", "Run the test"])
+    assert.ok(reached.has(name), `${name} among ${[...reached].join(", ")}`);
+});
+
+test("when the program is stopped the page says so and keeps the table", async () => {
+  await page.getByLabel("Line 1, a comment").fill("# typed without the program");
+  program.removeAllListeners("exit");
+  program.kill("SIGINT");
+  await shown("The program has been stopped.", { timeout: 30000 });
+  assert.equal(await page.getByLabel("Line 1, a comment").inputValue(), "# typed without the program");
+  address = await start(new URL(address).port);
+  await page.goto(address);
+  await shown("slate: not saved");
+  assert.equal(await page.getByLabel("Line 1, a comment").inputValue(), "# typed without the program");
+  assert.deepEqual(page.trouble, []);
+});

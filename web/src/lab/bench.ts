@@ -1,0 +1,250 @@
+// Any test on the calibrated rock: chosen, seen as a recipe, run.
+import { Child, fold, h, table } from "../dom";
+import { readable } from "../units";
+import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, select, textArea } from "./controls";
+import { Key, LabTest, Project, RockAnswer, ask } from "./server";
+import { get, quoted, set } from "./toml";
+
+export interface BenchView {
+  node: HTMLElement;
+  show(answer: RockAnswer): void;
+}
+
+/** Of every test; the rest that is of all is under "More". */
+const always = ["test.angles", "test.intact"];
+
+interface Recipe {
+  toml: string;
+  problems: { key: string; text: string }[];
+}
+
+/** What has been chosen; kept in the tab, so that a reload loses nothing. */
+interface Choices {
+  kind: string;
+  changes: Record<string, string>;
+  name: string; // "": as proposed
+  byHand: string | null; // the recipe, where it has been changed by hand
+}
+
+const last = (path: string) => path.slice(path.lastIndexOf(".") + 1);
+const tableOf = (path: string) => path.slice(0, path.lastIndexOf("."));
+
+function label(path: string): string {
+  const words = last(path).replaceAll("_", " ").replace(/^n /, "number of ");
+  return words[0].toUpperCase() + words.slice(1);
+}
+
+const isNumber = (text: string) => text.trim() !== "" && Number.isFinite(Number(text));
+
+/** As it is typed: lists without brackets and quotes. */
+const typed = (key: Key, value: string) => (key.kind === "list" ? value.replace(/[[\]"]/g, "").trim() : value);
+
+/** As it stands in a recipe. */
+function written(key: Key, value: string): string {
+  if (key.kind !== "list") return value;
+  const items = value.split(/[,;]/).map((v) => v.trim()).filter((v) => v !== "");
+  return `[${items.map((v) => (isNumber(v) ? v : quoted(v))).join(", ")}]`;
+}
+
+const asToml = (key: Key, value: string) => (["quantity", "choice", "text"].includes(key.kind) ? quoted(value) : written(key, value));
+
+/** Kinds of test that alone have a key, as its meaning says: "biaxial: lateral stress". */
+const kindsOf = (key: Key, kinds: string[]) => kinds.filter((k) => new RegExp(`(^|; )${k}: `).test(key.meaning));
+
+/** A name that says what is tested: biaxial-10-MPa. */
+function proposal(kind: string, telling: string, taken: string[]): string {
+  const base = [kind, telling].filter(Boolean).join("-").replace(/[^\w.-]+/g, "-").replaceAll("_", "-");
+  let name = base;
+  for (let i = 2; taken.includes(name); ++i) name = `${base}-${i}`;
+  return name;
+}
+
+export function benchView(rock: string, project: Project, changed: () => void): BenchView {
+  const store = `phyllite test ${project.folder} ${rock}`;
+  const keys = project.keys.filter((k) => k.path !== "test.kind");
+  const kinds = project.kinds.map((k) => k.name);
+  let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null };
+  try {
+    choices = { ...choices, ...(JSON.parse(sessionStorage.getItem(store) ?? "{}") as Partial<Choices>) };
+  } catch {
+    // what cannot be read was not kept by this page
+  }
+  let recipe: Recipe | null = null;
+  let of = ""; // which calibration the recipe is of
+  let asked = 0;
+  let taken: string[] = [];
+
+  const wrong = objections();
+  const kind = select(project.kinds.map((k) => [k.name, k.title]), (v) => {
+    change({ kind: v });
+    arrange();
+  });
+  const name = input((v) => change({ name: v }, false));
+  const area = textArea((t) => change({ byHand: t }, false), { id: "test-recipe" });
+  const asChosen = button("Take the recipe as chosen again", () => change({ byHand: null }));
+  const handNote = h("p", { class: "muted" }, "Changed by hand: what is chosen above changes its line in this text. ", asChosen);
+  const controls = new Map(keys.map((k) => [k.path, control(k)]));
+  const front = h("div", { class: "fields" });
+  const more = h("div", { class: "fields" });
+  const general = h("ul", { class: "problems" });
+  const commandPlace = h("div");
+  const run = button("Run the test", () =>
+    attempt(wrong, async () => {
+      await ask("/api/test", { name: rock, test: testName(), toml: area.node.value });
+      change({ name: "" }, false);
+      changed();
+    }), { class: "main" });
+  const form = h(
+    "div",
+    {},
+    field("Kind of test", kind),
+    front,
+    fold("More", more),
+    general,
+    h("div", { class: "field" }, h("label", { for: "test-recipe" }, "Recipe"), area.node),
+    handNote,
+    h("div", { class: "fields" }, field("Name of the test", name)),
+    h("div", { class: "tools" }, run),
+    wrong,
+    commandPlace,
+  );
+  const before = h("p", { class: "muted" }, "Tests are made on the calibrated rock: calibrate it first.");
+  const done = h("div");
+  const shownTests = new Map<string, ReturnType<typeof testView>>();
+
+  function control(k: Key) {
+    const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: "not said" });
+    const problem = h("p", { class: "objection" });
+    const hint = [k.meaning, k.range].filter(Boolean).join("; ");
+    return { key: k, node, problem, place: h("div", {}, field(label(k.path), node, h("span", { title: k.path }, hint)), problem) };
+  }
+
+  /** Changes by hand stay: the choice changes its line in them. */
+  function choose(k: Key, value: string) {
+    const byHand = choices.byHand === null ? null : set(choices.byHand, tableOf(k.path), last(k.path), asToml(k, value));
+    change({ changes: { ...choices.changes, [k.path]: written(k, value) }, byHand });
+  }
+
+  const own = () => keys.filter((k) => kindsOf(k, kinds).includes(choices.kind));
+  const telling = () => choices.changes[own().find((k) => k.kind === "quantity")?.path ?? ""] ?? "";
+  const testName = () => choices.name || proposal(choices.kind, telling(), taken);
+
+  function change(some: Partial<Choices>, anew = true) {
+    if (some.kind && choices.byHand !== null) some.byHand = set(choices.byHand, "test", "kind", quoted(some.kind));
+    choices = { ...choices, ...some };
+    sessionStorage.setItem(store, JSON.stringify(choices));
+    if (anew) void fetchRecipe();
+    draw();
+  }
+
+  async function fetchRecipe() {
+    const mine = ++asked;
+    await attempt(wrong, async () => {
+      const answer = await ask<Recipe>("/api/recipe", { name: rock, changes: { "test.kind": choices.kind, ...relevant() } });
+      if (mine === asked) recipe = answer;
+    });
+    draw();
+    if (document.activeElement !== area.node) area.reveal(area.node.value.split("\n").indexOf("[test]"));
+  }
+
+  const applies = (k: Key) => always.includes(k.path) || kindsOf(k, kinds).length === 0 || own().includes(k);
+
+  /** What was chosen for another kind of test is not said of this one. */
+  function relevant(): Record<string, string> {
+    return Object.fromEntries(keys.filter((k) => applies(k) && choices.changes[k.path]).map((k) => [k.path, choices.changes[k.path]]));
+  }
+
+  function arrange() {
+    const shown = keys.filter(applies);
+    const upFront = (k: Key) => always.includes(k.path) || own().includes(k);
+    const places = (some: Key[]) => some.map((k) => controls.get(k.path)!.place);
+    front.replaceChildren(...places(shown.filter(upFront)));
+    more.replaceChildren(...places(shown.filter((k) => !upFront(k))));
+  }
+
+  function draw() {
+    kind.value = choices.kind;
+    const text = choices.byHand ?? recipe?.toml ?? "";
+    area.set(text);
+    handNote.hidden = choices.byHand === null;
+    for (const c of controls.values()) {
+      const value = typed(c.key, get(text, tableOf(c.key.path), last(c.key.path)));
+      if (document.activeElement !== c.node && c.node.value !== value) c.node.value = value;
+      const said = recipe?.problems.filter((p) => p.key === c.key.path).map((p) => p.text) ?? [];
+      c.problem.textContent = said.join(" ");
+      c.node.setAttribute("aria-invalid", String(said.length > 0));
+    }
+    const rest = recipe?.problems.filter((p) => !controls.has(p.key)) ?? [];
+    keyed(general, rest, () => rest.map((p) => h("li", {}, p.text)));
+    if (document.activeElement !== name) name.value = testName();
+    const file = `${rock}-tests/${testName()}`;
+    keyed(commandPlace, file, () => [command(`phyllite run ${argument(`${file}.toml`)} --out ${argument(file)}`), h("p", { class: "muted" }, "The recipe is saved as ", h("code", {}, `${file}.toml`))]);
+  }
+
+  function showTests(tests: LabTest[]) {
+    for (const [known, view] of shownTests) if (!tests.some((t) => t.name === known) && shownTests.delete(known)) view.node.remove();
+    for (const t of tests) {
+      if (!shownTests.has(t.name)) {
+        shownTests.set(t.name, testView(rock, t.name, changed));
+        done.append(shownTests.get(t.name)!.node);
+      }
+      shownTests.get(t.name)!.show(t);
+    }
+  }
+
+  arrange();
+  return {
+    node: h("div", {}, before, form, done),
+    show(answer) {
+      const calibrated = answer.calibration.files.some((f) => f.endsWith("/calibrated.toml"));
+      before.hidden = calibrated;
+      form.hidden = !calibrated;
+      const version = JSON.stringify(answer.calibration.verdict);
+      if (calibrated && version !== of) void fetchRecipe();
+      if (calibrated) of = version;
+      taken = answer.tests.map((t) => t.name);
+      showTests(answer.tests);
+      if (calibrated) draw();
+    },
+  };
+}
+
+function specimens(t: LabTest): Child {
+  if (t.specimens.length === 0) return null;
+  const shown = (v: number | null, unit: string) => {
+    if (v === null) return "–";
+    const [factor, name] = readable(v, unit);
+    return `${(v * factor).toPrecision(4)} ${name}`.trim();
+  };
+  return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength, shown(s.value, s.unit), s.status]));
+}
+
+/** A test that has been run, or is. */
+function testView(rock: string, name: string, changed: () => void) {
+  const wrong = objections();
+  const state = h("p", { class: "state", role: "status" });
+  const [results, rest] = [h("div"), h("div")];
+  const log = h("pre", { tabindex: "0" });
+  const output = fold("Output of the program", log);
+  const files = fileFold();
+  const stop = button("Stop the test", () =>
+    attempt(wrong, async () => {
+      await ask("/api/stop", { name: rock, test: name });
+      changed();
+    }),
+  );
+  return {
+    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, files.node, output),
+    show(t: LabTest) {
+      const report = t.files.find((f) => f.endsWith("report.html"));
+      keyed(state, [t.state, t.exit_code], () => [t.state === "failed" ? `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.` : `${t.state[0].toUpperCase()}${t.state.slice(1)}.`]);
+      stop.hidden = t.state !== "running";
+      keyed(results, t.specimens, () => [specimens(t)]);
+      keyed(rest, [report, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command)]);
+      files.show(t.files);
+      output.hidden = t.log === "";
+      if (t.state === "failed" && log.textContent !== t.log) output.open = true;
+      if (log.textContent !== t.log) log.textContent = t.log;
+    },
+  };
+}

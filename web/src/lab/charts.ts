@@ -1,0 +1,76 @@
+// Charts of the page to work in: what the laboratory measured, how a calibration goes.
+import * as Plot from "@observablehq/plot";
+import { angles, base, inclination, panel } from "../charts";
+import { readable } from "../units";
+import { Curve, Narrowing, Pressed, Target } from "./server";
+
+type Drawn = SVGSVGElement | HTMLElement;
+
+/** Means of the laboratory with their 95 %, single specimens, and theory through them. */
+export function measured(targets: Target[], curve: Curve | undefined, factor: number, width: number): Drawn {
+  const points = targets.map((t) => ({ theta: t.theta, value: t.mean * factor, low: t.low * factor, high: t.high * factor, n: t.n }));
+  const single = targets.flatMap((t) => (t.specimens ?? []).map((v) => ({ theta: t.theta, value: v * factor })));
+  const theory = (curve?.theta ?? []).map((theta, i) => ({ theta, value: curve!.value[i] * factor }));
+  return Plot.plot({
+    ...panel(width),
+    marginTop: 12,
+    x: { ...inclination, domain: [-3, 93], ticks: angles(90, width) },
+    y: { label: null, nice: true, zero: true },
+    marks: [
+      Plot.ruleY([0]),
+      Plot.line(theory, { x: "theta", y: "value", stroke: "var(--theory)", strokeWidth: 1.8, strokeDasharray: "7 4" }),
+      Plot.ruleX(points, { x: "theta", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4 }),
+      Plot.dot(single, { x: "theta", y: "value", dx: -7, r: 2.2, fill: "var(--ink)", fillOpacity: 0.5 }),
+      Plot.dot(points, { x: "theta", y: "value", symbol: "diamond", r: 5.5, stroke: "var(--ink)", fill: "var(--surface)", strokeWidth: 1.6, tip: true, title: (d) => `${d.value.toPrecision(4)} at ${d.theta}°\n${d.n} specimen${d.n === 1 ? "" : "s"}` }),
+    ],
+  }) as Drawn;
+}
+
+/** 1, 2, 5 of each power of ten between the ends; where these are many, powers alone. */
+function logTicks(low: number, high: number): number[] {
+  const powers = Array.from({ length: 40 }, (_, i) => 10 ** (i - 20)).filter((p) => p <= high && 10 * p >= low);
+  const ticks = (powers.length > 3 ? [1] : [1, 2, 5]).flatMap((k) => powers.map((p) => k * p));
+  return ticks.filter((t) => t >= low && t <= high);
+}
+
+const shortNumber = (v: number) => (v >= 1e4 || (v > 0 && v < 1e-3) ? v.toExponential(0).replace("e+", "e") : String(+v.toPrecision(2)));
+
+/** Interval and estimate of a parameter after each batch, inside the values that are admitted. */
+export function narrowing(p: Narrowing, width: number): Drawn {
+  const [low, high] = p.box;
+  const [factor, unit] = readable(high, p.unit);
+  const steps = p.steps.map((s, i) => ({ batch: i + 1, value: s.value * factor, low: s.low * factor, high: s.high * factor }));
+  const logarithmic = low > 0 && high > 10 * low;
+  return Plot.plot({
+    ...base,
+    width,
+    height: 150,
+    marginLeft: 48,
+    marginTop: 24,
+    marginBottom: 32,
+    x: { label: "batch", labelAnchor: "center", labelArrow: "none", domain: [0.5, Math.max(4, steps.length) + 0.5], ticks: steps.map((s) => s.batch), tickFormat: "d" },
+    y: { label: unit || null, labelArrow: "none", type: logarithmic ? "log" : "linear", domain: [low * factor, high * factor], ticks: logarithmic ? logTicks(low * factor, high * factor) : 4, tickFormat: shortNumber },
+    marks: [
+      Plot.ruleX(steps, { x: "batch", y1: "low", y2: "high", stroke: "var(--accent)", strokeOpacity: 0.35, strokeWidth: Math.min(14, width / 20), clip: true }),
+      Plot.line(steps, { x: "batch", y: "value", stroke: "var(--accent)", strokeWidth: 1.6, clip: true }),
+      Plot.dot(steps, { x: "batch", y: "value", fill: "var(--accent)", r: 3, tip: true, title: (d) => `batch ${d.batch}: ${d.value.toPrecision(3)} ${unit}\n${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}` }),
+    ],
+  }) as Drawn;
+}
+
+/** The specimen that is in the press now, as far as it has come. */
+export function growing(p: Pressed, width: number): Drawn {
+  const sign = p.test === "direct_tension" ? -1 : 1;
+  const points = p.strain.map((s, i) => ({ strain: 100 * sign * s, stress: 1e-6 * sign * p.stress[i] }));
+  return Plot.plot({
+    ...base,
+    width,
+    height: Math.max(200, Math.min(300, width * 0.55)),
+    marginLeft: 48,
+    marginTop: 26,
+    marginBottom: 38,
+    x: { label: "strain [%]", labelAnchor: "center", labelArrow: "none", zero: true, ticks: 5 },
+    y: { label: "stress [MPa]", labelArrow: "none", zero: true, nice: true },
+    marks: [Plot.ruleY([0]), Plot.line(points, { x: "strain", y: "stress", stroke: "var(--accent)", strokeWidth: 1.8 }), Plot.dot(points.slice(-1), { x: "strain", y: "stress", fill: "var(--accent)", r: 4 })],
+  }) as Drawn;
+}

@@ -1,0 +1,83 @@
+// What the check says of the table: how it was read, what it holds, what it determines.
+import { Child, fold, h, table } from "../dom";
+import { scales } from "../units";
+import { measured } from "./charts";
+import { argument, command, counted, keyed } from "./controls";
+import { Figures } from "./figures";
+import { Checked, Target } from "./server";
+
+export interface FindingsView {
+  node: HTMLElement;
+  busy(words: string): void;
+  show(checked: Checked, words: string): void;
+}
+
+/** Those of several confining stresses share a chart. */
+const properties = (targets: Target[]) => [...new Set(targets.map((t) => t.property))];
+
+const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, s))) : null);
+
+function numbers(targets: Target[]): HTMLElement {
+  const shown = (t: Target, v: number | null) => (v === null ? "–" : (v * (scales[t.property]?.[0] ?? 1)).toPrecision(4));
+  return table(
+    "Means of the laboratory",
+    ["property", "θ [°]", "mean", "± SD", "specimens", "95 % of the mean"],
+    targets.map((t) => [scales[t.property]?.[1] ?? t.property, String(t.theta), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
+  );
+}
+
+function determined(checked: Checked): Child {
+  const rows = checked.parameters ?? [];
+  if (rows.length === 0) return null;
+  const more = (p: (typeof rows)[number]) => (p.determined ? (p.rests_on ?? "") : p.next_test ? `would tell more: ${p.next_test}` : "no test that a table holds tells much");
+  return table(
+    "What the data determine",
+    ["parameter", "determined", "expected interval", "rests on, or would tell more"],
+    rows.map((p) => [p.symbol, p.determined ? "yes" : "no", p.interval ?? "known after the fit", more(p)]),
+    null,
+    [3],
+  );
+}
+
+export function findingsView(rock: string): FindingsView {
+  const state = h("span", { role: "status" });
+  const busy = h("span", { class: "muted" }); // not read aloud at every key
+  const forecast = h("div");
+  const charts = new Figures("grid small");
+  const legend = h(
+    "ul",
+    { class: "legend" },
+    h("li", {}, h("span", { "aria-hidden": "true" }, "◇"), "laboratory, mean and its 95 %"),
+    h("li", {}, h("span", { "aria-hidden": "true" }, "•"), "specimens"),
+    h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "theory"),
+  );
+  const words = h("div");
+  return {
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), forecast, charts.node, legend, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    busy: (words) => (busy.textContent = words),
+    show(checked, says) {
+      busy.textContent = "";
+      state.textContent = says;
+      const targets = checked.targets ?? [];
+      charts.show(
+        properties(targets).map((p) => {
+          const of = targets.filter((t) => t.property === p);
+          const curve = checked.theory?.[p];
+          const [factor, label] = scales[p] ?? [1, p];
+          return { name: label, shown: [of, curve], caption: curve?.note, draw: (width) => measured(of, curve, factor, width) };
+        }),
+      );
+      legend.hidden = targets.length === 0;
+      keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, checked.forecast)]);
+      keyed(words, checked, () => [
+        list(checked.says),
+        checked.parameters && checked.parameters.length > 0 && h("h3", {}, "What the data determine"),
+        determined(checked),
+        checked.advice && checked.advice.length > 0 && fold(counted(checked.advice.length, "remark"), list(checked.advice)),
+        targets.length > 0 && fold("Means of the table", numbers(targets)),
+        checked.notes.length > 0 && h("h3", {}, "How the files were understood"),
+        list(checked.notes, "muted"),
+      ]);
+    },
+  };
+}

@@ -1,0 +1,268 @@
+// The page to work in: lays it out, opens rocks, asks again and again how they are.
+import { h, theme } from "../dom";
+import { benchView } from "./bench";
+import { calibrationView } from "./calibration";
+import { argument, attempt, button, command, counted, field, input, keyed, objections } from "./controls";
+import { draft, onDraft } from "./drafts";
+import { findingsView } from "./findings";
+import { Rock } from "./rock";
+import { rockFileView } from "./rockfile";
+import { Checked, Gone, Project, Refused, RockAnswer, ask, onConnection } from "./server";
+import { tableView } from "./table";
+import { quoted } from "./toml";
+
+const main = document.getElementById("main")!;
+const contents = document.getElementById("contents")!;
+const saving = document.getElementById("saving")!;
+const openKey = "phyllite open rock"; // of this tab
+
+let project: Project;
+let open: { rock: Rock; show: () => void; meet: (answer: RockAnswer) => void; running: boolean } | null = null;
+
+function section(id: string, title: string, ...children: Node[]): HTMLElement {
+  contents.append(h("li", {}, h("a", { href: `#${id}` }, title)));
+  return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
+}
+
+// --- the program answers, or not ------------------------------------------------------------------------------
+
+const away = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program has been stopped. "), "Start ", h("code", {}, "phyllite lab"), " again in this folder. The table as typed is kept in this browser.");
+const stranger = h("div", { class: "notice", role: "alert" }, h("strong", {}, "The program does not know this page any more. "), "Open the address that it has printed. The table as typed is kept in this browser.");
+const trouble = h("div", { class: "notice", role: "alert" });
+for (const n of [away, stranger, trouble]) n.hidden = true;
+document.getElementById("bar")!.prepend(away, stranger, trouble);
+
+onConnection((answers) => {
+  if (answers && !away.hidden) recheck();
+  away.hidden = answers;
+});
+
+// --- rocks ----------------------------------------------------------------------------------------------------
+
+const opening = objections();
+const rockList = h("ul", { class: "rocks" });
+const folder = h("p", { class: "muted" });
+const place = h("div");
+
+function listRocks() {
+  const states = project.rocks.map((r) => [r.name, r.verdict ?? r.state, draft(project.folder, r.name) !== null, r.name === open?.rock.name]);
+  keyed(rockList, states, () =>
+    project.rocks.map((r) => {
+      const b = button(r.name, () => void attempt(opening, () => openRock(r.name)));
+      b.append(h("small", {}, r.verdict ?? r.state, draft(project.folder, r.name) ? ", not saved" : ""));
+      if (r.name === open?.rock.name) b.setAttribute("aria-current", "true");
+      return h("li", {}, b);
+    }),
+  );
+}
+
+/** The least that a rock file has to say, and the sizes that are asked for most. */
+const beginning = (name: string) => `name = ${quoted(name)}\ndata = ${quoted(`${name}.csv`)}\n\n[specimen]\nwidth = "38 mm"\nheight = "76 mm"\n`;
+
+function newRock(): HTMLElement {
+  const asked = h("div");
+  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`, "A rock file with comments on all that can be said, as a command: ")]), { required: "" });
+  const wrong = objections();
+  const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
+  form.addEventListener("submit", (e) => {
+    e.preventDefault();
+    void attempt(wrong, async () => {
+      const wanted = name.value.trim();
+      if (project.rocks.some((r) => r.name === wanted)) throw new Error(`there is already a rock ${wanted}`);
+      await ask("/api/save", { name: wanted, table: "theta [deg],E [GPa],UCS [MPa]\n", toml: beginning(wanted), stamp: "" });
+      name.value = "";
+      project = await ask<Project>("/api/project");
+      await openRock(wanted);
+      main.querySelector<HTMLInputElement>(".sheet input")?.focus();
+    });
+  });
+  return h("div", {}, form, wrong, asked);
+}
+
+// --- the rock that is open ------------------------------------------------------------------------------------
+
+let recheck = () => {};
+
+function layOut(answer: RockAnswer) {
+  contents.querySelectorAll("li:not(:first-child)").forEach((l) => l.remove());
+  const rock = new Rock(project.folder, answer, () => show());
+  const name = rock.name;
+  const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo());
+  const rockFile = rockFileView(project, (t, step) => rock.edit({ toml: t }, step));
+  const findings = findingsView(name);
+  const calibration = calibrationView(name, ready, refresh);
+  const bench = benchView(name, project, refresh);
+  const conflict = h("div");
+  const wrong = objections();
+  let checked: Checked | null = null;
+  let asked = 0;
+  let last = "";
+  let timer = 0;
+
+  place.replaceChildren(
+    conflict,
+    h("div", { class: "two" }, section("table", "Table", table.node), section("check", "What the table says", findings.node), section("rock-file", "Rock file", rockFile.node)),
+    section("calibration", "Calibration", calibration.node),
+    section("tests", "Tests on the calibrated rock", bench.node),
+  );
+
+  const state = h("p", { role: "status" });
+  const save = button("Save", () => void attempt(wrong, () => rock.save()), { class: "main", "aria-keyshortcuts": "Control+S" });
+  const discard = button("Discard changes", () => rock.discard());
+  const back = button("Undo", () => rock.undo());
+  saving.replaceChildren(state, save, back, discard, wrong);
+
+  function show() {
+    table.show(rock.text.table, answer.table_file);
+    rockFile.show(rock.text.toml, `${name}.toml`);
+    keyed(state, rock.dirty, () => [h("span", { class: rock.dirty ? "unsaved" : "muted" }, rock.dirty ? `${name}: not saved` : `${name}: saved`)]);
+    save.disabled = !rock.dirty;
+    back.disabled = !rock.canUndo;
+    discard.hidden = !rock.dirty;
+    calibration.show(answer.calibration, rock.dirty);
+    keyed(conflict, rock.theirs, () => (rock.theirs ? [choose()] : []));
+    schedule();
+    listRocks();
+  }
+
+  /** Somebody else has changed the files. */
+  function choose(): HTMLElement {
+    const theirs = rock.theirs!;
+    return h(
+      "section",
+      { class: "notice", "aria-label": "The files have been changed" },
+      h("h2", {}, "The files have been changed elsewhere"),
+      h("p", {}, `${answer.table_file} or ${name}.toml is another than the one that this page began with. Below is the file as it is now; what is typed here stands further down.`),
+      h("div", { class: "theirs" }, h("div", {}, h("h3", {}, answer.table_file), h("pre", { tabindex: "0" }, theirs.table ?? "no text")), h("div", {}, h("h3", {}, `${name}.toml`), h("pre", { tabindex: "0" }, theirs.toml))),
+      h("div", { class: "tools" }, button("Keep mine", () => void attempt(wrong, () => rock.keepMine())), button("Take the file’s", () => rock.discard())),
+    );
+  }
+
+  function schedule() {
+    const now = JSON.stringify(rock.text);
+    if (now === last) return;
+    last = now;
+    clearTimeout(timer);
+    timer = window.setTimeout(check, 400);
+    findings.busy("Checking …");
+  }
+
+  async function check() {
+    const mine = ++asked;
+    try {
+      const answered = await ask<Checked>("/api/check", { name, ...rock.text });
+      if (mine !== asked) return;
+      checked = answered;
+      table.mark(checked);
+      rockFile.mark(checked);
+      const n = checked.problems.length;
+      findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend, said beside the cells and lines.`);
+    } catch (error) {
+      if (mine === asked) findings.busy(`Not checked: ${(error as Error).message}.`);
+    }
+  }
+
+  recheck = () => {
+    last = "";
+    schedule();
+  };
+
+  /** Calibrations read the files. */
+  async function ready() {
+    clearTimeout(timer);
+    await check();
+    if (checked && checked.problems.length > 0) throw new Error("the table or the rock file has problems, said above; mend them first");
+    if (rock.dirty && !(await rock.save())) throw new Error("the files have been changed elsewhere: choose above which to keep");
+  }
+
+  function meet(next: RockAnswer) {
+    answer = next;
+    rock.meet(next);
+    calibration.show(next.calibration, rock.dirty);
+    bench.show(next);
+    if (open) open.running = next.calibration.state === "running" || next.tests.some((t) => t.state === "running");
+  }
+
+  open = { rock, show, meet, running: false };
+  document.getElementById("title")!.textContent = name;
+  document.title = `${name} – Phyllite lab`;
+  show();
+  rock.takeDraft();
+  meet(answer);
+}
+
+async function openRock(name: string) {
+  const answer = await ask<RockAnswer>(`/api/rock?name=${encodeURIComponent(name)}`);
+  sessionStorage.setItem(openKey, name);
+  layOut(answer);
+}
+
+// --- time passes ----------------------------------------------------------------------------------------------
+
+let turn = 0;
+let waiting = 0;
+
+async function look() {
+  ++turn;
+  try {
+    const name = open?.rock.name;
+    if (name) {
+      const answer = await ask<RockAnswer>(`/api/rock?name=${encodeURIComponent(name)}`);
+      if (open?.rock.name === name) open.meet(answer);
+    }
+    if (!open?.running || turn % 4 === 0) project = await ask<Project>("/api/project");
+    stranger.hidden = trouble.hidden = true;
+    listRocks();
+  } catch (error) {
+    const unknown = error instanceof Refused && [401, 403].includes(error.status);
+    stranger.hidden = !unknown;
+    trouble.hidden = unknown || error instanceof Gone;
+    trouble.textContent = (error as Error).message;
+  }
+}
+
+async function watch() {
+  await look();
+  const soon = open?.running ? 1000 : 4000;
+  waiting = window.setTimeout(watch, document.hidden ? 4000 : away.hidden ? soon : 2000);
+}
+
+function refresh() {
+  clearTimeout(waiting);
+  void watch();
+}
+
+addEventListener("visibilitychange", () => document.hidden || refresh());
+addEventListener("keydown", (e) => {
+  if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== "s") return;
+  e.preventDefault();
+  saving.querySelector<HTMLButtonElement>("button.main")?.click();
+});
+onDraft(
+  () => (open ? [project.folder, open.rock.name] : null),
+  () => {
+    open!.rock.takeDraft();
+    refresh();
+  },
+);
+
+async function start() {
+  theme(() => {}, localStorage);
+  try {
+    project = await ask<Project>("/api/project");
+  } catch (error) {
+    stranger.hidden = error instanceof Gone;
+    if (error instanceof Gone) setTimeout(() => location.reload(), 3000);
+    return;
+  }
+  document.getElementById("subtitle")!.textContent = `Folder ${project.folder} · Phyllite ${project.version}, ${project.threads} threads`;
+  folder.textContent = "A rock is two files of this folder: a table of tests and a rock file.";
+  main.append(section("rocks", "Rocks", folder, rockList, opening, newRock()), place);
+  listRocks();
+  const wanted = sessionStorage.getItem(openKey) ?? (project.rocks.length === 1 ? project.rocks[0].name : null);
+  if (wanted && project.rocks.some((r) => r.name === wanted)) await attempt(opening, () => openRock(wanted));
+  document.documentElement.dataset.ready = "true";
+  void watch();
+}
+
+void start();

@@ -1,0 +1,66 @@
+// The rock file: what is asked for most by choosing, all of it as text. A choice changes its line of the text.
+import { Child, h } from "../dom";
+import { field, input, keyed, select, textArea } from "./controls";
+import { Checked, Project } from "./server";
+import { problemItem } from "./table";
+import { get, quoted, set } from "./toml";
+
+interface Entry {
+  table: string;
+  key: string;
+  node: HTMLInputElement | HTMLSelectElement;
+}
+
+export interface RockFileView {
+  node: HTMLElement;
+  show(toml: string, file: string): void;
+  mark(checked: Checked | null): void;
+}
+
+const sizes: [string, string, string][] = [
+  ["specimen", "width", "Width of the specimens"],
+  ["specimen", "height", "Height of the specimens"],
+  ["bedding", "spacing", "Distance of the layers"],
+];
+
+export function rockFileView(project: Project, edit: (toml: string, step: string) => void): RockFileView {
+  let text = "";
+  const entries: Entry[] = [];
+  const change = (table: string, key: string, value: string) => edit(set(text, table, key, value === "" ? null : quoted(value)), `rock file ${table}.${key}`);
+  const chosen = (key: "E_is" | "layers" | "matrix", label: string): HTMLElement => {
+    const options = project.choices[key];
+    const node = select([["", `not said (${options[0]})`], ...options.map((o): [string, string] => [o, o])], (v) => change("", key, v));
+    entries.push({ table: "", key, node });
+    return field(label, node);
+  };
+  const sized = ([table, key, label]: (typeof sizes)[number]): HTMLElement => {
+    const node = input((v) => change(table, key, v.trim()), { placeholder: "not said" });
+    entries.push({ table, key, node });
+    return field(label, node);
+  };
+  const area = textArea((t) => edit(t, "typing the rock file"), { id: "rock-text", "aria-describedby": "rock-problems" });
+  const label = h("label", { for: "rock-text" }, "Rock file as text");
+  const name = h("code");
+  const problems = h("ul", { class: "problems", id: "rock-problems" });
+  const fields: Child[] = [chosen("E_is", "What E is"), chosen("layers", "Model of the layers"), chosen("matrix", "Model of the matrix"), ...sizes.map(sized)];
+  return {
+    node: h("div", {}, h("div", { class: "fields" }, ...fields), h("div", { class: "field" }, label, area.node), problems, h("p", { class: "muted" }, "The file: ", name)),
+    show(toml, file) {
+      text = toml;
+      area.set(toml);
+      name.textContent = file;
+      for (const e of entries) if (e.node !== document.activeElement || e.node instanceof HTMLSelectElement) fit(e.node, get(toml, e.table, e.key));
+    },
+    mark(checked) {
+      const all = checked?.problems.filter((p) => p.where === "rock") ?? [];
+      area.node.setAttribute("aria-invalid", String(all.length > 0));
+      keyed(problems, all, () => all.map((p) => problemItem(p, area.goTo)));
+    },
+  };
+}
+
+/** A value that is no choice is shown nevertheless: the check says what is wrong with it. */
+function fit(node: HTMLInputElement | HTMLSelectElement, value: string) {
+  if (node instanceof HTMLSelectElement && ![...node.options].some((o) => o.value === value)) node.append(h("option", { value }, value));
+  if (node.value !== value) node.value = value;
+}

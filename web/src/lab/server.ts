@@ -1,0 +1,167 @@
+// What the page asks the program, and what it answers (src/lab page of `phyllite lab`, JSON).
+
+export type State = "new" | "running" | "stopped" | "finished" | "failed";
+
+export interface Key {
+  path: string; // "test.confining_stress"
+  meaning: string;
+  range: string;
+  kind: "quantity" | "number" | "integer" | "boolean" | "choice" | "text" | "list";
+  choices: string[];
+}
+
+export interface Project {
+  version: string;
+  folder: string;
+  threads: number;
+  choices: Record<"E_is" | "layers" | "matrix", string[]>; // the first is the default
+  columns: [string, string][]; // names that a table may have, with a word on each
+  rocks: { name: string; state: State; verdict: string | null }[];
+  kinds: { name: string; title: string }[];
+  keys: Key[];
+}
+
+/** The two files of a rock. */
+export interface Files {
+  table: string | null; // null: no text, e.g. a workbook
+  toml: string;
+}
+
+export interface Step {
+  value: number;
+  low: number;
+  high: number;
+}
+
+export interface Narrowing {
+  symbol: string;
+  unit: string;
+  box: [number, number];
+  steps: Step[]; // one per batch
+}
+
+export interface Pressed {
+  test: string;
+  theta: number | null;
+  strain: number[];
+  stress: number[]; // [Pa]
+}
+
+export interface Progress {
+  state: string;
+  stage: string;
+  seconds: number;
+  n_done: number;
+  n_total: number;
+  seconds_left: number | null;
+  said: string[];
+  parameters: Narrowing[];
+  pressed: Pressed | null;
+}
+
+export interface Run {
+  state: State;
+  command: string;
+  log: string;
+  exit_code: number | null;
+  files: string[];
+}
+
+export interface Calibrating extends Run {
+  folder: string;
+  here: boolean; // started by this program
+  progress: Progress | null;
+  verdict: { status: string; sentence: string; summary: string[]; findings: string[] } | null;
+}
+
+export interface LabTest extends Run {
+  name: string;
+  specimens: { specimen: string; theta: number | null; status: string; strength: string; value: number | null; unit: string }[];
+}
+
+export interface RockAnswer extends Files {
+  name: string;
+  table_file: string;
+  stamp: string; // of both files as they lie on disk
+  calibration: Calibrating;
+  tests: LabTest[];
+}
+
+export interface Problem {
+  where: "table" | "rock";
+  line: number | null;
+  column: number | null; // cell in that line, from 0
+  text: string;
+}
+
+export interface Target {
+  property: string;
+  theta: number;
+  mean: number;
+  sd: number | null;
+  n: number;
+  low: number; // 95 % of the mean
+  high: number;
+  unit: string;
+  specimens: number[];
+}
+
+export interface Curve {
+  note: string;
+  theta: number[];
+  value: number[];
+}
+
+export interface Checked {
+  problems: Problem[];
+  notes: string[];
+  targets: Target[] | null;
+  theory: Record<string, Curve> | null;
+  says: string[] | null;
+  parameters: { symbol: string; determined: boolean; interval: string | null; rests_on: string | null; next_test: string | null }[] | null;
+  advice: string[] | null;
+  forecast: string | null;
+}
+
+/** The program has said no; its words are for the user. */
+export class Refused extends Error {
+  constructor(
+    readonly status: number,
+    readonly body: { error?: string } & Partial<Files> & { stamp?: string },
+  ) {
+    super(body.error ?? `the program answered with status ${status}`);
+  }
+}
+
+/** Nobody answers. */
+export class Gone extends Error {
+  constructor() {
+    super("the program does not answer");
+  }
+}
+
+const token = new URLSearchParams(location.search).get("token") ?? "";
+
+let connected: (answers: boolean) => void = () => {};
+export const onConnection = (tell: (answers: boolean) => void) => (connected = tell);
+
+/** GET without a body, else POST. Throws Refused or Gone. */
+export async function ask<T>(path: string, body?: unknown): Promise<T> {
+  const method = body === undefined ? "GET" : "POST";
+  const headers: Record<string, string> = { "X-Phyllite-Token": token, ...(body === undefined ? {} : { "Content-Type": "application/json" }) };
+  let answer: Response;
+  let content: unknown;
+  try {
+    answer = await fetch(path, { method, headers, body: JSON.stringify(body), cache: "no-store", signal: AbortSignal.timeout(30000) });
+    content = await answer.json().catch(() => ({}));
+  } catch {
+    connected(false);
+    throw new Gone();
+  }
+  connected(true);
+  if (!answer.ok) throw new Refused(answer.status, content as Refused["body"]);
+  return content as T;
+}
+
+/** Address of a file of the folder. */
+export const fileAddress = (path: string) => `/files/${path.split("/").map(encodeURIComponent).join("/")}?token=${encodeURIComponent(token)}`;

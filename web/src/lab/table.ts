@@ -1,0 +1,91 @@
+// The rock's table: as a grid, or as the text that it is.
+import { fold, h } from "../dom";
+import { button, keyed, textArea } from "./controls";
+import { Grid } from "./grid";
+import { Checked, Problem, Project } from "./server";
+import { addColumn, insertRow, removeColumn, removeLine } from "./sheet";
+
+export interface TableView {
+  node: HTMLElement;
+  show(text: string | null, file: string): void;
+  mark(checked: Checked | null): void;
+}
+
+export function tableView(project: Project, edit: (table: string, step: string) => void, undo: () => void): TableView {
+  let text: string | null = "";
+  let asText = false;
+  let steps = 0;
+  let found: Problem[] = [];
+  const grid = new Grid(edit, undo, () => names.querySelector("summary")!.focus());
+  const area = textArea((t) => edit(t, "typing the table"), { id: "table-text", "aria-describedby": "table-problems" });
+  const change = (f: (text: string) => string) => {
+    const place = grid.place;
+    edit(f(text ?? ""), `button ${++steps}`);
+    grid.focus(place);
+  };
+  const toggle = button("Edit as text", () => {
+    asText = !asText;
+    draw();
+  });
+  const tools = h(
+    "div",
+    { class: "tools" },
+    button("Insert row below", () => change((t) => insertRow(t, grid.place.line))),
+    button("Delete row", () => change((t) => removeLine(t, grid.place.line))),
+    button("Add column", () => change(addColumn)),
+    button("Delete column", () => change((t) => removeColumn(t, grid.place.column))),
+  );
+  const problems = h("ul", { class: "problems", id: "table-problems" });
+  const place = h("div");
+  const files = h("div");
+  const names = fold("Names that a column may have", h("dl", {}, ...project.columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word)])));
+  const workbook = h("p", { class: "warning" });
+  const editor = h("div", {}, h("div", { class: "tools" }, toggle, tools), problems, place);
+  const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
+
+  function draw() {
+    toggle.textContent = asText ? "Edit as cells" : "Edit as text";
+    tools.hidden = asText;
+    keyed(place, asText, () => [asText ? textField : grid.node]);
+    if (asText) area.set(text ?? "");
+    else grid.set(text ?? "");
+    say();
+  }
+
+  function say() {
+    grid.mark(found);
+    const listed = asText ? found : found.filter((p) => p.line === null);
+    keyed(problems, [listed, asText], () => listed.map((p) => problemItem(p, asText ? area.goTo : null)));
+  }
+
+  return {
+    node: h(
+      "div",
+      {},
+      h("p", { class: "muted" }, "Copy the table in Excel, click the first heading and paste. One row per specimen, or per angle with SD and number; the unit stands in the heading. Enter and arrow keys move, Esc leaves the cells."),
+      workbook,
+      editor,
+      files,
+      names,
+      h("datalist", { id: "column-names" }, ...project.columns.map(([name]) => h("option", { value: name }))),
+    ),
+    show(next, file) {
+      text = next;
+      workbook.hidden = next !== null;
+      workbook.textContent = `${file} is no text: change it in its own program, and it is read again here.`;
+      editor.hidden = next === null;
+      keyed(files, file, () => [h("p", { class: "muted" }, "The file: ", h("code", {}, file))]);
+      draw();
+    },
+    mark(checked) {
+      found = checked?.problems.filter((p) => p.where === "table") ?? [];
+      say();
+    },
+  };
+}
+
+/** What is wrong, and a way to the line where. */
+export function problemItem(p: Problem, goTo: ((line: number) => void) | null): HTMLElement {
+  const line = p.line;
+  return h("li", {}, line !== null && (goTo ? button(`Line ${line}`, () => goTo(line - 1), { class: "link" }) : `Line ${line}`), line !== null && ": ", p.text);
+}
