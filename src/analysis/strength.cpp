@@ -95,7 +95,7 @@ std::vector<Number> strength_rule(const LoadingBranch& branch) {
 std::string strength_note(const LoadingBranch& branch) {
   if (!branch.peaked || !branch.may_harden || (branch.largest == branch.highest && !branch.at_knee()))
     return branch_note(branch);
-  const std::string first = branch.at_knee() ? "a knee, no peak" : "the first peak";
+  std::string first = branch.at_knee() ? "a knee, no peak" : "the first peak";
   if (branch.largest == branch.highest) return first;
   return fmt::format("{}: the {} rises to {:.4g} MPa later", first, branch.stress, branch.highest * 1e-6);
 }

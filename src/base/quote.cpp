@@ -94,7 +94,7 @@ std::string toml_list(const std::vector<std::string>& values) {
 }
 
 std::string csv_cell(std::string_view text) {
-  const std::string plain = comment_text(text);
+  std::string plain = comment_text(text);
   const bool bare = plain.find_first_of(",;\"") == plain.npos && !plain.starts_with('#') &&
                     !plain.starts_with(' ') && !plain.ends_with(' ');
   if (bare) return plain;

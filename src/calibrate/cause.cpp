@@ -260,6 +260,7 @@ Cause farthest_cell(const View& v, Part part) {
     if (part_of(c.target.property) == part && c.answered() &&
         (worst == nullptr || std::fabs(scaled_error(c)) > std::fabs(scaled_error(*worst))))
       worst = &c;
+  PHY_CHECK(worst != nullptr, "a part that misses has a value that was answered");
   const Target& t = worst->target;
   return {fmt::format("farthest off is {}, {} instead of {}", cell_name(t), shown(t, worst->mean),
                       shown(t, t.mean)),

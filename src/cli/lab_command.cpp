@@ -1,5 +1,8 @@
 // `phyllite lab FOLDER`: a page to work in, for a browser on this machine.
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "base/check.hpp"
@@ -14,17 +17,31 @@ namespace {
 
 struct LabArguments {
   std::string folder = ".";
-  int port = 0;
+  int port = usual;
+  static constexpr int usual = -1, first = 7337;
 };
+
+/// The same port every time, where it is free: browsers keep what was typed by address and port.
+std::unique_ptr<desk::Server> server_at(int port, const desk::Handler& handler) {
+  const auto at = [&](int p) {
+    return std::make_unique<desk::Server>(static_cast<unsigned short>(p), desk::random_token(), handler);
+  };
+  if (port != LabArguments::usual) return at(port);
+  try {
+    return at(LabArguments::first);
+  } catch (const IoError&) {
+    return at(0);
+  }
+}
 
 int run_lab(const LabArguments& args, const Session& session) {
   io::check_writable(args.folder);
   std::filesystem::current_path(args.folder);
   desk::Desk desk(session.threads);
-  desk::Server server(static_cast<unsigned short>(args.port), desk::random_token(),
-                      [&](const desk::Request& request) { return desk.answer(request); });
+  const auto server =
+      server_at(args.port, [&](const desk::Request& request) { return desk.answer(request); });
   const int width = session.terminal_width;
-  print_out("{}\n", server.address());
+  print_out("{}\n", server->address());
   print_wrapped(
       width, 2,
       "a page to work in, for a browser on this machine; the address is a key: whoever has it can use "
@@ -32,7 +49,7 @@ int run_lab(const LabArguments& args, const Session& session) {
       std::filesystem::current_path().string());
   print_wrapped(width, 2, "Ctrl-C ends it; what it runs then keeps what is finished\n");
   flush_out();
-  server.run(*stop_on_interrupt());
+  server->run(*stop_on_interrupt());
   for (const std::string& folder : desk.running())
     print_wrapped(width, 2, "stopping what writes {}: the page, started again, goes on with it\n", folder);
   flush_out();
@@ -48,9 +65,12 @@ void add_lab_command(CLI::App& app, Session& session) {
   verb->add_option("folder", args->folder, "where its files are; made if it is missing")
       ->capture_default_str()
       ->type_name("FOLDER");
-  verb->add_option("--port", args->port, "port on 127.0.0.1; 0: one that is free")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
+  verb->add_option(
+          "--port", args->port,
+          fmt::format("port on 127.0.0.1; 0: one that is free; default: {}, or one that is free where "
+                      "that is taken",
+                      LabArguments::first))
+      ->check(CLI::Range(0, 65535));
   verb->callback([args, &session] {
     stop_on_interrupt();
     session.exit_code = run_lab(*args, session);

@@ -145,10 +145,10 @@ double StudyProgress::seconds_left(double seconds) const {
   return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
 }
 
-StoreQueue::StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers)
+StoreQueue::StoreQueue(const Plan& plan, Store& store, StudyHooks hooks, int n_workers)
     : plan_(plan),
       store_(store),
-      hooks_(hooks),
+      hooks_(std::move(hooks)),
       n_workers_(n_workers),
       waiting_(plan.batches.size()),
       n_inside_(plan.batches.size()) {

@@ -73,7 +73,7 @@ class TaskQueue {
 
 class StoreQueue : public TaskQueue {
  public:
-  StoreQueue(const Plan& plan, Store& store, const StudyHooks& hooks, int n_workers);
+  StoreQueue(const Plan& plan, Store& store, StudyHooks hooks, int n_workers);
   ~StoreQueue() override;
   Assignment enter() override;
   void leave(std::size_t batch, std::optional<std::size_t> last) override;
@@ -105,7 +105,7 @@ class StoreQueue : public TaskQueue {
 
   const Plan& plan_;
   Store& store_;
-  const StudyHooks& hooks_;
+  StudyHooks hooks_;
   const int n_workers_;
   std::atomic<bool> closed_{false};
   std::mutex mutex_;

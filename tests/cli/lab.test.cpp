@@ -40,7 +40,7 @@ class Lab : public ProgramTest {
     const std::string said = at("said.txt");
     fs::remove(said);
     const std::string line =
-        "exec " + std::string(PHY_PROGRAM) + " --threads 2 lab " + home + " > " + said + " 2>&1";
+        "exec " + std::string(PHY_PROGRAM) + " --threads 2 lab " + home + " --port 0 > " + said + " 2>&1";
     const char* arguments[] = {"sh", "-c", line.c_str(), nullptr};
     ASSERT_EQ(posix_spawn(&process, "/bin/sh", nullptr, nullptr, const_cast<char**>(arguments), environ), 0);
     const std::string mark = "?token=";
