@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/check.hpp"
 #include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
