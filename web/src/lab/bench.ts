@@ -14,7 +14,7 @@ export interface BenchView {
 const always = ["test.angles", "test.intact"];
 
 interface Recipe {
-  toml: string;
+  toml: string | null; // null: there are problems
   problems: { key: string; text: string }[];
 }
 
@@ -42,8 +42,9 @@ const typed = (key: Key, value: string) => (key.kind === "list" ? value.replace(
 /** As it stands in a recipe. */
 function written(key: Key, value: string): string {
   if (key.kind !== "list") return value;
+  const unit = key.range.match(/\d (\S+) <=? value/)?.[1]; // may be left out while typing
   const items = value.split(/[,;]/).map((v) => v.trim()).filter((v) => v !== "");
-  return `[${items.map((v) => (isNumber(v) ? v : quoted(v))).join(", ")}]`;
+  return `[${items.map((v) => (!isNumber(v) ? quoted(v) : unit ? quoted(`${v} ${unit}`) : v)).join(", ")}]`;
 }
 
 const asToml = (key: Key, value: string) => (["quantity", "choice", "text"].includes(key.kind) ? quoted(value) : written(key, value));
@@ -70,6 +71,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     // what cannot be read was not kept by this page
   }
   let recipe: Recipe | null = null;
+  let chosen = ""; // the last recipe without problems
   let of = ""; // which calibration the recipe is of
   let asked = 0;
   let taken: string[] = [];
@@ -90,6 +92,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const commandPlace = h("div");
   const run = button("Run the test", () =>
     attempt(wrong, async () => {
+      if (choices.byHand === null && recipe && recipe.problems.length > 0) throw new Error("some values above are wrong; mend them first");
       await ask("/api/test", { name: rock, test: testName(), toml: area.node.value });
       change({ name: "" }, false);
       changed();
@@ -141,7 +144,9 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     const mine = ++asked;
     await attempt(wrong, async () => {
       const answer = await ask<Recipe>("/api/recipe", { name: rock, changes: { "test.kind": choices.kind, ...relevant() } });
-      if (mine === asked) recipe = answer;
+      if (mine !== asked) return;
+      recipe = answer;
+      chosen = answer.toml ?? chosen;
     });
     draw();
     if (document.activeElement !== area.node) area.reveal(area.node.value.split("\n").indexOf("[test]"));
@@ -164,18 +169,18 @@ export function benchView(rock: string, project: Project, changed: () => void): 
 
   function draw() {
     kind.value = choices.kind;
-    const text = choices.byHand ?? recipe?.toml ?? "";
+    const text = choices.byHand ?? chosen;
     area.set(text);
     handNote.hidden = choices.byHand === null;
     for (const c of controls.values()) {
-      const value = typed(c.key, get(text, tableOf(c.key.path), last(c.key.path)));
-      if (document.activeElement !== c.node && c.node.value !== value) c.node.value = value;
       const said = recipe?.problems.filter((p) => p.key === c.key.path).map((p) => p.text) ?? [];
+      const value = typed(c.key, said.length > 0 ? (choices.changes[c.key.path] ?? "") : get(text, tableOf(c.key.path), last(c.key.path)));
+      if (document.activeElement !== c.node && c.node.value !== value) c.node.value = value;
       c.problem.textContent = said.join(" ");
       c.node.setAttribute("aria-invalid", String(said.length > 0));
     }
     const rest = recipe?.problems.filter((p) => !controls.has(p.key)) ?? [];
-    keyed(general, rest, () => rest.map((p) => h("li", {}, p.text)));
+    keyed(general, rest, () => rest.map((p) => h("li", {}, p.key && `${p.key}: `, p.text)));
     if (document.activeElement !== name) name.value = testName();
     const file = `${rock}-tests/${testName()}`;
     keyed(commandPlace, file, () => [command(`phyllite run ${argument(`${file}.toml`)} --out ${argument(file)}`), h("p", { class: "muted" }, "The recipe is saved as ", h("code", {}, `${file}.toml`))]);

@@ -12,6 +12,9 @@ export interface CalibrationView {
 
 const usual = 1000;
 
+/** The folder of the calibration after this one: rock-calibration-2. */
+const next = (folder: string) => folder.replace(/(?:-(\d+))?$/, (_, n?: string) => `-${Number(n ?? 1) + 1}`);
+
 /** Seconds as somebody would say them. */
 export function duration(seconds: number): string {
   if (seconds < 90) return `${Math.round(seconds)} s`;
@@ -38,12 +41,11 @@ function watch() {
   const stage = h("p", { class: "stage" });
   const bar = h("progress", { max: "1", "aria-label": "Tests of this stage" });
   const time = h("p", { class: "muted" });
-  const said = h("p", { class: "muted" });
   const press = new Figures("grid small");
   const parameters = new Figures("grid parameters");
   const heading = h("h3", {}, "Parameters: estimate and 95 % interval after each batch, inside the values admitted");
   return {
-    node: h("div", { class: "watch" }, h("div", {}, stage, bar, time, said), press.node, heading, parameters.node),
+    node: h("div", { class: "watch" }, h("div", {}, stage, bar, time), press.node, heading, parameters.node),
     show(p: Progress, running: boolean) {
       stage.textContent = p.state === "finished" ? "" : p.stage;
       bar.hidden = !running;
@@ -52,10 +54,8 @@ function watch() {
       const left = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left`;
       const tests = p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage, ` : "";
       time.textContent = running ? `${tests}${duration(p.seconds)} so far, ${left}` : `It took ${duration(p.seconds)}.`;
-      said.textContent = running ? (p.said.at(-1) ?? "") : "";
-      const angle = p.pressed?.theta == null ? "" : `, θ = ${p.pressed.theta}°`;
       const now = running ? p.pressed : null;
-      press.show(now ? [{ name: "In the press now", caption: `${now.test.replaceAll("_", " ")}${angle}`, shown: now, draw: (width) => growing(now, width) }] : []);
+      press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: now, draw: (width) => growing(now, width) }] : []);
       const some = p.parameters.filter((x) => x.steps.length > 0);
       heading.hidden = some.length === 0;
       parameters.show(some.map((x) => ({ name: x.symbol, shown: x, draw: (width) => narrowing(x, width) })));
@@ -92,56 +92,45 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
   const begin = (how: { resume?: boolean; anew?: boolean }) =>
     attempt(wrong, async () => {
       await ready();
-      sure.hidden = true;
       await ask("/api/calibrate", { name: rock, max_tests: Number(most.value) || usual, elastic: elastic.checked, resume: false, anew: false, ...how });
       changed();
     });
   const start = button("Start calibration", () => begin({}), { class: "main" });
   const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
-  const again = button("Calibrate anew", () => {
-    sure.hidden = false;
-    sure.querySelector("button")!.focus();
-  });
+  const again = button("Calibrate anew", () => begin({ anew: true }));
   const stop = button("Stop", () =>
     attempt(wrong, async () => {
       await ask("/api/stop", { name: rock, test: null });
       changed();
     }),
   );
-  const sure = h(
-    "p",
-    { class: "warning" },
-    `What is in the folder ${rock} will be replaced. `,
-    button("Replace and start", () => begin({ anew: true })),
-    " ",
-    button("Keep it", () => {
-      sure.hidden = true;
-      again.focus();
-    }),
-  );
-  sure.hidden = true;
   const options = h("div", { class: "fields" }, field("Largest number of tests", most), ticked("Moduli alone (elastic stage)", elastic));
 
+  /** What the buttons would start; of what runs or ran, what it was. */
   function describe() {
-    const asked = `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(rock)}${Number(most.value) === usual ? "" : ` --max-tests ${most.value}`}${elastic.checked ? " --elastic" : ""}`;
-    const text = now && ["running", "stopped"].includes(now.state) ? now.command : asked;
-    keyed(place.command, text, () => [command(text)]);
+    if (!now) return;
+    const most_tests = Number(most.value) || usual;
+    const begin = (folder: string) => `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(folder)} --max-tests ${most_tests}${elastic.checked ? " --elastic" : ""}`;
+    const commands = [
+      start.hidden ? command(now.command, goOn.hidden ? undefined : "To go on, as a command: ") : command(begin(now.folder)),
+      again.hidden ? null : command(begin(next(now.folder)), "Anew, in another folder, as a command: "),
+    ];
+    keyed(place.command, commands.map((c) => c?.textContent), () => commands);
   }
 
   return {
-    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, stop), sure, wrong, place.command, live.node, files.node, output),
+    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, stop), wrong, place.command, live.node, files.node, output),
     show(c, dirty) {
       now = c;
       const running = c.state === "running";
       keyed(place.state, [c.state, c.here, c.exit_code], () => [state(c)]);
       options.hidden = running;
-      const begun = c.files.length > 0; // a start that failed at once has left nothing
+      const begun = c.command.includes(" --resume"); // a start that failed at once has left nothing
       start.hidden = !(c.state === "new" || (c.state === "failed" && !begun));
       start.textContent = dirty ? "Save and start calibration" : "Start calibration";
       goOn.hidden = !(c.state === "stopped" || (c.state === "failed" && begun));
       again.hidden = running || !start.hidden;
       stop.hidden = !running || !c.here;
-      if (running) sure.hidden = true;
       describe();
       live.node.hidden = c.progress === null;
       if (c.progress) live.show(c.progress, running);

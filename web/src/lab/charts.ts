@@ -39,7 +39,7 @@ const shortNumber = (v: number) => (v >= 1e4 || (v > 0 && v < 1e-3) ? v.toExpone
 export function narrowing(p: Narrowing, width: number): Drawn {
   const [low, high] = p.box;
   const [factor, unit] = readable(high, p.unit);
-  const steps = p.steps.map((s, i) => ({ batch: i + 1, value: s.value * factor, low: s.low * factor, high: s.high * factor }));
+  const steps = p.steps.map((s, i) => ({ batch: i + 1, value: s.value * factor, low: (s.low ?? low) * factor, high: (s.high ?? high) * factor }));
   const logarithmic = low > 0 && high > 10 * low;
   return Plot.plot({
     ...base,
@@ -60,7 +60,7 @@ export function narrowing(p: Narrowing, width: number): Drawn {
 
 /** The specimen that is in the press now, as far as it has come. */
 export function growing(p: Pressed, width: number): Drawn {
-  const sign = p.test === "direct_tension" ? -1 : 1;
+  const sign = Math.max(0, ...p.stress) < -Math.min(0, ...p.stress) ? -1 : 1; // tension grows upwards, too
   const points = p.strain.map((s, i) => ({ strain: 100 * sign * s, stress: 1e-6 * sign * p.stress[i] }));
   return Plot.plot({
     ...base,

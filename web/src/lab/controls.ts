@@ -38,7 +38,7 @@ export function input(changed: (value: string) => void, attributes: Record<strin
 export const counted = (n: number, thing: string) => `${n} ${thing}${n === 1 ? "" : "s"}`;
 
 /** A word of a command line. */
-export const argument = (text: string) => (/^[\w./-]+$/.test(text) ? text : `"${text}"`);
+export const argument = (text: string) => (/^[\w./-]+$/.test(text) ? text : `'${text}'`);
 
 /** The same as a command line. */
 export function command(text: string, lead = "As a command: "): HTMLElement {

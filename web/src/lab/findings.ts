@@ -12,8 +12,8 @@ export interface FindingsView {
   show(checked: Checked, words: string): void;
 }
 
-/** Those of several confining stresses share a chart. */
-const properties = (targets: Target[]) => [...new Set(targets.map((t) => t.property))];
+/** What is drawn in one chart: a property, of one confining stress and one size of disc. */
+const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confining ? `, ${+(1e-6 * t.confining).toPrecision(3)} MPa` : "") + (t.diameter ? `, ${+(1e3 * t.diameter).toPrecision(3)} mm` : "");
 
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, s))) : null);
 
@@ -22,7 +22,7 @@ function numbers(targets: Target[]): HTMLElement {
   return table(
     "Means of the laboratory",
     ["property", "θ [°]", "mean", "± SD", "specimens", "95 % of the mean"],
-    targets.map((t) => [scales[t.property]?.[1] ?? t.property, String(t.theta), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
+    targets.map((t) => [title(t), String(t.theta), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
   );
 }
 
@@ -60,11 +60,11 @@ export function findingsView(rock: string): FindingsView {
       state.textContent = says;
       const targets = checked.targets ?? [];
       charts.show(
-        properties(targets).map((p) => {
-          const of = targets.filter((t) => t.property === p);
-          const curve = checked.theory?.[p];
-          const [factor, label] = scales[p] ?? [1, p];
-          return { name: label, shown: [of, curve], caption: curve?.note, draw: (width) => measured(of, curve, factor, width) };
+        [...new Set(targets.map(title))].map((name) => {
+          const of = targets.filter((t) => title(t) === name);
+          const curve = checked.theory?.[of[0].property];
+          const [factor] = scales[of[0].property] ?? [1];
+          return { name, shown: [of, curve], caption: curve?.note, draw: (width) => measured(of, curve, factor, width) };
         }),
       );
       legend.hidden = targets.length === 0;

@@ -9,7 +9,6 @@ import { Rock } from "./rock";
 import { rockFileView } from "./rockfile";
 import { Checked, Gone, Project, Refused, RockAnswer, ask, onConnection } from "./server";
 import { tableView } from "./table";
-import { quoted } from "./toml";
 
 const main = document.getElementById("main")!;
 const contents = document.getElementById("contents")!;
@@ -44,6 +43,8 @@ const rockList = h("ul", { class: "rocks" });
 const folder = h("p", { class: "muted" });
 const place = h("div");
 
+const rockAddress = (name: string) => `/api/rock?name=${encodeURIComponent(name)}`;
+
 function listRocks() {
   const states = project.rocks.map((r) => [r.name, r.verdict ?? r.state, draft(project.folder, r.name) !== null, r.name === open?.rock.name]);
   keyed(rockList, states, () =>
@@ -56,12 +57,9 @@ function listRocks() {
   );
 }
 
-/** The least that a rock file has to say, and the sizes that are asked for most. */
-const beginning = (name: string) => `name = ${quoted(name)}\ndata = ${quoted(`${name}.csv`)}\n\n[specimen]\nwidth = "38 mm"\nheight = "76 mm"\n`;
-
 function newRock(): HTMLElement {
   const asked = h("div");
-  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`, "A rock file with comments on all that can be said, as a command: ")]), { required: "" });
+  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`)]), { required: "" });
   const wrong = objections();
   const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
   form.addEventListener("submit", (e) => {
@@ -69,11 +67,12 @@ function newRock(): HTMLElement {
     void attempt(wrong, async () => {
       const wanted = name.value.trim();
       if (project.rocks.some((r) => r.name === wanted)) throw new Error(`there is already a rock ${wanted}`);
-      await ask("/api/save", { name: wanted, table: "theta [deg],E [GPa],UCS [MPa]\n", toml: beginning(wanted), stamp: "" });
+      const { table, toml, stamp } = await ask<RockAnswer>(rockAddress(wanted)); // as the program would begin it
+      await ask("/api/save", { name: wanted, table, toml, stamp });
       name.value = "";
       project = await ask<Project>("/api/project");
       await openRock(wanted);
-      main.querySelector<HTMLInputElement>(".sheet input")?.focus();
+      main.querySelector<HTMLInputElement>(".sheet tr.header input")?.focus();
     });
   });
   return h("div", {}, form, wrong, asked);
@@ -192,7 +191,7 @@ function layOut(answer: RockAnswer) {
 }
 
 async function openRock(name: string) {
-  const answer = await ask<RockAnswer>(`/api/rock?name=${encodeURIComponent(name)}`);
+  const answer = await ask<RockAnswer>(rockAddress(name));
   sessionStorage.setItem(openKey, name);
   layOut(answer);
 }
@@ -207,7 +206,7 @@ async function look() {
   try {
     const name = open?.rock.name;
     if (name) {
-      const answer = await ask<RockAnswer>(`/api/rock?name=${encodeURIComponent(name)}`);
+      const answer = await ask<RockAnswer>(rockAddress(name));
       if (open?.rock.name === name) open.meet(answer);
     }
     if (!open?.running || turn % 4 === 0) project = await ask<Project>("/api/project");

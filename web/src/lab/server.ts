@@ -15,7 +15,7 @@ export interface Project {
   folder: string;
   threads: number;
   choices: Record<"E_is" | "layers" | "matrix", string[]>; // the first is the default
-  columns: [string, string][]; // names that a table may have, with a word on each
+  columns: (string | [string, string])[]; // names that a table may have, some with a word on them
   rocks: { name: string; state: State; verdict: string | null }[];
   kinds: { name: string; title: string }[];
   keys: Key[];
@@ -29,8 +29,8 @@ export interface Files {
 
 export interface Step {
   value: number;
-  low: number;
-  high: number;
+  low: number | null; // null: not known yet
+  high: number | null;
 }
 
 export interface Narrowing {
@@ -42,7 +42,8 @@ export interface Narrowing {
 
 export interface Pressed {
   test: string;
-  theta: number | null;
+  specimen?: string;
+  theta?: number | null;
   strain: number[];
   stress: number[]; // [Pa]
 }
@@ -104,6 +105,8 @@ export interface Target {
   high: number;
   unit: string;
   specimens: number[];
+  confining?: number; // [Pa]
+  diameter?: number; // [m] of a disc
 }
 
 export interface Curve {

@@ -154,10 +154,10 @@ function widened(text: string, header: number, separator: Separator, columns: nu
   return change.text();
 }
 
-/** A pasted table with a heading takes the place of headings below which nothing stands yet. */
+/** A pasted table with its headings takes the place of one without values; angles in the first column are none. */
 export function paste(text: string, line: number, column: number, block: string[][]): string {
   const now = read(text);
-  const blank = now.lines.every((l) => l.kind !== "row" || l.cells.every((c) => c === ""));
+  const blank = now.lines.every((l) => l.kind !== "row" || l.cells.slice(1).every((c) => c === ""));
   if (line !== now.header || column !== 0 || !blank || block.length < 2) return fill(text, line, column, block);
   const notes = now.lines.slice(0, now.header).map((l) => `${l.raw}\n`).join("");
   return fill(notes, line, 0, block);

@@ -12,6 +12,7 @@ export interface TableView {
 }
 
 export function tableView(project: Project, edit: (table: string, step: string) => void, undo: () => void): TableView {
+  const columns = project.columns.map((c) => [c].flat()).filter(([name]) => name !== "-");
   let text: string | null = "";
   let asText = false;
   let steps = 0;
@@ -38,7 +39,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const problems = h("ul", { class: "problems", id: "table-problems" });
   const place = h("div");
   const files = h("div");
-  const names = fold("Names that a column may have", h("dl", {}, ...project.columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word)])));
+  const names = fold("Names that a column may have", h("dl", {}, ...columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word ?? "")])));
   const workbook = h("p", { class: "warning" });
   const editor = h("div", {}, h("div", { class: "tools" }, toggle, tools), problems, place);
   const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
@@ -67,7 +68,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
       editor,
       files,
       names,
-      h("datalist", { id: "column-names" }, ...project.columns.map(([name]) => h("option", { value: name }))),
+      h("datalist", { id: "column-names" }, ...columns.map(([name]) => h("option", { value: name }))),
     ),
     show(next, file) {
       text = next;
