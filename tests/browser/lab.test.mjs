@@ -174,22 +174,22 @@ test("files that were changed elsewhere are shown, and the user chooses", async 
 });
 
 test("a calibration is started, watched, stopped, gone on with", async () => {
-  await page.getByLabel("Largest number of tests").fill("60");
-  await shown("phyllite calibrate slate.toml --out slate-calibration --max-tests 60");
+  await page.getByLabel("Largest number of tests").fill("54");
+  await shown("phyllite calibrate slate.toml --out slate-calibration --max-tests 54");
   await button("Start calibration").click();
   await shown("Running.");
   await shown(/so far, /);
   await page.getByRole("progressbar").waitFor();
   await page.reload(); // goes on without the page
-  await page.getByRole("img", { name: "In the press now" }).waitFor({ timeout: 60000 });
+  await page.getByRole("img", { name: "In the press now" }).waitFor({ timeout: 120000 });
   await button("Stop").click();
   await shown("Stopped; what is finished is kept.", { timeout: 30000 });
   assert.ok(existsSync(join(folder, "slate-calibration/runs.sqlite")));
   await shown(/phyllite calibrate slate.toml .*--resume/);
   await button("Go on").click();
   await shown("Running.");
-  await page.getByRole("img", { name: "sigma_c", exact: true }).waitFor({ timeout: 60000 });
-  await shown("Finished.", { timeout: 120000 });
+  await page.getByRole("img", { name: "sigma_c", exact: true }).waitFor({ timeout: 120000 });
+  await shown("Finished.", { timeout: 400000 }); // 17 s of CPU, on a machine that may be busy
 });
 
 test("the verdict stands there, the report opens", async () => {
@@ -213,7 +213,7 @@ test("a test on the calibrated rock is chosen, seen and saved as a recipe, run",
   const recipe = await box("Recipe").inputValue();
   await button("Run the test").click();
   const article = page.getByRole("article", { name: "Test pulled" });
-  await article.getByText("Finished.").waitFor({ timeout: 60000 });
+  await article.getByText("Finished.").waitFor({ timeout: 120000 });
   await article.getByRole("table").getByText("peaked").first().waitFor();
   assert.equal(file("slate-tests/pulled.toml").trim(), recipe.trim());
   await article.getByRole("link", { name: "Open the report of pulled" }).waitFor();

@@ -92,6 +92,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const commandPlace = h("div");
   const run = button("Run the test", () =>
     attempt(wrong, async () => {
+      if (choices.byHand === null) await load(); // what was chosen last
       if (choices.byHand === null && recipe && recipe.problems.length > 0) throw new Error("some values above are wrong; mend them first");
       await ask("/api/test", { name: rock, test: testName(), toml: area.node.value });
       change({ name: "" }, false);
@@ -118,7 +119,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   function control(k: Key) {
     const node = k.kind === "boolean" ? select([["true", "yes"], ["false", "no"]], (v) => choose(k, v)) : k.kind === "choice" ? select(k.choices.map((c) => [c, c]), (v) => choose(k, v)) : input((v) => choose(k, v), { placeholder: "not said" });
     const problem = h("p", { class: "objection" });
-    const hint = [k.meaning, k.range].filter(Boolean).join("; ");
+    const hint = [k.meaning, k.range.replaceAll("<=", "≤")].filter(Boolean).join("; ");
     return { key: k, node, problem, place: h("div", {}, field(label(k.path), node, h("span", { title: k.path }, hint)), problem) };
   }
 
@@ -140,15 +141,17 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     draw();
   }
 
-  async function fetchRecipe() {
+  async function load() {
     const mine = ++asked;
-    await attempt(wrong, async () => {
-      const answer = await ask<Recipe>("/api/recipe", { name: rock, changes: { "test.kind": choices.kind, ...relevant() } });
-      if (mine !== asked) return;
-      recipe = answer;
-      chosen = answer.toml ?? chosen;
-    });
+    const answer = await ask<Recipe>("/api/recipe", { name: rock, changes: { "test.kind": choices.kind, ...relevant() } });
+    if (mine !== asked) return;
+    recipe = answer;
+    chosen = answer.toml ?? chosen;
     draw();
+  }
+
+  async function fetchRecipe() {
+    await attempt(wrong, load);
     if (document.activeElement !== area.node) area.reveal(area.node.value.split("\n").indexOf("[test]"));
   }
 
@@ -216,12 +219,18 @@ export function benchView(rock: string, project: Project, changed: () => void): 
 
 function specimens(t: LabTest): Child {
   if (t.specimens.length === 0) return null;
-  const shown = (v: number | null, unit: string) => {
-    if (v === null) return "–";
+  const shown = (v?: number | null, unit?: string | null) => {
+    if (v == null || !unit) return "–";
     const [factor, name] = readable(v, unit);
     return `${(v * factor).toPrecision(4)} ${name}`.trim();
   };
-  return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength, shown(s.value, s.unit), s.status]));
+  return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength ?? "–", shown(s.value, s.unit), s.status]));
+}
+
+function testState(t: LabTest): string {
+  if (t.state === "new") return "Not run yet.";
+  if (t.state === "failed") return `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.`;
+  return `${t.state[0].toUpperCase()}${t.state.slice(1)}.`;
 }
 
 /** A test that has been run, or is. */
@@ -242,7 +251,7 @@ function testView(rock: string, name: string, changed: () => void) {
     node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, files.node, output),
     show(t: LabTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
-      keyed(state, [t.state, t.exit_code], () => [t.state === "failed" ? `Ended with an error${t.exit_code === null ? "" : ` (exit code ${t.exit_code})`}; the output says why.` : `${t.state[0].toUpperCase()}${t.state.slice(1)}.`]);
+      keyed(state, [t.state, t.exit_code], () => [testState(t)]);
       stop.hidden = t.state !== "running";
       keyed(results, t.specimens, () => [specimens(t)]);
       keyed(rest, [report, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command)]);

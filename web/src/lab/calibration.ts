@@ -16,7 +16,7 @@ const usual = 1000;
 const next = (folder: string) => folder.replace(/(?:-(\d+))?$/, (_, n?: string) => `-${Number(n ?? 1) + 1}`);
 
 /** Seconds as somebody would say them. */
-export function duration(seconds: number): string {
+function duration(seconds: number): string {
   if (seconds < 90) return `${Math.round(seconds)} s`;
   if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
   return `${(seconds / 3600).toFixed(1)} h`;
@@ -43,7 +43,7 @@ function watch() {
   const time = h("p", { class: "muted" });
   const press = new Figures("grid small");
   const parameters = new Figures("grid parameters");
-  const heading = h("h3", {}, "Parameters: estimate and 95 % interval after each batch, inside the values admitted");
+  const heading = h("h3", {}, "Parameters: estimate and 95 % interval, step by step, inside the values admitted");
   return {
     node: h("div", { class: "watch" }, h("div", {}, stage, bar, time), press.node, heading, parameters.node),
     show(p: Progress, running: boolean) {
@@ -111,11 +111,10 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
     if (!now) return;
     const most_tests = Number(most.value) || usual;
     const begin = (folder: string) => `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(folder)} --max-tests ${most_tests}${elastic.checked ? " --elastic" : ""}`;
-    const commands = [
-      start.hidden ? command(now.command, goOn.hidden ? undefined : "To go on, as a command: ") : command(begin(now.folder)),
-      again.hidden ? null : command(begin(next(now.folder)), "Anew, in another folder, as a command: "),
-    ];
-    keyed(place.command, commands.map((c) => c?.textContent), () => commands);
+    const lead = goOn.hidden ? "As a command: " : "To go on, as a command: ";
+    const commands = [[start.hidden ? now.command : begin(now.folder), lead]];
+    if (!again.hidden) commands.push([begin(next(now.folder)), "Anew, in another folder, as a command: "]);
+    keyed(place.command, commands, () => commands.map(([text, lead]) => command(text, lead)));
   }
 
   return {
@@ -136,9 +135,10 @@ export function calibrationView(rock: string, ready: () => Promise<void>, change
       if (c.progress) live.show(c.progress, running);
       keyed(place.verdict, [c.verdict, c.files], () => verdict(c));
       files.show(c.files);
-      output.hidden = c.log === "";
-      if (c.state === "failed" && place.log.textContent !== c.log) output.open = true;
-      if (place.log.textContent !== c.log) place.log.textContent = c.log;
+      const log = c.log || (c.progress?.said ?? []).join("\n"); // one that was started elsewhere has left no output
+      output.hidden = log === "";
+      if (c.state === "failed" && place.log.textContent !== log) output.open = true;
+      if (place.log.textContent !== log) place.log.textContent = log;
     },
   };
 }

@@ -35,11 +35,11 @@ function logTicks(low: number, high: number): number[] {
 
 const shortNumber = (v: number) => (v >= 1e4 || (v > 0 && v < 1e-3) ? v.toExponential(0).replace("e+", "e") : String(+v.toPrecision(2)));
 
-/** Interval and estimate of a parameter after each batch, inside the values that are admitted. */
+/** Interval and estimate of a parameter, step by step, inside the values that are admitted. */
 export function narrowing(p: Narrowing, width: number): Drawn {
   const [low, high] = p.box;
   const [factor, unit] = readable(high, p.unit);
-  const steps = p.steps.map((s, i) => ({ batch: i + 1, value: s.value * factor, low: (s.low ?? low) * factor, high: (s.high ?? high) * factor }));
+  const steps = p.steps.map((s, i) => ({ step: i + 1, value: s.value * factor, low: (s.low ?? low) * factor, high: (s.high ?? high) * factor }));
   const logarithmic = low > 0 && high > 10 * low;
   return Plot.plot({
     ...base,
@@ -48,12 +48,12 @@ export function narrowing(p: Narrowing, width: number): Drawn {
     marginLeft: 48,
     marginTop: 24,
     marginBottom: 32,
-    x: { label: "batch", labelAnchor: "center", labelArrow: "none", domain: [0.5, Math.max(4, steps.length) + 0.5], ticks: steps.map((s) => s.batch), tickFormat: "d" },
+    x: { label: "step", labelAnchor: "center", labelArrow: "none", domain: [0.5, Math.max(4, steps.length) + 0.5], ticks: steps.map((s) => s.step), tickFormat: "d" },
     y: { label: unit || null, labelArrow: "none", type: logarithmic ? "log" : "linear", domain: [low * factor, high * factor], ticks: logarithmic ? logTicks(low * factor, high * factor) : 4, tickFormat: shortNumber },
     marks: [
-      Plot.ruleX(steps, { x: "batch", y1: "low", y2: "high", stroke: "var(--accent)", strokeOpacity: 0.35, strokeWidth: Math.min(14, width / 20), clip: true }),
-      Plot.line(steps, { x: "batch", y: "value", stroke: "var(--accent)", strokeWidth: 1.6, clip: true }),
-      Plot.dot(steps, { x: "batch", y: "value", fill: "var(--accent)", r: 3, tip: true, title: (d) => `batch ${d.batch}: ${d.value.toPrecision(3)} ${unit}\n${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}` }),
+      Plot.ruleX(steps, { x: "step", y1: "low", y2: "high", stroke: "var(--accent)", strokeOpacity: 0.35, strokeWidth: Math.min(14, width / 20), clip: true }),
+      Plot.line(steps, { x: "step", y: "value", stroke: "var(--accent)", strokeWidth: 1.6, clip: true }),
+      Plot.dot(steps, { x: "step", y: "value", fill: "var(--accent)", r: 3, tip: true, title: (d) => `step ${d.step}: ${d.value.toPrecision(3)} ${unit}\n${d.low.toPrecision(3)} … ${d.high.toPrecision(3)}` }),
     ],
   }) as Drawn;
 }

@@ -200,6 +200,7 @@ async function openRock(name: string) {
 
 let turn = 0;
 let waiting = 0;
+let round = 0;
 
 async function look() {
   ++turn;
@@ -221,7 +222,9 @@ async function look() {
 }
 
 async function watch() {
+  const mine = ++round;
   await look();
+  if (mine !== round) return; // another one has begun meanwhile
   const soon = open?.running ? 1000 : 4000;
   waiting = window.setTimeout(watch, document.hidden ? 4000 : away.hidden ? soon : 2000);
 }

@@ -1,4 +1,4 @@
-// What the page asks the program, and what it answers (src/lab page of `phyllite lab`, JSON).
+// What the page asks the program, and what it answers: JSON (src/desk/desk.cpp).
 
 export type State = "new" | "running" | "stopped" | "finished" | "failed";
 
@@ -37,7 +37,7 @@ export interface Narrowing {
   symbol: string;
   unit: string;
   box: [number, number];
-  steps: Step[]; // one per batch
+  steps: Step[]; // of the search
 }
 
 export interface Pressed {
@@ -77,7 +77,7 @@ export interface Calibrating extends Run {
 
 export interface LabTest extends Run {
   name: string;
-  specimens: { specimen: string; theta: number | null; status: string; strength: string; value: number | null; unit: string }[];
+  specimens: { specimen: string; theta: number | null; status: string; strength?: string; value?: number | null; unit?: string | null }[];
 }
 
 export interface RockAnswer extends Files {

@@ -157,6 +157,7 @@ function widened(text: string, header: number, separator: Separator, columns: nu
 /** A pasted table with its headings takes the place of one without values; angles in the first column are none. */
 export function paste(text: string, line: number, column: number, block: string[][]): string {
   const now = read(text);
+  if (line < now.header) return paste(text, now.header, 0, block); // what stands above is no table
   const blank = now.lines.every((l) => l.kind !== "row" || l.cells.slice(1).every((c) => c === ""));
   if (line !== now.header || column !== 0 || !blank || block.length < 2) return fill(text, line, column, block);
   const notes = now.lines.slice(0, now.header).map((l) => `${l.raw}\n`).join("");

@@ -27,6 +27,7 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const toggle = button("Edit as text", () => {
     asText = !asText;
     draw();
+    say();
   });
   const tools = h(
     "div",
@@ -50,7 +51,6 @@ export function tableView(project: Project, edit: (table: string, step: string) 
     keyed(place, asText, () => [asText ? textField : grid.node]);
     if (asText) area.set(text ?? "");
     else grid.set(text ?? "");
-    say();
   }
 
   function say() {
