@@ -73,6 +73,11 @@ std::string tail(const std::string& text) {
   return text.size() <= longest_log ? text : text.substr(text.find('\n', text.size() - longest_log) + 1);
 }
 
+/// The first line of what a child has printed (desk/child.hpp).
+std::string command_in(const std::string& log) {
+  return log.starts_with("$ ") ? log.substr(2, log.find('\n') - 2) : "";
+}
+
 /// Null where there is no such file, or no JSON in it.
 Json json_in(const std::string& file) {
   try {
@@ -247,6 +252,7 @@ Json Desk::calibration(const std::string& name) {
   const std::string watched = path_in(folder, jobs::watch_file);
   Json progress = json_in(watched);
   const Json told = value_in(progress, {"state"});
+  const std::string log = content(log_of(folder));
   const int code = exit_code(folder);
   const bool elsewhere = !finished && told == "running" && code < 0 && is_fresh(watched);
   const std::string state = here || elsewhere                              ? "running"
@@ -256,14 +262,14 @@ Json Desk::calibration(const std::string& name) {
                                                                            : "new";
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
   next.rock = name + ".toml", next.out = folder;
-  next.resume = earlier && state != "finished";
+  next.resume = earlier && (state == "stopped" || state == "failed");
   const Json result = finished ? json_in(path_in(folder, "calibration.json")) : Json(nullptr);
   return {{"state", state},
-          {"command", command_of(jobs::words_of(next))},
+          {"command", here ? command_in(log) : command_of(jobs::words_of(next))},
           {"folder", folder},
           {"here", here},
           {"progress", std::move(progress)},
-          {"log", tail(content(log_of(folder)))},
+          {"log", tail(log)},
           {"verdict", value_in(result, {"verdict"})},
           {"exit_code", code >= 0 ? Json(code) : Json(nullptr)},
           {"files", files_in(folder, {"report.html", "calibrated.toml", "tables.txt", "calibration.json",

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "desk/project.hpp"
@@ -49,6 +50,7 @@ Json problem_json(Problem problem, const std::string& toml_file, const std::stri
   const int line = of_table ? in_table : in_rock;
   const int column = in_table > 0 ? column_of(table, in_table, problem) : -1;
   if (of_table || in_rock > 0 || problem.where == toml_file) problem.where.clear();
+  if (problem.key.empty()) std::swap(problem.key, problem.value);  // "4 cells: expected ..."
   return {{"where", of_table ? "table" : "rock"},
           {"line", line > 0 ? Json(line) : Json(nullptr)},
           {"column", column >= 0 ? Json(column) : Json(nullptr)},
