@@ -18,7 +18,7 @@ double unconfined(const Target& t) {
 
 }  // namespace
 
-Evidence::Evidence(Rock of) : Evidence(of, targets_of(of)) {}
+Evidence::Evidence(const Rock& of) : Evidence(of, targets_of(of)) {}
 
 Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), targets(std::move(read)) {
   if (!rock.bedded) remove_layers(rock.model);

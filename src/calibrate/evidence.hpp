@@ -26,7 +26,7 @@ struct Evidence {
   Scales scales;
   bool maps = true;  ///< what maps of models tell before the first test counts (prior_regression.hpp)
 
-  explicit Evidence(Rock of);
+  explicit Evidence(const Rock& of);
   /// With targets that are not the rock's own readings.
   Evidence(Rock of, std::vector<Target> read);
   /// Is there a value between two inclinations [deg], both included?
