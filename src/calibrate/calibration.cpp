@@ -130,6 +130,12 @@ bool fits_strength(Calibration& result, const Evidence& evidence, const Calibrat
   return strength;
 }
 
+/// Are the table's moduli those of tests, softened by what breaks and slips until they are read?
+bool softened(const Evidence& evidence, const CalibrationOptions& options) {
+  return evidence.rock.E_is != ModulusReading::small_strain && evidence.has(Property::E) &&
+         !options.elastic_only && evidence.has(Property::ucs);
+}
+
 /// Throws InputError where the budget is too small for any search. `n`: strengths in compression, each tested
 /// on `n_packings` beside the search.
 void check_budget(std::int64_t n, int n_packings, std::int64_t max_tests) {
@@ -183,11 +189,7 @@ struct Work {
     search = fit;
     search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
   }
-  /// The table's moduli are those of tests, softened by what breaks and slips until they are read.
-  bool softens() const {
-    return evidence.rock.E_is != ModulusReading::small_strain && evidence.has(Property::E) &&
-           !options.elastic_only && evidence.has(Property::ucs);
-  }
+  bool softens() const { return softened(evidence, options); }
   bool by_sequence() const { return options.method == CalibrationMethod::sequence; }
   void fit_moduli(const Evidence& table) {
     elastic = by_sequence() ? moduli_by_sequence(table, fit, simulator, options.listener.say)
@@ -403,11 +405,9 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   bool strength = fits_strength(result, evidence, options);
   Work work(evidence, options, simulator);
   if (!work.softens()) result.E_is = ModulusReading::small_strain;
-  if (strength) {
+  if (strength)
     for (const StrengthParameter* p : strength_parameters(evidence))
       if (p->check != nullptr) p->check(evidence.rock);
-    check_budget(evidence.n_compressive(), n_unseen + (work.softens() ? n_softened : 0), options.max_tests);
-  }
   work.fit_moduli(evidence);
   estimates = work.elastic.parameters;
   result.recipe = work.elastic.recipe;
@@ -462,7 +462,16 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
 
 }  // namespace
 
+void check_possible(const Evidence& evidence, const CalibrationOptions& options) {
+  Calibration without_notes;
+  without_notes.rock = evidence.rock.name;
+  if (fits_strength(without_notes, evidence, options))
+    check_budget(evidence.n_compressive(), n_unseen + (softened(evidence, options) ? n_softened : 0),
+                 options.max_tests);
+}
+
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
+  check_possible(evidence, options);
   const auto start = std::chrono::steady_clock::now();
   Calibration result;
   result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;

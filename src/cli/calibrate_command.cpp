@@ -59,7 +59,10 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   machine.threads = n_threads(session);
   machine.stop = stop_on_interrupt();
   machine.with_untrusted = args.with_untrusted;
-  machine.store = jobs::begin_calibration(evidence, args);
+  calibrate::CalibrationOptions options = jobs::options_of(args);
+  calibrate::check_possible(evidence, options);
+  const jobs::BegunCalibration begun = jobs::begin_calibration(evidence, args);
+  machine.store = begun.store;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));
@@ -77,7 +80,6 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   machine.on_work = [&](const study::WorkReport& some) {
     work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
   };
-  calibrate::CalibrationOptions options = jobs::options_of(args);
   options.listener.say = [&](const std::string& text) { line.note(text), watch.say(text); };
   options.listener.estimates = [&](const std::vector<ParameterEstimate>& known) { watch.estimates(known); };
   const auto simulator = calibrate::make_simulator(machine);

@@ -22,9 +22,9 @@ struct LabArguments {
 };
 
 /// The same port every time, where it is free: browsers keep what was typed by address and port.
-std::unique_ptr<desk::Server> server_at(int port, const desk::Handler& handler) {
+std::unique_ptr<desk::Server> server_at(int port, const desk::Tokens& tokens, const desk::Handler& handler) {
   const auto at = [&](int p) {
-    return std::make_unique<desk::Server>(static_cast<unsigned short>(p), desk::random_token(), handler);
+    return std::make_unique<desk::Server>(static_cast<unsigned short>(p), tokens, handler);
   };
   if (port != LabArguments::usual) return at(port);
   try {
@@ -37,9 +37,10 @@ std::unique_ptr<desk::Server> server_at(int port, const desk::Handler& handler) 
 int run_lab(const LabArguments& args, const Session& session) {
   io::check_writable(args.folder);
   std::filesystem::current_path(args.folder);
-  desk::Desk desk(session.threads);
+  const desk::Tokens tokens = {desk::random_token(), desk::random_token()};
+  desk::Desk desk(session.threads, tokens.file);
   const auto server =
-      server_at(args.port, [&](const desk::Request& request) { return desk.answer(request); });
+      server_at(args.port, tokens, [&](const desk::Request& request) { return desk.answer(request); });
   const int width = session.terminal_width;
   print_out("{}\n", server->address());
   print_wrapped(
@@ -51,7 +52,8 @@ int run_lab(const LabArguments& args, const Session& session) {
   flush_out();
   server->run(*stop_on_interrupt());
   for (const std::string& folder : desk.running())
-    print_wrapped(width, 2, "stopping what writes {}: the page, started again, goes on with it\n", folder);
+    print_wrapped(width, 2, "stopping what writes {}: `phyllite lab`, started again, can go on with it\n",
+                  folder);
   flush_out();
   return 0;
 }

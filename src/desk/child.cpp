@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/quote.hpp"
@@ -87,7 +88,7 @@ bool Child::running() {
 }
 
 void Child::interrupt() {
-  if (running()) kill(process_, SIGTERM);
+  if (!std::exchange(interrupted_, true) && running()) kill(process_, SIGTERM);
 }
 
 Child::~Child() {

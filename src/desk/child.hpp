@@ -20,14 +20,16 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   bool running();
+  pid_t process() const { return process_; }
   /// Once it runs no more; of a child that a signal has killed 128 and its number.
   int exit_code() const { return exit_code_; }
-  /// As Ctrl-C on a terminal: it keeps what is finished and ends soon.
+  /// As Ctrl-C on a terminal: it keeps what is finished and ends soon. Only the first time: a second signal
+  /// would end it at once.
   void interrupt();
 
  private:
   pid_t process_ = 0;
-  bool running_ = true;
+  bool running_ = true, interrupted_ = false;
   int exit_code_ = 0;
   void ended(int status);
 };

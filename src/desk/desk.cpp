@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include "base/check.hpp"
@@ -17,6 +19,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
+#include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
 #include "records/test_description.hpp"
 
@@ -34,8 +37,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t longest_log = 20000;  // of what is shown
-constexpr std::chrono::seconds heartbeat{30};
+constexpr std::size_t longest_log = 20000;          // of what is shown
+constexpr std::chrono::milliseconds at_once{1500};  // in which a refused command has ended
 
 Response json(const Json& j, int status = 200) {
   return {status, "application/json", j.dump(-1, ' ', false, Json::error_handler_t::replace)};
@@ -88,13 +91,6 @@ Json json_in(const std::string& file) {
   }
 }
 
-/// Has somebody written it just now?
-bool is_fresh(const std::string& file) {
-  std::error_code failed;
-  const auto written = fs::last_write_time(file, failed);
-  return !failed && fs::file_time_type::clock::now() - written < heartbeat;
-}
-
 /// Those of a folder that a user would open.
 Json files_in(const std::string& folder, const std::vector<const char*>& names) {
   Json files = Json::array();
@@ -126,7 +122,12 @@ Json value_in(const Json& j, const std::vector<std::string>& keys) {
 Json specimen_json(const Json& result, const TestDescription* test) {
   Json j = {{"specimen", value_in(result, {"specimen"})},
             {"theta", value_in(result, {"theta [deg]"})},
-            {"status", value_in(result, {"outcome", "status"})}};
+            {"status", value_in(result, {"outcome", "status"})},
+            {"grade", value_in(result, {"quality", "grade"})},
+            {"notes", Json::array()}};
+  const Json marks = value_in(result, {"quality", "marks"});
+  for (const Json& mark : marks)
+    if (const Json says = value_in(mark, {"says"}); says.is_string()) j["notes"].push_back(says);
   if (test == nullptr) return j;
   const TestQuantity made_for = test->curve.quantity();
   j["strength"] = made_for.label;
@@ -150,7 +151,7 @@ Response Desk::answer(const Request& request) {
     return error(400, e.what());
   } catch (const Json::exception&) {
     return error(400, "not what the page of this version asks: load the page anew");
-  } catch (const IoError& e) {
+  } catch (const std::exception& e) {
     return error(500, e.what());
   }
 }
@@ -186,20 +187,23 @@ Response Desk::route(const Request& request) {
     return json(recipe_answer(base, asked.at("changes").get<std::map<std::string, std::string>>()));
   }
   const std::lock_guard lock(mutex_);
-  if (request.path == "/api/save") {
-    try {
-      return json(save(asked));
-    } catch (const Changed& e) {
-      const RockFiles now = read_rock_files(asked.at("name"));
-      Json j = {{"error", e.what()}, {"toml", now.toml}, {"table", nullptr}, {"stamp", now.stamp}};
-      if (now.table) j["table"] = *now.table;
-      return json(j, 409);
-    }
-  }
+  if (request.path == "/api/save") return saved(asked);
   if (request.path == "/api/calibrate") return json(calibrate(asked));
   if (request.path == "/api/stop") return json(stop(asked));
   if (request.path == "/api/test") return json(run_test(asked));
   return error(404, "no such address");
+}
+
+/// 409, and what the files hold now, where somebody else has changed them.
+Response Desk::saved(const Json& asked) {
+  try {
+    return json(save(asked));
+  } catch (const Changed& e) {
+    const RockFiles now = read_rock_files(asked.at("name"));
+    Json j = {{"error", e.what()}, {"toml", now.toml}, {"table", nullptr}, {"stamp", now.stamp}};
+    if (now.table) j["table"] = *now.table;
+    return json(j, 409);
+  }
 }
 
 Json Desk::project() {
@@ -213,6 +217,7 @@ Json Desk::project() {
       {"version", PHY_VERSION},
       {"folder", fs::current_path().string()},
       {"threads", jobs::n_threads(threads_)},
+      {"file_token", file_token_},
       {"choices",
        {{"E_is", choices_of("E_is")}, {"layers", choices_of("layers")}, {"matrix", choices_of("matrix")}}},
       {"columns", choices_of("columns.\"header\"")},
@@ -231,13 +236,15 @@ Json Desk::rock(const std::string& name) {
           {"toml", files.toml},
           {"table_file", files.table_file},
           {"stamp", files.stamp},
+          {"exists", exists(name + ".toml")},
           {"calibration", calibration(name)},
           {"tests", std::move(tests)}};
 }
 
-bool Desk::is_running(const std::string& folder) {
+pid_t Desk::process_in(const std::string& folder) {
   const auto child = children_.find(folder);
-  return child != children_.end() && child->second->running();
+  return child != children_.end() && child->second->running() ? child->second->process()
+                                                              : jobs::working_in(folder);
 }
 
 int Desk::exit_code(const std::string& folder) {
@@ -246,20 +253,21 @@ int Desk::exit_code(const std::string& folder) {
 }
 
 Json Desk::calibration(const std::string& name) {
-  const std::string folder = calibration_of(name);
+  const std::string folder = calibration_of(name), log = content(log_of(folder));
   const auto earlier = jobs::request_in(folder);
-  const bool here = is_running(folder), finished = exists(path_in(folder, "calibration.json"));
-  const std::string watched = path_in(folder, jobs::watch_file);
-  Json progress = json_in(watched);
+  const bool finished = exists(path_in(folder, "calibration.json"));
+  Json progress = json_in(path_in(folder, jobs::watch_file));
   const Json told = value_in(progress, {"state"});
-  const std::string log = content(log_of(folder));
+  const pid_t process = process_in(folder);
   const int code = exit_code(folder);
-  const bool elsewhere = !finished && told == "running" && code < 0 && is_fresh(watched);
-  const std::string state = here || elsewhere                              ? "running"
-                            : code >= 2 || (!finished && told == "failed") ? "failed"
-                            : finished                                     ? "finished"
-                            : earlier                                      ? "stopped"
-                                                                           : "new";
+  const bool here = process != 0 && children_.contains(folder) && children_[folder]->running();
+  // without a process "running" was killed; specimens for the report may be missing though all else is there
+  const std::string state = process != 0                             ? "running"
+                            : finished && told != "stopped"          ? "finished"
+                            : told == "stopped" || told == "running" ? "stopped"
+                            : code >= 2 || told == "failed"          ? "failed"
+                            : earlier                                ? "stopped"
+                                                                     : "new";
   jobs::CalibrationRequest next = earlier.value_or(jobs::CalibrationRequest{});
   next.rock = name + ".toml", next.out = folder;
   next.resume = earlier && (state == "stopped" || state == "failed");
@@ -267,6 +275,7 @@ Json Desk::calibration(const std::string& name) {
   return {{"state", state},
           {"command", here ? command_in(log) : command_of(jobs::words_of(next))},
           {"folder", folder},
+          {"next", next_calibration_of(name)},
           {"here", here},
           {"progress", std::move(progress)},
           {"log", tail(log)},
@@ -285,7 +294,7 @@ Json Desk::test(const std::string& rock, const std::string& name) {
       if (const Json result = json_in(path_in(of, "result.json")); result.is_object())
         specimens.push_back(specimen_json(result, kind));
   const int code = exit_code(folder);
-  const std::string state = is_running(folder)                       ? "running"
+  const std::string state = process_in(folder) != 0                  ? "running"
                             : code >= 2                              ? "failed"
                             : exists(path_in(folder, "report.html")) ? "finished"
                             : specimens.empty() && code < 0          ? "new"
@@ -313,45 +322,65 @@ Json Desk::save(const Json& asked) {
 }
 
 Json Desk::start(const std::vector<std::string>& words, const std::string& folder) {
-  if (is_running(folder))
-    throw InputError(Problem{"", folder, "", "nothing that writes there", "it is running already"});
+  if (process_in(folder) != 0)
+    throw InputError(Problem{"", folder, "", "nothing that works there", "it is running already"});
   std::vector<std::string> all = words;
   if (threads_ > 0) all.insert(all.end(), {"--threads", fmt::format("{}", threads_)});
   children_.erase(folder);
-  children_[folder] = std::make_unique<Child>(all, log_of(folder));
+  auto child = std::make_unique<Child>(all, log_of(folder));
+  // what cannot be done is refused at once: told where it was asked for, and nothing has been begun
+  const auto start = std::chrono::steady_clock::now();
+  while (child->running() && std::chrono::steady_clock::now() - start < at_once &&
+         jobs::working_in(folder) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (!child->running() && child->exit_code() >= 2) {
+    const std::string log = content(log_of(folder));
+    throw InputError(Problem{log.substr(log.find('\n') + 1), "", "", "", ""});
+  }
+  children_[folder] = std::move(child);
   return {{"command", command_of(all)}};
+}
+
+/// A whole number as the command takes it; `otherwise` where it is absent.
+std::int64_t max_tests_of(const Json& asked, std::int64_t otherwise) {
+  if (!asked.contains("max_tests") || asked["max_tests"].is_null()) return otherwise;
+  if (!asked["max_tests"].is_number_integer() || asked["max_tests"] < 1)
+    throw InputError(Problem{"", "--max-tests", asked["max_tests"].dump(), "a whole number from 1 on", ""});
+  return asked["max_tests"].get<std::int64_t>();
 }
 
 Json Desk::calibrate(const Json& asked) {
   const std::string name = asked.at("name");
   check_name(name);
+  if (!exists(name + ".toml"))
+    throw InputError(Problem{"", "rock", name, "a rock that has been saved", "save it first"});
+  const std::string now = calibration_of(name);
+  if (process_in(now) != 0)
+    throw InputError(Problem{"", now, "", "one calibration of a rock at a time", "stop the other first"});
   jobs::CalibrationRequest request;
-  const bool anew = desk::get(asked, "anew", false);
-  const auto earlier = jobs::request_in(calibration_of(name));
+  const auto earlier = jobs::request_in(now);
   if (earlier && desk::get(asked, "resume", false)) {
     request = *earlier, request.resume = true;
   } else {
-    request.max_tests = desk::get(asked, "max_tests", request.max_tests);
+    request.max_tests = max_tests_of(asked, request.max_tests);
     request.elastic = desk::get(asked, "elastic", false);
   }
   request.rock = name + ".toml";
-  request.out = anew ? next_calibration_of(name) : calibration_of(name);
-  if (const Json now = calibration(name); now["state"] == "running")
-    throw InputError(
-        Problem{"", request.out, "", "one calibration of a rock at a time", "stop the other first"});
-  io::make_folder(request.out);  // now: it is the newest from here on
+  request.out = desk::get(asked, "anew", false) ? next_calibration_of(name) : now;
+  check_inside(request.out);
   return start(jobs::words_of(request), request.out);
 }
 
 Json Desk::stop(const Json& asked) {
   const std::string name = asked.at("name"), test = desk::get<std::string>(asked, "test", "");
   check_name(name);
+  if (!test.empty()) check_name(test);
   const std::string folder = test.empty() ? calibration_of(name) : path_in(tests_of(name), test);
   const auto child = children_.find(folder);
-  if (child == children_.end() || !child->second->running())
-    throw InputError(Problem{"", folder, "", "something that was started here",
-                             "what runs in a terminal is stopped there, by Ctrl-C"});
-  child->second->interrupt();
+  if (child != children_.end() && child->second->running())
+    child->second->interrupt();
+  else if (const pid_t process = jobs::working_in(folder); process == 0 || kill(process, SIGTERM) != 0)
+    throw InputError(Problem{"", folder, "", "something that runs, and that you may stop", ""});
   return Json::object();
 }
 
@@ -359,10 +388,13 @@ Json Desk::run_test(const Json& asked) {
   const std::string rock = asked.at("name"), name = asked.at("test");
   check_name(rock), check_name(name);
   const std::string recipe = path_in(tests_of(rock), name + ".toml"), folder = path_in(tests_of(rock), name);
-  const std::string toml = asked.at("toml");
-  if (is_running(folder) || (exists(recipe) && content(recipe) != toml))
+  const std::string toml =
+      asked.at("toml").is_null() ? io::read_file(recipe) : asked.at("toml").get<std::string>();
+  if (process_in(folder) != 0 || (exists(recipe) && content(recipe) != toml))
     throw InputError(Problem{"", "name", name, "a name that is free", "a test of this name is there"});
-  io::write_file(recipe, toml);
+  io::parse_recipe(toml, recipe);  // throws: a recipe that cannot run takes no name
+  check_inside(folder);
+  if (!exists(recipe)) io::write_file(recipe, toml);
   return start({"run", recipe, "--out", folder}, folder);
 }
 

@@ -17,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "desk/child.hpp"
@@ -28,7 +29,8 @@ namespace phy::desk {
 class Desk {
  public:
   /// Works in the working directory. `threads` of what it starts; 0: all cores.
-  explicit Desk(int threads) : threads_(threads) {}
+  /// `file_token`: by which the page names files.
+  Desk(int threads, std::string file_token) : threads_(threads), file_token_(std::move(file_token)) {}
   /// From any thread.
   Response answer(const Request& request);
   /// What is running, as commands that go on with it.
@@ -36,6 +38,7 @@ class Desk {
 
  private:
   int threads_;
+  std::string file_token_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Child>> children_;  // by the folder of the results
 
@@ -48,8 +51,10 @@ class Desk {
   Json calibrate(const Json& asked);
   Json stop(const Json& asked);
   Json run_test(const Json& asked);
+  Response saved(const Json& asked);
   Json start(const std::vector<std::string>& words, const std::string& folder);
-  bool is_running(const std::string& folder);
+  /// The process that works in a folder, started here or elsewhere; 0: none.
+  pid_t process_in(const std::string& folder);
   int exit_code(const std::string& folder);
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -79,9 +80,10 @@ void check_name(const std::string& name) {
                     name.find_first_of("/\\\"'") == name.npos && name.front() != '.' && name.front() != '-' &&
                     name.front() != ' ' && name.back() != ' ';
   if (!good)
-    throw InputError(Problem{"", "name", name,
-                             fmt::format("1 to {} characters without / \\ and quotes", longest_name),
-                             "it becomes the name of a file, and begins with a letter or a digit"});
+    throw InputError(
+        Problem{"", "name", name, fmt::format("1 to {} characters without / \\ and quotes", longest_name),
+                "it becomes the name of a file: no dot, blank or - at its front, no blank at its end, "
+                "and letters beyond ASCII count two to four"});
 }
 
 std::string table_named_in(const std::string& toml, const std::string& otherwise) {
@@ -125,7 +127,8 @@ std::string save_rock(const std::string& name, const std::string& toml,
   const std::string table_file = table_named_in(toml, "");
   if (table_file.empty())
     throw InputError(Problem{toml_file(name), "data", "", "the name of the table",
-                             fmt::format("write data = \"{}.csv\"", name)});
+                             fmt::format("write data = \"{}.csv\"; where {} is a recipe, choose another name",
+                                         name, toml_file(name))});
   if (table && !is_table_name(table_file))
     throw InputError(Problem{toml_file(name), "data", table_file,
                              "a CSV file of this folder (.csv, .tsv, .txt)",
@@ -145,19 +148,36 @@ std::string numbered(const std::string& rock, int k) {
   return k == 1 ? rock + "-calibration" : fmt::format("{}-calibration-{}", rock, k);
 }
 
-/// How many there are.
-int n_calibrations(const std::string& rock) {
-  int k = 0;
-  while (exists(numbered(rock, k + 1))) ++k;
-  return k;
+/// The largest number of a folder that is there; 0: none is.
+int last_calibration(const std::string& rock) {
+  int last = exists(numbered(rock, 1)) ? 1 : 0;
+  const std::string stem = rock + "-calibration-";
+  for (const std::string& path : io::list_folder(".")) {
+    const std::string name = fs::path(path).filename().string();
+    int k = 0;
+    if (!name.starts_with(stem)) continue;
+    const auto [end, error] = std::from_chars(name.data() + stem.size(), name.data() + name.size(), k);
+    if (error == std::errc() && name == numbered(rock, k) && fs::is_directory(name)) last = std::max(last, k);
+  }
+  return last;
 }
 
 }  // namespace
 
 std::string calibration_of(const std::string& rock) {
-  return numbered(rock, std::max(1, n_calibrations(rock)));
+  return numbered(rock, std::max(1, last_calibration(rock)));
 }
-std::string next_calibration_of(const std::string& rock) { return numbered(rock, n_calibrations(rock) + 1); }
+std::string next_calibration_of(const std::string& rock) {
+  return numbered(rock, last_calibration(rock) + 1);
+}
+
+void check_inside(const std::string& path) {
+  std::error_code error;
+  const fs::path home = fs::canonical("."), place = fs::weakly_canonical(home / path, error);
+  const auto end_of_home = std::mismatch(home.begin(), home.end(), place.begin(), place.end()).first;
+  if (error || end_of_home != home.end())
+    throw InputError(Problem{"", path, "", "a place in this folder", "a link leads out of it"});
+}
 
 std::string tests_of(const std::string& rock) { return rock + "-tests"; }
 
@@ -181,7 +201,8 @@ std::optional<std::string> served_file(const std::string& path) {
   const fs::path file = fs::canonical(asked, error);
   if (error || !fs::is_regular_file(file, error)) return {};
   const auto [end_of_home, rest] = std::mismatch(home.begin(), home.end(), file.begin(), file.end());
-  if (end_of_home != home.end()) return {};
+  const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
+  if (end_of_home != home.end() || std::any_of(rest, file.end(), is_hidden)) return {};
   return file.string();
 }
 

@@ -41,8 +41,11 @@ std::string save_rock(const std::string& name, const std::string& toml,
 
 /// The folder of the newest calibration, or of the first where there is none.
 std::string calibration_of(const std::string& rock);
-/// A folder that none has had.
+/// The one after that.
 std::string next_calibration_of(const std::string& rock);
+
+/// Throws InputError where a link leads out of the working directory.
+void check_inside(const std::string& path);
 
 std::string tests_of(const std::string& rock);
 /// Recipes in that folder, by name.

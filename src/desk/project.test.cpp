@@ -94,8 +94,11 @@ TEST_F(ProjectTest, CalibrationsAreNumbered) {
   fs::create_directory("a-calibration");
   EXPECT_EQ(calibration_of("a"), "a-calibration");
   EXPECT_EQ(next_calibration_of("a"), "a-calibration-2");
-  fs::create_directory("a-calibration-2");
-  EXPECT_EQ(calibration_of("a"), "a-calibration-2");
+  fs::create_directory("a-calibration-3");  // 2 was deleted
+  fs::create_directory("a-calibration-x");
+  fs::create_directory("a-calibration-04");
+  EXPECT_EQ(calibration_of("a"), "a-calibration-3");
+  EXPECT_EQ(next_calibration_of("a"), "a-calibration-4");
 }
 
 TEST_F(ProjectTest, ServesFilesOfTheFolderAlone) {
@@ -104,9 +107,14 @@ TEST_F(ProjectTest, ServesFilesOfTheFolderAlone) {
   write(".hidden", "x");
   fs::create_symlink("/etc/passwd", "link.txt");
   fs::create_directory_symlink("/etc", "etc");
+  fs::create_directory(".secret");
+  write(".secret/x.txt", "x");
+  fs::create_symlink(".secret/x.txt", "public.txt");
+  EXPECT_THROW(check_inside("etc/x"), InputError);
+  EXPECT_NO_THROW(check_inside("results/new/x"));
   EXPECT_TRUE(served_file("results/report.html"));
   for (const char* path : {"../passwd", "results/../results/report.html", "/etc/passwd", "link.txt",
-                           "etc/passwd", ".hidden", "results", "results/", "", "nothing.txt",
+                           "public.txt", "etc/passwd", ".hidden", "results", "results/", "", "nothing.txt",
                            "results//report.html/", "..\\passwd", "./results/report.html"})
     EXPECT_FALSE(served_file(path)) << path;
   EXPECT_THAT(content_type("a/report.html"), HasSubstr("text/html"));

@@ -107,8 +107,12 @@ std::string random_token() {
 
 class Server::Impl {
  public:
-  Impl(unsigned short port, std::string token, Handler handler)
-      : token_(std::move(token)), handler_(std::move(handler)), acceptor_(context_), watch_(context_) {
+  Impl(unsigned short port, Tokens tokens, Handler handler)
+      : tokens_(std::move(tokens)),
+        handler_(std::move(handler)),
+        acceptor_(context_),
+        watch_(context_),
+        pause_(context_) {
     try {
       const tcp::endpoint here(net::ip::address_v4::loopback(), port);
       acceptor_.open(here.protocol());
@@ -123,7 +127,7 @@ class Server::Impl {
   }
 
   int port() const { return port_; }
-  std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_); }
+  std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", port_, tokens_.all); }
 
   void run(const std::atomic<bool>& stop) {
     look(stop);
@@ -142,16 +146,17 @@ class Server::Impl {
     watch_.async_wait([this, &stop](const boost::system::error_code&) { look(stop); });
   }
   void accept();
+  void accept_later();
   void make_room();
   /// Nothing: it may come in.
   std::optional<Response> refusal(const http::request<http::string_body>& head, Request& request) const;
 
-  std::string token_;
+  Tokens tokens_;
   Handler handler_;
   net::io_context context_{1};
   net::thread_pool pool_{n_answering};
   tcp::acceptor acceptor_;
-  net::steady_timer watch_;
+  net::steady_timer watch_, pause_;
   int port_ = 0;
   Connections connections_;
 };
@@ -252,13 +257,18 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
 
 void Server::Impl::accept() {
   acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-    if (!error) {
-      make_room();
-      connections_.push_back(std::make_shared<Connection>(*this, std::move(socket)));
-      connections_.back()->begin(std::prev(connections_.end()));
-    }
+    if (error) return accept_later();
+    make_room();
+    connections_.push_back(std::make_shared<Connection>(*this, std::move(socket)));
+    connections_.back()->begin(std::prev(connections_.end()));
     accept();
   });
+}
+
+/// Without a free descriptor it would fail again at once.
+void Server::Impl::accept_later() {
+  pause_.expires_after(std::chrono::milliseconds(200));
+  pause_.async_wait([this](const boost::system::error_code&) { accept(); });
 }
 
 /// Closes the connection that has waited longest for its user. All of them at work: there are no more of
@@ -275,7 +285,8 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
                                               Request& request) const {
   const auto text = [&](http::field name) { return std::string(head[name]); };
   const auto is_here = [&](const std::string& place) {
-    return place == fmt::format("127.0.0.1:{}", port_) || place == fmt::format("localhost:{}", port_);
+    const std::string port = port_ == 80 ? "" : fmt::format(":{}", port_);  // 80 is left out
+    return place == "127.0.0.1" + port || place == "localhost" + port;
   };
   if (head.count(http::field::host) != 1 || !is_here(text(http::field::host)))
     return refused(403, "this is no host that Phyllite serves");
@@ -290,7 +301,9 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   if (!read) return refused(400, "no address of this server");
   const std::string token =
       head.count("X-Phyllite-Token") > 0 ? std::string(head["X-Phyllite-Token"]) : read->query["token"];
-  if (!same(token, token_))
+  const bool of_file =
+      head.method() == http::verb::get && read->path.starts_with("/files/") && same(token, tokens_.file);
+  if (!same(token, tokens_.all) && !of_file)
     return refused(403,
                    "the token is missing or of another start: open the address that `phyllite lab` prints");
   request = std::move(*read);
@@ -299,8 +312,8 @@ std::optional<Response> Server::Impl::refusal(const http::request<http::string_b
   return {};
 }
 
-Server::Server(unsigned short port, std::string token, Handler handler)
-    : impl_(std::make_unique<Impl>(port, std::move(token), std::move(handler))) {}
+Server::Server(unsigned short port, Tokens tokens, Handler handler)
+    : impl_(std::make_unique<Impl>(port, std::move(tokens), std::move(handler))) {}
 Server::~Server() = default;
 int Server::port() const { return impl_->port(); }
 std::string Server::address() const { return impl_->address(); }

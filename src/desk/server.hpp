@@ -34,12 +34,18 @@ struct Response {
 /// Called from several threads at once. What it throws is answered with status 500.
 using Handler = std::function<Response(const Request&)>;
 
+/// `file` opens what lies under /files/ and nothing else: it stands in the addresses of pages whose scripts
+/// are nobody's to trust.
+struct Tokens {
+  std::string all, file;
+};
+
 constexpr std::size_t most_connections = 64, largest_body = 16 << 20;
 
 class Server {
  public:
   /// Listens at once. `port` 0: one that is free. Throws IoError.
-  Server(unsigned short port, std::string token, Handler handler);
+  Server(unsigned short port, Tokens tokens, Handler handler);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string token = "0123456789abcdef0123456789abcdef";
+const std::string token = "0123456789abcdef0123456789abcdef", file_token = "fedcba9876543210fedcba9876543210";
 
 /// A server that echoes; "/slow" waits until it is released, "/broken" throws.
 class ServerTest : public testing::Test {
@@ -27,7 +27,7 @@ class ServerTest : public testing::Test {
   std::atomic<int> n_handled{0};
   std::promise<void> released;
   Server server{
-      0, token, [this](const Request& r) {
+      0, {token, file_token}, [this](const Request& r) {
         ++n_handled;
         if (r.path == "/slow") released.get_future().wait_for(std::chrono::seconds(9));
         if (r.path == "/broken") throw std::runtime_error("a reason");
@@ -75,6 +75,14 @@ TEST_F(ServerTest, RefusesEverybodyElse) {
   for (const char* target : {"/%zz", "/%0", "/%00", "a", "http://127.0.0.1/a"})
     EXPECT_EQ(get(target, known()).status, 400) << target;
   EXPECT_EQ(n_handled, 0);
+}
+
+TEST_F(ServerTest, TheTokenOfFilesOpensFilesAlone) {
+  EXPECT_EQ(get("/files/a?token=" + file_token, host()).status, 200);
+  EXPECT_EQ(get("/?token=" + file_token, host()).status, 403);
+  EXPECT_EQ(get("/api/files/a?token=" + file_token, host()).status, 403);
+  EXPECT_EQ(get("/files/../api?token=" + file_token, host()).body, "GET /files/../api ");  // no way out of it
+  EXPECT_EQ(ask(server.port(), "POST /files/a?token=" + file_token, host()).status, 403);
 }
 
 TEST_F(ServerTest, ForbidsTheBrowserAllOthers) {
@@ -146,7 +154,7 @@ TEST_F(ServerTest, WhatAHandlerThrowsIsAnAnswer) {
 }
 
 TEST_F(ServerTest, APortThatIsTakenIsSaid) {
-  EXPECT_THROW(Server(static_cast<unsigned short>(server.port()), token, {}), IoError);
+  EXPECT_THROW(Server(static_cast<unsigned short>(server.port()), {token, file_token}, {}), IoError);
 }
 
 TEST(Token, IsLongAndAnotherEveryTime) {

@@ -46,7 +46,8 @@ int column_of(const io::Table& table, int line, const Problem& problem) {
 Json problem_json(Problem problem, const std::string& toml_file, const std::string& table_file,
                   const io::Table& table) {
   const int in_table = line_in(problem.where, table_file), in_rock = line_in(problem.where, toml_file);
-  const bool of_table = in_table > 0 || problem.where == table_file;
+  const bool of_table =
+      in_table > 0 || problem.where == table_file || problem.where.starts_with(table_file + " [");
   const int line = of_table ? in_table : in_rock;
   const int column = in_table > 0 ? column_of(table, in_table, problem) : -1;
   if (of_table || in_rock > 0 || problem.where == toml_file) problem.where.clear();
@@ -65,6 +66,7 @@ Json target_json(const Target& t) {
             {"mean", t.mean},
             {"sd", t.sd},
             {"n", t.n},
+            {"sd_assumed", t.sd_assumed},
             {"low", t.mean - half},
             {"high", t.mean + half},
             {"specimens", t.specimens}};
@@ -78,10 +80,12 @@ Json curve_json(const report::AngleCurve& curve) {
 }
 
 Json parameter_json(const ParameterEstimate& e) {
-  const bool known = e.determined && std::isfinite(e.low);
+  const Json interval = !std::isfinite(e.low) ? Json(nullptr)
+                        : e.determined        ? Json(fmt::format("x {:.2f} ... {:.2f}", e.low, e.high))
+                                              : Json("wide");
   return {{"symbol", e.symbol},
           {"determined", e.determined},
-          {"interval", known ? Json(fmt::format("x {:.2f} ... {:.2f}", e.low, e.high)) : Json(nullptr)},
+          {"interval", interval},
           {"rests_on", e.rests_on},
           {"next_test", e.next_test}};
 }

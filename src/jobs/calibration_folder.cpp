@@ -159,7 +159,7 @@ void check_calibration_outputs(const std::string& folder) {
   io::check_writable(folder);
 }
 
-std::string begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
+BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
   const std::string text = label(evidence, request);
   const fs::path folder(request.out);
   std::string store = (folder / "runs.sqlite").string();
@@ -174,8 +174,9 @@ std::string begin_calibration(const calibrate::Evidence& evidence, const Calibra
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
     throw InputError(Problem{"command line", "--out", request.out, "a folder without " + others,
                              "results of before lie there: move them, or use another --out"});
+  FolderLock lock(request.out);
   io::write_output(label_file, text);
-  return store;
+  return {std::move(store), std::move(lock)};
 }
 
 std::string specimens_in(const std::string& folder) { return (fs::path(folder) / "specimens").string(); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/calibration.hpp"
+#include "jobs/folder_lock.hpp"
 
 namespace phy::jobs {
 
@@ -30,9 +31,15 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request);
 
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request);
 
-/// Makes the folder ready and returns its store. An earlier calibration is used only when asked for, and only
-/// the same: else InputError.
-std::string begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request);
+/// The folder of a calibration while it is worked in.
+struct BegunCalibration {
+  std::string store;
+  FolderLock lock;
+};
+
+/// Makes the folder ready. An earlier calibration is used only when asked for, and only the same: else
+/// InputError, as where another process works there.
+BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request);
 
 /// Throws where a file of a calibration cannot be put into the folder, which is made.
 void check_calibration_outputs(const std::string& folder);

@@ -35,7 +35,7 @@ CalibrationWatch::~CalibrationWatch() {
 void CalibrationWatch::say(const std::string& text) {
   const std::lock_guard lock(mutex_);
   said_.push_back(text);
-  tests_ = {};
+  tests_ = {}, pressed_ = {};
   write_now();
 }
 

@@ -64,7 +64,7 @@ TEST_F(CalibrationWatchTest, FollowsOneSpecimenFromItsBeginning) {
     watch.reading(second, 0.002 * i, 2e6 * i);  // not this one
   }
   watch.reading(first, 0.0005, 5e5);  // starts over
-  watch.say("");                      // writes
+  watch.estimates({});                // writes
   const Json pressed = now()["pressed"];
   EXPECT_EQ(pressed["specimen"], "theta = 30 deg");
   EXPECT_THAT(pressed["strain"], ElementsAre(0.0005));
@@ -74,13 +74,21 @@ TEST_F(CalibrationWatchTest, ALongCurveKeepsItsEnds) {
   CalibrationWatch watch(folder.string());
   const Recipe test;
   for (int i = 0; i < 5000; ++i) watch.reading(test, 1e-6 * i, 1.0 * i);
-  watch.say("");
+  watch.estimates({});
   const auto strain = now()["pressed"]["strain"].get<std::vector<double>>();
   EXPECT_LE(strain.size(), 401U);
   EXPECT_GE(strain.size(), 200U);
   EXPECT_EQ(strain.front(), 0.0);
   EXPECT_GT(strain.back(), 0.00496);
   EXPECT_TRUE(std::is_sorted(strain.begin(), strain.end()));
+}
+
+TEST_F(CalibrationWatchTest, BetweenBatchesNothingIsPressed) {
+  CalibrationWatch watch(folder.string());
+  const Recipe test;
+  watch.reading(test, 1e-3, 1e6);
+  watch.say("elastic search");
+  EXPECT_TRUE(now()["pressed"].is_null());
 }
 
 TEST_F(CalibrationWatchTest, AFolderThatIsGoneStopsNothing) {

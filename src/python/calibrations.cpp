@@ -35,11 +35,14 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     calibrate::SimulatorOptions machine;
     machine.threads = jobs::n_threads(threads), machine.stop = &watch.stop;
     machine.with_untrusted = request.with_untrusted;
-    if (!request.out.empty()) machine.store = jobs::begin_calibration(evidence, request);
+    calibrate::CalibrationOptions how = jobs::options_of(request);
+    calibrate::check_possible(evidence, how);
+    std::optional<jobs::BegunCalibration> begun;
+    if (!request.out.empty())
+      begun.emplace(jobs::begin_calibration(evidence, request)), machine.store = begun->store;
     machine.on_progress = [&](const calibrate::TestProgress& p) {
       watch.show({jobs::progress_text(p), p.n_done, p.n_total});
     };
-    calibrate::CalibrationOptions how = jobs::options_of(request);
     how.listener.say = [&](const std::string& text) { watch.say(text); };
     result = calibrate::calibrate(evidence, how, *calibrate::make_simulator(machine));
     if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;

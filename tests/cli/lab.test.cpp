@@ -158,6 +158,7 @@ TEST_F(Lab, StoppedAndTakenUpAgainAlsoByAnotherServer) {
   };
   for (int i = 0; i < 600 && n_done() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   done("/api/stop", {{"name", "shale"}});
+  post("/api/stop", {{"name", "shale"}});  // impatient: still not killed
   Json stopped = waited();
   EXPECT_EQ(stopped["state"], "stopped") << stopped;
   EXPECT_EQ(stopped["progress"]["state"], "stopped");
@@ -172,19 +173,43 @@ TEST_F(Lab, StoppedAndTakenUpAgainAlsoByAnotherServer) {
   EXPECT_EQ(waited()["state"], "finished");
 }
 
-TEST_F(Lab, WhatCannotRunFailsWithItsReason) {
+TEST_F(Lab, WhatCannotRunIsRefusedWithItsReason) {
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}}).status, 400);  // not saved
   save_rock();
-  done("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}});
-  const Json failed = waited();
-  EXPECT_EQ(failed["state"], "failed");
-  EXPECT_EQ(failed["exit_code"], 2);
-  EXPECT_EQ(failed["progress"]["state"], "failed");
-  EXPECT_THAT(failed["log"].get<std::string>(), HasSubstr("--max-tests = 5"));
+  const Answer few = post("/api/calibrate", {{"name", "shale"}, {"max_tests", 5}});
+  EXPECT_EQ(few.status, 400);
+  EXPECT_THAT(few.body, HasSubstr("--max-tests = 5"));
+  EXPECT_EQ(calibration()["state"], "new");  // and nothing has been begun
+  EXPECT_FALSE(fs::exists(fs::path(home) / "shale-calibration"));
+  for (const Json& n : {Json(-5), Json(1.5), Json("many")})
+    EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"max_tests", n}}).status, 400) << n;
+  EXPECT_EQ(
+      post("/api/test", {{"name", "shale"}, {"test", "x"}, {"toml", "[test]\nkind = \"no such\"\n"}}).status,
+      400);
+  EXPECT_FALSE(fs::exists(fs::path(home) / "shale-tests"));
   EXPECT_EQ(post("/api/stop", {{"name", "shale"}}).status, 400);
   for (const char* body :
        {"", "{", "[]", "{\"name\": 3}", "{\"name\": \"../x\", \"toml\": \"\", \"table\": null}"})
     EXPECT_EQ(phy::desk::ask(port, "POST /api/check", known(), std::string(body) + " ").status, 400) << body;
   EXPECT_EQ(phy::desk::ask(port, "GET /api/no-such", known()).status, 404);
+}
+
+TEST_F(Lab, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
+  save_rock();
+  const std::string calibrate =
+      std::string(PHY_PROGRAM) + " calibrate shale.toml --out shale-calibration --max-tests 72";
+  std::thread terminal([&] {
+    EXPECT_EQ(std::system(("cd " + home + " && " + calibrate + " > /dev/null 2>&1").c_str()), 256);
+  });
+  for (int i = 0; i < 600 && calibration()["state"] != "running"; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(calibration()["here"], false);
+  EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"resume", true}}).status, 400);
+  EXPECT_EQ(run_line("cd " + home + " && " + calibrate + " --resume"), 2);
+  EXPECT_THAT(output, HasSubstr("process"));
+  done("/api/stop", {{"name", "shale"}});
+  terminal.join();
+  EXPECT_EQ(calibration()["state"], "stopped");
 }
 
 TEST_F(Lab, ItsOwnInput) {

@@ -1,0 +1,51 @@
+#include "jobs/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "base/check.hpp"
+
+namespace phy::jobs {
+namespace {
+
+std::string lock_file(const std::string& folder) {
+  return (std::filesystem::path(folder) / ".lock").string();
+}
+
+/// On the whole file.
+struct flock whole() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK, lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::string& folder)
+    : descriptor_(::open(lock_file(folder).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  struct flock lock = whole();
+  if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETLK, &lock) == 0 || (errno != EACCES && errno != EAGAIN))
+    return;
+  ::close(descriptor_);
+  throw InputError(Problem{"command line", "--out", folder, "a folder in which no other process works",
+                           fmt::format("process {} does: wait for its end, or stop it", working_in(folder))});
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+pid_t working_in(const std::string& folder) {
+  const int descriptor = ::open(lock_file(folder).c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return 0;
+  struct flock lock = whole();
+  const bool known = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(descriptor);
+  return known ? lock.l_pid : 0;
+}
+
+}  // namespace phy::jobs
