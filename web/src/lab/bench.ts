@@ -41,9 +41,9 @@ const isNumber = (text: string) => text.trim() !== "" && Number.isFinite(Number(
 /** As it is typed: lists without brackets and quotes. */
 const typed = (key: Key, value: string) => (key.kind === "list" ? value.replace(/[[\]"]/g, "").trim() : value);
 
-/** "22,5; 45", "22,5 45" are two, and so are "22,45": commas separate where nothing else does. */
+/** Commas separate where nothing else does: "0,45" are two, and so are "22,5; 45" and "22,5 45". */
 function listed(value: string): string[] {
-  const apart = value.split(value.includes(";") ? ";" : /,?\s+(?=[-+.\d])/).map((v) => v.trim());
+  const apart = value.trim().split(value.includes(";") ? ";" : /,?\s+(?=[-+.\d])/).map((v) => v.trim());
   const decimal = (v: string) => v.replace(/^([+-]?\d+),(\d+)(?=$|[^,\d])/, "$1.$2");
   return (apart.length > 1 ? apart.map(decimal) : apart)
     .flatMap((v) => v.split(","))

@@ -135,7 +135,7 @@ function layOut(answer: RockAnswer) {
       { class: "notice", "aria-label": "The files have been changed" },
       h("h2", {}, "The files have been changed elsewhere"),
       h("p", {}, `${answer.table_file} or ${name}.toml is another than the one that this page began with. Below is the file as it is now; what is typed here stands further down.`),
-      h("div", { class: "theirs" }, h("div", {}, h("h3", {}, answer.table_file), h("pre", { tabindex: "0" }, theirs.table ?? "no text")), h("div", {}, h("h3", {}, `${name}.toml`), h("pre", { tabindex: "0" }, theirs.toml))),
+      h("div", { class: "theirs" }, h("div", {}, h("h3", {}, answer.table_file), h("pre", { tabindex: "0" }, theirs.table ?? "is edited in its own program")), h("div", {}, h("h3", {}, `${name}.toml`), h("pre", { tabindex: "0" }, theirs.toml))),
       h("div", { class: "tools" }, button("Keep mine", () => void attempt(wrong, () => rock.keepMine())), button("Take the file’s", () => rock.discard())),
     );
   }
@@ -158,7 +158,7 @@ function layOut(answer: RockAnswer) {
       table.mark(checked);
       rockFile.mark(checked);
       const n = checked.problems.length;
-      findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend, said beside the cells and lines.`);
+      findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend${rock.text.table === null ? "" : ", said beside the cells and lines"}.`);
     } catch (error) {
       if (mine === asked) findings.busy(`Not checked: ${(error as Error).message}.`);
     }

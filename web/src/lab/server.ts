@@ -142,6 +142,9 @@ export interface Checked {
   forecast: string | null;
 }
 
+/** A rock without layers: nothing of it is said over an angle. */
+export const isUnbedded = (checked: Checked) => checked.notes.some((n) => n.includes("a rock without bedding"));
+
 /** The program has said no; its words are for the user. */
 export class Refused extends Error {
   constructor(
