@@ -141,7 +141,7 @@ function layOut(answer: RockAnswer) {
   }
 
   function schedule() {
-    const now = JSON.stringify(rock.text);
+    const now = JSON.stringify([rock.text, rock.text.table === null && answer.stamp]); // a workbook changes under the page
     if (now === last) return;
     last = now;
     clearTimeout(timer);
