@@ -173,7 +173,22 @@ test("files that were changed elsewhere are shown, and the user chooses", async 
   await elsewhere.context().close();
 });
 
+test("files that are gone leave what is shown, and are written again", async () => {
+  const [table, toml] = [file("slate.csv"), file("slate.toml")];
+  rmSync(join(folder, "slate.csv"));
+  rmSync(join(folder, "slate.toml"));
+  await shown("The files of this rock are gone; Save writes them again.");
+  assert.equal(await page.getByLabel("Line 1, a comment").inputValue(), "# by an editor");
+  assert.ok(!(await button("Start calibration").isVisible()));
+  await button("Save").click();
+  await shown("slate: saved");
+  assert.deepEqual([file("slate.csv"), file("slate.toml")], [table, toml]);
+  await button("Start calibration").waitFor();
+});
+
 test("a calibration is started, watched, stopped, gone on with", async () => {
+  await page.getByLabel("Largest number of tests").fill("5,5");
+  await shown("A whole number, 1 or more.");
   await page.getByLabel("Largest number of tests").fill("54");
   await shown("phyllite calibrate slate.toml --out slate-calibration --max-tests 54");
   await button("Start calibration").click();
@@ -181,8 +196,10 @@ test("a calibration is started, watched, stopped, gone on with", async () => {
   await shown(/so far, /);
   await page.getByRole("progressbar").waitFor();
   await page.reload(); // goes on without the page
+  assert.equal(await page.getByLabel("Largest number of tests").inputValue(), "54");
   await page.getByRole("img", { name: "In the press now" }).waitFor({ timeout: 120000 });
   await button("Stop").click();
+  await shown("Stopping; what is finished is kept.");
   await shown("Stopped; what is finished is kept.", { timeout: 30000 });
   assert.ok(existsSync(join(folder, "slate-calibration/runs.sqlite")));
   await shown(/phyllite calibrate slate.toml .*--resume/);
@@ -205,6 +222,8 @@ test("the verdict stands there, the report opens", async () => {
 
 test("a test on the calibrated rock is chosen, seen and saved as a recipe, run", async () => {
   await page.getByLabel("Kind of test").selectOption({ label: "direct tension" });
+  await page.getByRole("textbox", { name: "Angles" }).fill("22,5; 45"); // decimal commas
+  await within(10, async () => /angles = \["22\.5 deg", "45 deg"\]/.test(await box("Recipe").inputValue()));
   await page.getByRole("textbox", { name: "Angles" }).fill("0 deg");
   await within(10, async () => /kind = "direct_tension"[^]*angles = \["0 deg"\]/.test(await box("Recipe").inputValue()));
   await page.getByLabel("Name of the test").fill("pulled apart");

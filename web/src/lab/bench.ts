@@ -1,8 +1,9 @@
 // Any test on the calibrated rock: chosen, seen as a recipe, run.
 import { Child, fold, h, table } from "../dom";
 import { readable } from "../units";
-import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, select, textArea } from "./controls";
-import { Key, LabTest, Project, RockAnswer, ask } from "./server";
+import { argument, attempt, button, command, field, fileFold, fileLink, input, keyed, objections, select, stopper, textArea } from "./controls";
+import { chosenBefore, keepChosen } from "./drafts";
+import { Key, LabTest, Project, RockAnswer, Tested, ask } from "./server";
 import { get, quoted, set } from "./toml";
 
 export interface BenchView {
@@ -18,12 +19,13 @@ interface Recipe {
   problems: { key: string; text: string }[];
 }
 
-/** What has been chosen; kept in the tab, so that a reload loses nothing. */
+/** What has been chosen; kept in the browser, so that a reload loses nothing. */
 interface Choices {
   kind: string;
   changes: Record<string, string>;
   name: string; // "": as proposed
   byHand: string | null; // the recipe, where it has been changed by hand
+  started: string[]; // tests, in the order in which they were started here
 }
 
 const last = (path: string) => path.slice(path.lastIndexOf(".") + 1);
@@ -39,11 +41,21 @@ const isNumber = (text: string) => text.trim() !== "" && Number.isFinite(Number(
 /** As it is typed: lists without brackets and quotes. */
 const typed = (key: Key, value: string) => (key.kind === "list" ? value.replace(/[[\]"]/g, "").trim() : value);
 
+/** Commas separate where nothing else does: "0,45" are two, and so are "22,5; 45" and "22,5 45". */
+function listed(value: string): string[] {
+  const apart = value.trim().split(value.includes(";") ? ";" : /,?\s+(?=[-+.\d])/).map((v) => v.trim());
+  const decimal = (v: string) => v.replace(/^([+-]?\d+),(\d+)(?=$|[^,\d])/, "$1.$2");
+  return (apart.length > 1 ? apart.map(decimal) : apart)
+    .flatMap((v) => v.split(","))
+    .map((v) => v.trim())
+    .filter((v) => v !== "");
+}
+
 /** As it stands in a recipe. */
 function written(key: Key, value: string): string {
   if (key.kind !== "list") return value;
   const unit = key.range.match(/\d (\S+) <=? value/)?.[1]; // may be left out while typing
-  const items = value.split(/[,;]/).map((v) => v.trim()).filter((v) => v !== "");
+  const items = listed(value);
   return `[${items.map((v) => (!isNumber(v) ? quoted(v) : unit ? quoted(`${v} ${unit}`) : v)).join(", ")}]`;
 }
 
@@ -64,17 +76,13 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   const store = `phyllite test ${project.folder} ${rock}`;
   const keys = project.keys.filter((k) => k.path !== "test.kind");
   const kinds = project.kinds.map((k) => k.name);
-  let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null };
-  try {
-    choices = { ...choices, ...(JSON.parse(sessionStorage.getItem(store) ?? "{}") as Partial<Choices>) };
-  } catch {
-    // what cannot be read was not kept by this page
-  }
+  let choices: Choices = { kind: project.kinds[0]?.name ?? "uniaxial", changes: {}, name: "", byHand: null, started: [], ...chosenBefore<Choices>(store) };
   let recipe: Recipe | null = null;
   let chosen = ""; // the last recipe without problems
   let of = ""; // which calibration the recipe is of
   let asked = 0;
   let taken: string[] = [];
+  let toShow = ""; // the test that was just started
 
   const wrong = objections();
   const kind = select(project.kinds.map((k) => [k.name, k.title]), (v) => {
@@ -94,8 +102,10 @@ export function benchView(rock: string, project: Project, changed: () => void): 
     attempt(wrong, async () => {
       if (choices.byHand === null) await load(); // what was chosen last
       if (choices.byHand === null && recipe && recipe.problems.length > 0) throw new Error("some values above are wrong; mend them first");
-      await ask("/api/test", { name: rock, test: testName(), toml: area.node.value });
-      change({ name: "" }, false);
+      const started = testName();
+      await ask("/api/test", { name: rock, test: started, toml: area.node.value });
+      change({ name: "", started: [...choices.started.filter((t) => t !== started), started] }, false);
+      toShow = started;
       changed();
     }), { class: "main" });
   const form = h(
@@ -136,7 +146,7 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   function change(some: Partial<Choices>, anew = true) {
     if (some.kind && choices.byHand !== null) some.byHand = set(choices.byHand, "test", "kind", quoted(some.kind));
     choices = { ...choices, ...some };
-    sessionStorage.setItem(store, JSON.stringify(choices));
+    keepChosen(store, choices);
     if (anew) void fetchRecipe();
     draw();
   }
@@ -191,13 +201,17 @@ export function benchView(rock: string, project: Project, changed: () => void): 
 
   function showTests(tests: LabTest[]) {
     for (const [known, view] of shownTests) if (!tests.some((t) => t.name === known) && shownTests.delete(known)) view.node.remove();
-    for (const t of tests) {
+    const order = (t: LabTest) => choices.started.indexOf(t.name);
+    for (const t of [...tests].sort((a, b) => order(a) - order(b))) {
       if (!shownTests.has(t.name)) {
         shownTests.set(t.name, testView(rock, t.name, changed));
-        done.append(shownTests.get(t.name)!.node);
+        done.prepend(shownTests.get(t.name)!.node); // the newest first
       }
       shownTests.get(t.name)!.show(t);
     }
+    if (!shownTests.has(toShow)) return;
+    shownTests.get(toShow)!.node.scrollIntoView({ block: "start" });
+    toShow = "";
   }
 
   arrange();
@@ -217,14 +231,19 @@ export function benchView(rock: string, project: Project, changed: () => void): 
   };
 }
 
+/** A number that is not to be trusted says so where it stands. */
+function value(s: Tested): Child {
+  const notes = (s.notes ?? []).join("; ");
+  const doubt = s.grade && s.grade !== "good" ? `, ${s.grade}` : "";
+  const [factor, name] = s.value != null && s.unit ? readable(s.value, s.unit) : [1, ""];
+  const number = s.value != null && s.unit ? `${(s.value * factor).toPrecision(4)} ${name}`.trim() : "–";
+  if (s.grade === "untrusted") return h("span", { class: "untrusted" }, `${number}${doubt}${notes && `: ${notes}`}`);
+  return h("span", {}, `${number}${doubt}`, notes && h("small", {}, notes));
+}
+
 function specimens(t: LabTest): Child {
   if (t.specimens.length === 0) return null;
-  const shown = (v?: number | null, unit?: string | null) => {
-    if (v == null || !unit) return "–";
-    const [factor, name] = readable(v, unit);
-    return `${(v * factor).toPrecision(4)} ${name}`.trim();
-  };
-  return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength ?? "–", shown(s.value, s.unit), s.status]));
+  return table(`Results of ${t.name}`, ["specimen", "θ [°]", "strength", "value", "outcome"], t.specimens.map((s) => [s.specimen, s.theta === null ? "–" : String(s.theta), s.strength ?? "–", value(s), s.status]), null, [3]);
 }
 
 function testState(t: LabTest): string {
@@ -241,18 +260,23 @@ function testView(rock: string, name: string, changed: () => void) {
   const log = h("pre", { tabindex: "0" });
   const output = fold("Output of the program", log);
   const files = fileFold();
-  const stop = button("Stop the test", () =>
+  const stop = stopper("Stop the test", wrong, async () => {
+    await ask("/api/stop", { name: rock, test: name });
+    changed();
+  });
+  const run = button(`Run ${name}`, () =>
     attempt(wrong, async () => {
-      await ask("/api/stop", { name: rock, test: name });
+      await ask("/api/test", { name: rock, test: name, toml: null }); // the recipe as it lies there
       changed();
     }),
   );
   return {
-    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, stop), wrong, results, rest, files.node, output),
+    node: h("article", { "aria-label": `Test ${name}` }, h("h3", {}, name), state, h("div", { class: "tools" }, run, ...stop.nodes), wrong, results, rest, files.node, output),
     show(t: LabTest) {
       const report = t.files.find((f) => f.endsWith("report.html"));
       keyed(state, [t.state, t.exit_code], () => [testState(t)]);
-      stop.hidden = t.state !== "running";
+      stop.show(t.state === "running");
+      run.hidden = !["new", "stopped"].includes(t.state);
       keyed(results, t.specimens, () => [specimens(t)]);
       keyed(rest, [report, t.command], () => [report ? h("p", {}, fileLink(report, `Open the report of ${name}`)) : null, command(t.command)]);
       files.show(t.files);

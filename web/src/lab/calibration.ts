@@ -1,19 +1,22 @@
 // A calibration: started, watched, stopped, gone on with, read.
 import { Child, fold, h } from "../dom";
 import { growing, narrowing } from "./charts";
-import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, ticked } from "./controls";
+import { argument, attempt, button, command, counted, field, fileFold, fileLink, input, keyed, objections, stopper, ticked } from "./controls";
+import { chosenBefore, keepChosen } from "./drafts";
 import { Figures } from "./figures";
 import { Calibrating, Progress, ask } from "./server";
 
 export interface CalibrationView {
   node: HTMLElement;
-  show(c: Calibrating, dirty: boolean): void;
+  show(c: Calibrating, dirty: boolean, gone: boolean): void; // gone: there are no files to read
 }
 
-const usual = 1000;
+interface Options {
+  most: string;
+  elastic: boolean;
+}
 
-/** The folder of the calibration after this one: rock-calibration-2. */
-const next = (folder: string) => folder.replace(/(?:-(\d+))?$/, (_, n?: string) => `-${Number(n ?? 1) + 1}`);
+const usual = "1000";
 
 /** Seconds as somebody would say them. */
 function duration(seconds: number): string {
@@ -27,7 +30,7 @@ function state(c: Calibrating): string {
     case "new":
       return "Not calibrated yet.";
     case "running":
-      return c.here ? "Running." : "Running, started elsewhere: it is stopped there.";
+      return c.here ? "Running." : "Running, started elsewhere.";
     case "stopped":
       return "Stopped; what is finished is kept.";
     case "failed":
@@ -51,9 +54,9 @@ function watch() {
       bar.hidden = !running;
       bar.max = Math.max(1, p.n_total);
       bar.value = p.n_done;
-      const left = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left`;
-      const tests = p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage, ` : "";
-      time.textContent = running ? `${tests}${duration(p.seconds)} so far, ${left}` : `It took ${duration(p.seconds)}.`;
+      const left = p.seconds_left === null ? "time left not known yet" : `about ${duration(p.seconds_left)} left for the calibration, by what has run so far`;
+      const tests = p.n_total > 0 ? `${p.n_done} of ${p.n_total} tests of this stage. ` : "";
+      time.textContent = running ? `${tests}${duration(p.seconds)} so far, ${left}.` : `It took ${duration(p.seconds)}.`;
       const now = running ? p.pressed : null;
       press.show(now ? [{ name: "In the press now", caption: [now.test.replaceAll("_", " "), now.specimen ?? (now.theta == null ? null : `θ = ${now.theta}°`)].filter(Boolean).join(", "), shown: now, draw: (width) => growing(now, width) }] : []);
       const some = p.parameters.filter((x) => x.steps.length > 0);
@@ -71,65 +74,80 @@ function verdict(c: Calibrating): Child[] {
   return [
     h("p", { class: good ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || c.verdict.status)),
     report ? h("p", {}, fileLink(report, "Open the report")) : null,
+    report ? command(`phyllite report ${argument(c.folder)}`) : null,
     c.verdict.summary.length > 0 && list(c.verdict.summary),
     c.verdict.findings.length > 0 && fold(counted(c.verdict.findings.length, "finding"), list(c.verdict.findings)),
   ];
 }
 
 /** `ready` saves what has to be saved; it throws where that cannot be. */
-export function calibrationView(rock: string, ready: () => Promise<void>, changed: () => void): CalibrationView {
+export function calibrationView(rock: string, folder: string, ready: () => Promise<void>, changed: () => void): CalibrationView {
   let now: Calibrating | null = null;
-  const most = input(() => describe(), { type: "number", min: "1", step: "1" });
-  most.value = String(usual);
+  const store = `phyllite calibration ${folder} ${rock}`;
+  const before = chosenBefore<Options>(store);
+  const choose = () => {
+    keepChosen(store, { most: most.value, elastic: elastic.checked });
+    describe();
+  };
+  const most = input(choose, { inputmode: "numeric" });
+  most.value = before.most ?? usual;
   const elastic = h("input", { type: "checkbox" });
-  elastic.addEventListener("change", () => describe());
+  elastic.checked = before.elastic ?? false;
+  elastic.addEventListener("change", choose);
+  const wrongMost = objections();
   const wrong = objections();
   const place = { state: h("p", { class: "state", role: "status" }), verdict: h("div"), command: h("div"), log: h("pre", { tabindex: "0" }) };
   const output = fold("Output of the program", place.log);
   const files = fileFold();
   const live = watch();
 
+  /** null: no whole number from 1. */
+  const mostTests = () => (/^\s*0*[1-9]\d{0,8}\s*$/.test(most.value) ? Number(most.value) : null);
+
   const begin = (how: { resume?: boolean; anew?: boolean }) =>
     attempt(wrong, async () => {
+      if (!how.resume && mostTests() === null) throw new Error("the largest number of tests is none; mend it first");
       await ready();
-      await ask("/api/calibrate", { name: rock, max_tests: Number(most.value) || usual, elastic: elastic.checked, resume: false, anew: false, ...how });
+      await ask("/api/calibrate", { name: rock, max_tests: mostTests() ?? Number(usual), elastic: elastic.checked, resume: false, anew: false, ...how });
       changed();
     });
   const start = button("Start calibration", () => begin({}), { class: "main" });
   const goOn = button("Go on", () => begin({ resume: true }), { class: "main" });
   const again = button("Calibrate anew", () => begin({ anew: true }));
-  const stop = button("Stop", () =>
-    attempt(wrong, async () => {
-      await ask("/api/stop", { name: rock, test: null });
-      changed();
-    }),
-  );
-  const options = h("div", { class: "fields" }, field("Largest number of tests", most), ticked("Moduli alone (elastic stage)", elastic));
+  const stop = stopper("Stop", wrong, async () => {
+    await ask("/api/stop", { name: rock, test: null });
+    changed();
+  });
+  const options = h("div", { class: "fields" }, h("div", {}, field("Largest number of tests", most), wrongMost), ticked("Moduli alone (elastic stage)", elastic));
 
   /** What the buttons would start; of what runs or ran, what it was. */
   function describe() {
+    const most_tests = mostTests();
+    wrongMost.textContent = most_tests === null ? "A whole number, 1 or more." : "";
+    most.setAttribute("aria-invalid", String(most_tests === null));
     if (!now) return;
-    const most_tests = Number(most.value) || usual;
     const begin = (folder: string) => `phyllite calibrate ${argument(`${rock}.toml`)} --out ${argument(folder)} --max-tests ${most_tests}${elastic.checked ? " --elastic" : ""}`;
     const lead = goOn.hidden ? "As a command: " : "To go on, as a command: ";
-    const commands = [[start.hidden ? now.command : begin(now.folder), lead]];
-    if (!again.hidden) commands.push([begin(next(now.folder)), "Anew, in another folder, as a command: "]);
-    keyed(place.command, commands, () => commands.map(([text, lead]) => command(text, lead)));
+    const commands: [string, string][] = [];
+    if (start.hidden) commands.push([now.command, lead]);
+    else if (most_tests !== null) commands.push([begin(now.folder), lead]);
+    if (!again.hidden && most_tests !== null) commands.push([begin(now.next), "Anew, in another folder, as a command: "]);
+    keyed(place.command, commands, () => commands.filter(([text]) => text).map(([text, lead]) => command(text, lead)));
   }
 
   return {
-    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, stop), wrong, place.command, live.node, files.node, output),
-    show(c, dirty) {
+    node: h("div", {}, place.state, place.verdict, options, h("div", { class: "tools" }, start, goOn, again, ...stop.nodes), wrong, place.command, live.node, files.node, output),
+    show(c, dirty, gone) {
       now = c;
       const running = c.state === "running";
       keyed(place.state, [c.state, c.here, c.exit_code], () => [state(c)]);
-      options.hidden = running;
+      options.hidden = running || gone;
       const begun = c.command.includes(" --resume"); // a start that failed at once has left nothing
-      start.hidden = !(c.state === "new" || (c.state === "failed" && !begun));
+      start.hidden = gone || !(c.state === "new" || (c.state === "failed" && !begun));
       start.textContent = dirty ? "Save and start calibration" : "Start calibration";
-      goOn.hidden = !(c.state === "stopped" || (c.state === "failed" && begun));
-      again.hidden = running || !start.hidden;
-      stop.hidden = !running || !c.here;
+      goOn.hidden = gone || !(c.state === "stopped" || (c.state === "failed" && begun));
+      again.hidden = gone || running || !start.hidden;
+      stop.show(running);
       describe();
       live.node.hidden = c.progress === null;
       if (c.progress) live.show(c.progress, running);

@@ -55,6 +55,34 @@ export async function attempt(place: HTMLElement, act: () => Promise<unknown>) {
   }
 }
 
+/** A button that stops what runs: the end takes a moment, for what is finished is kept. */
+export function stopper(text: string, wrong: HTMLElement, act: () => Promise<unknown>): { nodes: Node[]; show(running: boolean): void } {
+  const word = h("span", { class: "muted", role: "status" });
+  const say = (stopping: boolean) => {
+    b.disabled = stopping;
+    word.textContent = stopping ? "Stopping; what is finished is kept." : "";
+  };
+  const b = button(
+    text,
+    () =>
+      attempt(wrong, async () => {
+        say(true);
+        await act().catch((error) => {
+          say(false);
+          throw error;
+        });
+      }),
+    { title: "as Ctrl-C in a terminal" },
+  );
+  return {
+    nodes: [b, word],
+    show(running) {
+      b.hidden = !running;
+      if (!running) say(false);
+    },
+  };
+}
+
 /** Where attempt() speaks. */
 export const objections = () => h("p", { class: "objection", role: "alert" });
 

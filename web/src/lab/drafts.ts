@@ -25,6 +25,23 @@ export function keep(folder: string, rock: string, d: Draft | null) {
   }
 }
 
+/** Choices of a form, as they were made last. */
+export function chosenBefore<T>(key: string): Partial<T> {
+  try {
+    return JSON.parse(localStorage.getItem(key) ?? "{}") as Partial<T>;
+  } catch {
+    return {};
+  }
+}
+
+export function keepChosen(key: string, choices: unknown) {
+  try {
+    localStorage.setItem(key, JSON.stringify(choices));
+  } catch {
+    // A browser that keeps nothing: a reload begins afresh.
+  }
+}
+
 /** Another tab has changed the draft of a rock; `open` says which one is shown. */
 export function onDraft(open: () => [string, string] | null, act: () => void) {
   addEventListener("storage", (e) => {

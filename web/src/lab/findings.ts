@@ -4,7 +4,7 @@ import { scales } from "../units";
 import { measured } from "./charts";
 import { argument, command, counted, keyed } from "./controls";
 import { Figures } from "./figures";
-import { Checked, Target } from "./server";
+import { Checked, Target, isUnbedded } from "./server";
 
 export interface FindingsView {
   node: HTMLElement;
@@ -17,12 +17,15 @@ const title = (t: Target) => (scales[t.property]?.[1] ?? t.property) + (t.confin
 
 const list = (items: string[] | null | undefined, style = ""): Child => (items && items.length > 0 ? h("ul", { class: `findings ${style}` }, ...items.map((s) => h("li", {}, s))) : null);
 
-function numbers(targets: Target[]): HTMLElement {
+const assumed = "bars: 95 % of the mean; where one specimen was tested its scatter is assumed";
+
+/** `angles`: rocks without layers have none. */
+function numbers(targets: Target[], angles: boolean): HTMLElement {
   const shown = (t: Target, v: number | null) => (v === null ? "–" : (v * (scales[t.property]?.[0] ?? 1)).toPrecision(4));
   return table(
     "Means of the laboratory",
-    ["property", "θ [°]", "mean", "± SD", "specimens", "95 % of the mean"],
-    targets.map((t) => [title(t), String(t.theta), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
+    ["property", ...(angles ? ["θ [°]"] : []), "mean", "± SD", "specimens", "95 % of the mean"],
+    targets.map((t) => [title(t), ...(angles ? [String(t.theta)] : []), shown(t, t.mean), shown(t, t.sd), String(t.n), `${shown(t, t.low)} … ${shown(t, t.high)}`]),
   );
 }
 
@@ -44,37 +47,40 @@ export function findingsView(rock: string): FindingsView {
   const busy = h("span", { class: "muted" }); // not read aloud at every key
   const forecast = h("div");
   const charts = new Figures("grid small");
-  const legend = h(
-    "ul",
-    { class: "legend" },
-    h("li", {}, h("span", { "aria-hidden": "true" }, "◇"), "laboratory, mean and its 95 %"),
-    h("li", {}, h("span", { "aria-hidden": "true" }, "•"), "specimens"),
-    h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "theory"),
-  );
+  const legend = {
+    mean: h("li", {}, h("span", { "aria-hidden": "true" }, "◇"), "laboratory, mean and its 95 %"),
+    specimens: h("li", {}, h("span", { "aria-hidden": "true" }, "•"), "specimens"),
+    theory: h("li", {}, h("i", { class: "line", style: "border-color:var(--theory)" }), "theory"),
+  };
   const words = h("div");
   return {
-    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), forecast, charts.node, legend, words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
+    node: h("div", {}, h("p", { class: "state" }, state, " ", busy), forecast, charts.node, h("ul", { class: "legend" }, ...Object.values(legend)), words, command(`phyllite rock check ${argument(`${rock}.toml`)}`)),
     busy: (words) => (busy.textContent = words),
     show(checked, says) {
       busy.textContent = "";
       state.textContent = says;
       const targets = checked.targets ?? [];
+      const bedded = !isUnbedded(checked);
+      const drawn = bedded ? targets : [];
       charts.show(
-        [...new Set(targets.map(title))].map((name) => {
-          const of = targets.filter((t) => title(t) === name);
+        [...new Set(drawn.map(title))].map((name) => {
+          const of = drawn.filter((t) => title(t) === name);
           const curve = checked.theory?.[of[0].property];
           const [factor] = scales[of[0].property] ?? [1];
-          return { name, shown: [of, curve], caption: curve?.note, draw: (width) => measured(of, curve, factor, width) };
+          return { name, shown: [of, curve], caption: [curve?.note, of.some((t) => t.sd_assumed) && assumed].filter(Boolean).join("; "), draw: (width) => measured(of, curve, factor, width) };
         }),
       );
-      legend.hidden = targets.length === 0;
+      legend.mean.hidden = drawn.length === 0;
+      legend.specimens.hidden = !drawn.some((t) => (t.specimens ?? []).length > 0);
+      legend.theory.hidden = !drawn.some((t) => (checked.theory?.[t.property]?.theta ?? []).length > 0);
       keyed(forecast, checked.forecast, () => [checked.forecast && h("p", { class: "notice verdict" }, checked.forecast)]);
       keyed(words, checked, () => [
+        !bedded && targets.length > 0 && numbers(targets, false),
         list(checked.says),
         checked.parameters && checked.parameters.length > 0 && h("h3", {}, "What the data determine"),
         determined(checked),
         checked.advice && checked.advice.length > 0 && fold(counted(checked.advice.length, "remark"), list(checked.advice)),
-        targets.length > 0 && fold("Means of the table", numbers(targets)),
+        bedded && targets.length > 0 && fold("Means of the table", numbers(targets, true)),
         checked.notes.length > 0 && h("h3", {}, "How the files were understood"),
         list(checked.notes, "muted"),
       ]);

@@ -7,7 +7,7 @@ import { draft, onDraft } from "./drafts";
 import { findingsView } from "./findings";
 import { Rock } from "./rock";
 import { rockFileView } from "./rockfile";
-import { Checked, Gone, Project, Refused, RockAnswer, ask, onConnection } from "./server";
+import { Checked, Gone, Project, Refused, RockAnswer, ask, askProject, onConnection } from "./server";
 import { tableView } from "./table";
 
 const main = document.getElementById("main")!;
@@ -59,7 +59,7 @@ function listRocks() {
 
 function newRock(): HTMLElement {
   const asked = h("div");
-  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())} --data ${argument(`${typed.trim()}.csv`)}`)]), { required: "" });
+  const name = input((typed) => keyed(asked, typed, () => [typed.trim() !== "" && command(`phyllite rock new ${argument(typed.trim())}`)]), { required: "" });
   const wrong = objections();
   const form = h("form", {}, field("Name of the new rock", name), h("button", { type: "submit" }, "New rock"));
   form.addEventListener("submit", (e) => {
@@ -70,7 +70,7 @@ function newRock(): HTMLElement {
       const { table, toml, stamp } = await ask<RockAnswer>(rockAddress(wanted)); // as the program would begin it
       await ask("/api/save", { name: wanted, table, toml, stamp });
       name.value = "";
-      project = await ask<Project>("/api/project");
+      project = await askProject();
       await openRock(wanted);
       main.querySelector<HTMLInputElement>(".sheet tr.header input")?.focus();
     });
@@ -89,7 +89,7 @@ function layOut(answer: RockAnswer) {
   const table = tableView(project, (t, step) => rock.edit({ table: t }, step), () => rock.undo());
   const rockFile = rockFileView(project, (t, step) => rock.edit({ toml: t }, step));
   const findings = findingsView(name);
-  const calibration = calibrationView(name, ready, refresh);
+  const calibration = calibrationView(name, project.folder, ready, refresh);
   const bench = benchView(name, project, refresh);
   const conflict = h("div");
   const wrong = objections();
@@ -117,12 +117,15 @@ function layOut(answer: RockAnswer) {
     keyed(state, rock.dirty, () => [h("span", { class: rock.dirty ? "unsaved" : "muted" }, rock.dirty ? `${name}: not saved` : `${name}: saved`)]);
     save.disabled = !rock.dirty;
     back.disabled = !rock.canUndo;
-    discard.hidden = !rock.dirty;
-    calibration.show(answer.calibration, rock.dirty);
-    keyed(conflict, rock.theirs, () => (rock.theirs ? [choose()] : []));
+    discard.hidden = !rock.dirty || rock.gone;
+    save.title = `writes ${name}.toml${rock.text.table === null ? "" : `, ${answer.table_file}`}`;
+    calibration.show(answer.calibration, rock.dirty, rock.gone);
+    keyed(conflict, [rock.theirs, rock.gone], () => (rock.gone ? [gone()] : rock.theirs ? [choose()] : []));
     schedule();
     listRocks();
   }
+
+  const gone = () => h("p", { class: "notice", role: "alert" }, "The files of this rock are gone; Save writes them again.");
 
   /** Somebody else has changed the files. */
   function choose(): HTMLElement {
@@ -132,13 +135,13 @@ function layOut(answer: RockAnswer) {
       { class: "notice", "aria-label": "The files have been changed" },
       h("h2", {}, "The files have been changed elsewhere"),
       h("p", {}, `${answer.table_file} or ${name}.toml is another than the one that this page began with. Below is the file as it is now; what is typed here stands further down.`),
-      h("div", { class: "theirs" }, h("div", {}, h("h3", {}, answer.table_file), h("pre", { tabindex: "0" }, theirs.table ?? "no text")), h("div", {}, h("h3", {}, `${name}.toml`), h("pre", { tabindex: "0" }, theirs.toml))),
+      h("div", { class: "theirs" }, h("div", {}, h("h3", {}, answer.table_file), h("pre", { tabindex: "0" }, theirs.table ?? "is edited in its own program")), h("div", {}, h("h3", {}, `${name}.toml`), h("pre", { tabindex: "0" }, theirs.toml))),
       h("div", { class: "tools" }, button("Keep mine", () => void attempt(wrong, () => rock.keepMine())), button("Take the file’s", () => rock.discard())),
     );
   }
 
   function schedule() {
-    const now = JSON.stringify(rock.text);
+    const now = JSON.stringify([rock.text, rock.text.table === null && answer.stamp]); // a workbook changes under the page
     if (now === last) return;
     last = now;
     clearTimeout(timer);
@@ -155,7 +158,7 @@ function layOut(answer: RockAnswer) {
       table.mark(checked);
       rockFile.mark(checked);
       const n = checked.problems.length;
-      findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend, said beside the cells and lines.`);
+      findings.show(checked, n === 0 ? "No problems in the table and the rock file." : `${counted(n, "problem")} to mend${rock.text.table === null ? "" : ", said beside the cells and lines"}.`);
     } catch (error) {
       if (mine === asked) findings.busy(`Not checked: ${(error as Error).message}.`);
     }
@@ -177,7 +180,7 @@ function layOut(answer: RockAnswer) {
   function meet(next: RockAnswer) {
     answer = next;
     rock.meet(next);
-    calibration.show(next.calibration, rock.dirty);
+    calibration.show(next.calibration, rock.dirty, rock.gone);
     bench.show(next);
     if (open) open.running = next.calibration.state === "running" || next.tests.some((t) => t.state === "running");
   }
@@ -210,7 +213,7 @@ async function look() {
       const answer = await ask<RockAnswer>(rockAddress(name));
       if (open?.rock.name === name) open.meet(answer);
     }
-    if (!open?.running || turn % 4 === 0) project = await ask<Project>("/api/project");
+    if (!open?.running || turn % 4 === 0) project = await askProject();
     stranger.hidden = trouble.hidden = true;
     listRocks();
   } catch (error) {
@@ -251,7 +254,7 @@ onDraft(
 async function start() {
   theme(() => {}, localStorage);
   try {
-    project = await ask<Project>("/api/project");
+    project = await askProject();
   } catch (error) {
     stranger.hidden = error instanceof Gone;
     if (error instanceof Gone) setTimeout(() => location.reload(), 3000);
@@ -262,7 +265,7 @@ async function start() {
   main.append(section("rocks", "Rocks", folder, rockList, opening, newRock()), place);
   listRocks();
   const wanted = sessionStorage.getItem(openKey) ?? (project.rocks.length === 1 ? project.rocks[0].name : null);
-  if (wanted && project.rocks.some((r) => r.name === wanted)) await attempt(opening, () => openRock(wanted));
+  if (wanted && (project.rocks.some((r) => r.name === wanted) || draft(project.folder, wanted))) await attempt(opening, () => openRock(wanted));
   document.documentElement.dataset.ready = "true";
   void watch();
 }

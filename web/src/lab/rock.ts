@@ -11,6 +11,7 @@ export class Rock {
   readonly name: string;
   text: Files;
   theirs: OnDisk | null = null; // the files, where somebody else has changed them since
+  gone: boolean; // its files have been deleted
   private disk: OnDisk;
   private past: { text: Files; step: string }[] = [];
 
@@ -21,12 +22,13 @@ export class Rock {
     private readonly changed: () => void,
   ) {
     this.name = answer.name;
+    this.gone = !answer.exists;
     this.disk = only(answer);
     this.text = { table: answer.table, toml: answer.toml };
   }
 
   get dirty() {
-    return !same(this.text, this.disk);
+    return this.gone || !same(this.text, this.disk);
   }
   get canUndo() {
     return this.past.length > 0;
@@ -62,6 +64,7 @@ export class Rock {
       const { stamp } = await ask<{ stamp: string }>("/api/save", { name: this.name, ...text, stamp: this.disk.stamp });
       this.disk = { ...text, stamp };
       this.theirs = null;
+      this.gone = false;
     } catch (error) {
       if (!(error instanceof Refused) || error.status !== 409 || error.body.toml === undefined) throw error;
       this.meet(error.body as OnDisk);
@@ -77,7 +80,8 @@ export class Rock {
   }
 
   /** The files as they are now. */
-  meet(files: OnDisk) {
+  meet(files: OnDisk & { exists?: boolean }) {
+    if (files.exists === false) return this.lose(files);
     if (files.stamp === this.disk.stamp) {
       if (!this.theirs) return;
       this.theirs = null;
@@ -86,18 +90,31 @@ export class Rock {
     const mine = this.dirty && !same(this.text, files);
     if (mine && this.theirs?.stamp === files.stamp) return;
     this.theirs = mine ? only(files) : null;
+    this.gone = false;
     if (!mine) {
+      this.past = []; // a step back would throw away what has been written elsewhere
       this.disk = only(files);
       this.text = { table: files.table, toml: files.toml };
     }
     this.settle();
   }
 
+  /** Deleted: what is shown is all that is left of them. */
+  private lose(files: OnDisk) {
+    if (this.gone && files.stamp === this.disk.stamp) return;
+    this.gone = true;
+    this.theirs = null;
+    this.disk = only(files);
+    this.settle();
+  }
+
   /** What another tab, or this one before a reload, has typed. */
   takeDraft() {
     const kept = draft(this.folder, this.name);
+    if (!kept && this.gone) return; // saved again: meet() says so
     const next = kept ?? this.disk; // none: saved or thrown away
     if (same(next, this.text)) return;
+    this.past = []; // a step back would throw away what the other tab has typed
     this.text = { table: next.table, toml: next.toml };
     if (kept && kept.stamp !== this.disk.stamp) {
       this.theirs = this.disk;

@@ -1,14 +1,16 @@
 // The rock file: what is asked for most by choosing, all of it as text. A choice changes its line of the text.
 import { Child, h } from "../dom";
 import { field, input, keyed, select, textArea } from "./controls";
-import { Checked, Project } from "./server";
+import { Checked, Project, isUnbedded } from "./server";
 import { problemItem } from "./table";
-import { get, quoted, set } from "./toml";
+import { get, isElsewhere, quoted, set } from "./toml";
 
 interface Entry {
   table: string;
   key: string;
   node: HTMLInputElement | HTMLSelectElement;
+  place: HTMLElement;
+  hint: HTMLElement;
 }
 
 export interface RockFileView {
@@ -23,20 +25,27 @@ const sizes: [string, string, string][] = [
   ["bedding", "spacing", "Distance of the layers"],
 ];
 
+/** Means nothing to a rock without layers. */
+const ofLayers = (e: Entry) => e.key === "layers" || e.table === "bedding";
+
 export function rockFileView(project: Project, edit: (toml: string, step: string) => void): RockFileView {
   let text = "";
   const entries: Entry[] = [];
   const change = (table: string, key: string, value: string) => edit(set(text, table, key, value === "" ? null : quoted(value)), `rock file ${table}.${key}`);
+  const entered = (table: string, key: string, node: Entry["node"], label: string): HTMLElement => {
+    const hint = h("span");
+    const place = field(label, node, hint);
+    entries.push({ table, key, node, place, hint });
+    return place;
+  };
   const chosen = (key: "E_is" | "layers" | "matrix", label: string): HTMLElement => {
     const options = project.choices[key];
     const node = select([["", `not said (${options[0]})`], ...options.map((o): [string, string] => [o, o])], (v) => change("", key, v));
-    entries.push({ table: "", key, node });
-    return field(label, node);
+    return entered("", key, node, label);
   };
   const sized = ([table, key, label]: (typeof sizes)[number]): HTMLElement => {
     const node = input((v) => change(table, key, v.trim()), { placeholder: "not said" });
-    entries.push({ table, key, node });
-    return field(label, node);
+    return entered(table, key, node, label);
   };
   const area = textArea((t) => edit(t, "typing the rock file"), { id: "rock-text", "aria-describedby": "rock-problems" });
   const label = h("label", { for: "rock-text" }, "Rock file as text");
@@ -49,10 +58,16 @@ export function rockFileView(project: Project, edit: (toml: string, step: string
       text = toml;
       area.set(toml);
       name.textContent = file;
+      for (const e of entries) {
+        e.node.disabled = e.table !== "" && isElsewhere(toml, e.table);
+        e.hint.textContent = e.node.disabled ? "set in the text" : "";
+      }
       for (const e of entries) if (e.node !== document.activeElement || e.node instanceof HTMLSelectElement) fit(e.node, get(toml, e.table, e.key));
     },
     mark(checked) {
       const all = checked?.problems.filter((p) => p.where === "rock") ?? [];
+      const layered = !checked || !isUnbedded(checked);
+      for (const e of entries) e.place.hidden = ofLayers(e) && !layered && get(text, e.table, e.key) === "";
       area.node.setAttribute("aria-invalid", String(all.length > 0));
       keyed(problems, all, () => all.map((p) => problemItem(p, area.goTo)));
     },

@@ -14,6 +14,7 @@ export interface Project {
   version: string;
   folder: string;
   threads: number;
+  file_token: string; // in the addresses of files
   choices: Record<"E_is" | "layers" | "matrix", string[]>; // the first is the default
   columns: (string | [string, string])[]; // names that a table may have, some with a word on them
   rocks: { name: string; state: State; verdict: string | null }[];
@@ -70,20 +71,34 @@ export interface Run {
 
 export interface Calibrating extends Run {
   folder: string;
+  next: string; // the folder that "Calibrate anew" writes into
   here: boolean; // started by this program
   progress: Progress | null;
   verdict: { status: string; sentence: string; summary: string[]; findings: string[] } | null;
 }
 
+/** A specimen of a test. */
+export interface Tested {
+  specimen: string;
+  theta: number | null;
+  status: string;
+  strength?: string;
+  value?: number | null;
+  unit?: string | null;
+  grade?: "good" | "warning" | "untrusted";
+  notes?: string[];
+}
+
 export interface LabTest extends Run {
   name: string;
-  specimens: { specimen: string; theta: number | null; status: string; strength?: string; value?: number | null; unit?: string | null }[];
+  specimens: Tested[];
 }
 
 export interface RockAnswer extends Files {
   name: string;
   table_file: string;
   stamp: string; // of both files as they lie on disk
+  exists: boolean; // else they are what the program would begin with
   calibration: Calibrating;
   tests: LabTest[];
 }
@@ -100,6 +115,7 @@ export interface Target {
   theta: number;
   mean: number;
   sd: number | null;
+  sd_assumed?: boolean; // one specimen alone
   n: number;
   low: number; // 95 % of the mean
   high: number;
@@ -125,6 +141,9 @@ export interface Checked {
   advice: string[] | null;
   forecast: string | null;
 }
+
+/** A rock without layers: nothing of it is said over an angle. */
+export const isUnbedded = (checked: Checked) => checked.notes.some((n) => n.includes("a rock without bedding"));
 
 /** The program has said no; its words are for the user. */
 export class Refused extends Error {
@@ -166,5 +185,13 @@ export async function ask<T>(path: string, body?: unknown): Promise<T> {
   return content as T;
 }
 
+let fileToken = ""; // it opens files and nothing else: an address with it may be seen by a report
+
+export async function askProject(): Promise<Project> {
+  const project = await ask<Project>("/api/project");
+  fileToken = project.file_token;
+  return project;
+}
+
 /** Address of a file of the folder. */
-export const fileAddress = (path: string) => `/files/${path.split("/").map(encodeURIComponent).join("/")}?token=${encodeURIComponent(token)}`;
+export const fileAddress = (path: string) => `/files/${path.split("/").map(encodeURIComponent).join("/")}?token=${encodeURIComponent(fileToken)}`;

@@ -42,7 +42,8 @@ export function tableView(project: Project, edit: (table: string, step: string) 
   const files = h("div");
   const names = fold("Names that a column may have", h("dl", {}, ...columns.flatMap(([name, word]) => [h("dt", {}, name), h("dd", {}, word ?? "")])));
   const workbook = h("p", { class: "warning" });
-  const editor = h("div", {}, h("div", { class: "tools" }, toggle, tools), problems, place);
+  const pasting = h("p", { class: "muted" }, "Copy the table in Excel, click the first heading and paste. One row per specimen, or per angle with SD and number; the unit stands in the heading. Enter and arrow keys move, Esc leaves the cells.");
+  const buttons = h("div", { class: "tools" }, toggle, tools);
   const textField = h("div", { class: "field" }, h("label", { for: "table-text" }, "Table as text"), area.node);
 
   function draw() {
@@ -55,17 +56,20 @@ export function tableView(project: Project, edit: (table: string, step: string) 
 
   function say() {
     grid.mark(found);
-    const listed = asText ? found : found.filter((p) => p.line === null);
-    keyed(problems, [listed, asText], () => listed.map((p) => problemItem(p, asText ? area.goTo : null)));
+    const listed = asText || text === null ? found : found.filter((p) => p.line === null);
+    const goTo = asText && text !== null ? area.goTo : null;
+    keyed(problems, [listed, goTo !== null], () => listed.map((p) => problemItem(p, goTo)));
   }
 
   return {
     node: h(
       "div",
       {},
-      h("p", { class: "muted" }, "Copy the table in Excel, click the first heading and paste. One row per specimen, or per angle with SD and number; the unit stands in the heading. Enter and arrow keys move, Esc leaves the cells."),
+      pasting,
       workbook,
-      editor,
+      buttons,
+      problems,
+      place,
       files,
       names,
       h("datalist", { id: "column-names" }, ...columns.map(([name]) => h("option", { value: name }))),
@@ -73,8 +77,8 @@ export function tableView(project: Project, edit: (table: string, step: string) 
     show(next, file) {
       text = next;
       workbook.hidden = next !== null;
-      workbook.textContent = `${file} is no text: change it in its own program, and it is read again here.`;
-      editor.hidden = next === null;
+      workbook.textContent = `${file} is edited in its own program: a workbook, a file outside this folder, or too large. The page reads it again when it changes.`;
+      for (const n of [pasting, buttons, place]) n.hidden = next === null;
       keyed(files, file, () => [h("p", { class: "muted" }, "The file: ", h("code", {}, file))]);
       draw();
     },

@@ -27,6 +27,15 @@ export function get(text: string, table: string, key: string): string {
   return found.startsWith('"') ? unquoted(found) : found.replace(/^'(.*)'$/, "$1");
 }
 
+/** Whether a table is said in another form than under its own [head]: as specimen.width = ..., specimen = { ... }. */
+export function isElsewhere(text: string, table: string): boolean {
+  const lines = text.split("\n");
+  const [first, end] = extent(lines, "")!;
+  const key = new RegExp(`^\\s*(["']?)${table}\\1\\s*[.=]`);
+  const head = new RegExp(`^\\s*(["'])${table}\\1\\s*$`);
+  return lines.slice(first, end).some((l) => key.test(l)) || lines.some((l) => head.test(isTable(l) ?? ""));
+}
+
 function unquoted(text: string): string {
   try {
     return JSON.parse(text) as string;
