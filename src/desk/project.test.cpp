@@ -112,6 +112,7 @@ TEST_F(ProjectTest, ServesFilesOfTheFolderAlone) {
   fs::create_symlink(".secret/x.txt", "public.txt");
   EXPECT_THROW(check_inside("etc/x"), InputError);
   EXPECT_NO_THROW(check_inside("results/new/x"));
+  EXPECT_NO_THROW(check_inside("not-there"));
   EXPECT_TRUE(served_file("results/report.html"));
   for (const char* path : {"../passwd", "results/../results/report.html", "/etc/passwd", "link.txt",
                            "public.txt", "etc/passwd", ".hidden", "results", "results/", "", "nothing.txt",
