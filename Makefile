@@ -4,7 +4,7 @@
 # make install  program, manual pages, completion, documents: PREFIX=/usr/local, DESTDIR=
 # make package  a Debian package                          make package-check  install, try and remove it on a bare Debian 12
 # make docs     the documents as a searchable site, build/site
-# make web      bundle report.html anew                       make browser look at report.html in Chromium
+# make web      bundle the pages anew                         make browser look at them in Chromium
 # make fuzz     every reader under libFuzzer                  make bench   measure the speed of the press
 # make sanitize tests under the sanitizers                    make coverage  lines that the tests run, room by room
 # make tidy     clang-tidy                                    make clang   build all with clang, warnings are errors
@@ -213,11 +213,11 @@ docs: deps-docs build
 	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
 	@echo "docs: build/site/index.html, for any browser, without a network"
 
-# The page of report.html, bundled from web/src into web/report.html (which is committed: building needs no node).
+# The pages of report.html and of phyllite lab, bundled from web/src (web/report.html and web/lab.html are committed: building needs no node).
 web:
 	@cd web && npm ci --silent --no-audit --no-fund && npx tsc --noEmit && node build.mjs
 
-# The report in Debian's Chromium; needs node and chromium beside `make deps`.
+# Both pages in Debian's Chromium; need node and chromium beside `make deps`.
 browser: build web
 	@PHYLLITE=$(BUILD)/phyllite node --test tests/browser/
 
