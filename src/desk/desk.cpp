@@ -58,11 +58,6 @@ std::string path_in(const std::string& folder, const std::string& name) {
 
 std::string log_of(const std::string& folder) { return folder + ".log"; }
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
-
 /// The text of a file, or nothing.
 std::string content(const std::string& file) {
   try {
@@ -261,9 +256,10 @@ Json Desk::calibration(const std::string& name) {
   const pid_t process = process_in(folder);
   const int code = exit_code(folder);
   const bool here = process != 0 && children_.contains(folder) && children_[folder]->running();
-  // without a process "running" was killed; specimens for the report may be missing though all else is there
+  // without a process "running" was killed; the report may be missing though all else is there
+  const bool whole = told.is_null() || told == "finished";
   const std::string state = process != 0                             ? "running"
-                            : finished && told != "stopped"          ? "finished"
+                            : finished && whole                      ? "finished"
                             : told == "stopped" || told == "running" ? "stopped"
                             : code >= 2 || told == "failed"          ? "failed"
                             : earlier                                ? "stopped"
@@ -379,8 +375,9 @@ Json Desk::stop(const Json& asked) {
   const auto child = children_.find(folder);
   if (child != children_.end() && child->second->running())
     child->second->interrupt();
-  else if (const pid_t process = jobs::working_in(folder); process == 0 || kill(process, SIGTERM) != 0)
-    throw InputError(Problem{"", folder, "", "something that runs, and that you may stop", ""});
+  else if (const pid_t process = jobs::working_in(folder); process <= 0 || kill(process, SIGTERM) != 0)
+    throw InputError(
+        Problem{"", folder, "", "something that runs on this machine, and that you may stop", ""});
   return Json::object();
 }
 

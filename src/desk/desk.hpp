@@ -33,7 +33,7 @@ class Desk {
   Desk(int threads, std::string file_token) : threads_(threads), file_token_(std::move(file_token)) {}
   /// From any thread.
   Response answer(const Request& request);
-  /// What is running, as commands that go on with it.
+  /// Folders in which something writes that was started here.
   std::vector<std::string> running();
 
  private:
@@ -53,7 +53,7 @@ class Desk {
   Json run_test(const Json& asked);
   Response saved(const Json& asked);
   Json start(const std::vector<std::string>& words, const std::string& folder);
-  /// The process that works in a folder, started here or elsewhere; 0: none.
+  /// The process that works in a folder, started here or elsewhere, as jobs::working_in().
   pid_t process_in(const std::string& folder);
   int exit_code(const std::string& folder);
 };

@@ -42,11 +42,6 @@ std::optional<std::string> text_of(const std::string& file) {
   return text;
 }
 
-bool exists(const std::string& path) {
-  std::error_code error;
-  return fs::exists(path, error);
-}
-
 std::string stamp_of(const std::string& toml, const std::string& table) {
   Hash hash;
   hash.add(std::string_view(toml)), hash.add(std::string_view(table));
@@ -74,6 +69,11 @@ bool is_table_name(const std::string& name) {
 std::string toml_file(const std::string& name) { return name + ".toml"; }
 
 }  // namespace
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
 
 void check_name(const std::string& name) {
   const bool good = !name.empty() && name.size() <= longest_name && is_plain(name) &&

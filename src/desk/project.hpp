@@ -27,6 +27,9 @@ struct Changed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// False also where nobody can say.
+bool exists(const std::string& path);
+
 /// Throws InputError unless a rock or a test may have this name, which becomes part of file names.
 void check_name(const std::string& name);
 

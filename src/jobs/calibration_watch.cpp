@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/check.hpp"
 #include "base/clock.hpp"
-#include "io/file.hpp"
 #include "records/specimen_record.hpp"
 
 namespace phy::jobs {
@@ -110,10 +109,11 @@ std::string CalibrationWatch::text() const {
 
 void CalibrationWatch::write_now() {
   written_ = Clock::now();
-  try {
-    io::write_file(file_, text());
-  } catch (const IoError&) {  // a full disk is told by what matters
-  }
+  // Not synced to the disk, as results are: the workers wait meanwhile. A full disk is told by what matters.
+  const std::string part = file_ + ".part";
+  std::ofstream(part) << text();
+  std::error_code ignored;
+  std::filesystem::rename(part, file_, ignored);
 }
 
 void CalibrationWatch::write_soon() {

@@ -1,7 +1,6 @@
 #include "jobs/folder_lock.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,7 +31,7 @@ FolderLock::FolderLock(const std::string& folder)
     return;
   ::close(descriptor_);
   throw InputError(Problem{"command line", "--out", folder, "a folder in which no other process works",
-                           fmt::format("process {} does: wait for its end, or stop it", working_in(folder))});
+                           "another does: wait for its end, or stop it"});
 }
 
 FolderLock::~FolderLock() {

@@ -21,7 +21,7 @@ class FolderLock {
   int descriptor_;
 };
 
-/// The process that works in a folder; 0: none.
+/// The process that works in a folder; 0: none; below 0: one of another machine.
 pid_t working_in(const std::string& folder);
 
 }  // namespace phy::jobs

@@ -206,7 +206,7 @@ TEST_F(Lab, ACalibrationOfATerminalIsSeenStoppedAndNotDisturbed) {
   EXPECT_EQ(calibration()["here"], false);
   EXPECT_EQ(post("/api/calibrate", {{"name", "shale"}, {"resume", true}}).status, 400);
   EXPECT_EQ(run_line("cd " + home + " && " + calibrate + " --resume"), 2);
-  EXPECT_THAT(output, HasSubstr("process"));
+  EXPECT_THAT(output, HasSubstr("no other process"));
   done("/api/stop", {{"name", "shale"}});
   terminal.join();
   EXPECT_EQ(calibration()["state"], "stopped");
