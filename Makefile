@@ -24,7 +24,7 @@ MORE += $(SITE)
 PYTHON := pybind11-dev python3-dev python3-numpy python3-venv
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps deps-all deps-docs build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize asan sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
+.PHONY: deps deps-all deps-docs build program install package package-check deps-package python demo demo-press test soak deps-soak bench paper evidence reliability maps bench-peers mpi yade clang-hash fuzz sanitize asan tsan sanitize-short coverage clang deps-clang deps-coverage lint tidy record docs web browser clean
 
 deps:
 	@missing=""; for p in $(PACKAGES); do \
@@ -150,9 +150,9 @@ mpi:
 	@ctest --test-dir build/mpi --output-on-failure -L mpi
 
 # The same bits by another compiler.
-clang-hash:
-	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS) --target phyllite
-	build/clang/phyllite verify --hash
+clang-hash: deps-clang
+	@cmake --preset clang >/dev/null && cmake --build build/clang -j $(JOBS) --target one_hash
+	build/clang/one_hash --gtest_filter='GoldenHashes.*'
 
 lint:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format --dry-run -Werror
@@ -172,10 +172,12 @@ fuzz: deps-clang
 
 # All tests of `make test` under address and undefined, then under thread those of the rooms that start threads. The
 # library that counts events is loaded before the sanitizer's, which is meant.
-THREADED := test_base|test_statics|test_study|test_calibrate|test_x_determinism
+THREADED := test_base test_statics test_study test_calibrate test_desk test_x_determinism
 sanitize: asan
-	@cmake --preset tsan >/dev/null && cmake --build build/tsan -j $(JOBS)
-	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '$(THREADED)'
+	@$(MAKE) --no-print-directory tsan
+tsan: deps
+	@cmake --preset tsan >/dev/null && cmake --build build/tsan -j $(JOBS) --target $(THREADED)
+	@ctest --test-dir build/tsan --output-on-failure -j $(JOBS) -R '^($(subst $() ,|,$(THREADED)))$$'
 
 asan: deps
 	@cmake --preset asan >/dev/null && cmake --build build/asan -j $(JOBS)

@@ -13,9 +13,10 @@ AT_LEAST = {room: 90.0 for room in ("base", "laws", "contact", "theory", "analys
 def main():
     build = sys.argv[1]
     report = f"{build}/coverage.json"
-    # Lines that only the tests have, and the branches that exceptions add, say nothing of the program.
+    # Lines that only the tests have, and the branches that exceptions add, say nothing of the program. Counters without
+    # locks lose a count now and then where threads meet, and what gcov derives from them may be negative.
     subprocess.run(["gcovr", "--root", ".", "--object-directory", build, "--filter", "src/", "--exclude", r".*\.test\.cpp",
-                    "--exclude", r".*_fixture\.hpp", "--json-summary", report, build], check=True)
+                    "--exclude", r".*_fixture\.hpp", "--gcov-ignore-parse-errors", "--json-summary", report, build], check=True)
     rooms, files = collections.defaultdict(lambda: [0, 0]), json.load(open(report, encoding="utf-8"))["files"]
     for file in files:
         room = rooms[file["filename"].split("/")[1]]

@@ -34,7 +34,7 @@ struct Batch {
   bool at_estimate;  ///< all at one point, on as many packings; else spread over the draws
   std::size_t n_points;
 };
-constexpr int per_round = 4;  // packings on which an estimate is tried
+constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // More rounds, six at most, while tests at the estimate are off what was predicted for it by more than chance
 // makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of UCS), or while
 // the estimate moves on to where less is known than where it was tried: the nearest of several valleys may
@@ -414,7 +414,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     learn(b + 1);
     if (b + 1 < batches.size() || has_coarse(fit.recipe) || is_settled(posterior, estimate, tried, *surprise))
       continue;
-    const std::int64_t paid = fit.n_tests - fit.n_tension + n_compressive * std::int64_t{per_round};
+    const std::int64_t paid =
+        fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
     if (b + 1 < n_planned + most_more && paid <= max_tests)
       batches.push_back({false, true, per_round});
     else

@@ -138,7 +138,9 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
-  one.test.kind = *test_of(targets_[target].property).test;
+  const TestDescription* kind = test_of(targets_[target].property).test;
+  PHY_CHECK(kind != nullptr, "only properties that a test has are pressed");
+  one.test.kind = *kind;
   const bool quick = loading == Loading::search;
   one.test.platen_speed = speeds_[target] * (quick ? search_speed : 1.0);
   if (quick && one.test.kind->may_pre_strain) one.test.pre_strain = pre_strain_share * strains_[target];
@@ -184,7 +186,8 @@ bool has_coarse(const Recipe& r) {
 
 bool can_test(Property property) { return test_of(property).test != nullptr; }
 
-Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator) {
+Recipe test_settings(const Recipe& recipe, const std::vector<Target>& all, std::int64_t seed,
+                     Simulator& simulator) {
   std::vector<Target> targets = of_property(all, Property::ucs);
   if (targets.empty()) targets = of_property(all, Property::confined);
   return test_settings(recipe, targets, moduli_at(recipe, targets, seed, simulator));

@@ -53,7 +53,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
 /// its tests of UCS (of those under confinement where there are no others), so that one recipe suits all
 /// angles. `all`: their strength over the modulus of the recipe
 /// (direct solution on the packing `seed`) is the strain of the peak.
-Recipe test_settings(Recipe recipe, const std::vector<Target>& all, std::int64_t seed, Simulator& simulator);
+Recipe test_settings(const Recipe& recipe, const std::vector<Target>& all, std::int64_t seed,
+                     Simulator& simulator);
 /// The same for these targets alone, with the moduli [Pa] at their angles.
 Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const std::vector<double>& moduli);
 

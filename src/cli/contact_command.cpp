@@ -23,7 +23,7 @@ struct ContactArguments {
 
 std::vector<std::string> names_of_laws() {
   std::vector<std::string> names;
-  for (const lab::LawInfo& law : lab::law_infos()) names.push_back(law.name);
+  for (const lab::LawInfo& law : lab::law_infos()) names.emplace_back(law.name);
   return names;
 }
 

@@ -79,8 +79,8 @@ int draw(FigureArguments args) {
 std::vector<std::string> names_of_kinds() {
   std::vector<std::string> names;
   for (const report::FigureKind& k : report::figure_kinds()) {
-    names.push_back(k.name);
-    if (*k.paper != 0) names.push_back(k.paper);
+    names.emplace_back(k.name);
+    if (*k.paper != 0) names.emplace_back(k.paper);
   }
   return names;
 }

@@ -13,8 +13,8 @@ class ProgressLine {
  public:
   ProgressLine();
   void update(const study::Progress& progress);
-  /// Shows `text(seconds since the start)` unless the last update was a moment ago.
-  void show(const std::function<std::string(double)>& text);
+  /// Shows `say(seconds since the start)` unless the last update was a moment ago.
+  void show(const std::function<std::string(double)>& say);
   /// Lines to be drawn above the line of progress on a terminal, asked for with every drawing. The last ones
   /// stay.
   void draw_above(std::function<std::vector<std::string>()> lines) { lines_ = std::move(lines); }

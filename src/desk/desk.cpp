@@ -137,7 +137,7 @@ Json choices_of(const char* key) { return find_field(io::rock_schema().fields, k
 
 Response Desk::answer(const Request& request) {
   try {
-    const Response response = route(request);
+    Response response = route(request);
     io::forget_reads();
     return response;
   } catch (const Changed& e) {

@@ -54,11 +54,11 @@ void BoundaryMemory<T>::clear(std::size_t l) {
 }
 
 template <class T>
-void BoundaryMemory<T>::copy(std::size_t l, BoundaryMemory<T>& to, std::size_t k) const {
-  to.lanes_[k] = lanes_[l];
+void BoundaryMemory<T>::copy(std::size_t l, BoundaryMemory<T>& to, std::size_t to_lane) const {
+  to.lanes_[to_lane] = lanes_[l];
   for (std::size_t place = 0; place < n_bodies_ * grains_->size(); ++place) {
-    to.touch_gap_[place * to.W_ + k] = touch_gap_[place * W_ + l];
-    to.touch_shear_[place * to.W_ + k] = touch_shear_[place * W_ + l];
+    to.touch_gap_[place * to.W_ + to_lane] = touch_gap_[place * W_ + l];
+    to.touch_shear_[place * to.W_ + to_lane] = touch_shear_[place * W_ + l];
   }
 }
 

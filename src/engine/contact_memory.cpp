@@ -138,7 +138,7 @@ void ContactMemory<T>::make_interface(std::size_t c, std::size_t l, const Specim
 }
 
 template <class T>
-void ContactMemory<T>::copy(std::size_t l, ContactMemory<T>& to, std::size_t k) const {
+void ContactMemory<T>::copy(std::size_t l, ContactMemory<T>& to, std::size_t to_lane) const {
   // The target first gets places for all our pairs. Both lists are then sorted and ours is part of theirs.
   std::vector<PairKey> all;
   std::set_union(pairs_.begin(), pairs_.end(), to.pairs_.begin(), to.pairs_.end(), std::back_inserter(all));
@@ -146,9 +146,9 @@ void ContactMemory<T>::copy(std::size_t l, ContactMemory<T>& to, std::size_t k) 
   std::size_t there = 0;
   for (std::size_t c = 0; c < size(); ++c, ++there) {
     while (to.pairs_[there] != pairs_[c]) ++there;
-    for (std::size_t f = 0; f < width_; ++f) to.at(there, f, k) = state_[(c * width_ + f) * W_ + l];
-    to.set_[there * to.W_ + k] = set_[c * W_ + l];
-    to.original_[there * to.W_ + k] = original_[c * W_ + l];
+    for (std::size_t f = 0; f < width_; ++f) to.at(there, f, to_lane) = state_[(c * width_ + f) * W_ + l];
+    to.set_[there * to.W_ + to_lane] = set_[c * W_ + l];
+    to.original_[there * to.W_ + to_lane] = original_[c * W_ + l];
   }
 }
 

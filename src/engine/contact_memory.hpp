@@ -63,7 +63,7 @@ class ContactMemory {
   /// The affine start of all contacts of a lane: `field` gives the displacement at a point.
   template <class Field>
   void affine_start(std::size_t lane, const Specimen& specimen, const Field& field);
-  void copy(std::size_t lane, ContactMemory<T>& to, std::size_t to_lane) const;
+  void copy(std::size_t l, ContactMemory<T>& to, std::size_t to_lane) const;
 
   /// What all lanes share, after the pairs have changed.
   void make_constants(const MatrixRecipe& matrix);

@@ -52,7 +52,7 @@ class Group final : public LaneGroup {
   int lanes() const override { return options_.lanes; }
   void load(int lane, std::shared_ptr<const Specimen> specimen, const LaneSetup& setup) override;
   void clear(int lane) override;
-  void move_lane(int lane, LaneGroup& to, int to_lane) override;
+  void move_lane(int lane, LaneGroup& target, int to_lane) override;
   void place_boundary(int lane) override;
   void zero_strains(int lane) override;
   void forbid_breakage(int lane, bool forbid) override { at(lane).unbreakable = forbid; }

@@ -52,7 +52,7 @@ bool NeighbourList<T>::outlived(std::size_t lane, const Farthest& most, double b
 }
 
 template <class T>
-void NeighbourList<T>::search(std::size_t l, double block, std::vector<double> push) {
+void NeighbourList<T>::search(std::size_t l, double block, std::vector<double>&& push) {
   const GrainMemory<T>& of = *grains_;
   Lane& lane = lanes_[l];
   lane.near.clear();

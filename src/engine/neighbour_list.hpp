@@ -37,7 +37,7 @@ class NeighbourList {
   /// Grains may meet outside the list in the next block, or a body, moving by `bodies` [m], meet one.
   bool outlived(std::size_t lane, const Farthest& most, double block, double bodies) const;
   /// Makes a lane's list. `push`: per sorted grain, how far a jacket drives it in a block [m]; may be empty.
-  void search(std::size_t lane, double block, std::vector<double> push);
+  void search(std::size_t lane, double block, std::vector<double>&& push);
   /// Adds a pair whatever its gap.
   void add(std::size_t lane, PairKey pair) { lanes_[lane].near.push_back(pair); }
   const std::vector<PairKey>& near(std::size_t lane) const { return lanes_[lane].near; }

@@ -20,9 +20,9 @@ struct DiscFile {
 
 /// Discs as CSV: "x [m],y [m],r [m]" after a comment line with the box. Reads back to the same bits.
 std::string discs_csv(const Packing& packing);
-/// Reads discs from text; `where` names the source. Throws InputError with every bad line (at most 20 in
+/// Reads discs from a text; `where` names the source. Throws InputError with every bad line (at most 20 in
 /// full).
-DiscFile parse_discs(std::string_view text, const std::string& where);
+DiscFile parse_discs(std::string_view given, const std::string& where);
 /// Reads discs from a file. Throws IoError, or InputError as parse_discs.
 std::vector<Disc> read_discs(const std::string& path);
 /// Contacts as CSV: grains, kind, normal, gap, stiffnesses per metre thickness, strengths.

@@ -316,7 +316,7 @@ std::vector<double> Document::list(const std::string& path) const {
 }
 
 std::string Document::name() {
-  const std::string name = text("name", std::filesystem::path(where_).stem().string());
+  std::string name = text("name", std::filesystem::path(where_).stem().string());
   // A name becomes part of files and pages. A written one has been checked with the text of the file.
   if (find("name") == nullptr && !is_plain(name))
     problems.push_back({where_, "name", name, "a name in UTF-8 without control characters",

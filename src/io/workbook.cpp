@@ -335,7 +335,7 @@ class WorkbookReader {
     }
     if (beside > 0)
       table_.notes.push_back(fmt::format("{} cell(s) beside the table are passed over", beside));
-    if (sheet_.hidden_columns > 0) table_.notes.push_back("hidden columns are read too");
+    if (sheet_.hidden_columns > 0) table_.notes.emplace_back("hidden columns are read too");
     if (!hidden.empty())
       table_.notes.push_back(
           fmt::format("{} hidden row(s) are read too: {}", hidden.size(), fmt::join(hidden, ", ")));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -96,13 +97,13 @@ std::vector<double> parameters_of(const lab::LawInfo& law, const std::vector<std
 ContactPoint read_corner(const std::string& text, std::vector<Problem>& problems) {
   ContactPoint p;
   const auto parts = split(text, ',');
-  double* const fields[] = {&p.closure, &p.slide, &p.rotation};
+  const std::array<double*, 3> fields = {&p.closure, &p.slide, &p.rotation};
   const bool counted = parts.size() == 2 || parts.size() == 3;
   std::string problem = counted ? "" : "two or three quantities";
   for (std::size_t i = 0; counted && i < parts.size(); ++i) {
     const Quantity q = parse_quantity(parts[i], i < 2 ? Dimension::length : Dimension::angle);
     if (!q.ok) problem += (problem.empty() ? "" : "; ") + std::string(parts[i]) + " " + q.problem;
-    *fields[i] = i < 2 ? q.value : q.value * degree;
+    *fields.at(i) = i < 2 ? q.value : q.value * degree;
   }
   if (!problem.empty())
     problems.push_back({"command line", "--to", text, "\"CLOSURE, SLIDE[, ROTATION]\": " + problem,
