@@ -52,10 +52,14 @@ std::string eq1_line(const Evidence& evidence) {
   }
   text += fit.degrees_of_freedom > 0 ? fmt::format(", R2 = {:.3f}", fit.R2)
                                      : ", through three angles exactly: R2 tells nothing";
-  return text + (fit.shape.type == theory::CurveType::shoulder
-                     ? fmt::format("; shoulder type, least E {:.3g} GPa at {:.0f} degrees",
-                                   fit.shape.E_min * 1e-9, fit.shape.theta_star)
-                     : "; incremental type, E grows from 0 to 90 degrees");
+  if (fit.shape.type == theory::CurveType::shoulder)
+    return text + fmt::format("; shoulder type, least E {:.3g} GPa at {:.0f} degrees", fit.shape.E_min * 1e-9,
+                              fit.shape.theta_star);
+  text += "; incremental type, E by it grows from 0 to 90 degrees";
+  const double weakest = ends_of(moduli).least->theta;
+  const bool dips =
+      std::any_of(moduli.begin(), moduli.end(), [&](const Target& t) { return t.theta < weakest; });
+  return dips ? text + fmt::format(", while that of the table is least at {:.0f} degrees", weakest) : text;
 }
 
 std::string jaeger_line(const Evidence& evidence) {
