@@ -1,4 +1,5 @@
 // Recipe and Rock.
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <charconv>
@@ -57,7 +58,7 @@ TomlValue table_of(const py::dict& keys, const std::string& path, const std::str
     const std::size_t dot = path.empty() ? name.find('.') : name.npos;  // "matrix.E_c" of the whole
     TomlValue& place = dot == name.npos ? item_of(table, name)
                                         : item_of(item_of(table, name.substr(0, dot)), name.substr(dot + 1));
-    place = value_of(value, (path.empty() ? "" : path + ".") + name, where);
+    place = value_of(value, path.empty() ? name : fmt::format("{}.{}", path, name), where);
   }
   return table;
 }
@@ -134,7 +135,7 @@ std::string text_of(const py::object& path) {
 }
 
 /// Keys of a rock, whose recipe may be an object and whose table may be text.
-NamedRock rock_of(py::dict keys, const std::string& where, const std::optional<std::string>& table) {
+NamedRock rock_of(const py::dict& keys, const std::string& where, const std::optional<std::string>& table) {
   io::RockParts parts;
   parts.table = table;
   if (keys.contains("recipe") && py::isinstance<Recipe>(keys["recipe"])) {

@@ -94,7 +94,7 @@ void run_released(const py::object& progress, const std::function<void(Watch&)>&
     }
   }
   worker.join();
-  if (raised) throw *raised;
+  if (raised) throw py::error_already_set(*raised);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -14,7 +14,7 @@
 namespace phy::python {
 namespace {
 
-using py::literals::operator""_a;
+using py::literals::operator""_a;  // NOLINT(misc-unused-using-decls): clang-tidy 14 overlooks literals
 
 const char* const goodman_source = R"(
 
