@@ -24,7 +24,7 @@ py::list problems_of(const InputError& e) {
 }
 
 /// The program's messages, as the command prints them.
-void translate(std::exception_ptr failure) {
+void translate(std::exception_ptr failure) {  // NOLINT(performance-unnecessary-value-param): pybind's type
   try {
     if (failure) std::rethrow_exception(failure);
   } catch (const InputError& e) {

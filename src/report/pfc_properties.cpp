@@ -6,10 +6,11 @@
 
 namespace phy::report {
 
-std::string pfc_joint_properties(const BeddingRecipe& b) {
-  const std::pair<const char*, double> list[] = {
-      {"sj_kn", b.k_n},      {"sj_ks", b.k_s},       {"sj_fric", b.mu}, {"sj_da", b.psi},
-      {"sj_ten", b.sigma_n}, {"sj_coh", b.cohesion}, {"sj_fa", b.phi},  {"sj_rmul", b.radius_multiplier}};
+std::string pfc_joint_properties(const BeddingRecipe& set) {
+  const std::pair<const char*, double> list[] = {{"sj_kn", set.k_n},      {"sj_ks", set.k_s},
+                                                 {"sj_fric", set.mu},     {"sj_da", set.psi},
+                                                 {"sj_ten", set.sigma_n}, {"sj_coh", set.cohesion},
+                                                 {"sj_fa", set.phi},      {"sj_rmul", set.radius_multiplier}};
   std::string text;
   for (const auto& [name, value] : list)
     text += fmt::format("        contact.prop(c,'{}') = {:.8g}\n", name, value);

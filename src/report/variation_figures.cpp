@@ -195,7 +195,8 @@ double angle_panels(GnuplotScript& s, const Variation& v,
     const std::string unit = common_unit(*p);
     const std::string which = parameters.size() > 1 ? fmt::format("({}) ", letter++) : "";
     const std::string in_unit = unit.empty() ? "" : " [" + gnuplot_plain(unit.substr(1)) + "]";
-    s.add("set title {} offset 0,-0.6", gnuplot_string(which + symbol_of(p->key) + in_unit));
+    s.add("set title {} offset 0,-0.6",
+          gnuplot_string(fmt::format("{}{}{}", which, symbol_of(p->key), in_unit)));
     angle_panel(s, v, *p, modulus);
   }
   s.add("unset multiplot");

@@ -146,7 +146,7 @@ StressIntensity stress_intensity(const Network& net, const Movements& u, const C
     const auto row = 2 * static_cast<Eigen::Index>(g);
     A.block<2, 2>(row, 0).setIdentity();
     for (int n = 1; n <= orders; ++n)  // lengths over that of the ring: columns of like size
-      A.block<2, 2>(row, 2 * n) =
+      A.block<2, 2>(row, Eigen::Index{2} * n) =
           terms(roots, n, dot(x, tip.ahead) / tip.farthest, dot(x, across) / tip.farthest);
     b.segment<2>(row) = Eigen::Vector2d(dot(v, tip.ahead), dot(v, across));
   }
