@@ -9,10 +9,9 @@
 // the stiffness K_n / E_c, 1 between discs with pfc31. Rejected: Newton's method with a sparse factorisation
 // (fewer iterations, but a linear-algebra library does not give the same bits on every instruction set),
 // growing from half the radii (Potyondy & Cundall 2004; the discs may overlap freely at the start of a
-// minimisation, so growing only costs time), steering tile by tile instead of all discs at once (50,000
-// discs: more steps), taking long waves out on a coarse grid every 50 to 200 steps (50,000 discs: as many
-// steps down to 1e-4, where single discs that slip are waited for; from there to 1e-6, at 200,000 discs, half
-// as many: not worth its code yet).
+// minimisation, so growing only costs time). Tried at 50,000 discs: steering tile by tile takes more steps;
+// taking long waves out on a coarse grid takes hardly fewer down to 1e-4, where single discs that slip are
+// waited for (from there to 1e-6, at 200,000 discs, half as many).
 #pragma once
 #include <functional>
 #include <stdexcept>

@@ -123,12 +123,12 @@ std::array<double, 3> strains(const Link& l, std::span<const double> u, const Gr
   return {-dot(l.n, d), dot(tangent(l.n), d), u[b + 2] - u[a + 2]};
 }
 
-std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& e) {
-  std::array<double, 3> q{k.k_n * e[0], k.k_s * e[1], k.k_m * e[2]};
+std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& strains) {
+  std::array<double, 3> q{k.k_n * strains[0], k.k_s * strains[1], k.k_m * strains[2]};
   if (!k.coupled()) return q;
-  q[0] += k.k_ns * e[1] + k.k_nm * e[2];
-  q[1] += k.k_ns * e[0] + k.k_sm * e[2];
-  q[2] += k.k_nm * e[0] + k.k_sm * e[1];
+  q[0] += k.k_ns * strains[1] + k.k_nm * strains[2];
+  q[1] += k.k_ns * strains[0] + k.k_sm * strains[2];
+  q[2] += k.k_nm * strains[0] + k.k_sm * strains[1];
   return q;
 }
 

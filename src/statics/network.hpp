@@ -86,7 +86,7 @@ LinkRows rows(const Link& link);
 std::array<double, 3> strains(const Link& link, std::span<const double> u, const Gradient& gradient = {});
 
 /// What a stiffness answers closure, slide and rotation with: F_n, -F_s, -M [N/m, N/m, N].
-std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& e);
+std::array<double, 3> resistance(const laws::Tangent<double>& k, const std::array<double, 3>& strains);
 
 /// Forces F_n, F_s, M of a link (signs: laws/law.hpp) [N/m, N/m, N].
 std::array<double, 3> forces(const laws::Tangent<double>& k, const std::array<double, 3>& strains);
