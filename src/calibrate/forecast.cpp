@@ -184,10 +184,10 @@ double left_out_error(const ModelFamily& family, const std::string& column) {
   return it->second;
 }
 
-/// What the quadratics miss of a strength, or of E at half of UCS, of specimens that they were not shown, by
-/// its logarithm.
+/// What the quadratics miss of a strength, or of E or nu at half of UCS, of specimens that they were not
+/// shown, by its logarithm.
 double ignorance(const ModelFamily& family, const Target& t) {
-  const std::string stem = t.property == Property::E ? "E50/E_c" : strength_stem(t.property);
+  const std::string stem = stem_of(t.property, ModulusReading::tangent_50);
   const Bracket b = bracket_of(t.property, t.theta);
   return std::lerp(left_out_error(family, column_at(family, stem, b.low)),
                    left_out_error(family, column_at(family, stem, b.high)), b.share);
@@ -360,9 +360,9 @@ std::string forecast_text(const Forecast& f) {
   for (const Property p : f.silent) silent += std::string(silent.empty() ? "" : ", ") + to_string(p);
   if (!silent.empty()) text += ". Not foretold, because not mapped: " + silent;
   std::vector<std::string> missed;
-  for (const auto& [property, name] :
-       {std::pair{Property::ucs, "UCS"}, std::pair{Property::brazilian, "BTS"},
-        std::pair{Property::direct_tension, "DTS"}, std::pair{Property::E, "E50"}})
+  for (const auto& [property, name] : {std::pair{Property::ucs, "UCS"}, std::pair{Property::brazilian, "BTS"},
+                                       std::pair{Property::direct_tension, "DTS"},
+                                       std::pair{Property::E, "E50"}, std::pair{Property::nu, "nu50"}})
     if (const std::string one = ignorance_text(f, property, name); !one.empty()) missed.push_back(one);
   return text + fmt::format(
                     ". No test has run: this rests on regressions over the maps, which miss a specimen that "

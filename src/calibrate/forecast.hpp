@@ -26,9 +26,9 @@ struct Forecast {
   std::vector<Property> silent;  ///< of the table, but not of the map
   double distance = 0.0;         ///< sum of squares of what is minimised
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
-  /// Root mean square miss of a property, relative, of nu absolute; NaN: no row of it.
   /// Is every property met within its tolerance, root mean square?
   bool meets() const;
+  /// Root mean square miss of a property, relative, of nu absolute; NaN: no row of it.
   double rms(Property property) const;
 };
 

@@ -110,6 +110,9 @@ TEST(Forecast, WhatIsMetIsSaidToBeMetWithItsGrounds) {
       AllOf(HasSubstr("probably end calibrated, or with few exceptions"), HasSubstr("No test has run"),
             Not(HasSubstr("out of reach")), HasSubstr("% of UCS, "), HasSubstr("% of E50; "),
             Not(HasSubstr("BTS")), Not(HasSubstr("Not foretold")), Not(HasSubstr("nothing was mapped"))));
+  EXPECT_THAT(forecast_text(*f), Not(HasSubstr("nu")));
+  rock.readings.push_back(reading(Property::nu, 0.0, 0.2));
+  EXPECT_THAT(forecast_text(foretell(Evidence(rock)).value()), HasSubstr("% of nu50; "));
 }
 
 TEST(Forecast, WhatWasNotMappedIsNotForetold) {
