@@ -51,7 +51,7 @@ double coverage_of_means(Property property, int n_cells, int n, double s, bool d
                     ? 1
                     : 0;
   }
-  return 100.0 * inside / (n_tables * n_cells);
+  return 100.0 * inside / (n_tables * static_cast<std::uint32_t>(n_cells));
 }
 
 /// The same of what a straight line through the logarithms says of the cells, weighted by their errors.
