@@ -87,14 +87,16 @@ TEST(Persistence, ShareOfPatchesIsBinomial) {
 TEST(Persistence, PatchesHaveTheLengthGiven) {
   const auto packing = strip();
   constexpr double p = 0.6, L = 5.0;
-  for (const int lag : {1, 3, 5, 9}) {
+  for (const std::size_t lag : {1, 3, 5, 9}) {
     double differ = 0.0, all = 0.0;
     for (int seed = 1; seed <= 200; ++seed) {
       const std::vector<bool> is = jointed(make(packing, {plane(p, L)}, seed));
-      for (int i = 0; i + lag < n_pairs; ++i) differ += is[i] != is[i + lag] ? 1.0 : 0.0, all += 1.0;
+      for (std::size_t i = 0; i + lag < is.size(); ++i)
+        differ += is[i] != is[i + lag] ? 1.0 : 0.0, all += 1.0;
     }
     // 16,000 patches.
-    EXPECT_NEAR(differ / all, 2.0 * p * (1.0 - p) * std::min(1.0, lag / L), 0.016) << lag;
+    EXPECT_NEAR(differ / all, 2.0 * p * (1.0 - p) * std::min(1.0, static_cast<double>(lag) / L), 0.016)
+        << lag;
   }
 }
 
