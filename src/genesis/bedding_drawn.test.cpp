@@ -87,7 +87,7 @@ TEST(Persistence, ShareOfPatchesIsBinomial) {
 TEST(Persistence, PatchesHaveTheLengthGiven) {
   const auto packing = strip();
   constexpr double p = 0.6, L = 5.0;
-  for (const std::size_t lag : {1, 3, 5, 9}) {
+  for (const std::size_t lag : {1U, 3U, 5U, 9U}) {
     double differ = 0.0, all = 0.0;
     for (int seed = 1; seed <= 200; ++seed) {
       const std::vector<bool> is = jointed(make(packing, {plane(p, L)}, seed));

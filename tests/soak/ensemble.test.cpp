@@ -82,8 +82,9 @@ struct Tally {
 /// One question to one twin.
 void ask(const Question& question, const Recipe& truth, std::uint32_t k, const Calibration& found,
          calibrate::Simulator& simulator, Tally& tally) {
+  const std::vector<std::int64_t> seeds = table_packings(k, 100);
   std::vector<Recipe> others(n_truth, truth);
-  for (int i = 0; i < n_truth; ++i) others[i].packing.seed = table_packings(k, 100)[50 + i];
+  for (std::size_t i = 0; i < others.size(); ++i) others[i].packing.seed = seeds[50 + i];
   const study::Band band = band_of(answers(question, found.ensemble, found.recipe.test, simulator));
   std::vector<double> values = answers(question, others, found.recipe.test, simulator);
   std::erase_if(values, [](double v) { return std::isnan(v); });
