@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/largest_file.hpp"
 #include "io/output.hpp"
 #include "io/reads.hpp"
 
@@ -34,7 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* temporary_mark = ".phyllite-";
-constexpr std::size_t max_bytes = 256U << 20U;
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   const bool reading = doing == "be read";
@@ -162,7 +162,7 @@ std::string read_file(const std::string& path) {
     else if (errno != EINTR)
       error = errno;
     // Refused while reading: the size of a pipe is not known before.
-    if (content.size() > max_bytes) error = EFBIG;
+    if (content.size() > largest_file) error = EFBIG;
     if (error != 0) break;
   }
   ::close(fd);

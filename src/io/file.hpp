@@ -13,7 +13,7 @@
 
 namespace phy::io {
 
-/// The content of a file of at most 256 MB.
+/// The content of a file of at most 1 GiB (largest_file).
 std::string read_file(const std::string& path);
 
 /// Whether this process has read the file so, under whatever name: a link to it is the same file.

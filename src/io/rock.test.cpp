@@ -449,9 +449,9 @@ TEST_F(RockFile, WhatARunWouldRefuseIsRefusedHere) {
   EXPECT_THAT(problems(good, "[brazilian]\nloading_angle = \"45 deg\"\n"),
               testing::ElementsAre(
                   AllOf(HasSubstr("r.toml:3: brazilian.loading_angle = \"45 deg\""), HasSubstr("30 deg"))));
-  EXPECT_THAT(problems(good, "[specimen]\nwidth = \"38 mm\"\nheight = \"9 m\"\n"),
-              testing::ElementsAre(AllOf(HasSubstr("r.toml:4: packing.n_grains = 885908"),
-                                         HasSubstr("200000"), HasSubstr("magnifies the paper's specimen"))));
+  EXPECT_THAT(problems(good, "[specimen]\nwidth = \"30 mm\"\nheight = \"10 m\"\n"),
+              testing::ElementsAre(AllOf(HasSubstr("r.toml:4: packing.n_grains = 1246833"),
+                                         HasSubstr("1000000"), HasSubstr("magnifies the paper's specimen"))));
   EXPECT_THAT(
       problems("theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,2\n45,60,,\n90,120,,\n"),
       testing::ElementsAre(AllOf(HasSubstr("r.csv:2: diameter = 2 mm"), HasSubstr("ten mean grain"))));

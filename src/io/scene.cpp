@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/largest_file.hpp"
 #include "io/deflate.hpp"
 #include "io/json.hpp"
 #include "records/test_description.hpp"
@@ -16,11 +17,9 @@ using Json = nlohmann::ordered_json;
 using Numbers = std::vector<std::int32_t>;
 
 constexpr int scene_format = 1;
-constexpr std::size_t most_bytes = std::size_t{256}
-                                   << 20U;  // of a file; 200,000 grains in 40 frames have a fifth
-constexpr double finest = 0.25e-6;          // [m]: far below a grain, also when drawn twenty times enlarged
-constexpr double largest_steps = 32000;     // displacements stay within 16 bits
-constexpr double most_steps = 32001;        // with rounding
+constexpr double finest = 0.25e-6;       // [m]: far below a grain, also when drawn twenty times enlarged
+constexpr double largest_steps = 32000;  // displacements stay within 16 bits
+constexpr double most_steps = 32001;     // with rounding
 constexpr double size_steps = 65000;
 constexpr double force_steps = 127;
 constexpr double farthest = 10.0;  // displacement over the larger side: beyond it a test has blown up
@@ -229,7 +228,7 @@ Scene read_scene(std::string_view bytes) {
   if (head.at("format") != scene_format) throw std::out_of_range("another version of the format");
   const auto size = whole_number<std::size_t>(head.at("size"));
   // The size in the header bounds what is unpacked: a few bytes can unpack to gigabytes.
-  if (size > most_bytes) throw std::out_of_range("more than 256 MB");
+  if (size > largest_file) throw std::out_of_range("more than 1 GiB");
   const std::optional<std::string> plain = inflated(bytes.substr(end + 1), size);
   if (!plain || plain->size() != size) throw std::out_of_range("the compressed part is damaged");
   // Every disc and link has three bytes at least: what the header says is held against that before it is made

@@ -75,6 +75,17 @@ class CrossChecks {
                             std::to_string(p.n_grains), "exactly one of n_grains and porosity",
                             p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
     p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
+    scene_has_room();
+  }
+  void scene_has_room() {
+    const PackingRecipe& p = r_.packing;
+    const double mean = 0.5 * (p.radius_min + p.radius_max), area = r_.specimen.width * r_.specimen.height;
+    const double n = p.n_grains > 0 ? static_cast<double>(p.n_grains) : area / (pi * mean * mean);
+    if (const std::int64_t most = most_frames(n, r_.test); r_.test.n_frames > most)
+      report_problem({"test.n_frames", "test.n_snapshots", "packing.n_grains", "packing.file"},
+                     std::to_string(r_.test.n_frames),
+                     "at most " + std::to_string(most) + " with so many grains and snapshots",
+                     "scene.bin would be too large to be read");
   }
   void grains_fill_the_box() {
     const PackingRecipe& p = r_.packing;

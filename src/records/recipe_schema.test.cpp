@@ -84,7 +84,7 @@ TEST(Schema, RangesAreToldInTheUnitsOfTheUser) {
   EXPECT_EQ(range_of("specimen.width"), "0.1 mm <= value <= 10 m");
   EXPECT_EQ(range_of("bedding.theta"), "0 deg <= value < 180 deg");
   EXPECT_EQ(range_of("bedding.rule"), "one of \"crossing\" \"zone\" \"oriented\"");
-  EXPECT_EQ(range_of("packing.n_grains"), "0 <= value <= 200000");
+  EXPECT_EQ(range_of("packing.n_grains"), "0 <= value <= 1000000");
   EXPECT_EQ(range_of("test.angles"), "a list of 0 deg <= value < 180 deg");
 }
 

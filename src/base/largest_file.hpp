@@ -1,0 +1,9 @@
+// How large a file may be that is read at once, packed or unpacked: nothing is written that would be larger.
+#pragma once
+#include <cstddef>
+
+namespace phy {
+
+constexpr std::size_t largest_file = std::size_t{1} << 30U;  ///< bytes
+
+}  // namespace phy
