@@ -299,21 +299,23 @@ class Calibration:
 
 
 def calibrate(rock: Rock, out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
-              matrix: str = "", max_tests: int = 1000, with_untrusted: bool = False, resume: bool = False,
+              matrix: str = "", effort: str = "normal", max_tests: int = 1000, with_untrusted: bool = False, resume: bool = False,
               threads: int = 0, progress: ProgressFunction = None) -> Calibration:
     """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
 
     out: a folder as `phyllite calibrate` leaves it; every test is kept there as soon as it is finished, and after
     Ctrl-C the same call with resume=True goes on. elastic: the moduli alone. method: "posterior", or "sequence", the
-    paper's way. matrix: "parallel_bond", "flat_joint" or "choose", whatever the rock says. max_tests: budget of tests
-    in compression. with_untrusted: also count tests that are not to be trusted (docs/reliability.md).
+    paper's way. matrix: "parallel_bond", "flat_joint" or "choose", whatever the rock says. effort: "quick", "normal" or
+    "thorough", the tests that the search of strengths takes. max_tests: budget of tests in compression. with_untrusted:
+    also count tests that are not to be trusted (docs/reliability.md).
     """
     for name, value, choices in (("method", method, ("posterior", "sequence")),
-                                 ("matrix", matrix, ("", "parallel_bond", "flat_joint", "choose"))):
+                                 ("matrix", matrix, ("", "parallel_bond", "flat_joint", "choose")),
+                                 ("effort", effort, ("quick", "normal", "thorough"))):
         if value not in choices:
             raise InputError(f"calibrate: {name} = {value!r}: expected one of " + ", ".join(filter(None, choices)))
-    options = {"out": _text(out), "elastic": elastic, "method": method, "matrix": matrix, "max_tests": max_tests,
-               "with_untrusted": with_untrusted, "resume": resume}
+    options = {"out": _text(out), "elastic": elastic, "method": method, "matrix": matrix, "effort": effort,
+               "max_tests": max_tests, "with_untrusted": with_untrusted, "resume": resume}
     return Calibration(_core.calibrate(rock, options, threads, _teller(progress)))
 
 

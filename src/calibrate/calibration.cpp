@@ -197,10 +197,10 @@ struct Work {
     options.listener.estimates({elastic.parameters.begin(), elastic.parameters.end()});
   }
   StrengthFit fit_strengths(const Recipe& recipe, std::int64_t max_tests, const Remodel& remodel) {
-    return by_sequence()
-               ? strengths_by_sequence(evidence, recipe, search.front(), max_tests, simulator,
-                                       options.listener.say, remodel)
-               : fit_strength(evidence, recipe, search, max_tests, simulator, options.listener, remodel);
+    return by_sequence() ? strengths_by_sequence(evidence, recipe, search.front(), max_tests, simulator,
+                                                 options.listener.say, remodel)
+                         : fit_strength(evidence, recipe, search, {max_tests, options.effort}, simulator,
+                                        options.listener, remodel);
   }
 };
 
@@ -425,9 +425,10 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
       report_missing(result, static_cast<int>(work.unseen.size()));
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
         !work.strength.softenings.empty());
-  result.short_search = work.strength.short_search;
-  if (result.short_search)
-    result.notes.emplace_back("the search was short: a larger --max-tests may come nearer and know more");
+  result.longer_by = work.strength.longer_by;
+  if (!result.longer_by.empty())
+    result.notes.push_back(
+        fmt::format("the search was short: {} may come nearer and know more", result.longer_by));
   result.notes.insert(result.notes.end(), work.elastic.notes.begin(), work.elastic.notes.end());
   if (!work.by_sequence())
     add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);

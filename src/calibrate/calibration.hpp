@@ -7,6 +7,7 @@
 #pragma once
 #include <string>
 
+#include "calibrate/effort.hpp"
 #include "calibrate/evidence.hpp"
 #include "calibrate/listener.hpp"
 #include "calibrate/simulator.hpp"
@@ -18,6 +19,7 @@ struct CalibrationOptions {
   CalibrationMethod method = CalibrationMethod::posterior;
   bool elastic_only = false;
   std::int64_t max_tests = 1000;  ///< in compression, verification included; tests in tension come on top
+  Effort effort = normal_effort;  ///< of the search of a posterior
   Listener listener = {};
 };
 

@@ -347,7 +347,7 @@ std::string good_news(const View& v) {
           : open.empty()                          ? "; the data determine every parameter"
                          : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
-  if (c.short_search) text += "; the search was short";
+  if (!c.longer_by.empty()) text += "; the search was short";
   if (!next.empty()) return text + "; next: " + next.front();
   return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
 }
@@ -382,11 +382,11 @@ std::string bad_news(const View& v) {
                                   next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
     if (next.empty()) next = cause.next;
   }
-  if (v.of.short_search) {
+  if (!v.of.longer_by.empty()) {
     clauses.push_back(fmt::format("the search was short ({} tests in compression in all)",
                                   v.of.n_strength_tests - v.of.n_tension_tests));
     const std::vector<Part> parts = ranked(v);
-    if (parts.empty() || parts.front() != moduli) next = "a new folder with a larger --max-tests";
+    if (parts.empty() || parts.front() != moduli) next = "a new folder with " + v.of.longer_by;
   }
   if (const auto n = std::count_if(v.rows.begin(), v.rows.end(), is_coarse);
       n > 0 && v.of.verdict.status != VerdictStatus::out_of_reach)

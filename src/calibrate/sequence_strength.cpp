@@ -85,8 +85,8 @@ class Sequence {
         settled = !moved_in(round);
         if (!settled && remodel) read_moduli_anew(remodel);
       }
-      fit_.short_search = !settled && left_ <= 0;
-      if (!settled && !fit_.short_search)
+      if (!settled && left_ <= 0) fit_.longer_by = "a larger --max-tests";
+      if (!settled && fit_.longer_by.empty())
         fit_.notes.push_back(fmt::format("the strengths still moved in round {}, the last", most_rounds));
       conclude();
     } catch (const Stopped&) {

@@ -21,9 +21,14 @@ namespace phy::calibrate {
 namespace {
 
 /// Points of a whole search: the more is sought, the more of them.
-std::int64_t most_points(std::size_t n_ratios) {
-  constexpr std::int64_t usual = 36, per_ratio = 6;
-  return std::max(usual, per_ratio * static_cast<std::int64_t>(n_ratios));
+std::int64_t most_points(std::size_t n_ratios, const Effort& effort) {
+  constexpr double usual = 36.0, per_ratio = 6.0;
+  return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)));
+}
+/// The option that would have allowed all points of a usual search; empty: it had them.
+std::string lengthened_by(const Budget& budget, std::int64_t most, std::int64_t n_compressive) {
+  if (budget.max_tests < most * n_compressive) return "a larger --max-tests";
+  return budget.effort.points < normal_effort.points ? fmt::format("--effort {}", normal_effort.name) : "";
 }
 constexpr std::uint32_t sampler_seed = 20100101;
 constexpr int final_length = 4;  // of the chains behind the intervals, in those of the search
@@ -35,14 +40,13 @@ struct Batch {
   std::size_t n_points;
 };
 constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
-// More rounds, six at most, while tests at the estimate are off what was predicted for it by more than chance
-// makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of UCS), or while
-// the estimate moves on to where less is known than where it was tried: the nearest of several valleys may
-// change with every round, and one that was never tried is no answer. Specimens so large that coarse grains
-// are taken keep to the plan: a round of them costs as much as all of that.
+// More rounds, as many as the effort allows, while tests at the estimate are off what was predicted for it by
+// more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
+// UCS), or while the estimate moves on to where less is known than where it was tried: the nearest of several
+// valleys may change with every round, and one that was never tried is no answer. Specimens so large that
+// coarse grains are taken keep to the plan: a round of them costs as much as all of that.
 constexpr double most_surprise = 0.6;  // tolerances
 constexpr double most_growth = 1.2;    // of the uncertainty
-constexpr std::size_t most_more = 6;
 /// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
 /// and rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
@@ -359,7 +363,7 @@ Recipe with_moduli(Recipe recipe, const Recipe& moduli) {
 }
 
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
-                         const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
+                         const std::vector<std::int64_t>& seeds, const Budget& budget, Simulator& simulator,
                          const Listener& listener, const Remodel& remodel) {
   StrengthFit fit;
   const std::vector<Target>& targets = evidence.strengths;
@@ -368,10 +372,11 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
-  const std::int64_t most = most_points(posterior.parameters().size() - 1);  // sigma_c costs no run
-  std::vector<Batch> batches = plan(max_tests, n_compressive, most, has_coarse(fit.recipe));
+  const std::int64_t most =
+      most_points(posterior.parameters().size() - 1, budget.effort);  // sigma_c costs no run
+  std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, has_coarse(fit.recipe));
   const std::size_t n_planned = batches.size();
-  fit.short_search = max_tests < most * n_compressive;
+  fit.longer_by = lengthened_by(budget, most, n_compressive);
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   Point estimate;
@@ -416,7 +421,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       continue;
     const std::int64_t paid =
         fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
-    if (b + 1 < n_planned + most_more && paid <= max_tests)
+    if (b + 1 < n_planned + budget.effort.further && paid <= budget.max_tests)
       batches.push_back({false, true, per_round});
     else
       fit.notes.emplace_back("the estimate of the strengths had not settled when the search ended");

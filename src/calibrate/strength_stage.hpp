@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+#include "calibrate/effort.hpp"
 #include "calibrate/evidence.hpp"
 #include "calibrate/listener.hpp"
 #include "calibrate/parameters.hpp"
@@ -37,7 +38,7 @@ struct StrengthFit {
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
   std::int64_t n_solutions = 0;  ///< of the direct solution, for what softens
   bool interrupted = false;
-  bool short_search = false;          ///< the budget did not allow all points
+  std::string longer_by;  ///< the option that would have allowed all points of a usual search; else empty
   std::vector<std::string> findings;  ///< what speaks against the fit
   std::vector<std::string> notes;
   Mixing mixing;          ///< of the draws behind parameters and intervals
@@ -55,11 +56,11 @@ using Remodel = std::function<Remodelled(const Softenings&)>;
 /// The settings of the tests stay, the elastic parameters are those of another recipe.
 Recipe with_moduli(Recipe recipe, const Recipe& moduli);
 
-/// Against the strengths of the evidence. `recipe`: from the elastic stage. `max_tests`: budget of this
-/// stage, tests in compression. Seeds: packings, of which the points of the search take turns. `remodel`:
+/// Against the strengths of the evidence. `recipe`: from the elastic stage. `budget`: of this
+/// stage. Seeds: packings, of which the points of the search take turns. `remodel`:
 /// called after every batch; empty: the moduli are those of small strain and stay.
 StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
-                         const std::vector<std::int64_t>& seeds, std::int64_t max_tests, Simulator& simulator,
+                         const std::vector<std::int64_t>& seeds, const Budget& budget, Simulator& simulator,
                          const Listener& listener, const Remodel& remodel = {});
 
 }  // namespace phy::calibrate

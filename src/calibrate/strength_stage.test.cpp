@@ -138,7 +138,7 @@ TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
 
 // Packings that differ much surprise: rounds of four go on, six at most, as far as the budget goes.
 TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
-  const auto found = [](double scatter, std::int64_t budget) {
+  const auto found = [](double scatter, const Budget& budget) {
     PaperPress press;
     press.packing_scatter = scatter;
     Rock rock;
@@ -157,6 +157,27 @@ TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
   EXPECT_LE(wild.n_tests, 252 + 6 * 28);
   EXPECT_EQ(short_of_money.n_tests, 252 + 28);
   EXPECT_TRUE(unsettled(short_of_money));
+  EXPECT_EQ(calm.longer_by, "");
+}
+
+TEST(StrengthStage, EffortIsTheNumberOfPoints) {
+  const auto found = [](const Budget& budget) {
+    PaperPress press;
+    press.packing_scatter = 0.005;
+    Rock rock;
+    rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
+    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, budget, press,
+                        Listener{});
+  };
+  const auto n_angles = static_cast<std::int64_t>(angles.size());
+  const StrengthFit quick = found({1000, efforts[0]}), thorough = found({1000, efforts[2]}),
+                    cut = found({20 * n_angles, efforts[2]});
+  EXPECT_EQ(quick.n_tests, 18 * n_angles);
+  EXPECT_EQ(quick.longer_by, "--effort normal");
+  EXPECT_EQ(thorough.n_tests, 72 * n_angles);
+  EXPECT_EQ(thorough.longer_by, "");
+  EXPECT_EQ(cut.n_tests, 20 * n_angles);
+  EXPECT_EQ(cut.longer_by, "a larger --max-tests");
 }
 
 TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {

@@ -130,6 +130,13 @@ void add_calibrate_command(CLI::App& app, Session& session) {
                    "what holds the grains together, whatever the rock file says: parallel_bond, flat_joint, "
                    "or choose")
       ->check(CLI::IsMember({"choose", "parallel_bond", "flat_joint"}));
+  std::vector<std::string> efforts;
+  for (const calibrate::Effort& e : calibrate::efforts) efforts.emplace_back(e.name);
+  verb->add_option("--effort", args->effort,
+                   "how many tests the search of strengths takes: quick half of the usual, thorough twice as "
+                   "many (docs/calibration.md has what each buys)")
+      ->check(CLI::IsMember(efforts))
+      ->capture_default_str();
   verb->add_flag("--with-untrusted", args->with_untrusted,
                  "count tests that have a strength but are not to be trusted (docs/reliability.md)");
   verb->add_option("--max-tests", args->max_tests, "budget: tests in compression, verification included")

@@ -42,6 +42,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRe
   hash.add(request.elastic), hash.add(request.max_tests);
   if (request.with_untrusted) hash.add(true);
   if (request.by_sequence()) hash.add(request.method);
+  if (!request.of_usual_effort()) hash.add(request.effort);
   for (const Target& t : evidence.targets) {
     hash.add(static_cast<int>(t.property)), hash.add(t.n), hash.add(t.sd_assumed);
     hash.add(t.theta), hash.add(t.mean), hash.add(t.sd), hash.add(t.diameter);
@@ -55,6 +56,7 @@ std::vector<std::string> options_in_words(const CalibrationRequest& request) {
   std::vector<std::string> words = {"--max-tests", fmt::format("{}", request.max_tests)};
   if (!request.matrix.empty()) words.insert(words.end(), {"--matrix", request.matrix});
   if (request.by_sequence()) words.insert(words.end(), {"--method", "sequence"});
+  if (!request.of_usual_effort()) words.insert(words.end(), {"--effort", request.effort});
   if (request.elastic) words.emplace_back("--elastic");
   if (request.with_untrusted) words.emplace_back("--with-untrusted");
   return words;
@@ -125,6 +127,7 @@ std::optional<CalibrationRequest> request_in(const std::string& folder) {
     if (word == "--max-tests") words >> request.max_tests;
     if (word == "--matrix") words >> request.matrix;
     if (word == "--method") words >> request.method;
+    if (word == "--effort") words >> request.effort;
     request.elastic |= word == "--elastic";
     request.with_untrusted |= word == "--with-untrusted";
   }
@@ -143,8 +146,29 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
   return rock;
 }
 
+namespace {
+
+calibrate::Effort effort_of(const CalibrationRequest& request) {
+  const auto* const effort =
+      std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
+                   [&](const calibrate::Effort& e) { return e.name == request.effort; });
+  if (effort == calibrate::efforts.end()) {
+    std::vector<std::string_view> names;
+    for (const calibrate::Effort& e : calibrate::efforts) names.push_back(e.name);
+    throw InputError(
+        Problem{"command line", "--effort", request.effort, fmt::format("{}", fmt::join(names, ", ")), ""});
+  }
+  if (request.by_sequence() && !request.of_usual_effort())
+    throw InputError(Problem{"command line", "--effort", request.effort, "none beside --method sequence",
+                             "a sequence takes the tests that its bisections need"});
+  return *effort;
+}
+
+}  // namespace
+
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request) {
   calibrate::CalibrationOptions options;
+  options.effort = effort_of(request);
   if (request.by_sequence()) options.method = CalibrationMethod::sequence;
   options.elastic_only = request.elastic, options.max_tests = request.max_tests;
   return options;

@@ -15,9 +15,11 @@ struct CalibrationRequest {
   std::string rock;  ///< the file, or what stands in its place in messages
   std::string out;   ///< folder; empty: nothing is kept
   std::string method = "posterior", matrix = {};
+  std::string effort{calibrate::normal_effort.name};
   bool elastic = false, resume = false, with_untrusted = false;
   std::int64_t max_tests = 1000;
   bool by_sequence() const { return method == "sequence"; }
+  bool of_usual_effort() const { return effort == calibrate::normal_effort.name; }
 };
 
 /// The words that ask for it, after `phyllite`.
@@ -29,6 +31,7 @@ std::optional<CalibrationRequest> request_in(const std::string& folder);
 /// The rock with the matrix that is asked for. Throws InputError where that cannot be.
 Rock with_matrix(Rock rock, const CalibrationRequest& request);
 
+/// Throws InputError where the effort is none, or asked of a sequence.
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request);
 
 /// The folder of a calibration while it is worked in.

@@ -26,6 +26,7 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
   request.rock = rock.source;
   request.out = options["out"].cast<std::string>(), request.method = options["method"].cast<std::string>();
   request.matrix = options["matrix"].cast<std::string>(), request.elastic = options["elastic"].cast<bool>();
+  request.effort = options["effort"].cast<std::string>();
   request.resume = options["resume"].cast<bool>(),
   request.max_tests = options["max_tests"].cast<std::int64_t>();
   request.with_untrusted = options["with_untrusted"].cast<bool>();

@@ -88,8 +88,8 @@ struct Calibration {
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
-  bool short_search = false;                           ///< the budget did not allow all points
-  Recipe recipe;                                       ///< the calibrated model, ready to run
+  std::string longer_by;  ///< the option that would have allowed all points of a usual search; else empty
+  Recipe recipe;          ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit

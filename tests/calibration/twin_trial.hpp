@@ -62,7 +62,16 @@ struct Trial {
   std::vector<Comparison> response;  ///< of the truth on the packings of the table
   std::vector<Comparison> unseen;    ///< of the truth on the packings of the verification
   Calibration found;
+  /// After each batch of the search, the one before the first included: over what is sought, the mean of
+  /// log(high/low) of the 95 % intervals.
+  std::vector<double> widths;
 };
+
+inline double mean_log_width(const std::vector<ParameterEstimate>& known) {
+  double sum = 0.0;
+  for (const ParameterEstimate& e : known) sum += std::log(e.high / e.low);
+  return sum / static_cast<double>(known.size());
+}
 
 inline std::vector<std::int64_t> packings_from(std::int64_t first, int n) {
   std::vector<std::int64_t> seeds;
@@ -89,13 +98,16 @@ inline std::vector<std::int64_t> table_packings(std::uint32_t k, int n) {
 inline std::vector<std::int64_t> unseen_packings() { return packings_from(6, 5); }
 
 inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
-                       std::int64_t max_tests, calibrate::Simulator& simulator, int n_table = 5) {
+                       const calibrate::Budget& budget, calibrate::Simulator& simulator, int n_table = 5) {
   Trial t;
   t.truth = trial_rock(k, model);
   t.response = calibrate::twin_response(t.truth, angles, table_packings(k, n_table), simulator);
   t.unseen = calibrate::twin_response(t.truth, angles, unseen_packings(), simulator);
   calibrate::CalibrationOptions how;
-  how.max_tests = max_tests;
+  how.max_tests = budget.max_tests, how.effort = budget.effort;
+  how.listener.estimates = [&](const std::vector<ParameterEstimate>& known) {
+    if (known.front().symbol == "sigma_c") t.widths.push_back(mean_log_width(known));
+  };
   t.found = calibrate::calibrate(calibrate::Evidence(rock_of(t, k, model, angles)), how, simulator);
   return t;
 }

@@ -152,8 +152,8 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   write("other.csv", "theta [deg],E [GPa]\n0,17.5\n30,15.6\n60,21.0\n90,47\n");
   const std::string other = write("other.toml", "data = \"other.csv\"\nrecipe = \"start.toml\"\n");
   const std::string more = " --threads 2 --resume --out " + out();
-  for (const std::string& refused :
-       {"calibrate " + other + " --elastic" + more, "calibrate " + at("rock.toml") + more}) {
+  for (const std::string& refused : {"calibrate " + other + " --elastic" + more,
+                                     "calibrate " + at("rock.toml") + more, own + " --effort quick"}) {
     ASSERT_EQ(run(refused), 2) << output;
     EXPECT_THAT(output,
                 testing::AllOf(HasSubstr("\"rock\""), HasSubstr("--elastic"), HasSubstr("another --out")));
@@ -183,6 +183,19 @@ TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
   EXPECT_EQ(run(calibrate(at("other") + " --method newton")), 2);
   EXPECT_EQ(run_to_event(300, SIGINT, calibrate(at("parts") + " --method sequence")), 1) << output;
   EXPECT_THAT(output, HasSubstr("--method sequence --resume"));
+  ASSERT_EQ(run(calibrate(at("none") + " --method sequence --effort quick")), 2);
+  EXPECT_THAT(output, HasSubstr("none beside --method sequence"));
+  EXPECT_FALSE(fs::exists(at("none")));
+}
+
+TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {
+  const std::string quick = "calibrate " + rock() + " --threads 2 --effort quick --out " + out();
+  ASSERT_EQ(run("calibrate " + rock() + " --effort hasty --out " + out()), 2);
+  EXPECT_THAT(output, HasSubstr("quick"));
+  EXPECT_EQ(run_to_event(300, SIGINT, quick), 1) << output;
+  EXPECT_THAT(output, HasSubstr("--effort quick --resume"));
+  ASSERT_THAT(run(quick + " --resume"), testing::AnyOf(0, 1)) << output;
+  EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("--effort normal may come nearer"));
 }
 
 TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {

@@ -71,3 +71,7 @@ class Calibrations(InFolder):
             phyllite.calibrate(rock, max_tests=71)
         with self.assertRaisesRegex(phyllite.InputError, "one of posterior, sequence"):
             phyllite.calibrate(rock, method="guess")
+        with self.assertRaisesRegex(phyllite.InputError, "one of quick, normal, thorough"):
+            phyllite.calibrate(rock, effort="hasty")
+        with self.assertRaisesRegex(phyllite.InputError, "none beside --method sequence"):
+            phyllite.calibrate(rock, method="sequence", effort="quick")

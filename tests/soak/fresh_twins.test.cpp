@@ -53,7 +53,7 @@ struct Totals {
 void judge(std::uint32_t k, const FreshTwin& t, const Calibration& found,
            const std::vector<Comparison>& elsewhere, Totals& totals) {
   Coverage E, ucs, parameters;
-  const Trial trial = {t.truth, t.response, elsewhere, found};
+  const Trial trial = {t.truth, t.response, elsewhere, found, {}};
   add_response(trial, Property::E, E), add_response(trial, Property::ucs, ucs);
   add_parameters(trial, parameters);
   add_response(trial, Property::E, totals.inside_E), add_response(trial, Property::ucs, totals.inside_ucs);

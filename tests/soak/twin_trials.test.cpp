@@ -1,7 +1,8 @@
 // Twenty twin trials. PHY_TWIN_MAGNIFICATION sets the size of the grains (1: the paper's 7,481 discs, hours;
 // default 2.5: 1,197 discs), PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose rocks, PHY_TWIN_TABLE sets the packings
 // behind a table (5, or 15 where packings are small and differ). The elastic part alone runs at full size
-// (PHY_TWIN_ELASTIC_MAGNIFICATION). PHY_TWIN_STORE names a folder that keeps every finished test: a suite
+// (PHY_TWIN_ELASTIC_MAGNIFICATION). PHY_TWIN_EFFORT is that of the search (calibrate/effort.hpp; 0: quick; 1,
+// the default: normal; 2: thorough). PHY_TWIN_STORE names a folder that keeps every finished test: a suite
 // that was cut short goes on there.
 #include <gtest/gtest.h>
 
@@ -44,12 +45,15 @@ TEST(TwinTrials, TwentyRocks) {
   const Recipe model = magnified_model(magnification);
   const int n_table = static_cast<int>(setting("PHY_TWIN_TABLE", magnification > 2.0 ? 15 : 5));
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
+  const calibrate::Effort effort =
+      calibrate::efforts.at(static_cast<std::size_t>(setting("PHY_TWIN_EFFORT", 1)));
+  const calibrate::Budget budget(std::llround(300.0 * std::max(1.0, effort.points)), effort);
   const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
   std::vector<double> rmse_E, rmse_ucs;
   Coverage E, ucs, parameters;
   for (std::uint32_t k = first; k < n; ++k) {
     const auto simulator = calibrate::make_simulator({threads, store_of(k), nullptr, nullptr});
-    const Trial t = run_trial(k, model, angles, 300, *simulator, n_table);
+    const Trial t = run_trial(k, model, angles, budget, *simulator, n_table);
     rmse_E.push_back(rmse_against(t.found.verification, t.unseen, Property::E));
     rmse_ucs.push_back(rmse_against(t.found.verification, t.unseen, Property::ucs));
     add_response(t, Property::E, E), add_response(t, Property::ucs, ucs), add_parameters(t, parameters);
@@ -68,9 +72,12 @@ TEST(TwinTrials, TwentyRocks) {
         100.0 * rmse_against(t.response, t.unseen, Property::E),
         100.0 * rmse_against(t.response, t.unseen, Property::ucs),
         100.0 * mean_offset(t.found, Property::ucs));
+    std::printf("         mean ln(high/low) of the strengths' intervals after each batch:");
+    for (const double width : t.widths) std::printf(" %.2f", width);
+    std::printf("\n");
     for (const std::string& finding : t.found.verdict.findings) std::printf("         %s\n", finding.c_str());
     std::fflush(stdout);
-    EXPECT_LE(t.found.n_strength_tests, 300);
+    EXPECT_LE(t.found.n_strength_tests, budget.max_tests);
   }
   // four elastic parameters from E and nu, six strengths from UCS, 21 specimens
   std::printf("median RMSE: E %.2f %% (noise floor %.2f %%), UCS %.2f %% (noise floor %.2f %%)\n",

@@ -1,0 +1,27 @@
+// How many tests a search of strengths may take: what each effort buys stands in docs/calibration.md,
+// "Effort".
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace phy::calibrate {
+
+struct Effort {
+  std::string_view name;
+  double points;        ///< of the search, in those of "normal"
+  std::size_t further;  ///< rounds at an estimate that has not settled, at most
+};
+
+inline constexpr std::array<Effort, 3> efforts = {
+    {{"quick", 0.5, 3}, {"normal", 1.0, 6}, {"thorough", 2.0, 12}}};
+inline constexpr Effort normal_effort = efforts[1];
+
+/// What a search may cost.
+struct Budget {
+  // NOLINTNEXTLINE(google-explicit-constructor): a number is the usual budget
+  constexpr Budget(std::int64_t tests, const Effort& how = normal_effort) : max_tests(tests), effort(how) {}
+  std::int64_t max_tests;  ///< in compression
+  Effort effort;
+};
+
+}  // namespace phy::calibrate
