@@ -13,7 +13,7 @@ struct Effort {
 };
 
 inline constexpr std::array<Effort, 3> efforts = {
-    {{"quick", 0.5, 3}, {"normal", 1.0, 6}, {"thorough", 2.0, 12}}};
+    {{"quick", 0.5, 0}, {"normal", 1.0, 6}, {"thorough", 2.0, 12}}};
 inline constexpr Effort normal_effort = efforts[1];
 
 /// What a search may cost.
