@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 #include "base/check.hpp"
@@ -23,6 +24,7 @@
 #include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
 #include "report/tables.hpp"
+#include "study/expected.hpp"
 
 namespace phy::cli {
 namespace {
@@ -184,7 +186,12 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const auto start = Clock::now();
   const int width = session.terminal_width;
   print_wrapped(width, 10, "recipe    {} ({})\n", job.recipe.name, job.path);
+  constexpr double worth_telling = 1e9;  // bytes
+  if (const double most = study::expected_memory(job.recipe, specimen_names(job.recipe).size());
+      most > worth_telling)
+    print_wrapped(width, 10, "memory    up to some {:.0f} GB\n", std::ceil(1e-9 * most));
   print_notes(job.recipe.notes, width);
+  flush_out();  // a large packing takes minutes
   const Made made = make_all(job.recipe, args.no_cache, width);
   lab::check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());

@@ -8,6 +8,9 @@ namespace phy::study {
 /// Grains of the specimen, near enough; of a Brazilian test those of the disc.
 double expected_grains(const Recipe& single);
 
+/// Memory that a run with so many specimens takes before its results are written [bytes]: an upper estimate.
+double expected_memory(const Recipe& recipe, std::size_t n_specimens);
+
 /// Expected cost of a test [cycles times grains], a guess.
 double expected_cost(const Recipe& single);
 

@@ -34,6 +34,17 @@ TEST(Expected, GrainsOfTheSpecimenThatRuns) {
     }
 }
 
+// Largest resident set of whole runs less that of the program: the paper's specimen at seven angles 238 MB;
+// 49,760 discs that end in their first rows, which hold no frames and one snapshot yet, 182 MB.
+TEST(Expected, MemoryAsMeasuredOrMore) {
+  Recipe paper, large;
+  large.specimen = {0.098, 0.196}, large.packing.n_grains = 49760;
+  EXPECT_GT(expected_memory(paper, 7), 238e6);
+  EXPECT_LT(expected_memory(paper, 7), 1.3 * 238e6);
+  EXPECT_GT(expected_memory(large, 1), 182e6);
+  EXPECT_LT(expected_memory(large, 1), 2.0 * 182e6);
+}
+
 TEST(Expected, CostWithinAFactorOfTwo) {
   for (const TestKind kind : {TestKind("uniaxial"), TestKind("brazilian"), TestKind("direct_shear")}) {
     Recipe r = rock(kind);
