@@ -145,6 +145,15 @@ TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
 }
 
 /// `make docs`: no broken link between pages, a search, and nothing fetched from a network.
+TEST_F(Documents, TheReferenceIsThatOfTheProgram) {
+  std::string all;
+  for (const char* file : {"recipe", "study", "rock"}) {
+    ASSERT_EQ(run(std::string(file) + " --reference"), 0) << output;
+    all += output;
+  }
+  EXPECT_EQ(read(std::string(PHY_SOURCE_DIR) + "/docs/reference.md"), all) << "make docs writes it";
+}
+
 TEST_F(Documents, AreASite) {
   if (!has("sphinx-build")) GTEST_SKIP() << "sphinx-build is missing";
   const std::string root = PHY_SOURCE_DIR;
