@@ -35,7 +35,10 @@ void compare_numbers(const TestResult& stored, const TestResult& now, std::vecto
 
 /// The first row with another value, and its first column.
 void compare_histories(const History& stored, const History& now, std::vector<std::string>& found) {
-  if (stored.kind != now.kind) return found.push_back("history: of another kind of test");
+  if (stored.kind != now.kind) {
+    found.emplace_back("history: of another kind of test");
+    return;
+  }
   for (std::size_t i = 0; i < std::min(stored.rows.size(), now.rows.size()); ++i)
     for (const HistoryColumn& c : stored.kind->columns)
       if (const double a = stored.rows[i].*c.value, b = now.rows[i].*c.value; !same(a, b))
