@@ -1,4 +1,5 @@
-// How large a file may be that is read at once, packed or unpacked: nothing is written that would be larger.
+// How large a file may be that is read at once, packed or unpacked. Scenes that would be larger are refused
+// before they are computed (lab/scene_room.hpp).
 #pragma once
 #include <cstddef>
 

@@ -425,6 +425,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
       report_missing(result, static_cast<int>(work.unseen.size()));
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
         !work.strength.softenings.empty());
+  if (strength && !work.by_sequence()) result.effort = options.effort.name;
   result.longer_by = work.strength.longer_by;
   if (!result.longer_by.empty())
     result.notes.push_back(

@@ -331,6 +331,13 @@ std::string misses_text(const View& v) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
+/// Of a search without all points of a usual one; else empty.
+std::string short_search(const Calibration& c) {
+  if (c.longer_by.empty()) return "";
+  return fmt::format("the search was short ({} tests in compression in all; {} lengthens it)",
+                     c.n_strength_tests - c.n_tension_tests, c.longer_by);
+}
+
 /// What remains open of a model that meets its table, and which test would close most of it.
 std::string good_news(const View& v) {
   const Calibration& c = v.of;
@@ -347,7 +354,7 @@ std::string good_news(const View& v) {
           : open.empty()                          ? "; the data determine every parameter"
                          : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
-  if (!c.longer_by.empty()) text += "; the search was short";
+  if (!c.longer_by.empty()) text += "; " + short_search(c);
   if (!next.empty()) return text + "; next: " + next.front();
   return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
 }
@@ -363,8 +370,9 @@ std::string coarse_news(const View& v) {
       cells.push_back(cell_name(c.target));
       specimens_help = specimens_help && specimens_missing(c).has_value();
     }
-  return fmt::format("{} of the table, but scatter tells no miss from chance at {}; next: {}", misses_text(v),
-                     fmt::join(cells, ", "),
+  const std::string cut = short_search(v.of);
+  return fmt::format("{} of the table, but scatter tells no miss from chance at {}{}{}; next: {}",
+                     misses_text(v), fmt::join(cells, ", "), cut.empty() ? "" : "; ", cut,
                      specimens_help ? "more specimens there (the findings say how many)"
                                     : "smaller grains in the rock's recipe, since packings differ too much");
 }
@@ -383,8 +391,7 @@ std::string bad_news(const View& v) {
     if (next.empty()) next = cause.next;
   }
   if (!v.of.longer_by.empty()) {
-    clauses.push_back(fmt::format("the search was short ({} tests in compression in all)",
-                                  v.of.n_strength_tests - v.of.n_tension_tests));
+    clauses.push_back(short_search(v.of));
     const std::vector<Part> parts = ranked(v);
     if (parts.empty() || parts.front() != moduli) next = "a new folder with " + v.of.longer_by;
   }

@@ -188,10 +188,9 @@ TEST(Cause, ASearchCutShort) {
   c.n_strength_tests = 80, c.n_tension_tests = 20;
   EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("--max-tests")));
   c.longer_by = "a larger --max-tests";
-  EXPECT_THAT(
-      verdict_sentence(c),
-      HasSubstr("the search was short (60 tests in compression in all); next: a new folder with a larger "
-                "--max-tests"));
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("the search was short (60 tests in compression in all; a larger "
+                                             "--max-tests lengthens it); next: a new folder with a larger "
+                                             "--max-tests"));
   c.longer_by = "--effort normal";
   EXPECT_THAT(verdict_sentence(c), HasSubstr("; next: a new folder with --effort normal"));
 }

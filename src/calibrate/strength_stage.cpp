@@ -25,10 +25,19 @@ std::int64_t most_points(std::size_t n_ratios, const Effort& effort) {
   constexpr double usual = 36.0, per_ratio = 6.0;
   return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)));
 }
-/// The option that would have allowed all points of a usual search; empty: it had them.
-std::string lengthened_by(const Budget& budget, std::int64_t most, std::int64_t n_compressive) {
-  if (budget.max_tests < most * n_compressive) return "a larger --max-tests";
-  return budget.effort.points < normal_effort.points ? fmt::format("--effort {}", normal_effort.name) : "";
+/// What would have allowed all points of a usual search, `usual`; empty: it had them.
+std::string lengthened_by(const Budget& budget, std::int64_t usual, std::int64_t n_compressive) {
+  const bool too_quick = budget.effort.points < normal_effort.points,
+             too_few = budget.max_tests < usual * n_compressive;
+  return fmt::format("{}{}{}", too_quick ? "--effort normal" : "", too_quick && too_few ? " and " : "",
+                     too_few ? "a larger --max-tests" : "");
+}
+/// Of a search that was to be longer than usual.
+void report_cut(const Budget& budget, std::int64_t most, std::int64_t n_compressive, StrengthFit& fit) {
+  const std::int64_t paid = budget.max_tests / n_compressive;
+  if (budget.effort.points > normal_effort.points && paid < most && fit.longer_by.empty())
+    fit.notes.push_back(fmt::format("of the {} points of a {} search --max-tests paid for {}", most,
+                                    budget.effort.name, paid));
 }
 constexpr std::uint32_t sampler_seed = 20100101;
 constexpr int final_length = 4;  // of the chains behind the intervals, in those of the search
@@ -372,11 +381,12 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
-  const std::int64_t most =
-      most_points(posterior.parameters().size() - 1, budget.effort);  // sigma_c costs no run
+  const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
+  const std::int64_t most = most_points(n_ratios, budget.effort);
   std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, has_coarse(fit.recipe));
   const std::size_t n_planned = batches.size();
-  fit.longer_by = lengthened_by(budget, most, n_compressive);
+  fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
+  report_cut(budget, most, n_compressive, fit);
   announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   Point estimate;

@@ -38,7 +38,7 @@ struct StrengthFit {
   std::int64_t n_tests = 0, n_coarse = 0, n_tension = 0, n_without_peak = 0;
   std::int64_t n_solutions = 0;  ///< of the direct solution, for what softens
   bool interrupted = false;
-  std::string longer_by;  ///< the option that would have allowed all points of a usual search; else empty
+  std::string longer_by;  ///< what would have allowed all points of a usual search; empty: it had them
   std::vector<std::string> findings;  ///< what speaks against the fit
   std::vector<std::string> notes;
   Mixing mixing;          ///< of the draws behind parameters and intervals

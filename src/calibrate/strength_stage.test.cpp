@@ -171,13 +171,17 @@ TEST(StrengthStage, EffortIsTheNumberOfPoints) {
   };
   const auto n_angles = static_cast<std::int64_t>(angles.size());
   const StrengthFit quick = found({1000, efforts[0]}), thorough = found({1000, efforts[2]}),
-                    cut = found({20 * n_angles, efforts[2]});
+                    cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
+                    both = found({20 * n_angles, efforts[0]});
   EXPECT_EQ(quick.n_tests, 18 * n_angles);
   EXPECT_EQ(quick.longer_by, "--effort normal");
   EXPECT_EQ(thorough.n_tests, 72 * n_angles);
   EXPECT_EQ(thorough.longer_by, "");
   EXPECT_EQ(cut.n_tests, 20 * n_angles);
   EXPECT_EQ(cut.longer_by, "a larger --max-tests");
+  EXPECT_EQ(both.longer_by, "--effort normal and a larger --max-tests");
+  EXPECT_EQ(part.longer_by, "") << "more than a usual search";
+  EXPECT_THAT(part.notes, testing::Contains("of the 72 points of a thorough search --max-tests paid for 50"));
 }
 
 TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {

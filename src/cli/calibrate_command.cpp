@@ -134,7 +134,7 @@ void add_calibrate_command(CLI::App& app, Session& session) {
   for (const calibrate::Effort& e : calibrate::efforts) efforts.emplace_back(e.name);
   verb->add_option("--effort", args->effort,
                    "how many tests the search of strengths takes: quick half of the usual, thorough twice as "
-                   "many (docs/calibration.md has what each buys)")
+                   "many (docs/calibration.md, Effort)")
       ->check(CLI::IsMember(efforts))
       ->capture_default_str();
   verb->add_flag("--with-untrusted", args->with_untrusted,

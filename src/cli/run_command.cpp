@@ -23,6 +23,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
+#include "lab/scene_room.hpp"
 #include "report/tables.hpp"
 #include "study/expected.hpp"
 
@@ -194,6 +195,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   flush_out();  // a large packing takes minutes
   const Made made = make_all(job.recipe, args.no_cache, width);
   lab::check_load_path(*made.specimens.front(), job.recipe);  // all have the contacts of one packing
+  lab::check_scene_room(*made.specimens.front(), job.recipe);
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)

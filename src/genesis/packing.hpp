@@ -2,9 +2,8 @@
 //
 //   1. radii      drawn from [radius_min, radius_max], uniform by number or by area (number density ~ 1/r^2)
 //   2. placement  at random in the box, overlapping as it comes; above 200,000 discs in rows (placement.hpp)
-//   3. settling   frictionless, to balanced forces (settle.hpp): mean unbalanced over mean contact force
-//   1e-6,
-//                 above 200,000 discs 1e-4
+//   3. settling   frictionless, to balanced forces (settle.hpp): mean unbalanced force 1e-6 of the mean
+//                 contact force, above 200,000 discs 1e-4
 //   4. stress     only `isotropic`: radii times 1 + alpha, settled again, until the mean stress is right
 //   5. rattlers   discs with fewer than three contacts grow into their cages (rattlers.hpp); then 3, 4 again
 //

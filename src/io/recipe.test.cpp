@@ -156,10 +156,6 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"neither_size", "[packing]\nn_grains = 0\n", "give one of them"},
         Bad{"few_grains", "[packing]\nn_grains = 7\n", "0, or at least 16"},
         Bad{"many_grains", "[packing]\nn_grains = 1000001\n", "0 <= value <= 1000000"},
-        Bad{"frames",
-            "[specimen]\nwidth = \"190 mm\"\nheight = \"380 mm\"\n[packing]\nn_grains = "
-            "187025\n[test]\nn_frames = 1000\n",
-            "at most 472 with so many grains"},
         Bad{"porous", "[specimen]\nwidth = \"9 m\"\nheight = \"9 m\"\n[packing]\nporosity = 0.16\n",
             "at most 1000000 grains"},
         Bad{"idle_stress", "[packing]\nisotropic_stress = \"1 MPa\"\n", "0 with stress_free"},

@@ -102,12 +102,6 @@ std::vector<Problem> misplaced_discs(const DiscFile& file, const Recipe& recipe)
   if (file.discs.size() > static_cast<std::size_t>(max_recipe_grains))
     problems.push_back({recipe.packing.file, "", std::to_string(file.discs.size()) + " discs",
                         "at most " + std::to_string(max_recipe_grains), ""});
-  const std::int64_t most =
-      most_frames(static_cast<double>(std::max<std::size_t>(1, file.discs.size())), recipe.test);
-  if (recipe.test.n_frames > most)
-    problems.push_back({recipe.packing.file, "test.n_frames", std::to_string(recipe.test.n_frames),
-                        "at most " + std::to_string(most) + " with so many discs and snapshots",
-                        "scene.bin would be too large to be read"});
   return problems;
 }
 

@@ -31,6 +31,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+auto find_effort(std::string_view name) {
+  return std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
+                      [&](const calibrate::Effort& e) { return e.name == name; });
+}
+
 /// Everything that the answer follows from.
 std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
   const Rock& rock = evidence.rock;
@@ -131,6 +136,7 @@ std::optional<CalibrationRequest> request_in(const std::string& folder) {
     request.elastic |= word == "--elastic";
     request.with_untrusted |= word == "--with-untrusted";
   }
+  if (find_effort(request.effort) == calibrate::efforts.end()) return {};  // damaged
   return request;
 }
 
@@ -149,18 +155,16 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
 namespace {
 
 calibrate::Effort effort_of(const CalibrationRequest& request) {
-  const auto* const effort =
-      std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
-                   [&](const calibrate::Effort& e) { return e.name == request.effort; });
-  if (effort == calibrate::efforts.end()) {
-    std::vector<std::string_view> names;
-    for (const calibrate::Effort& e : calibrate::efforts) names.push_back(e.name);
-    throw InputError(
-        Problem{"command line", "--effort", request.effort, fmt::format("{}", fmt::join(names, ", ")), ""});
-  }
-  if (request.by_sequence() && !request.of_usual_effort())
-    throw InputError(Problem{"command line", "--effort", request.effort, "none beside --method sequence",
-                             "a sequence takes the tests that its bisections need"});
+  const auto* const effort = find_effort(request.effort);
+  if (effort == calibrate::efforts.end())
+    throw InputError(Problem{"command line", "--effort", request.effort,
+                             "one of those of `phyllite calibrate --help`", ""});
+  const char* const other = request.by_sequence() ? "--method sequence"
+                            : request.elastic     ? "--elastic"
+                                                  : nullptr;
+  if (other != nullptr && !request.of_usual_effort())
+    throw InputError(Problem{"command line", "--effort", request.effort, std::string("none beside ") + other,
+                             "it is that of a search of strengths, which is not made there"});
   return *effort;
 }
 

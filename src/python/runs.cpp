@@ -17,6 +17,7 @@
 #include "jobs/machine.hpp"
 #include "jobs/run_folder.hpp"
 #include "lab/load_path.hpp"
+#include "lab/scene_room.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "python/released.hpp"
@@ -133,6 +134,7 @@ std::vector<std::shared_ptr<Test>> run(const Recipe& recipe, const std::string& 
     for (Specimen& s : genesis::make_specimens(packing, recipe))
       specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
     lab::check_load_path(*specimens.front(), recipe);
+    lab::check_scene_room(*specimens.front(), recipe);
     if (place && replace)
       for (const auto& [other, difference] : jobs::results_of_others(folder, recipe))
         io::remove_folder(other);

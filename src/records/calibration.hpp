@@ -88,8 +88,9 @@ struct Calibration {
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
-  std::string longer_by;  ///< the option that would have allowed all points of a usual search; else empty
-  Recipe recipe;          ///< the calibrated model, ready to run
+  std::string effort;            ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
+  std::string longer_by;         ///< what would have allowed all points of a usual search; empty: it had them
+  Recipe recipe;                 ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit

@@ -39,6 +39,11 @@ struct PackingRecipe {
   double isotropic_stress = 0.0;  ///< [Pa] used with `isotropic`
   std::int64_t seed = 1;
   std::string file;  ///< CSV of discs to import instead of making a packing
+  /// Mean of the squares of the radii [m^2].
+  double mean_square_radius() const {
+    const double a = radius_min, b = radius_max;
+    return distribution == RadiusDistribution::by_area ? a * b : (a * a + a * b + b * b) / 3.0;
+  }
 };
 
 /// Matrix: linear contacts and parallel bonds (paper Table 1), or flat joints of the modulus E_c.

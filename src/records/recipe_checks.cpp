@@ -75,17 +75,6 @@ class CrossChecks {
                             std::to_string(p.n_grains), "exactly one of n_grains and porosity",
                             p.n_grains > 0 ? "set the other one to 0 or leave it out" : "give one of them");
     p.n_grains > 0 ? grains_fill_the_box() : porosity_gives_a_number();
-    scene_has_room();
-  }
-  void scene_has_room() {
-    const PackingRecipe& p = r_.packing;
-    const double mean = 0.5 * (p.radius_min + p.radius_max), area = r_.specimen.width * r_.specimen.height;
-    const double n = p.n_grains > 0 ? static_cast<double>(p.n_grains) : area / (pi * mean * mean);
-    if (const std::int64_t most = most_frames(n, r_.test); r_.test.n_frames > most)
-      report_problem({"test.n_frames", "test.n_snapshots", "packing.n_grains", "packing.file"},
-                     std::to_string(r_.test.n_frames),
-                     "at most " + std::to_string(most) + " with so many grains and snapshots",
-                     "scene.bin would be too large to be read");
   }
   void grains_fill_the_box() {
     const PackingRecipe& p = r_.packing;
@@ -104,13 +93,13 @@ class CrossChecks {
   void porosity_gives_a_number() {
     const PackingRecipe& p = r_.packing;
     const double solid = (1.0 - p.porosity) * r_.specimen.width * r_.specimen.height;
-    const double fewest = solid / (pi * p.radius_max * p.radius_max);
-    if (fewest > static_cast<double>(max_recipe_grains))
+    const double n = solid / (pi * p.mean_square_radius());
+    if (n > static_cast<double>(max_recipe_grains))
       report_problem({"packing.porosity", "specimen.width", "specimen.height", "packing.radius_min",
-                      "packing.radius_max", "packing.file"},
+                      "packing.radius_max", "packing.distribution", "packing.file"},
                      print_number(p.porosity),
-                     "at most " + std::to_string(max_recipe_grains) + " grains; this gives more than " +
-                         std::to_string(static_cast<std::int64_t>(std::min(fewest, 1e15))),
+                     "at most " + std::to_string(max_recipe_grains) + " grains; this gives some " +
+                         std::to_string(static_cast<std::int64_t>(std::min(n, 1e15))),
                      "use larger grains or a smaller specimen");
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/largest_file.hpp"
 #include "base/quote.hpp"
 #include "records/test_description.hpp"
 
@@ -433,15 +432,6 @@ std::string print_field(const Field& f, const Recipe& recipe, std::size_t index)
       return toml_list(values);
     }
   }
-}
-
-std::int64_t most_frames(double n_grains, const TestRecipe& test) {
-  // Bytes per grain: place and radius; three contacts with two numbers and a kind each; a force on each of
-  // them per snapshot; two displacements of three bytes at most per frame. Both may be twice as many.
-  constexpr double disc = 3 * 4.0, links = 3 * (4.0 + 4.0 + 1.0), forces = 2 * 3 * 1.0, frames = 2 * 2 * 3.0;
-  const auto snapshots = static_cast<double>(std::max<std::int64_t>(1, test.n_snapshots));
-  const double left = static_cast<double>(largest_file) / n_grains - disc - links - forces * snapshots;
-  return static_cast<std::int64_t>(std::max(0.0, left / frames));
 }
 
 std::string keys_not_by_default(const Recipe& r) {

@@ -13,8 +13,6 @@ namespace phy {
 
 /// 32 bit contact numbers and memory; hours of computing.
 constexpr std::int64_t max_recipe_grains = 1000000;
-/// The largest test.n_frames with which the scene of so many grains can be read (base/largest_file.hpp).
-std::int64_t most_frames(double n_grains, const TestRecipe& test);
 
 const Fields& recipe_fields();
 

@@ -101,6 +101,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["program"] = {{"name", "phyllite"}, {"version", version}};
   j["rock"] = c.rock;
   if (c.method == CalibrationMethod::sequence) j["method"] = "sequence";
+  if (!c.effort.empty()) j["effort"] = c.effort;
   j["verdict"] = {{"status", to_string(c.verdict.status)},
                   {"sentence", c.verdict.sentence},
                   {"summary", summary_lines(c)},

@@ -26,12 +26,9 @@ constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest g
 
 double expected_grains(const Recipe& r) {
   const PackingRecipe& p = r.packing;
-  const double box = r.specimen.width * r.specimen.height, a = p.radius_min, b = p.radius_max;
-  // Mean of r^2: with radii uniform by area it is ab, with radii uniform in number (a^2 + ab + b^2)/3.
-  const double mean_square =
-      p.distribution == RadiusDistribution::by_area ? a * b : (a * a + a * b + b * b) / 3.0;
-  const double n =
-      p.n_grains > 0 ? static_cast<double>(p.n_grains) : (1.0 - p.porosity) * box / (pi * mean_square);
+  const double box = r.specimen.width * r.specimen.height;
+  const double n = p.n_grains > 0 ? static_cast<double>(p.n_grains)
+                                  : (1.0 - p.porosity) * box / (pi * p.mean_square_radius());
   if (r.test.kind->cut == nullptr) return n;
   // Discs and half discs are cut from the box: their share of its area.
   const SpecimenCut cut = r.test.kind->cut(r);

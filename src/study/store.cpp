@@ -15,6 +15,7 @@
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
+#include "base/largest_file.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
 #include "io/csv.hpp"
@@ -121,9 +122,10 @@ bool is_dead(const std::string& owner) {
 
 /// A history or a list of cracks.
 std::string unpacked(const std::string& blob, const std::string& path) {
-  constexpr std::size_t most = 256U << 20U;  // as of a file: a few bytes can be gigabytes
-  std::optional<std::string> text = io::inflated(blob, most);
-  if (!text) throw IoError(path + ": a history is damaged; delete its row and run it again");
+  std::optional<std::string> text = io::inflated(blob, largest_file);  // a few bytes can be gigabytes
+  if (!text)
+    throw IoError(path +
+                  ": a history is damaged, or larger than a gigabyte; delete its row and run it again");
   return std::move(*text);
 }
 
@@ -505,7 +507,7 @@ MergeReport Store::merge(const std::string& other_path) {
   const std::lock_guard lock(mutex_);
   io::Statement(database_, "ATTACH DATABASE ? AS other").bind(other_path).run();
   try {
-    const MergeReport report = merge_attached();
+    MergeReport report = merge_attached();
     database_.execute("DETACH DATABASE other");
     return report;
   } catch (...) {  // or no other store could be merged by this object

@@ -46,7 +46,8 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
   const auto numbers = numbers_in(rows);
   std::string text = "point,packing,bond_seed,theta [deg],intact";
   for (const Factor& f : plan.study.vary) text.append(",").append(csv_head(f.key));
-  for (const auto& [name, unit] : numbers) text += "," + name + " [" + unit + "]";
+  for (const auto& [name, unit] : numbers)
+    text.append(",").append(name).append(" [").append(unit).append("]");
   text += ",n_cracks,n_steps,cpu [s],status,reason,quality,marks,result_hash,key\n";
   for (const Run& run : plan.runs) {
     const PlannedTest& test = plan.tests[run.test];

@@ -130,10 +130,13 @@ JaegerFit fit_jaeger_and_matrix(const std::vector<StrengthReading>& readings) {
   fit.reason = refusal(readings, [&](double) { return strongest; });
   if (fit.reason.empty() && angles.size() < 4) fit.reason = "fewer than four inclinations";
   if (!fit.reason.empty()) return fit;
-  for (double phi = 0.0; phi <= largest_friction; phi += coarse_step) try_friction(readings, phi, fit, best);
+  const auto try_from = [&](double from, double to, double step) {
+    for (int i = 0; from + i * step <= to; ++i) try_friction(readings, from + i * step, fit, best);
+  };
+  try_from(0.0, largest_friction, coarse_step);
   const double from = std::max(0.0, fit.plane.friction - coarse_step),
                to = std::min(largest_friction, fit.plane.friction + coarse_step);
-  for (double phi = from; phi <= to; phi += fine_step) try_friction(readings, phi, fit, best);
+  try_from(from, to, fine_step);
   fit.ok = true;
   const double total = spread(readings);
   fit.R2 = total > 0.0 ? 1.0 - best / total : nan;

@@ -92,7 +92,7 @@ struct PlaneConstants {
 ///   nu(theta)/E(theta) = -S_xy (cos^4 + sin^4) - (S_xx + S_yy - S_ss) sin^2 cos^2
 /// Hence nu(0)/E(0) = nu(90)/E(90) = -S_xy, and (1 - nu)/E = (S_yy + S_xy) cos^2 + (S_xx + S_xy) sin^2: what
 /// two tests at 0 and 90 degrees say of nu at every other angle, given E there.
-PlaneConstants seen_at(const PlaneCompliance& body, double theta);
+PlaneConstants seen_at(const PlaneCompliance& S, double theta);
 
 /// What an isotropic body (E, nu) shows in a two-dimensional test under plane strain: E/(1-nu^2), nu/(1-nu).
 PlaneConstants seen_in_plane_strain(const PlaneConstants& body);

@@ -164,8 +164,8 @@ CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
   const statics::Movements u = statics::solve_once(net, boundary).u;
   CrackedPlate plate;
   for (const statics::Given& load : boundary.loads)
-    plate.energy +=
-        0.5 * load.value * u[3 * load.where.body + static_cast<std::size_t>(load.where.component)];
+    plate.energy += 0.5 * load.value *
+                    u[std::size_t{3} * load.where.body + static_cast<std::size_t>(load.where.component)];
   const statics::Compliance S = {
       {{1.0 / E, -nu / E, 0.0}, {-nu / E, 1.0 / E, 0.0}, {0.0, 0.0, 2.0 * (1.0 + nu) / E}}};
   plate.K_I = statics::stress_intensity(net, u, {{a, middle}, {1.0, 0.0}, 8.0 * R, 0.4 * a}, S).K_I;

@@ -153,7 +153,7 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   const std::string other = write("other.toml", "data = \"other.csv\"\nrecipe = \"start.toml\"\n");
   const std::string more = " --threads 2 --resume --out " + out();
   for (const std::string& refused : {"calibrate " + other + " --elastic" + more,
-                                     "calibrate " + at("rock.toml") + more, own + " --effort quick"}) {
+                                     "calibrate " + at("rock.toml") + more, own + " --max-tests 999"}) {
     ASSERT_EQ(run(refused), 2) << output;
     EXPECT_THAT(output,
                 testing::AllOf(HasSubstr("\"rock\""), HasSubstr("--elastic"), HasSubstr("another --out")));
@@ -185,6 +185,8 @@ TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
   EXPECT_THAT(output, HasSubstr("--method sequence --resume"));
   ASSERT_EQ(run(calibrate(at("none") + " --method sequence --effort quick")), 2);
   EXPECT_THAT(output, HasSubstr("none beside --method sequence"));
+  ASSERT_EQ(run("calibrate " + rock() + " --elastic --effort thorough --out " + at("none")), 2);
+  EXPECT_THAT(output, HasSubstr("none beside --elastic"));
   EXPECT_FALSE(fs::exists(at("none")));
 }
 
@@ -195,7 +197,10 @@ TEST_F(CalibrateCli, EffortIsRememberedAndNamesTheNextOne) {
   EXPECT_EQ(run_to_event(300, SIGINT, quick), 1) << output;
   EXPECT_THAT(output, HasSubstr("--effort quick --resume"));
   ASSERT_THAT(run(quick + " --resume"), testing::AnyOf(0, 1)) << output;
+  EXPECT_THAT(output, HasSubstr("--effort normal lengthens it"));
   EXPECT_THAT(read(out() + "/tables.txt"), HasSubstr("--effort normal may come nearer"));
+  EXPECT_THAT(read(out() + "/calibration.json"), HasSubstr("\"effort\": \"quick\""));
+  ASSERT_EQ(run("calibrate " + rock() + " --threads 2 --resume --out " + out()), 2) << "of another effort";
 }
 
 TEST_F(CalibrateCli, BadTablesAreRefusedAtOnceWithTheirLines) {
