@@ -2,6 +2,8 @@
 // "Effort".
 #pragma once
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace phy::calibrate {

@@ -185,6 +185,7 @@ std::string ensemble_file(const std::string& folder, std::size_t k) {
 void check_calibration_outputs(const std::string& folder) {
   io::check_outputs(files_in(folder));
   io::check_writable(folder);
+  io::remove_leftovers((fs::path(folder) / "ensemble").string());
 }
 
 BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const CalibrationRequest& request) {
