@@ -1,6 +1,7 @@
 #include "calibrate/strength_stage.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,10 @@ std::int64_t most_points(std::size_t n_ratios, const Effort& effort) {
 std::string lengthened_by(const Budget& budget, std::int64_t usual, std::int64_t n_compressive) {
   const bool too_quick = budget.effort.points < normal_effort.points,
              too_few = budget.max_tests < usual * n_compressive;
-  return fmt::format("{}{}{}", too_quick ? "--effort normal" : "", too_quick && too_few ? " and " : "",
-                     too_few ? "a larger --max-tests" : "");
+  std::vector<std::string> options;
+  if (too_quick) options.push_back(fmt::format("--effort {}", normal_effort.name));
+  if (too_few) options.emplace_back("a larger --max-tests");
+  return fmt::format("{}", fmt::join(options, " and "));
 }
 /// Of a search that was to be longer than usual.
 void report_cut(const Budget& budget, std::int64_t most, std::int64_t n_compressive, StrengthFit& fit) {

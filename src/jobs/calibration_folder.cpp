@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/check.hpp"
 #include "base/hash.hpp"
 #include "base/quote.hpp"
 #include "calibrate/posterior_ensemble.hpp"
@@ -34,6 +35,18 @@ namespace {
 auto find_effort(std::string_view name) {
   return std::find_if(calibrate::efforts.begin(), calibrate::efforts.end(),
                       [&](const calibrate::Effort& e) { return e.name == name; });
+}
+
+calibrate::Effort effort_of(const CalibrationRequest& request) {
+  const auto* const effort = find_effort(request.effort);
+  PHY_CHECK(effort != calibrate::efforts.end(), "whoever reads an effort has looked whether it is one");
+  const char* const other = request.by_sequence() ? "--method sequence"
+                            : request.elastic     ? "--elastic"
+                                                  : nullptr;
+  if (other != nullptr && !request.of_usual_effort())
+    throw InputError(Problem{"command line", "--effort", request.effort, std::string("none beside ") + other,
+                             "it is that of a search of strengths, which is not made there"});
+  return *effort;
 }
 
 /// Everything that the answer follows from.
@@ -151,24 +164,6 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
                 "the layers of this rock are directions of bonds, which flat joints do not have"});
   return rock;
 }
-
-namespace {
-
-calibrate::Effort effort_of(const CalibrationRequest& request) {
-  const auto* const effort = find_effort(request.effort);
-  if (effort == calibrate::efforts.end())
-    throw InputError(Problem{"command line", "--effort", request.effort,
-                             "one of those of `phyllite calibrate --help`", ""});
-  const char* const other = request.by_sequence() ? "--method sequence"
-                            : request.elastic     ? "--elastic"
-                                                  : nullptr;
-  if (other != nullptr && !request.of_usual_effort())
-    throw InputError(Problem{"command line", "--effort", request.effort, std::string("none beside ") + other,
-                             "it is that of a search of strengths, which is not made there"});
-  return *effort;
-}
-
-}  // namespace
 
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request) {
   calibrate::CalibrationOptions options;

@@ -31,7 +31,7 @@ std::optional<CalibrationRequest> request_in(const std::string& folder);
 /// The rock with the matrix that is asked for. Throws InputError where that cannot be.
 Rock with_matrix(Rock rock, const CalibrationRequest& request);
 
-/// Throws InputError where the effort is none, or no search of strengths is made that it could be of.
+/// Throws InputError where an effort is asked for and no search of strengths is made that it could be of.
 calibrate::CalibrationOptions options_of(const CalibrationRequest& request);
 
 /// The folder of a calibration while it is worked in.

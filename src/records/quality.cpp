@@ -41,7 +41,7 @@ const std::vector<QualityLimit>& quality_limits() {
        "the test ended before the stress fell as far as its recipe asks: a higher peak may follow",
        "raise test.max_strain"},
       {"rows_to_peak", true, 20.0, 5.0, "too few rows of the history see the way to the peak",
-       "lower test.history_interval, or test.platen_speed"},
+       "lower test.platen_speed, or, of a test that is slow already, test.history_interval"},
       {"platen_difference_95", false, 0.03, 0.1,
        "opposite platens, grips, jaws or rollers carry different forces, inertia takes the difference",
        "lower test.platen_speed, or raise engine.damping"},

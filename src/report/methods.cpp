@@ -313,7 +313,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text += fmt::format(
         ", strengths {} ({} compression{} tests in all, verification included)",
         posterior ? fmt::format("by a surrogate and its posterior{}",
-                                c.effort.empty() || c.effort == "normal" ? "" : ", effort " + c.effort)
+                                c.effort.empty() ? "" : ", effort " + c.effort)
                   : "one after the other by bisection, each against UCS at one angle on one packing",
         n_ucs, c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
   if (!c.verification.empty())

@@ -144,7 +144,6 @@ TEST_F(Documents, EveryCommandThatTheyShowIsRun) {
   }
 }
 
-/// `make docs`: no broken link between pages, a search, and nothing fetched from a network.
 TEST_F(Documents, TheReferenceIsThatOfTheProgram) {
   std::string all;
   for (const char* file : {"recipe", "study", "rock"}) {
@@ -154,6 +153,7 @@ TEST_F(Documents, TheReferenceIsThatOfTheProgram) {
   EXPECT_EQ(read(std::string(PHY_SOURCE_DIR) + "/docs/reference.md"), all) << "make docs writes it";
 }
 
+/// `make docs`: no broken link between pages, a search, and nothing fetched from a network.
 TEST_F(Documents, AreASite) {
   if (!has("sphinx-build")) GTEST_SKIP() << "sphinx-build is missing";
   const std::string root = PHY_SOURCE_DIR;

@@ -109,7 +109,10 @@ INSTANTIATE_TEST_SUITE_P(
             {"stop_at = 0", "post_peak = 0.02"},
             "peak_confirmed",
             "raise test.post_peak"},
-        Bad{"three_rows", {"history_interval = 5000"}, "rows_to_peak", "lower test.history_interval"}),
+        Bad{"three_rows",
+            {"history_interval = 5000"},
+            "rows_to_peak",
+            "slow already, test.history_interval"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 TEST_F(Quality, WithoutDampingTheNumberStandsWithAWarning) {
