@@ -20,8 +20,10 @@ namespace {
 constexpr double balanced = 1e-6;          // mean unbalanced / mean contact force of the finished packing
 constexpr double nearly_balanced = 1e-4;   // enough to tell which discs float
 constexpr double roughly_balanced = 1e-3;  // enough to see how far the stress is from its target
-// Of more discs the last two digits of balance are most of the cost, and nothing that is read of a specimen
-// knows them; a packing of up to so many keeps the bits that it had before there were larger ones.
+// Of more discs the last two digits of balance are most of the cost. Three packings of 7,481 discs settled to
+// 1e-4 against the same to 1e-6, four specimens each: small-strain E -0.2 +- 0.1 % (single ones within 1 %),
+// UCS +0.3 +- 0.4 % (within 3.7 %; another draw of the bonds: 5 %). A packing of up to so many keeps the bits
+// that it had before there were larger ones.
 constexpr std::size_t many_discs = 200000;
 constexpr double stress_tolerance = 0.01;  // of the target
 constexpr double loose_growth = 2e-3;      // radii, when nothing touches yet

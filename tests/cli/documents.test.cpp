@@ -165,8 +165,9 @@ TEST_F(Documents, AreASite) {
   EXPECT_NE(read(at("site/searchindex.js")).find("smooth"), std::string::npos);
   const std::regex fetched("(src|rel=\"stylesheet\"[^>]* href)=\"https?:");
   for (const auto& entry : fs::recursive_directory_iterator(at("site")))
-    if (entry.path().extension() == ".html")
+    if (entry.path().extension() == ".html") {
       EXPECT_FALSE(std::regex_search(read(entry.path().string()), fetched)) << entry.path();
+    }
 }
 
 }  // namespace
