@@ -145,6 +145,13 @@ PRESS(one_angle_double4_avx2, avx2, double, 4, 1);
 PRESS(one_angle_float4_sse2, sse2, single, 4, 1);
 PRESS(one_angle_double1_scalar, sse2, double, 1, 1);
 
+// One specimen alone, a register full of its contacts.
+PRESS(alone_float1_avx512, avx512, single, 1, 1);
+PRESS(alone_float1_avx2, avx2, single, 1, 1);
+PRESS(alone_float1_sse2, sse2, single, 1, 1);
+PRESS(alone_double1_avx512, avx512, double, 1, 1);
+PRESS(alone_double1_avx2, avx2, double, 1, 1);
+
 // What a group of fewer lanes takes, which decides how tests are dealt (slowness() in study/scheduler.cpp).
 PRESS(seven_angles_float8_avx512, avx512, single, 8, 7);
 PRESS(seven_angles_float4_avx512, avx512, single, 4, 7);

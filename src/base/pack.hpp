@@ -1,8 +1,8 @@
 // Numbers that are one lane wide or many: the laws and the force loop are written once, over the number type
 // R.
 //
-//   R = double              one specimen: the reference, easy to step through in a debugger
-//   R = Pack<double, W>     W specimens of one packing side by side in a SIMD register
+//   R = double, float       one specimen: the reference, easy to step through in a debugger
+//   R = Pack<double, W>     W specimens of one packing side by side in a SIMD register, or W contacts of one
 //   R = Pack<float, W>      the same in single precision
 //
 // A comparison gives a mask (bool, or a vector of all-ones/all-zeros integers); select(mask, a, b) replaces
@@ -10,8 +10,7 @@
 // Arithmetic is that of the vector types of GCC and Clang; what depends on masks goes through intrinsics, one
 // short table per register size: left to the vector types, g++ 12 takes logic on masks apart lane by lane,
 // hundreds of scalar instructions wherever a bond breaks. Rejected: a SIMD library (the ten functions below
-// are all that is used) and gathers inside one specimen (three times slower per contact,
-// docs/decisions/0001).
+// are all that is used).
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -182,8 +181,11 @@ bool any(Mask<T, W> m) {
 
 // The same vocabulary for one lane.
 inline double select(bool m, double a, double b) { return m ? a : b; }
+inline float select(bool m, float a, float b) { return m ? a : b; }
 inline double sqrt(double a) { return std::sqrt(a); }
+inline float sqrt(float a) { return std::sqrt(a); }
 inline double abs(double a) { return std::fabs(a); }
+inline float abs(float a) { return std::fabs(a); }
 inline bool any(bool m) { return m; }
 
 /// What the laws need to know about a number type.
@@ -196,15 +198,19 @@ struct NumberTraits {
   static void set(R& r, int lane, Scalar value) { r.v[lane] = value; }
   static bool test(const MaskType& m, int lane) { return m[lane]; }
 };
-template <>
-struct NumberTraits<double> {
-  using Scalar = double;
+template <class T>
+struct OneLane {
+  using Scalar = T;
   using MaskType = bool;
   static constexpr int width = 1;
-  static double get(const double& r, int) { return r; }
-  static void set(double& r, int, double value) { r = value; }
+  static T get(const T& r, int) { return r; }
+  static void set(T& r, int, T value) { r = value; }
   static bool test(bool m, int) { return m; }
 };
+template <>
+struct NumberTraits<double> : OneLane<double> {};
+template <>
+struct NumberTraits<float> : OneLane<float> {};
 template <class R>
 using MaskOf = typename NumberTraits<R>::MaskType;
 template <class R>

@@ -123,8 +123,8 @@ bool has_lanes(const Recipe& r, int lanes) {
   if (lanes == 0) return true;
   const engine::ContactPhysics& physics = engine::physics_of(r.matrix, r.bedding);
   const engine::Isa isa = engine::native_isa();
-  return r.engine.precision == Precision::double_precision ? physics.double_kernel(isa, lanes) != nullptr
-                                                           : physics.float_kernel(isa, lanes) != nullptr;
+  return r.engine.precision == Precision::double_precision ? physics.double_kernel(isa, lanes).advance != nullptr
+                                                           : physics.float_kernel(isa, lanes).advance != nullptr;
 }
 
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named

@@ -57,17 +57,17 @@ struct FlatJoint {
   using Elements = std::integral_constant<int, N>;
   /// Calls `use` for the number of elements of this contact, a constant then: what is asked of few contacts
   /// is compiled for every number, the loop over all of them once.
-  template <class T, class Use>
-  static void of_elements(const T* g, const Use& use) {
-    const auto n = static_cast<int>(g[elements]);
+  template <class G, class Use>
+  static void of_elements(const G& g, const Use& use) {
+    const auto n = static_cast<int>(of_all(g[elements]));
     n == 1   ? use(Elements<1>{})
     : n == 2 ? use(Elements<2>{})
     : n == 3 ? use(Elements<3>{})
              : use(Elements<4>{});
   }
 
-  template <class R, class P>
-  PHY_HOT static laws::flat_joint::Parameters<R> law(const P& p, const ScalarOf<R>* g, R capacity, R S_0,
+  template <class R, class P, class G>
+  PHY_HOT static laws::flat_joint::Parameters<R> law(const P& p, const G& g, R capacity, R S_0,
                                                      R extra_strength) {
     return {p[k_n] * R(g[factor]),
             p[k_s] * R(g[factor]),
@@ -81,16 +81,16 @@ struct FlatJoint {
             extra_strength};
   }
 
-  template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-                                         const Step<R>& step, Sums<R>& sums, const Broke& broke) {
+  template <bool sample, class R, class P, class G, class Memory, class Broke>
+  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+                                         Sums<R>& sums, const Broke& broke) {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, before = memory.load(shear);
     const laws::flat_joint::Parameters<R> pf =
         law<R>(p, g, memory.load(capacity), memory.load(shear_capacity), step.extra_strength);
     const laws::linear::Parameters<R> pl{pf.k_n, pf.k_s, pf.inv_k_s, pf.mu};
     laws::linear::State<R> sl{before};
-    const laws::Motion<R> touching{-(k.stretch + R(step.gap)), R(0), d_slide, R(0)};
+    const laws::Motion<R> touching{-(k.stretch + step.gap), R(0), d_slide, R(0)};
     const laws::Motion<R> joined{-k.stretch, -(k.vx * k.nx + k.vy * k.ny) * step.dt, d_slide, k.rotation,
                                  k.spin * step.dt};
     laws::Reaction<R> r = laws::linear::respond(pl, sl, touching);

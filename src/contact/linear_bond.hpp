@@ -42,9 +42,9 @@ struct LinearBondWith {
   };
   static const ContactModel& model();
 
-  template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-                                         const Step<R>& step, Sums<R>& sums, const Broke& broke) {
+  template <bool sample, class R, class P, class G, class Memory, class Broke>
+  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+                                         Sums<R>& sums, const Broke& broke) {
     const Kinematics<R>& k = step.motion;
     const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt;
     const R d_closure = -((k.vx * k.nx + k.vy * k.ny) * step.dt);
@@ -55,7 +55,7 @@ struct LinearBondWith {
       pl.k_n = pl.k_n * factor, pl.k_s = pl.k_s * factor, pl.inv_k_s = pl.inv_k_s / factor;
     laws::linear::State<R> sl{memory.load(shear)};
     const laws::Reaction<R> rl =
-        laws::linear::respond(pl, sl, laws::Motion<R>{-(k.stretch + R(step.gap)), d_closure, d_slide, R(0)});
+        laws::linear::respond(pl, sl, laws::Motion<R>{-(k.stretch + step.gap), d_closure, d_slide, R(0)});
     laws::parallel_bond::Parameters<R> pb{p[kb_n] * R(g[bond_factor]), p[kb_s] * R(g[bond_factor]),
                                           p[kb_m] * R(g[bend_factor]), p[arm] * R(g[inv_r_min]),
                                           memory.load(shear_capacity), p[tan_phi],
@@ -76,7 +76,7 @@ struct LinearBondWith {
     if constexpr (sample) {
       sums.linear += memory.only_here(laws::linear::strain_energy(pl, rl.F_n, rl.F_s), R(0));
       sums.bond += memory.only_here(laws::parallel_bond::strain_energy(pb, rb.F_n, rb.F_s, rb.M), R(0));
-      sums.overlap = max(sums.overlap, memory.only_here(-(k.stretch + R(step.gap)) * R(g[inv_r_min]), R(0)));
+      sums.overlap = max(sums.overlap, memory.only_here(-(k.stretch + step.gap) * R(g[inv_r_min]), R(0)));
     }
     return {F_n * k.nx - F_s * k.ny, F_n * k.ny + F_s * k.nx, rb.M};
   }

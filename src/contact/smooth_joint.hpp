@@ -22,9 +22,9 @@ struct SmoothJoint {
   enum Geometry { area, n_geometry };  ///< 2 r_min [m^2 per m]; lambda is in the parameters
   static const ContactModel& model();
 
-  template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-                                         const Step<R>& step, Sums<R>& sums, const Broke& broke) {
+  template <bool sample, class R, class P, class G, class Memory, class Broke>
+  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+                                         Sums<R>& sums, const Broke& broke) {
     const Kinematics<R>& k = step.motion;
     const R normal_x = step.side * p[nx];
     const R normal_y = step.side * p[ny];

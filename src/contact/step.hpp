@@ -8,16 +8,18 @@
 //   enum Geometry   ..., n_geometry     numbers of each contact in all lanes (ContactModel::geometry)
 //   static const ContactModel& model();                                   its cold side
 //
-//   template <bool sample, class R, class P, class Memory, class Broke>
-//   static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-//                                  const Step<R>& step, Sums<R>& sums, const Broke& broke);
+//   template <bool sample, class R, class P, class G, class Memory, class Broke>
+//   static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+//                                  Sums<R>& sums, const Broke& broke);
 //
 // It is asked for every pair in the list, in all lanes, also where the grains are far apart: forces and
 // fields have to be zero there. p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a
-// field. `respond` turns the kinematics into the motion of its laws, stores its memory, adds to the sums
-// (energies only where `sample`) and reports what broke: broke(tension, shear, released, part), at most once
-// per part and ContactModel::Size::cracks times in the life of a contact. A contact that breaks as one has
-// one part, number 0.
+// field; a number of the geometry is one for all lanes where they hold specimens, one per lane where they
+// hold contacts of one specimen (engine/wide_loop.hpp): R(g[i]) is right for both. `respond` turns the
+// kinematics into the motion of its laws, stores its memory, adds to the sums (energies only where `sample`)
+// and reports what broke: broke(tension, shear, released, part), at most once per part and
+// ContactModel::Size::cracks times in the life of a contact. A contact that breaks as one has one part,
+// number 0.
 #pragma once
 #include "base/lane_memory.hpp"
 
@@ -38,7 +40,7 @@ struct Kinematics {
 template <class R>
 struct Step {
   const Kinematics<R>& motion;  ///< by reference: a copy would be written to the stack
-  ScalarOf<R> gap;              ///< approach needed before the grains themselves press on each other [m]
+  R gap;                        ///< approach needed before the grains themselves press on each other [m]
   R side;       ///< interfaces: +1 where the plane's normal points from 1 to 2, else -1; 0: no interface here
   const R& dt;  ///< [s]
   const R& extra_strength;  ///< added to all strengths [N/m]: 0, or huge while breakage is switched off
@@ -76,12 +78,22 @@ struct Memory {
   }
 };
 
-/// A row of parameters that stays in memory.
+/// Lane vectors that stay in memory: a row of parameters, numbers of the geometry.
 template <class R>
 struct Row {
   const ScalarOf<R>* base;
   R operator[](std::size_t i) const { return phy::load<R>(base, i); }
 };
+
+/// A number of the geometry that is the same for all contacts of a specimen.
+template <class T>
+T of_all(T number) {
+  return number;
+}
+template <class T, int W>
+T of_all(const Pack<T, W>& number) {
+  return number[0];
+}
 
 }  // namespace PHY_ISA
 }  // namespace phy::contact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "base/check.hpp"
 #include "contact/wall.hpp"
@@ -10,7 +11,7 @@ namespace phy::engine::group {
 namespace {
 
 template <class T>
-AdvanceBlock<T> kernel_of(const ContactPhysics& contacts, const GroupOptions& options) {
+Kernel<T> kernel_of(const ContactPhysics& contacts, const GroupOptions& options) {
   if constexpr (std::is_same_v<T, double>) return contacts.double_kernel(options.isa, options.lanes);
   if constexpr (std::is_same_v<T, float>) return contacts.float_kernel(options.isa, options.lanes);
 }
@@ -28,7 +29,11 @@ Group<T>::Group(std::shared_ptr<const Packing> packing, const GroupOptions& opti
       contacts_(grains_, options.contacts->models),
       boundary_(grains_, options.interval) {
   // Buffers of steps are allocated once; nothing is allocated while the loop runs.
-  PHY_CHECK(kernel_ != nullptr, "no kernel is built for this number of lanes");
+  PHY_CHECK(kernel_.advance != nullptr, "no kernel is built for this number of lanes");
+  const contact::Models& models = contacts_.models();
+  if (kernel_.contacts > 1)
+    wide_.emplace(static_cast<std::size_t>(kernel_.contacts), models.n_geometry(),
+                  c_fields + models.n_fields());
   lane_table_.assign(n_lane_fields * W_);
   sample_.assign(n_sample_fields * W_);
   slip_.assign(n_steps() * W_);
@@ -250,6 +255,15 @@ GroupView<T> Group<T>::view() {
 }
 
 template <class T>
+void Group<T>::run(GroupView<T>& view) {
+  if (!wide_) return kernel_.advance(view, options_.interval);
+  if (std::exchange(rearranged_, false)) wide_->arrange(view);
+  wide_->enter(view);
+  kernel_.advance(view, options_.interval);
+  wide_->leave(view);
+}
+
+template <class T>
 void Group<T>::advance() {
   // The order matters. The jacket may demand a new list; a new list may create contacts, which change the
   // time step that the lane table and the motion of bodies are made with; bodies in balance refer to the
@@ -262,7 +276,7 @@ void Group<T>::advance() {
   std::fill_n(slip_.get(), n_steps() * W_, T(0));
   std::fill_n(damping_.get(), n_steps() * W_, T(0));
   GroupView<T> v = view();
-  kernel_(v, options_.interval);
+  run(v);
   // Displacements of bodies in balance are needed for the work, and cracks in their fixed order for the sum
   // of released energy.
   boundary_.read_balance();

@@ -3,6 +3,7 @@
 //   grain_memory     order and state of the grains
 //   neighbour_list   which pairs are looked at
 //   contact_memory   states of the contacts by their models
+//   wide_contacts    the same, side by side, while a specimen that is alone runs
 //   boundary_memory  bodies and jacket
 //   energy_balance   work and where it went
 // Its members: group.cpp loading, the block of cycles, states for others; group_contacts.cpp renewing the
@@ -20,6 +21,7 @@
 #include "engine/lane_group.hpp"
 #include "engine/neighbour_list.hpp"
 #include "engine/stable_step.hpp"
+#include "engine/wide_contacts.hpp"
 
 namespace phy::engine::group {
 
@@ -86,17 +88,19 @@ class Group final : public LaneGroup {
  private:
   GroupOptions options_;
   std::size_t W_;
-  AdvanceBlock<T> kernel_;
+  Kernel<T> kernel_;
   std::vector<Lane> lanes_;
   GrainMemory<T> grains_;
   NeighbourList<T> list_;
   ContactMemory<T> contacts_;
+  std::optional<WideContacts<T>> wide_;  // where one specimen fills the register with its contacts
   BoundaryMemory<T> boundary_;
   Buffer<T> lane_table_, slip_, damping_;
   Buffer<double> sample_;
   std::vector<RawCrack> raw_cracks_;
   std::vector<std::size_t> open_;  // contacts that create_contacts() looks at
   bool dirty_ = true;              // lists and tables have to be made anew before the next block
+  bool rearranged_ = true;         // contacts or their interfaces have changed since they were laid out
   std::int64_t n_rebuilds_ = 0;
 
   static std::size_t index(int lane) { return static_cast<std::size_t>(lane); }
@@ -113,6 +117,7 @@ class Group final : public LaneGroup {
   void check_neighbour(const Specimen& specimen) const;
   void fill_lane_table();
   GroupView<T> view();
+  void run(GroupView<T>& view);
   void set_step(std::size_t l);
   // contacts
   void rebuild();

@@ -50,6 +50,7 @@ void Group<T>::rebuild() {
   create_contacts();
   contacts_.assign_interfaces(specimens());
   boundary_.list_touches(list_);
+  rearranged_ = true;
   dirty_ = false;
   ++n_rebuilds_;
 }
@@ -123,7 +124,7 @@ void Group<T>::create_contacts() {
     }
   }
   // Their parameter rows depend on the sets of all lanes.
-  if (interfaces) contacts_.assign_interfaces(specimens());
+  if (interfaces) contacts_.assign_interfaces(specimens()), rearranged_ = true;
   for (std::size_t l = 0; l < W_; ++l)
     if (running(l)) renew_step(l);
 }

@@ -3,23 +3,42 @@
 #include <utility>
 
 #include "contact/models.hpp"
+#include "engine/advance_block.hpp"
 #include "engine/force_loop.hpp"
+#include "engine/wide_loop.hpp"
 
 namespace phy::engine {
 namespace {
 
-/// The kernel of one line of the list of combinations.
-template <class R>
-AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
+/// What `kernel` has for one line of the list of combinations.
+template <class T, class KernelOf>
+AdvanceBlock<T> find(std::size_t combination, const KernelOf& kernel) {
   // Index at run time to type at compile time: one comparison per combination.
-  AdvanceBlock<ScalarOf<R>> found = nullptr;
+  AdvanceBlock<T> found = nullptr;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((i == combination ? void(found = advance_block<R, std::tuple_element_t<i, contact::Combinations>>)
-                       : void()),
-     ...);
+    ((i == combination ? void(found = kernel(std::tuple_element<i, contact::Combinations>{})) : void()), ...);
   }
   (std::make_index_sequence<std::tuple_size_v<contact::Combinations>>());
   return found;
+}
+/// Specimens in lanes.
+template <class R>
+AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
+  return find<ScalarOf<R>>(combination,
+                           []<class Line>(Line) { return advance_block<R, typename Line::type>; });
+}
+/// One specimen, a register full of its contacts.
+template <class T>
+AdvanceBlock<T> run_alone(std::size_t combination) {
+#if defined(__AVX512F__)
+  constexpr int bytes = 64;
+#elif defined(__AVX2__)
+  constexpr int bytes = 32;
+#else
+  constexpr int bytes = 16;
+#endif
+  using R = Pack<T, static_cast<int>(bytes / sizeof(T))>;
+  return find<T>(combination, []<class Line>(Line) { return advance_wide<R, typename Line::type>; });
 }
 
 }  // namespace
@@ -28,10 +47,11 @@ AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
 #define PHY_JOIN(a, b) PHY_JOIN2(a, b)
 
 AdvanceBlock<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
-  // One lane is built once, without AVX: kernels.cpp takes it for every instruction set.
   switch (lanes) {
-#if !defined(__AVX__)
-    case 1: return run<double>(combination);
+#if defined(__AVX2__)
+    case 1: return run_alone<double>(combination);
+#else
+    case 1: return run<double>(combination);  // the reference: one contact after the other
 #endif
     case 2: return run<Pack<double, 2>>(combination);
     case 4: return run<Pack<double, 4>>(combination);
@@ -42,6 +62,7 @@ AdvanceBlock<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, 
 
 AdvanceBlock<float> PHY_JOIN(float_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
   switch (lanes) {
+    case 1: return run_alone<float>(combination);
     case 4: return run<Pack<float, 4>>(combination);
     case 8: return run<Pack<float, 8>>(combination);
     case 16: return run<Pack<float, 16>>(combination);

@@ -54,16 +54,19 @@ template int native_lanes<float>(Isa);
 namespace {
 
 template <std::size_t combination>
-AdvanceBlock<double> double_kernel(Isa isa, int lanes) {
-  if (lanes == 1) return double_kernel_sse2(combination, 1);  // scalar arithmetic is the same in every set
-  if (isa == Isa::avx512) return double_kernel_avx512(combination, lanes);
-  return isa == Isa::avx2 ? double_kernel_avx2(combination, lanes) : double_kernel_sse2(combination, lanes);
+Kernel<double> double_kernel(Isa isa, int lanes) {
+  const int contacts = lanes == 1 && isa != Isa::sse2 ? native_lanes<double>(isa) : 1;
+  if (isa == Isa::avx512) return {double_kernel_avx512(combination, lanes), contacts};
+  if (isa == Isa::avx2) return {double_kernel_avx2(combination, lanes), contacts};
+  return {double_kernel_sse2(combination, lanes), contacts};
 }
 
 template <std::size_t combination>
-AdvanceBlock<float> float_kernel(Isa isa, int lanes) {
-  if (isa == Isa::avx512) return float_kernel_avx512(combination, lanes);
-  return isa == Isa::avx2 ? float_kernel_avx2(combination, lanes) : float_kernel_sse2(combination, lanes);
+Kernel<float> float_kernel(Isa isa, int lanes) {
+  const int contacts = lanes == 1 ? native_lanes<float>(isa) : 1;
+  if (isa == Isa::avx512) return {float_kernel_avx512(combination, lanes), contacts};
+  if (isa == Isa::avx2) return {float_kernel_avx2(combination, lanes), contacts};
+  return {float_kernel_sse2(combination, lanes), contacts};
 }
 
 template <std::size_t combination>

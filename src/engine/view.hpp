@@ -11,8 +11,9 @@
 
 namespace phy::engine {
 
-/// Lane vectors of a grain, in this order.
-enum GrainField { g_ux, g_uy, g_rot, g_vx, g_vy, g_w, g_fx, g_fy, g_tq, n_grain_fields };
+/// Lane vectors of a grain, in this order: forces first, then places and velocities, three components each.
+/// Where one specimen has a group to itself, its loop reads and writes them four at a time (wide_loop.hpp).
+enum GrainField { g_fx, g_fy, g_tq, g_ux, g_uy, g_rot, g_vx, g_vy, g_w, n_grain_fields };
 
 /// Lane vectors of a contact: which of the two models it belongs to, then the fields of that model
 /// (contact/models.hpp).
@@ -94,6 +95,43 @@ struct RawCrack {
 };
 
 template <class T>
+struct ContactSlip {
+  std::int32_t contact;
+  T work;
+};
+/// Grains that as many contacts of a row push.
+struct PushedGrains {
+  std::int32_t n_pushes;
+  std::int32_t first, end;  ///< in `pushed`
+  std::int32_t first_push;  ///< in `pushes`
+};
+
+/// Contacts of one specimen in the lanes (wide_contacts.hpp): batches of contacts of one row and one model. A
+/// place is a lane of a batch. Empty places hold contacts of a first grain with itself that never press.
+template <class T>
+struct WideView {
+  const std::int32_t* row_batch = nullptr;  ///< first batch of each row, n_rows + 1
+  const std::int32_t* joint = nullptr;      ///< per batch: row of the interfaces' parameters, -1: matrix
+  const std::int32_t* contact = nullptr;    ///< per place: number of its contact
+  const std::int32_t *a = nullptr, *b = nullptr;  ///< per place: its grains
+  const std::int32_t* order = nullptr;      ///< per contact: its place, counted from the first of its row
+  const std::int32_t* row_group = nullptr;  ///< first of each row in `group`, n_rows + 1
+  const PushedGrains* group = nullptr;
+  const std::int32_t* pushed = nullptr;  ///< grains
+  const std::int32_t* pushes = nullptr;  ///< forces on them in the order of the contacts, places in `push`
+  const T* constants = nullptr;     ///< per batch, lane vectors: those of WideConstant, then the geometry
+  T* state = nullptr;               ///< per batch, lane vectors: fields of the contacts
+  T* push = nullptr;                ///< per place of a row: forces on both grains, a record of eight numbers
+  T* sums = nullptr;                ///< per sum and place of a row: what the contact adds to it
+  ContactSlip<T>* slips = nullptr;  ///< of the contacts of a row that slip in a step: room for all
+  std::size_t most_places = 0;      ///< of a row
+};
+/// Lane vectors of constants of a contact.
+enum WideConstant { wide_X, wide_Y, wide_d0, wide_gap, wide_lever_a, wide_lever_b, n_wide_constants };
+/// Sums over contacts where samples are taken.
+enum WideSum { wide_linear, wide_bond, wide_joint, wide_overlap, wide_force, n_wide_sums };
+
+template <class T>
 struct GroupView {
   int n_rows = 0;
   const std::int32_t* row_grain = nullptr;    ///< first grain of each row, n_rows + 1
@@ -131,10 +169,7 @@ struct GroupView {
   std::size_t n_cracks = 0;    ///< found, also where there was no more room
   std::size_t max_cracks = 0;  ///< room for
   int skew = 4;                ///< cycles per sweep; does not change any bit
+  WideView<T> wide;            ///< where one specimen has the group to itself
 };
-
-/// Runs `n_steps` cycles (motion, then forces) and samples at the end.
-template <class T>
-using AdvanceBlock = void (*)(GroupView<T>&, int n_steps);
 
 }  // namespace phy::engine

@@ -59,6 +59,7 @@ MaskOf<R> broke(const Reaction<R>& r) {
   return r.broke_tension | r.broke_shear;
 }
 inline bool broke(const Reaction<double>& r) { return r.broke_tension || r.broke_shear; }
+inline bool broke(const Reaction<float>& r) { return r.broke_tension || r.broke_shear; }
 
 /// Description of one parameter of a law: the source of the contact bench, the manual and the conformance
 /// tests.

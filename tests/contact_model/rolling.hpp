@@ -20,11 +20,11 @@ struct Rolling {
   static constexpr double rolling_friction = 0.2;
   static const ContactModel& model();
 
-  template <bool sample, class R, class P, class Memory, class Broke>
-  PHY_HOT static ContactForce<R> respond(const P& p, const ScalarOf<R>* g, const Memory& memory,
-                                         const Step<R>& step, Sums<R>& sums, const Broke&) {
+  template <bool sample, class R, class P, class G, class Memory, class Broke>
+  PHY_HOT static ContactForce<R> respond(const P& p, const G& g, const Memory& memory, const Step<R>& step,
+                                         Sums<R>& sums, const Broke&) {
     const Kinematics<R>& k = step.motion;
-    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, closure = -(k.stretch + R(step.gap));
+    const R d_slide = (k.vy * k.nx - k.vx * k.ny) * step.dt, closure = -(k.stretch + step.gap);
     const laws::linear::Parameters<R> law{p[k_n], p[k_s], p[inv_k_s], p[mu]};
     laws::linear::State<R> state{memory.load(shear)};
     const laws::Reaction<R> r =

@@ -8,6 +8,7 @@
 #include "base/exact_math.hpp"
 #include "engine/force_loop.hpp"
 #include "engine/lane_group.hpp"
+#include "engine/wide_loop.hpp"
 #include "genesis/packing.hpp"
 #include "genesis/specimen.hpp"
 #include "lab/tests.hpp"
@@ -20,12 +21,14 @@ namespace {
 using Combination = contact::Combination<contact::Rolling, contact::SmoothJoint>;
 
 const engine::ContactPhysics rolling{contact::models<Combination>(),
-                                     [](engine::Isa, int lanes) -> engine::AdvanceBlock<double> {
-                                       if (lanes == 1) return engine::advance_block<double, Combination>;
-                                       return engine::advance_block<Pack<double, 4>, Combination>;
+                                     [](engine::Isa, int lanes) -> engine::Kernel<double> {
+                                       if (lanes == 1) return {engine::advance_block<double, Combination>};
+                                       return {engine::advance_block<Pack<double, 4>, Combination>};
                                      },
-                                     [](engine::Isa, int) -> engine::AdvanceBlock<float> {
-                                       return engine::advance_block<Pack<float, 4>, Combination>;
+                                     [](engine::Isa, int lanes) -> engine::Kernel<float> {
+                                       if (lanes == 1)
+                                         return {engine::advance_wide<Pack<float, 4>, Combination>, 4};
+                                       return {engine::advance_block<Pack<float, 4>, Combination>};
                                      }};
 
 constexpr double R = 3e-4;

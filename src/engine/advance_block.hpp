@@ -1,0 +1,13 @@
+// What a force loop is to those who call it, who need not know the memory that it works on.
+#pragma once
+
+namespace phy::engine {
+
+template <class T>
+struct GroupView;  // view.hpp
+
+/// Runs `n_steps` cycles (motion, then forces) and samples at the end.
+template <class T>
+using AdvanceBlock = void (*)(GroupView<T>&, int n_steps);
+
+}  // namespace phy::engine
