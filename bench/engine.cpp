@@ -152,11 +152,16 @@ PRESS(alone_float1_sse2, sse2, single, 1, 1);
 PRESS(alone_double1_avx512, avx512, double, 1, 1);
 PRESS(alone_double1_avx2, avx2, double, 1, 1);
 
-// What a group of fewer lanes takes, which decides how tests are dealt (slowness() in study/scheduler.cpp).
+// What a group of fewer lanes takes, which decides how tests are dealt (slowness() in study/lane_batch.cpp).
 PRESS(seven_angles_float8_avx512, avx512, single, 8, 7);
 PRESS(seven_angles_float4_avx512, avx512, single, 4, 7);
 PRESS(seven_angles_double4_avx512, avx512, double, 4, 7);
 PRESS(seven_angles_double2_avx512, avx512, double, 2, 7);
+PRESS(seven_angles_float4_avx2, avx2, single, 4, 7);
+PRESS(seven_angles_double4_avx2, avx2, double, 4, 7);
+PRESS(seven_angles_double2_avx2, avx2, double, 2, 7);
+PRESS(seven_angles_float4_sse2, sse2, single, 4, 7);
+PRESS(seven_angles_double2_sse2, sse2, double, 2, 7);
 
 }  // namespace
 

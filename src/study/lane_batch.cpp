@@ -9,11 +9,31 @@
 
 namespace phy::study {
 
-int fitting_lanes(std::size_t n, Precision precision, int widest) {
-  // Float has no kernel below four lanes (engine/kernels.hpp); counts are powers of two.
-  int lanes = precision == Precision::single_precision ? 4 : 1;
+namespace {
+
+/// Lanes of the narrowest group that holds `n` tests.
+int holding_lanes(std::size_t n, Precision precision, int widest) {
+  // Float has no kernel of two lanes (engine/kernels.hpp); counts are powers of two.
+  int lanes = n > 1 && precision == Precision::single_precision ? 4 : 1;
   while (static_cast<std::size_t>(lanes) < n && lanes < widest) lanes *= 2;
   return lanes;
+}
+
+}  // namespace
+
+double slowness(int lanes, Precision precision, engine::Isa isa) {
+  struct Times {
+    double two, four, eight, sixteen;  // lanes
+  };
+  constexpr Times singles[] = {{0.0, 3.0, 6.0, 12.0}, {0.0, 4.2, 4.7, 9.4}, {0.0, 4.6, 6.1, 7.6}};
+  constexpr Times doubles[] = {{1.5, 3.0, 6.0, 12.0}, {2.4, 2.8, 5.6, 11.2}, {2.9, 3.9, 5.7, 11.4}};
+  const Times& t = (precision == Precision::single_precision ? singles : doubles)[static_cast<int>(isa)];
+  return lanes == 1 ? 1.0 : lanes == 2 ? t.two : lanes == 4 ? t.four : lanes == 8 ? t.eight : t.sixteen;
+}
+
+int fitting_lanes(std::size_t n, const engine::GroupOptions& widest) {
+  const int lanes = holding_lanes(n, widest.precision, widest.lanes);
+  return static_cast<double>(n) <= slowness(lanes, widest.precision, widest.isa) ? 1 : lanes;
 }
 
 void LaneUse::add(const LaneUse& other) {
@@ -81,9 +101,7 @@ std::size_t LaneBatch::n_tests() const {
       std::count_if(slots_.begin(), slots_.end(), [](const LaneSlot& s) { return s.test != nullptr; }));
 }
 
-bool LaneBatch::too_wide() const {
-  return fitting_lanes(n_tests(), options_.group.precision, options_.group.lanes) < options_.group.lanes;
-}
+bool LaneBatch::too_wide() const { return fitting_lanes(n_tests(), options_.group) < options_.group.lanes; }
 
 std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
   std::vector<std::size_t> busy;
@@ -99,7 +117,7 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
   std::stable_sort(busy.begin(), busy.end(),
                    [&](std::size_t a, std::size_t b) { return theta(a) < theta(b); });
   LaneBatchOptions options = options_;
-  options.group.lanes = fitting_lanes(n, options.group.precision, options.group.lanes);
+  options.group.lanes = holding_lanes(n, options.group.precision, options.group.lanes);
   auto other = std::make_unique<LaneBatch>(packing_, options);
   for (std::size_t lane = 0; lane < n; ++lane) {
     LaneSlot& slot = slots_[busy[lane]];
@@ -108,6 +126,13 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
     other->slots_[lane] = std::exchange(slot, LaneSlot{});
   }
   return other;
+}
+
+std::vector<std::unique_ptr<LaneBatch>> LaneBatch::narrowed() {
+  const std::size_t each = fitting_lanes(n_tests(), options_.group) == 1 ? 1 : n_tests();
+  std::vector<std::unique_ptr<LaneBatch>> all;
+  while (n_tests() > 0) all.push_back(part(each));
+  return all;
 }
 
 std::unique_ptr<LaneBatch> LaneBatchExchange::take_offered() {
@@ -164,16 +189,31 @@ double LaneBatchExchange::waited() {
 
 void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hooks,
                     LaneBatchExchange& exchange) {
-  while (lane_batch->n_tests() > 0) {
-    lane_batch->work(hooks);
+  std::vector<std::unique_ptr<LaneBatch>> mine;  // the last one runs, the others wait for it
+  mine.push_back(std::move(lane_batch));
+  const auto half = [&] { return mine.back()->part(mine.back()->n_tests() / 2); };
+  const auto first = [&] {
+    std::unique_ptr<LaneBatch> given = std::move(mine.front());
+    mine.erase(mine.begin());
+    return given;
+  };
+  while (!mine.empty()) {
+    mine.back()->work(hooks);
     // The number of lanes was fixed by the user (MachineOptions::lanes): nothing is narrowed or shared.
-    if (lane_batch->fixed()) continue;
-    if (lane_batch->n_tests() > 1)
-      // Half of the tests: this worker and the one that waits then take about as long.
-      exchange.share([&] { return lane_batch->part(lane_batch->n_tests() / 2); });
-    if (lane_batch->n_tests() > 0 && lane_batch->too_wide())
-      // Moving into a narrower group costs far less than cycles with empty lanes.
-      lane_batch = lane_batch->part(lane_batch->n_tests());
+    if (!mine.back()->fixed()) {
+      if (mine.size() > 1)
+        exchange.share(first);
+      else if (mine.back()->n_tests() > 1)
+        // Half of the tests: this worker and the one that waits then take about as long.
+        exchange.share(half);
+      if (mine.back()->n_tests() > 0 && mine.back()->too_wide()) {
+        // Moving into a narrower group costs far less than cycles with empty lanes.
+        const std::unique_ptr<LaneBatch> wide = std::move(mine.back());
+        mine.pop_back();
+        for (std::unique_ptr<LaneBatch>& narrow : wide->narrowed()) mine.push_back(std::move(narrow));
+      }
+    }
+    if (mine.back()->n_tests() == 0) mine.pop_back();
   }
 }
 

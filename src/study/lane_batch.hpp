@@ -1,11 +1,13 @@
 // A lane batch: tests side by side in the lanes of one group. And the exchange where workers share lane
 // batches.
 //
-// Near the end of a run there are fewer tests than lanes. A lane batch whose lanes stand empty becomes
-// narrower, since a narrow group takes less time per cycle (0.63 to 0.91 of one twice as wide: slowness() in
-// scheduler.cpp); a worker without work gets half of the tests of a lane batch that still has several.
-// Tests move between blocks, in the middle of their course; no bit of their results changes
-// (LaneGroup::move_lane). Lane batches with a fixed number of lanes stay as they are.
+// Few tests are done one after the other, each alone in its group, which then fills the register with
+// contacts (engine/wide_loop.hpp): side by side they would take longer, most of it for empty lanes and for
+// the law of their neighbours' joints. From how many on lanes are worth it is measured (slowness()). Near the
+// end of a run a lane batch becomes narrower accordingly, and in the end one batch per test; a worker without
+// work gets a batch of them, or half of the tests of one that still has several. Tests move between blocks,
+// in the middle of their course; no bit of their results changes (LaneGroup::move_lane). Lane batches with a
+// fixed number of lanes stay as they are.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -58,8 +60,12 @@ struct LaneBatchOptions {
   bool fixed = false;  ///< the number of lanes stays, and no test is given away
 };
 
-/// Lanes of the narrowest group that holds `n` tests, `widest` at most.
-int fitting_lanes(std::size_t n, Precision precision, int widest);
+/// Time of a cycle of a group over that of a test that is alone in its group; as measured by bench_engine
+/// (tests at seven angles).
+double slowness(int lanes, Precision precision, engine::Isa isa);
+/// Lanes with which `n` tests are done soonest, at most those of `widest`: 1 where that is one after the
+/// other.
+int fitting_lanes(std::size_t n, const engine::GroupOptions& widest);
 
 class LaneBatch {
  public:
@@ -69,9 +75,12 @@ class LaneBatch {
   /// One block; finished tests are handed over and their lanes filled. Stopped ones are interrupted.
   void work(const LaneHooks& hooks);
   std::size_t n_tests() const;
+  /// Its tests would be done sooner in a narrower group, or one after the other.
   bool too_wide() const;
   /// Moves `n` tests, neighbours in bedding angle, into a lane batch of their own.
   std::unique_ptr<LaneBatch> part(std::size_t n);
+  /// Moves its tests into lane batches that are not too wide.
+  std::vector<std::unique_ptr<LaneBatch>> narrowed();
   bool fixed() const { return options_.fixed; }
 
  private:
@@ -100,7 +109,8 @@ class LaneBatchExchange {
   /// The same for a worker that may find work elsewhere. Nothing: none came in time.
   std::unique_ptr<LaneBatch> wait_for(std::chrono::milliseconds patience);
   void leave();
-  /// Makes a lane batch if more workers wait than batches are on their way. False: nothing was made.
+  /// Makes a lane batch, or gives one away, if more workers wait than batches are on their way. False:
+  /// nothing was made.
   bool share(const std::function<std::unique_ptr<LaneBatch>()>& make);
   /// Time that workers have spent waiting [s].
   double waited();

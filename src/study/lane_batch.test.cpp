@@ -80,12 +80,52 @@ std::map<std::size_t, std::string> undisturbed() {
   return bench.found;
 }
 
-TEST(LaneBatch, FittingLanesAreTheNextPowerOfTwo) {
-  EXPECT_EQ(fitting_lanes(1, Precision::double_precision, 8), 1);
-  EXPECT_EQ(fitting_lanes(5, Precision::double_precision, 8), 8);
-  EXPECT_EQ(fitting_lanes(50, Precision::double_precision, 8), 8);
-  EXPECT_EQ(fitting_lanes(1, Precision::single_precision, 16), 4);
-  EXPECT_EQ(fitting_lanes(9, Precision::single_precision, 16), 16);
+engine::GroupOptions widest(Precision precision, engine::Isa isa) {
+  engine::GroupOptions group;
+  group.isa = isa, group.precision = precision;
+  group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(isa)
+                                                         : engine::native_lanes<double>(isa);
+  return group;
+}
+
+// Lanes are the fewest that hold the tests, unless all would be done sooner one after the other.
+TEST(LaneBatch, FittingLanesAreThoseThatAreDoneSoonest) {
+  for (const engine::Isa isa : {engine::Isa::sse2, engine::Isa::avx2, engine::Isa::avx512})
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+      const engine::GroupOptions group = widest(precision, isa);
+      EXPECT_EQ(fitting_lanes(1, group), 1);
+      EXPECT_EQ(fitting_lanes(50, group), group.lanes);
+      for (std::size_t n = 1; n <= static_cast<std::size_t>(group.lanes); ++n) {
+        const int lanes = fitting_lanes(n, group);
+        if (lanes == 1) continue;
+        EXPECT_GE(static_cast<std::size_t>(lanes), n);
+        EXPECT_LT(slowness(lanes, precision, isa), static_cast<double>(n));
+      }
+    }
+  const engine::GroupOptions floats = widest(Precision::single_precision, engine::Isa::avx512);
+  EXPECT_EQ(fitting_lanes(6, floats), 1);
+  EXPECT_EQ(fitting_lanes(7, floats), 8);
+  EXPECT_EQ(fitting_lanes(9, floats), 16);
+}
+
+TEST(LaneBatch, WhatIsSoonerDoneOneAfterTheOtherIsTakenApart) {
+  Bench bench;
+  LaneBatchOptions options = eight(false);
+  options.group.isa = engine::Isa::sse2;  // three tests in eight lanes of two registers
+  LaneBatch lane_batch(bench.packing(), options);
+  lane_batch.fill(bench.hooks());
+  for (int i = 0; i < 10; ++i) lane_batch.work(bench.no_more());
+  const std::size_t before = lane_batch.n_tests();
+  auto others = lane_batch.narrowed();
+  EXPECT_EQ(lane_batch.n_tests(), 0U);
+  std::size_t n = 0;
+  for (const auto& other : others) {
+    n += other->n_tests();
+    EXPECT_FALSE(other->too_wide());
+    while (other->n_tests() > 0) other->work(bench.no_more());
+  }
+  EXPECT_EQ(n, before);
+  EXPECT_EQ(bench.found, undisturbed());
 }
 
 TEST(LaneBatch, PartsGoTheirOwnWayAndEndAsIfTogether) {
@@ -97,7 +137,6 @@ TEST(LaneBatch, PartsGoTheirOwnWayAndEndAsIfTogether) {
   ASSERT_GE(before, 3U);
   auto other = lane_batch.part(2);
   EXPECT_EQ(other->n_tests(), 2U);
-  EXPECT_FALSE(other->too_wide());
   EXPECT_EQ(lane_batch.n_tests(), before - 2);
   EXPECT_TRUE(lane_batch.too_wide());
   while (lane_batch.n_tests() > 0) lane_batch.work(bench.no_more());
@@ -131,17 +170,16 @@ TEST(LaneBatch, AWorkerWhoHasRunDryIsGivenTests) {
 }
 
 TEST(FirstLots, LongTestsStandAlone) {
-  const auto doubles = Precision::double_precision;
-  // The seven angles and the intact rock, in thousands of cycles: the longest alone, the shortest together.
+  const engine::GroupOptions doubles = widest(Precision::double_precision, engine::Isa::avx512);
+  // The seven angles and the intact rock, in thousands of cycles: one after the other by four workers.
   const std::vector<double> paper = {123, 112, 73, 61, 57, 52, 45, 40};
-  const auto chunks = first_chunks(paper, 4, doubles, 8);
-  ASSERT_EQ(chunks.size(), 4U);
-  EXPECT_EQ(chunks[0], 1U);
-  EXPECT_EQ(chunks[1], 1U);
-  EXPECT_EQ(chunks[2] + chunks[3], 6U);
-  EXPECT_EQ(first_chunks(paper, 1, doubles, 8), std::vector<std::size_t>{8});
-  EXPECT_EQ(first_chunks({5, 5, 5}, 4, doubles, 8), (std::vector<std::size_t>{1, 1, 1}));
-  EXPECT_EQ(first_chunks(std::vector<double>(40, 1.0), 2, doubles, 8), (std::vector<std::size_t>{8, 8}));
+  EXPECT_EQ(first_chunks(paper, 4, doubles), (std::vector<std::size_t>{1, 1, 1, 1}));
+  EXPECT_EQ(first_chunks(paper, 1, doubles), std::vector<std::size_t>{1});
+  EXPECT_EQ(first_chunks(std::vector<double>(8, 1.0), 1, doubles), std::vector<std::size_t>{8});
+  EXPECT_EQ(first_chunks({5, 5, 5}, 4, doubles), (std::vector<std::size_t>{1, 1, 1}));
+  EXPECT_EQ(first_chunks(std::vector<double>(40, 1.0), 2, doubles), (std::vector<std::size_t>{8, 8}));
+  // One long and eight short: these side by side, the long one by the other worker.
+  EXPECT_EQ(first_chunks({60, 9, 9, 9, 9, 9, 9, 9, 9}, 2, doubles), (std::vector<std::size_t>{1, 8}));
 }
 
 TEST(LaneBatchExchange, EndsWhenNobodyHasWork) {

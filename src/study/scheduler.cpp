@@ -71,12 +71,6 @@ struct SharedTests {
   }
 };
 
-/// Time per cycle of a group over that of one lane: bench_engine, seven angles. A lane alone computes one law
-/// per contact, neighbours at other angles make it two.
-double slowness(int lanes) {
-  return lanes == 1 ? 1.0 : lanes == 2 ? 1.6 : lanes == 4 ? 1.75 : lanes == 8 ? 2.1 : 2.5;
-}
-
 /// What a specimen is expected to cost: a recipe of several angles has to be reduced to this one.
 double cost_of(const Specimen& specimen, const Recipe& recipe) {
   Recipe single = recipe;
@@ -95,6 +89,13 @@ std::vector<std::size_t> longest_first(const std::vector<double>& cost) {
   return order;
 }
 
+/// Until all tests are done, each alone, by workers who take the longest that waits.
+double time_one_by_one(const std::vector<double>& cost, std::size_t n_workers) {
+  std::vector<double> busy(n_workers, 0.0);
+  for (const double c : cost) *std::min_element(busy.begin(), busy.end()) += c;
+  return *std::max_element(busy.begin(), busy.end());
+}
+
 }  // namespace
 
 LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recipe,
@@ -103,11 +104,10 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
   engine::GroupOptions group;
   group.isa = machine.isa;
   group.precision = precision;
-  // A register full of specimens is the best speed per specimen; fewer lanes only where there are fewer
-  // tests.
-  const int widest = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
-                                                              : engine::native_lanes<double>(machine.isa);
-  group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, precision, widest);
+  // A register full of specimens is the best speed per specimen.
+  group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
+                                                         : engine::native_lanes<double>(machine.isa);
+  group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, group);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
   group.contacts = &engine::physics_of(recipe.matrix, recipe.bedding);
@@ -115,24 +115,27 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
 }
 
 std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
-                                      Precision precision, int widest) {
-  const auto most = static_cast<std::size_t>(widest);
+                                      const engine::GroupOptions& widest) {
+  const auto most = static_cast<std::size_t>(widest.lanes);
+  const auto slow = [&](std::size_t n) {
+    return slowness(fitting_lanes(n, widest), widest.precision, widest.isa);
+  };
   // Greedy: fills chunk after chunk, longest tests first, as far as a chunk stays within `time`. Cost falls,
-  // so the first test of a chunk is its longest and decides how long the chunk takes.
+  // so the first test of a chunk is its longest and decides how long the chunk takes. Chunks that would be
+  // done one after the other are not made: such tests wait for whoever comes first.
   const auto chunks_within = [&](double time) {
     std::vector<std::size_t> chunks;
     for (std::size_t i = 0; i < cost.size() && chunks.size() < n_workers; i += chunks.back()) {
       std::size_t n = 1;
-      while (n < most && i + n < cost.size() &&
-             cost[i] * slowness(fitting_lanes(n + 1, precision, widest)) <= time)
-        ++n;
+      for (std::size_t more = 2; more <= most && i + more <= cost.size(); ++more)
+        if (fitting_lanes(more, widest) > 1 && cost[i] * slow(more) <= time) n = more;
       chunks.push_back(n);
     }
     return chunks;
   };
   std::vector<double> times;  // one of them is the answer
   for (const double c : cost)
-    for (int lanes = 1; lanes <= widest; lanes *= 2) times.push_back(c * slowness(lanes));
+    for (std::size_t n = 1; n <= most; n *= 2) times.push_back(c * slow(n));
   std::sort(times.begin(), times.end());
   // The least of these times within which all tests find a place; more time never places fewer. Where none
   // suffices there are more tests than lanes, and the rest waits.
@@ -140,7 +143,10 @@ std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size
     const auto chunks = chunks_within(time);
     return std::accumulate(chunks.begin(), chunks.end(), std::size_t{0}) < cost.size();
   });
-  return chunks_within(fitting == times.end() ? times.back() : *fitting);
+  const double time = fitting == times.end() ? times.back() : *fitting;
+  if (fitting != times.end() && time_one_by_one(cost, n_workers) <= time)
+    return std::vector<std::size_t>(std::min(n_workers, cost.size()), 1);
+  return chunks_within(time);
 }
 
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
@@ -162,10 +168,9 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   for (const std::size_t i : longest_first(cost)) shared.waiting.push_back(i);
   std::sort(cost.begin(), cost.end(), std::greater<>());
   // Each worker starts with a chunk of its own; what is in no chunk is taken one by one as lanes fall free.
-  const int widest = lane_batch_options(specimens.size(), recipe, machine).group.lanes;
+  const engine::GroupOptions widest = lane_batch_options(specimens.size(), recipe, machine).group;
   std::vector<std::deque<std::size_t>> chunks;
-  for (const std::size_t n :
-       first_chunks(cost, static_cast<std::size_t>(machine.threads), recipe.engine.precision, widest)) {
+  for (const std::size_t n : first_chunks(cost, static_cast<std::size_t>(machine.threads), widest)) {
     const auto end = shared.waiting.begin() + static_cast<std::ptrdiff_t>(n);
     chunks.emplace_back(shared.waiting.begin(), end);
     shared.waiting.erase(shared.waiting.begin(), end);

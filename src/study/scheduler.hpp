@@ -21,7 +21,7 @@ namespace phy::study {
 /// How to use the machine. Changes no bit of any result.
 struct MachineOptions {
   int threads = 1;
-  int lanes = 0;  ///< 0: as many as fill a register, fewer for few specimens or near the end; else fixed
+  int lanes = 0;  ///< 0: those that are soonest done, fewer for few specimens or near the end; else fixed
   int skew = 4;
   engine::Isa isa = engine::Isa::sse2;
 };
@@ -52,8 +52,9 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
 
 /// Sizes of the first chunks of few tests for several workers, longest test first: such that the slowest
 /// worker is done as soon as possible, which leaves long tests alone in the fastest groups. Tests that find
-/// no place come later, as lanes fall free. `cost`: cycles of each test, falling.
+/// no place come later, as lanes fall free. `cost`: cycles of each test, falling; `widest`: the group for as
+/// many tests as there may be side by side.
 std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
-                                      Precision precision, int widest);
+                                      const engine::GroupOptions& widest);
 
 }  // namespace phy::study
