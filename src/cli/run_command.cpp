@@ -154,7 +154,7 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
       problems.push_back({"command line", "--lanes", std::to_string(args.lanes),
                           job.recipe.engine.precision == Precision::double_precision
                               ? "1, 2, 4 or 8, as " + job.path + " asks for double precision"
-                              : "4, 8 or 16, as " + job.path + " asks for single precision",
+                              : "1, 4, 8 or 16, as " + job.path + " asks for single precision",
                           "leave it out: lanes are chosen as they fit"});
   if (!problems.empty()) throw InputError(std::move(problems));
   io::check_outputs(pages);
@@ -212,7 +212,7 @@ void add_run_command(CLI::App& app, Session& session) {
   run->add_option("recipe", args->recipes, "recipe files (TOML)")->required()->type_name("FILE");
   run->add_option("--out", args->out, "folder for the results")->capture_default_str()->type_name("FOLDER");
   run->add_option("--lanes", args->lanes,
-                  "specimens side by side: 1, 2, 4, 8 (double), 4, 8, 16 (float); 0 = automatic")
+                  "specimens side by side: 1, 2, 4, 8 (double), 1, 4, 8, 16 (float); 0 = automatic")
       ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}))
       ->capture_default_str();
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")

@@ -63,6 +63,15 @@ study::MachineOptions widest(Precision precision) {
   return machine;
 }
 
+/// Each specimen in a group of its own, its contacts side by side; narrowest() in double is one contact after
+/// the other.
+study::MachineOptions alone() {
+  study::MachineOptions machine;
+  machine.isa = engine::native_isa();
+  machine.lanes = 1, machine.skew = 6, machine.threads = 2;
+  return machine;
+}
+
 // Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
 TEST(GoldenHashes, AreTheRecordedOnes) {
   std::string before;
@@ -87,7 +96,7 @@ TEST(GoldenHashes, AreOfEveryKindModelAndPrecision) {
 }
 
 // Every kind of test with every contact model: the narrowest lanes of the portable instruction set on one
-// thread, the widest of this processor on two, and groups that tests move between.
+// thread, the widest of this processor on two, each alone, and groups that tests move between.
 TEST(OneHashOfEveryKindAndModel, ForLanesSetsThreadsAndSkew) {
   for (const verification::GoldenTest& golden : verification::golden_tests()) {
     Recipe r = golden.recipe;
@@ -101,6 +110,7 @@ TEST(OneHashOfEveryKindAndModel, ForLanesSetsThreadsAndSkew) {
       reference.push_back(result.hash), n_cracks += result.cracks.size();
     EXPECT_GT(n_cracks, 0U) << golden.name;
     EXPECT_EQ(reference, hashes(r, specimens, widest(precision))) << golden.name;
+    EXPECT_EQ(reference, hashes(r, specimens, alone())) << golden.name << ", alone";
     if (precision == Precision::double_precision) continue;
     study::MachineOptions shared;
     shared.threads = 3;  // lanes 0: tests move to other groups
@@ -147,16 +157,17 @@ TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
   }
 }
 
-/// Hash of a test that goes to another group after every block, back and forth; `stay`: of one that does not.
+/// Hash of a test that goes to another group after every block, into lanes and to one of its own; `stay`: of
+/// one that does not.
 std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& specimen,
                      const std::shared_ptr<const Specimen>& neighbour, bool stay) {
   engine::GroupOptions options;
   options.precision = r.engine.precision;
   options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
-  const std::array<int, 2> widths = {r.engine.precision == Precision::single_precision ? 4 : 2, 8};
-  std::array<std::unique_ptr<engine::LaneGroup>, 2> groups;
-  for (const std::size_t i : {0U, 1U}) {
+  const std::array<int, 3> widths = {r.engine.precision == Precision::single_precision ? 4 : 2, 8, 1};
+  std::array<std::unique_ptr<engine::LaneGroup>, 3> groups;
+  for (const std::size_t i : {0U, 1U, 2U}) {
     options.lanes = widths[i];
     groups[i] = engine::make_group(specimen->packing, options);
   }
@@ -171,8 +182,8 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
     groups[at]->advance();
     if (test->after_block()) return test->take_result().hash;
     if (stay) continue;
-    at = 1 - at;
-    test->move_to(*groups[at], 1);
+    at = (at + 1) % groups.size();
+    test->move_to(*groups[at], widths[at] == 1 ? 0 : 1);
   }
 }
 

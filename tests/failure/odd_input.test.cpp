@@ -21,7 +21,7 @@ TEST_F(OddInput, LanesOfAnotherPrecision) {
   EXPECT_THAT(output, AllOf(HasSubstr("--lanes = 16: expected 1, 2, 4 or 8"), HasSubstr("double precision")));
   write("float.toml", read(file) + "[engine]\nprecision = \"float\"\n");
   EXPECT_EQ(run("run " + at("float.toml") + " --lanes 2 --out " + out()), 2);
-  EXPECT_THAT(output, HasSubstr("--lanes = 2: expected 4, 8 or 16"));
+  EXPECT_THAT(output, HasSubstr("--lanes = 2: expected 1, 4, 8 or 16"));
   EXPECT_FALSE(fs::exists(out()));
 }
 
