@@ -195,6 +195,13 @@ PRESS(seven_angles_float4_avx2, avx2, single, 4, 7);
 PRESS(seven_angles_double4_avx2, avx2, double, 4, 7);
 PRESS(seven_angles_double2_avx2, avx2, double, 2, 7);
 PRESS(seven_angles_float4_sse2, sse2, single, 4, 7);
+PRESS(one_angle_float8_avx512, avx512, single, 8, 1);
+PRESS(one_angle_float4_avx512, avx512, single, 4, 1);
+PRESS(one_angle_float4_avx2, avx2, single, 4, 1);
+PRESS(one_angle_double4_avx512, avx512, double, 4, 1);
+PRESS(one_angle_double2_avx512, avx512, double, 2, 1);
+PRESS(one_angle_double2_avx2, avx2, double, 2, 1);
+PRESS(one_angle_double2_sse2, sse2, double, 2, 1);
 PRESS(seven_angles_double2_sse2, sse2, double, 2, 7);
 
 }  // namespace

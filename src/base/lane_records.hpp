@@ -42,11 +42,6 @@ PHY_HOT inline void turn(V* row) {
   if constexpr (block > 1) turn<size, block / 2, W>(row);
 }
 
-template <class T>
-struct HalfOf {
-  typedef T Numbers __attribute__((vector_size(8 * sizeof(T))));
-};
-
 /// Part of the records `base + stride index[l]` that becomes rows of a matrix.
 template <class R>
 PHY_HOT inline typename R::Lanes row_of(const ScalarOf<R>* base, const std::int32_t* index,
@@ -56,7 +51,7 @@ PHY_HOT inline typename R::Lanes row_of(const ScalarOf<R>* base, const std::int3
   if constexpr (R::width <= record_size) {
     __builtin_memcpy(&row, at(i), sizeof row);
   } else {
-    typename HalfOf<ScalarOf<R>>::Numbers lower, upper;
+    typename Pack<ScalarOf<R>, record_size>::Lanes lower, upper;
     __builtin_memcpy(&lower, at(i), sizeof lower);
     __builtin_memcpy(&upper, at(i + record_size), sizeof upper);
     row = __builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);

@@ -37,7 +37,7 @@ struct RunArguments {
   std::vector<std::string> recipes;
   std::string out = "results";
   int lanes = 0;
-  int skew = 4;
+  int skew = 8;
   bool no_cache = false, replace = false;
   bool ensemble = false, with_untrusted = false;
 };
@@ -123,8 +123,9 @@ bool has_lanes(const Recipe& r, int lanes) {
   if (lanes == 0) return true;
   const engine::ContactPhysics& physics = engine::physics_of(r.matrix, r.bedding);
   const engine::Isa isa = engine::native_isa();
-  return r.engine.precision == Precision::double_precision ? physics.double_kernel(isa, lanes).advance != nullptr
-                                                           : physics.float_kernel(isa, lanes).advance != nullptr;
+  return r.engine.precision == Precision::double_precision
+             ? physics.double_kernel(isa, lanes).advance != nullptr
+             : physics.float_kernel(isa, lanes).advance != nullptr;
 }
 
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named

@@ -16,10 +16,10 @@
 // fields have to be zero there. p[i], g[i] and memory.load(i) are a parameter, a number of the geometry and a
 // field; a number of the geometry is one for all lanes where they hold specimens, one per lane where they
 // hold contacts of one specimen (engine/wide_loop.hpp): R(g[i]) is right for both. `respond` turns the
-// kinematics into the motion of its laws, stores its memory, adds to the sums (energies only where `sample`)
-// and reports what broke: broke(tension, shear, released, part), at most once per part and
-// ContactModel::Size::cracks times in the life of a contact. A contact that breaks as one has one part,
-// number 0.
+// kinematics into the motion of its laws, stores its memory, adds to the sums (energies only where `sample`;
+// to each once at most, or the order of additions would not be the same in all loops) and reports what broke:
+// broke(tension, shear, released, part), at most once per part and ContactModel::Size::cracks times in the
+// life of a contact. A contact that breaks as one has one part, number 0.
 #pragma once
 #include "base/lane_memory.hpp"
 

@@ -10,4 +10,11 @@ struct GroupView;  // view.hpp
 template <class T>
 using AdvanceBlock = void (*)(GroupView<T>&, int n_steps);
 
+/// A force loop as it was compiled.
+template <class T>
+struct Kernel {
+  AdvanceBlock<T> advance = nullptr;  ///< null: not built for this number of lanes
+  int contacts = 1;                   ///< of a specimen side by side: more than one only where it is alone
+};
+
 }  // namespace phy::engine

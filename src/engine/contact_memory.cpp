@@ -174,7 +174,7 @@ void ContactMemory<T>::make_constants(const MatrixRecipe& matrix) {
     models_.interface->geometry(matrix, r1, r2, numbers.data() + models_.matrix->size().geometry);
     for (std::size_t i = 0; i < models_.n_geometry(); ++i) geometry_.push_back(T(numbers[i]));
     // Pairs are sorted by their upper grain, so contacts of a row are one range. Rows without contacts get an
-    // empty range. A contact over more than one row forbids time skewing (force_loop.hpp).
+    // empty range. A contact over more than one row forbids time skewing (sweep.hpp).
     const std::int32_t row = layout.row_of[b];
     while (static_cast<std::int32_t>(row_contact_.size()) <= row)
       row_contact_.push_back(static_cast<std::int32_t>(const_.size()) - 1);

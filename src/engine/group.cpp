@@ -247,7 +247,7 @@ GroupView<T> Group<T>::view() {
   v.lane = lane_table_.get();
   v.slip = slip_.get(), v.damping = damping_.get(), v.sample = sample_.get();
   // Room for the most cracks that a block can give: the loop only writes. If contacts join distant rows,
-  // cycles cannot overlap (force_loop.hpp).
+  // cycles cannot overlap (sweep.hpp).
   raw_cracks_.resize(contacts_.size() * W_ * contacts_.models().n_cracks());
   v.cracks = raw_cracks_.data(), v.max_cracks = raw_cracks_.size();
   v.skew = contacts_.far_rows() ? 1 : options_.skew;

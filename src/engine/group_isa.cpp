@@ -10,11 +10,19 @@
 namespace phy::engine {
 namespace {
 
+#if defined(__AVX512F__)
+constexpr int register_bytes = 64;
+#elif defined(__AVX2__)
+constexpr int register_bytes = 32;
+#else
+constexpr int register_bytes = 16;
+#endif
+
 /// What `kernel` has for one line of the list of combinations.
 template <class T, class KernelOf>
-AdvanceBlock<T> find(std::size_t combination, const KernelOf& kernel) {
+Kernel<T> find(std::size_t combination, const KernelOf& kernel) {
   // Index at run time to type at compile time: one comparison per combination.
-  AdvanceBlock<T> found = nullptr;
+  Kernel<T> found;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     ((i == combination ? void(found = kernel(std::tuple_element<i, contact::Combinations>{})) : void()), ...);
   }
@@ -23,22 +31,18 @@ AdvanceBlock<T> find(std::size_t combination, const KernelOf& kernel) {
 }
 /// Specimens in lanes.
 template <class R>
-AdvanceBlock<ScalarOf<R>> run(std::size_t combination) {
-  return find<ScalarOf<R>>(combination,
-                           []<class Line>(Line) { return advance_block<R, typename Line::type>; });
+Kernel<ScalarOf<R>> run(std::size_t combination) {
+  using T = ScalarOf<R>;
+  return find<T>(combination,
+                 []<class Line>(Line) { return Kernel<T>{advance_block<R, typename Line::type>}; });
 }
 /// One specimen, a register full of its contacts.
 template <class T>
-AdvanceBlock<T> run_alone(std::size_t combination) {
-#if defined(__AVX512F__)
-  constexpr int bytes = 64;
-#elif defined(__AVX2__)
-  constexpr int bytes = 32;
-#else
-  constexpr int bytes = 16;
-#endif
-  using R = Pack<T, static_cast<int>(bytes / sizeof(T))>;
-  return find<T>(combination, []<class Line>(Line) { return advance_wide<R, typename Line::type>; });
+Kernel<T> run_alone(std::size_t combination) {
+  using R = Pack<T, static_cast<int>(register_bytes / sizeof(T))>;
+  return find<T>(combination, []<class Line>(Line) {
+    return Kernel<T>{advance_wide<R, typename Line::type>, R::width};
+  });
 }
 
 }  // namespace
@@ -46,7 +50,7 @@ AdvanceBlock<T> run_alone(std::size_t combination) {
 #define PHY_JOIN2(a, b) a##b
 #define PHY_JOIN(a, b) PHY_JOIN2(a, b)
 
-AdvanceBlock<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
+Kernel<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
   switch (lanes) {
 #if defined(__AVX2__)
     case 1: return run_alone<double>(combination);
@@ -56,17 +60,17 @@ AdvanceBlock<double> PHY_JOIN(double_kernel_, PHY_ISA)(std::size_t combination, 
     case 2: return run<Pack<double, 2>>(combination);
     case 4: return run<Pack<double, 4>>(combination);
     case 8: return run<Pack<double, 8>>(combination);
-    default: return nullptr;
+    default: return {};
   }
 }
 
-AdvanceBlock<float> PHY_JOIN(float_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
+Kernel<float> PHY_JOIN(float_kernel_, PHY_ISA)(std::size_t combination, int lanes) {
   switch (lanes) {
     case 1: return run_alone<float>(combination);
     case 4: return run<Pack<float, 4>>(combination);
     case 8: return run<Pack<float, 8>>(combination);
     case 16: return run<Pack<float, 16>>(combination);
-    default: return nullptr;
+    default: return {};
   }
 }
 

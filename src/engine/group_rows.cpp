@@ -71,7 +71,7 @@ void Group<T>::keep_energy(std::size_t l) {
     lane.energy.slip += static_cast<double>(slip_[s * W_ + l]);
     damping += static_cast<double>(damping_[s * W_ + l]);
   }
-  // The loop sums force times velocities, which is 2/dt times the work (force_loop.hpp).
+  // The loop sums force times velocities, which is 2/dt times the work (row_loop.hpp).
   lane.energy.damping += 0.5 * lane.dt * damping;
   for (const RawCrack& raw : raw_cracks_) {
     if (static_cast<std::size_t>(raw.lane) != l) continue;

@@ -12,12 +12,12 @@
 namespace phy::engine {
 
 // Defined in group_isa.cpp, which is compiled once for each instruction set.
-AdvanceBlock<double> double_kernel_sse2(std::size_t combination, int lanes);
-AdvanceBlock<float> float_kernel_sse2(std::size_t combination, int lanes);
-AdvanceBlock<double> double_kernel_avx2(std::size_t combination, int lanes);
-AdvanceBlock<float> float_kernel_avx2(std::size_t combination, int lanes);
-AdvanceBlock<double> double_kernel_avx512(std::size_t combination, int lanes);
-AdvanceBlock<float> float_kernel_avx512(std::size_t combination, int lanes);
+Kernel<double> double_kernel_sse2(std::size_t combination, int lanes);
+Kernel<float> float_kernel_sse2(std::size_t combination, int lanes);
+Kernel<double> double_kernel_avx2(std::size_t combination, int lanes);
+Kernel<float> float_kernel_avx2(std::size_t combination, int lanes);
+Kernel<double> double_kernel_avx512(std::size_t combination, int lanes);
+Kernel<float> float_kernel_avx512(std::size_t combination, int lanes);
 
 const char* to_string(Isa isa) {
   switch (isa) {
@@ -55,18 +55,14 @@ namespace {
 
 template <std::size_t combination>
 Kernel<double> double_kernel(Isa isa, int lanes) {
-  const int contacts = lanes == 1 && isa != Isa::sse2 ? native_lanes<double>(isa) : 1;
-  if (isa == Isa::avx512) return {double_kernel_avx512(combination, lanes), contacts};
-  if (isa == Isa::avx2) return {double_kernel_avx2(combination, lanes), contacts};
-  return {double_kernel_sse2(combination, lanes), contacts};
+  if (isa == Isa::avx512) return double_kernel_avx512(combination, lanes);
+  return isa == Isa::avx2 ? double_kernel_avx2(combination, lanes) : double_kernel_sse2(combination, lanes);
 }
 
 template <std::size_t combination>
 Kernel<float> float_kernel(Isa isa, int lanes) {
-  const int contacts = lanes == 1 ? native_lanes<float>(isa) : 1;
-  if (isa == Isa::avx512) return {float_kernel_avx512(combination, lanes), contacts};
-  if (isa == Isa::avx2) return {float_kernel_avx2(combination, lanes), contacts};
-  return {float_kernel_sse2(combination, lanes), contacts};
+  if (isa == Isa::avx512) return float_kernel_avx512(combination, lanes);
+  return isa == Isa::avx2 ? float_kernel_avx2(combination, lanes) : float_kernel_sse2(combination, lanes);
 }
 
 template <std::size_t combination>

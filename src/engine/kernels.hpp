@@ -17,12 +17,6 @@ Isa native_isa();
 /// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.
 template <class T>
 int native_lanes(Isa isa);
-/// A force loop as it was compiled.
-template <class T>
-struct Kernel {
-  AdvanceBlock<T> advance = nullptr;  ///< null: not built for this number of lanes
-  int contacts = 1;                   ///< of a specimen side by side: more than one only where it is alone
-};
 /// Contact models of a group with the force loops that were compiled for them, for 1, 2, 4, 8 lanes (double)
 /// or 1, 4, 8, 16 (float). A specimen alone fills the register with its contacts (wide_loop.hpp), but in
 /// double with SSE2, which is the scalar reference.

@@ -24,7 +24,7 @@ struct GroupOptions {
   Isa isa = Isa::sse2;
   Precision precision = Precision::double_precision;
   int lanes = 1;
-  int skew = 4;        ///< cycles per sweep
+  int skew = 8;        ///< cycles per sweep
   int interval = 100;  ///< cycles between checks (recipe: test.history_interval)
   const ContactPhysics* contacts = &physics_of({}, {});  ///< models of matrix and interfaces
 };

@@ -114,7 +114,7 @@ struct WideView {
   const std::int32_t* joint = nullptr;      ///< per batch: row of the interfaces' parameters, -1: matrix
   const std::int32_t* contact = nullptr;    ///< per place: number of its contact
   const std::int32_t *a = nullptr, *b = nullptr;  ///< per place: its grains
-  const std::int32_t* order = nullptr;      ///< per contact: its place, counted from the first of its row
+  const std::int32_t* place = nullptr;      ///< per contact: its place, counted from the first of its row
   const std::int32_t* row_group = nullptr;  ///< first of each row in `group`, n_rows + 1
   const PushedGrains* group = nullptr;
   const std::int32_t* pushed = nullptr;  ///< grains
@@ -168,7 +168,7 @@ struct GroupView {
   RawCrack* cracks = nullptr;
   std::size_t n_cracks = 0;    ///< found, also where there was no more room
   std::size_t max_cracks = 0;  ///< room for
-  int skew = 4;                ///< cycles per sweep; does not change any bit
+  int skew = 8;                ///< cycles per sweep; does not change any bit
   WideView<T> wide;            ///< where one specimen has the group to itself
 };
 

@@ -1,7 +1,7 @@
 #include "engine/wide_contacts.hpp"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 
 #include "base/lane_records.hpp"
 
@@ -10,17 +10,20 @@ namespace phy::engine::group {
 /// A row's contacts, model by model, each model from a batch of its own on.
 template <class T>
 void WideContacts<T>::add_row(const GroupView<T>& v, std::int32_t first, std::int32_t end) {
-  std::map<std::int32_t, std::vector<std::int32_t>> of_model;
-  for (std::int32_t c = first; c < end; ++c) of_model[v.contact_const[c].joint].push_back(c);
   const std::size_t start = contact_.size();
-  for (const auto& [joint, contacts] : of_model) {
-    for (const std::int32_t c : contacts) {
-      order_[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(contact_.size() - start);
-      contact_.push_back(c);
-    }
-    while (contact_.size() % W_ != 0) contact_.push_back(none);
-    joint_.resize(contact_.size() / W_, joint);
+  const auto joint = [&](std::int32_t c) { return v.contact_const[c].joint; };
+  row_.resize(static_cast<std::size_t>(end - first));
+  std::iota(row_.begin(), row_.end(), first);
+  std::stable_sort(row_.begin(), row_.end(),
+                   [&](std::int32_t c, std::int32_t d) { return joint(c) < joint(d); });
+  const auto fill_batch = [&] { contact_.resize((contact_.size() + W_ - 1) / W_ * W_, none); };
+  for (std::size_t i = 0; i < row_.size(); ++i) {
+    if (i > 0 && joint(row_[i]) != joint(row_[i - 1])) fill_batch();
+    if (contact_.size() % W_ == 0) joint_.push_back(joint(row_[i]));
+    place_[static_cast<std::size_t>(row_[i])] = static_cast<std::int32_t>(contact_.size() - start);
+    contact_.push_back(row_[i]);
   }
+  fill_batch();
   most_places_ = std::max(most_places_, contact_.size() - start);
 }
 
@@ -28,20 +31,27 @@ void WideContacts<T>::add_row(const GroupView<T>& v, std::int32_t first, std::in
 /// one ends.
 template <class T>
 void WideContacts<T>::add_pushes(const GroupView<T>& v, std::int32_t first, std::int32_t end) {
-  std::map<std::int32_t, std::vector<std::int32_t>> of_grain;
+  record_of_.clear(), grains_.clear();
   for (std::int32_t c = first; c < end; ++c) {
-    const std::int32_t record = order_[static_cast<std::size_t>(c)] * record_size;
-    of_grain[v.contact_const[c].a].push_back(record);
-    of_grain[v.contact_const[c].b].push_back(record + record_size / 2);
+    const std::int32_t record = place_[static_cast<std::size_t>(c)] * record_size;
+    record_of_.push_back({v.contact_const[c].a, record});
+    record_of_.push_back({v.contact_const[c].b, record + record_size / 2});
   }
-  std::map<std::size_t, std::vector<std::int32_t>> by_number;
-  for (const auto& [grain, pushes] : of_grain) by_number[pushes.size()].push_back(grain);
-  for (const auto& [n, grains] : by_number) {
-    const auto start = static_cast<std::int32_t>(pushed_.size());
-    groups_.push_back({static_cast<std::int32_t>(n), start, start + static_cast<std::int32_t>(grains.size()),
-                       static_cast<std::int32_t>(pushes_.size())});
-    pushed_.insert(pushed_.end(), grains.begin(), grains.end());
-    for (const std::int32_t g : grains) pushes_.insert(pushes_.end(), of_grain[g].begin(), of_grain[g].end());
+  std::stable_sort(record_of_.begin(), record_of_.end(),
+                   [](const Push& p, const Push& q) { return p.grain < q.grain; });
+  for (std::size_t i = 0; i < record_of_.size(); ++i) {
+    if (i == 0 || record_of_[i].grain != record_of_[i - 1].grain) grains_.push_back({i, 0});
+    ++grains_.back().n;
+  }
+  std::stable_sort(grains_.begin(), grains_.end(), [](const Run& p, const Run& q) { return p.n < q.n; });
+  for (std::size_t i = 0; i < grains_.size(); ++i) {
+    const auto at = static_cast<std::int32_t>(pushed_.size());
+    if (i == 0 || grains_[i].n != grains_[i - 1].n)
+      groups_.push_back({grains_[i].n, at, at, static_cast<std::int32_t>(pushes_.size())});
+    groups_.back().end = at + 1;
+    pushed_.push_back(record_of_[grains_[i].first].grain);
+    for (std::int32_t k = 0; k < grains_[i].n; ++k)
+      pushes_.push_back(record_of_[grains_[i].first + static_cast<std::size_t>(k)].record);
   }
 }
 
@@ -70,7 +80,7 @@ void WideContacts<T>::arrange(const GroupView<T>& v) {
   const std::int32_t n_contacts = v.row_contact[v.n_rows];
   row_batch_.assign(1, 0), joint_.clear(), contact_.clear(), most_places_ = 0;
   row_group_.assign(1, 0), groups_.clear(), pushed_.clear(), pushes_.clear();
-  order_.resize(static_cast<std::size_t>(n_contacts));
+  place_.resize(static_cast<std::size_t>(n_contacts));
   for (int row = 0; row < v.n_rows; ++row) {
     add_row(v, v.row_contact[row], v.row_contact[row + 1]);
     row_batch_.push_back(static_cast<std::int32_t>(joint_.size()));
@@ -100,7 +110,7 @@ void WideContacts<T>::enter(GroupView<T>& v) {
   each_number([&](std::size_t from, std::size_t to) { state_[to] = v.contact[from]; });
   WideView<T>& w = v.wide;
   w.row_batch = row_batch_.data(), w.joint = joint_.data();
-  w.contact = contact_.data(), w.a = a_.data(), w.b = b_.data(), w.order = order_.data();
+  w.contact = contact_.data(), w.a = a_.data(), w.b = b_.data(), w.place = place_.data();
   w.row_group = row_group_.data(), w.group = groups_.data();
   w.pushed = pushed_.data(), w.pushes = pushes_.data();
   w.constants = constants_.get(), w.state = state_.get(), w.push = push_.get();

@@ -30,12 +30,24 @@ class WideContacts {
 
  private:
   std::size_t W_, n_geometry_, n_fields_;
-  std::vector<std::int32_t> row_batch_, joint_, contact_, a_, b_, order_;
+  std::vector<std::int32_t> row_batch_, joint_, contact_, a_, b_, place_;
   std::vector<std::int32_t> row_group_, pushed_, pushes_;
   std::vector<PushedGrains> groups_;
   std::vector<ContactSlip<T>> slips_;
   Buffer<T> constants_, state_, push_, sums_;
   std::size_t most_places_ = 0;
+
+  // Used while a row is laid out.
+  struct Push {
+    std::int32_t grain, record;
+  };
+  struct Run {  ///< pushes of one grain
+    std::size_t first;
+    std::int32_t n;
+  };
+  std::vector<std::int32_t> row_;
+  std::vector<Push> record_of_;
+  std::vector<Run> grains_;
 
   static constexpr std::int32_t none = -1;
   void add_row(const GroupView<T>& view, std::int32_t first, std::int32_t end);

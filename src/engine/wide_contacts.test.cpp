@@ -43,7 +43,7 @@ TEST(WideContacts, EveryContactHasAPlaceAmongItsLike) {
     const auto first = static_cast<std::size_t>(w.row_batch[row]) * W;
     for (std::int32_t c = rows.row_contact[static_cast<std::size_t>(row)];
          c < rows.row_contact[static_cast<std::size_t>(row) + 1]; ++c) {
-      const std::size_t place = first + static_cast<std::size_t>(w.order[c]), batch = place / W,
+      const std::size_t place = first + static_cast<std::size_t>(w.place[c]), batch = place / W,
                         lane = place % W;
       const ContactConst<double>& k = rows.contacts[static_cast<std::size_t>(c)];
       EXPECT_LT(batch, static_cast<std::size_t>(w.row_batch[row + 1]));
@@ -76,8 +76,8 @@ TEST(WideContacts, AGrainIsPushedInTheOrderOfItsContacts) {
         for (std::int32_t c = rows.row_contact[static_cast<std::size_t>(row)];
              c < rows.row_contact[static_cast<std::size_t>(row) + 1]; ++c) {
           const ContactConst<double>& k = rows.contacts[static_cast<std::size_t>(c)];
-          if (k.a == w.pushed[g]) expected.push_back(w.order[c] * record_size);
-          if (k.b == w.pushed[g]) expected.push_back(w.order[c] * record_size + record_size / 2);
+          if (k.a == w.pushed[g]) expected.push_back(w.place[c] * record_size);
+          if (k.b == w.pushed[g]) expected.push_back(w.place[c] * record_size + record_size / 2);
         }
         const std::int32_t* first = w.pushes + group.first_push + (g - group.first) * group.n_pushes;
         EXPECT_EQ(std::vector<std::int32_t>(first, first + group.n_pushes), expected)
@@ -99,7 +99,7 @@ TEST(WideContacts, StatesComeBackToTheirContacts) {
   for (const std::size_t c : {0U, 4U, 10U}) {
     const std::size_t row = c < 4 ? 0 : 1;
     const std::size_t place = static_cast<std::size_t>(rows.view.wide.row_batch[row]) * 8 +
-                              static_cast<std::size_t>(rows.view.wide.order[c]);
+                              static_cast<std::size_t>(rows.view.wide.place[c]);
     rows.view.wide.state[(place / 8 * 3 + 1) * 8 + place % 8] = -1.0;
   }
   wide.leave(rows.view);

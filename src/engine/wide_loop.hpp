@@ -249,7 +249,7 @@ class WideLoop : public RowLoop<ScalarOf<R>> {
   template <class Use>
   void each_of_row(int row, WideSum sum, const Use& use) const {
     const T* of = v.wide.sums + static_cast<std::size_t>(sum) * v.wide.most_places;
-    for (std::int32_t i = v.row_contact[row]; i < v.row_contact[row + 1]; ++i) use(of[v.wide.order[i]]);
+    for (std::int32_t i = v.row_contact[row]; i < v.row_contact[row + 1]; ++i) use(of[v.wide.place[i]]);
   }
   PHY_RARE T sum_of(int row, WideSum sum, T start) const {
     each_of_row(row, sum, [&](T x) { start += x; });

@@ -21,23 +21,30 @@ int holding_lanes(std::size_t n, Precision precision, int widest) {
 
 }  // namespace
 
-double slowness(int lanes, Precision precision, engine::Isa isa) {
+double slowness(int lanes, bool alike, Precision precision, engine::Isa isa) {
   struct Times {
     double two, four, eight, sixteen;  // lanes
   };
-  constexpr Times singles[] = {{0.0, 3.0, 6.0, 12.0}, {0.0, 4.2, 4.7, 9.4}, {0.0, 4.6, 6.1, 7.6}};
-  constexpr Times doubles[] = {{1.5, 3.0, 6.0, 12.0}, {2.4, 2.8, 5.6, 11.2}, {2.9, 3.9, 5.7, 11.4}};
-  const Times& t = (precision == Precision::single_precision ? singles : doubles)[static_cast<int>(isa)];
+  constexpr Times singles[2][3] = {{{0.0, 3.0, 6.0, 12.0}, {0.0, 4.2, 4.7, 9.4}, {0.0, 4.6, 6.1, 7.6}},
+                                   {{0.0, 2.0, 4.0, 8.0}, {0.0, 2.6, 2.7, 5.4}, {0.0, 3.0, 3.4, 4.6}}};
+  constexpr Times doubles[2][3] = {{{1.5, 3.0, 6.0, 12.0}, {2.4, 2.8, 5.6, 11.2}, {2.9, 3.9, 5.7, 11.4}},
+                                   {{1.0, 2.0, 4.0, 8.0}, {1.6, 1.9, 3.8, 7.6}, {1.9, 2.4, 3.3, 6.6}}};
+  const auto& of_precision = precision == Precision::single_precision ? singles : doubles;
+  const Times& t = of_precision[alike ? 1 : 0][static_cast<int>(isa)];
   return lanes == 1 ? 1.0 : lanes == 2 ? t.two : lanes == 4 ? t.four : lanes == 8 ? t.eight : t.sixteen;
 }
 
-int fitting_lanes(std::size_t n, const engine::GroupOptions& widest) {
+int fitting_lanes(std::size_t n, bool alike, const engine::GroupOptions& widest) {
+  constexpr double as_good_as = 1.05;  // one after the other takes less memory and is shared out more evenly
   const int lanes = holding_lanes(n, widest.precision, widest.lanes);
-  return static_cast<double>(n) <= slowness(lanes, widest.precision, widest.isa) ? 1 : lanes;
+  const double side_by_side = slowness(lanes, alike, widest.precision, widest.isa);
+  return static_cast<double>(n) <= as_good_as * side_by_side ? 1 : lanes;
 }
 
+double layers_of(const Specimen& specimen) { return layered(specimen) ? inclination(specimen) : -1.0; }
+
 void LaneUse::add(const LaneUse& other) {
-  test_steps += other.test_steps, lane_steps += other.lane_steps;
+  test_steps += other.test_steps, lane_steps += other.lane_steps, alone_steps += other.alone_steps;
   contact_steps += other.contact_steps, seconds += other.seconds;
 }
 
@@ -69,7 +76,9 @@ void LaneBatch::hand_over(const LaneHooks& hooks, LaneSlot& slot) {
 void LaneBatch::work(const LaneHooks& hooks) {
   const auto n = static_cast<double>(n_tests());
   const double cycles = options_.group.interval;
-  LaneUse use = {n * cycles, static_cast<double>(slots_.size()) * cycles, 0.0, 0.0};
+  LaneUse use;
+  use.test_steps = n * cycles, use.lane_steps = static_cast<double>(slots_.size()) * cycles;
+  use.alone_steps = slots_.size() == 1 ? use.test_steps : 0.0;
   for (std::size_t lane = 0; lane < slots_.size(); ++lane)
     if (slots_[lane].test)
       use.contact_steps += cycles * static_cast<double>(group_->n_contacts(static_cast<int>(lane)));
@@ -101,21 +110,32 @@ std::size_t LaneBatch::n_tests() const {
       std::count_if(slots_.begin(), slots_.end(), [](const LaneSlot& s) { return s.test != nullptr; }));
 }
 
-bool LaneBatch::too_wide() const { return fitting_lanes(n_tests(), options_.group) < options_.group.lanes; }
-
-std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
+std::vector<std::size_t> LaneBatch::busy_lanes() const {
   std::vector<std::size_t> busy;
   for (std::size_t lane = 0; lane < slots_.size(); ++lane)
     if (slots_[lane].test) busy.push_back(lane);
+  return busy;
+}
+
+bool LaneBatch::alike() const {
+  const std::vector<std::size_t> busy = busy_lanes();
+  const auto layers = [this](std::size_t lane) { return layers_of(*slots_[lane].job.specimen); };
+  return std::all_of(busy.begin(), busy.end(),
+                     [&](std::size_t lane) { return layers(lane) == layers(busy.front()); });
+}
+
+bool LaneBatch::too_wide() const {
+  return fitting_lanes(n_tests(), alike(), options_.group) < options_.group.lanes;
+}
+
+std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
+  std::vector<std::size_t> busy = busy_lanes();
   PHY_CHECK(n <= busy.size(), "a lane batch gives tests that it has");
-  const auto theta = [this](std::size_t lane) {
-    const Specimen& s = *slots_[lane].job.specimen;
-    return layered(s) ? inclination(s) : -1.0;
-  };
   // Neighbours in angle stay together: where all lanes have the same interfaces only one law is evaluated per
   // contact (study/plan.hpp). Intact rock is sorted in front of all angles.
+  const auto layers = [this](std::size_t lane) { return layers_of(*slots_[lane].job.specimen); };
   std::stable_sort(busy.begin(), busy.end(),
-                   [&](std::size_t a, std::size_t b) { return theta(a) < theta(b); });
+                   [&](std::size_t a, std::size_t b) { return layers(a) < layers(b); });
   LaneBatchOptions options = options_;
   options.group.lanes = holding_lanes(n, options.group.precision, options.group.lanes);
   auto other = std::make_unique<LaneBatch>(packing_, options);
@@ -129,7 +149,7 @@ std::unique_ptr<LaneBatch> LaneBatch::part(std::size_t n) {
 }
 
 std::vector<std::unique_ptr<LaneBatch>> LaneBatch::narrowed() {
-  const std::size_t each = fitting_lanes(n_tests(), options_.group) == 1 ? 1 : n_tests();
+  const std::size_t each = fitting_lanes(n_tests(), alike(), options_.group) == 1 ? 1 : n_tests();
   std::vector<std::unique_ptr<LaneBatch>> all;
   while (n_tests() > 0) all.push_back(part(each));
   return all;
@@ -198,22 +218,24 @@ void run_lane_batch(std::unique_ptr<LaneBatch> lane_batch, const LaneHooks& hook
     return given;
   };
   while (!mine.empty()) {
+    if (mine.back()->n_tests() == 0) {
+      mine.pop_back();
+      continue;
+    }
     mine.back()->work(hooks);
     // The number of lanes was fixed by the user (MachineOptions::lanes): nothing is narrowed or shared.
-    if (!mine.back()->fixed()) {
-      if (mine.size() > 1)
-        exchange.share(first);
-      else if (mine.back()->n_tests() > 1)
-        // Half of the tests: this worker and the one that waits then take about as long.
-        exchange.share(half);
-      if (mine.back()->n_tests() > 0 && mine.back()->too_wide()) {
-        // Moving into a narrower group costs far less than cycles with empty lanes.
-        const std::unique_ptr<LaneBatch> wide = std::move(mine.back());
-        mine.pop_back();
-        for (std::unique_ptr<LaneBatch>& narrow : wide->narrowed()) mine.push_back(std::move(narrow));
-      }
+    if (mine.back()->fixed() || mine.back()->n_tests() == 0) continue;
+    if (mine.back()->too_wide()) {
+      // Moving into a narrower group costs far less than cycles with empty lanes.
+      const std::unique_ptr<LaneBatch> wide = std::move(mine.back());
+      mine.pop_back();
+      for (std::unique_ptr<LaneBatch>& narrow : wide->narrowed()) mine.push_back(std::move(narrow));
     }
-    if (mine.back()->n_tests() == 0) mine.pop_back();
+    if (mine.size() > 1)
+      exchange.share(first);
+    else if (mine.back()->n_tests() > 1)
+      // Half of the tests: this worker and the one that waits then take about as long.
+      exchange.share(half);
   }
 }
 

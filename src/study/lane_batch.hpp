@@ -36,11 +36,14 @@ struct Job {
 struct LaneUse {
   double test_steps = 0.0;     ///< cycles times tests
   double lane_steps = 0.0;     ///< cycles times lanes, empty ones too
+  double alone_steps = 0.0;    ///< cycles of tests that had a group to themselves
   double contact_steps = 0.0;  ///< cycles times contacts of the tests
   double seconds = 0.0;        ///< of the processor, in cycles
   void add(const LaneUse& other);
-  /// Share of the lanes that held a test; NaN before the first cycle, as the next.
-  double occupancy() const { return test_steps / lane_steps; }
+  /// Share of the lanes that held a test, where tests were side by side; NaN where none were.
+  double occupancy() const { return (test_steps - alone_steps) / (lane_steps - alone_steps); }
+  /// Share of the cycles of tests that had a group to themselves; NaN before the first cycle, as the next.
+  double alone() const { return alone_steps / test_steps; }
   /// Time per contact, cycle and test [s].
   double seconds_per_step() const { return seconds / contact_steps; }
 };
@@ -60,12 +63,15 @@ struct LaneBatchOptions {
   bool fixed = false;  ///< the number of lanes stays, and no test is given away
 };
 
-/// Time of a cycle of a group over that of a test that is alone in its group; as measured by bench_engine
-/// (tests at seven angles).
-double slowness(int lanes, Precision precision, engine::Isa isa);
-/// Lanes with which `n` tests are done soonest, at most those of `widest`: 1 where that is one after the
-/// other.
-int fitting_lanes(std::size_t n, const engine::GroupOptions& widest);
+/// Time of a cycle of a group over that of a test that is alone in its group, as bench_engine has it; groups
+/// wider than a register: in proportion. `alike`: all tests have their layers at the same inclination, so
+/// that no contact is computed by two laws.
+double slowness(int lanes, bool alike, Precision precision, engine::Isa isa);
+/// The fewest lanes that hold `n` tests, at most those of `widest`; 1 where one after the other is sooner, or
+/// as good as.
+int fitting_lanes(std::size_t n, bool alike, const engine::GroupOptions& widest);
+/// Inclination of the layers; intact rock has one that no layers have.
+double layers_of(const Specimen& specimen);
 
 class LaneBatch {
  public:
@@ -75,6 +81,8 @@ class LaneBatch {
   /// One block; finished tests are handed over and their lanes filled. Stopped ones are interrupted.
   void work(const LaneHooks& hooks);
   std::size_t n_tests() const;
+  /// All its tests have their layers at the same inclination.
+  bool alike() const;
   /// Its tests would be done sooner in a narrower group, or one after the other.
   bool too_wide() const;
   /// Moves `n` tests, neighbours in bedding angle, into a lane batch of their own.
@@ -91,6 +99,7 @@ class LaneBatch {
     double seconds = 0.0;
   };
   void hand_over(const LaneHooks& hooks, LaneSlot& slot);
+  std::vector<std::size_t> busy_lanes() const;
 
   std::shared_ptr<const Packing> packing_;
   LaneBatchOptions options_;

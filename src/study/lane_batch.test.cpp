@@ -80,7 +80,7 @@ std::map<std::size_t, std::string> undisturbed() {
   return bench.found;
 }
 
-engine::GroupOptions widest(Precision precision, engine::Isa isa) {
+engine::GroupOptions widest_group(Precision precision, engine::Isa isa) {
   engine::GroupOptions group;
   group.isa = isa, group.precision = precision;
   group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(isa)
@@ -89,23 +89,36 @@ engine::GroupOptions widest(Precision precision, engine::Isa isa) {
 }
 
 // Lanes are the fewest that hold the tests, unless all would be done sooner one after the other.
-TEST(LaneBatch, FittingLanesAreThoseThatAreDoneSoonest) {
+TEST(LaneBatch, FittingLanesAreThoseThatAreDoneSooner) {
   for (const engine::Isa isa : {engine::Isa::sse2, engine::Isa::avx2, engine::Isa::avx512})
-    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-      const engine::GroupOptions group = widest(precision, isa);
-      EXPECT_EQ(fitting_lanes(1, group), 1);
-      EXPECT_EQ(fitting_lanes(50, group), group.lanes);
-      for (std::size_t n = 1; n <= static_cast<std::size_t>(group.lanes); ++n) {
-        const int lanes = fitting_lanes(n, group);
-        if (lanes == 1) continue;
-        EXPECT_GE(static_cast<std::size_t>(lanes), n);
-        EXPECT_LT(slowness(lanes, precision, isa), static_cast<double>(n));
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision})
+      for (const bool alike : {false, true}) {
+        const engine::GroupOptions group = widest_group(precision, isa);
+        EXPECT_EQ(fitting_lanes(1, alike, group), 1);
+        EXPECT_EQ(fitting_lanes(50, alike, group), group.lanes);
+        bool in_lanes = false;
+        for (std::size_t n = 1; n <= static_cast<std::size_t>(group.lanes); ++n) {
+          const int lanes = fitting_lanes(n, alike, group);
+          EXPECT_FALSE(in_lanes && lanes == 1) << n << " of " << group.lanes;  // fewer were put into lanes
+          in_lanes = lanes > 1;
+          if (!in_lanes) continue;
+          EXPECT_GE(static_cast<std::size_t>(lanes), n);
+          EXPECT_LT(slowness(lanes, alike, precision, isa), static_cast<double>(n));
+        }
       }
-    }
-  const engine::GroupOptions floats = widest(Precision::single_precision, engine::Isa::avx512);
-  EXPECT_EQ(fitting_lanes(6, floats), 1);
-  EXPECT_EQ(fitting_lanes(7, floats), 8);
-  EXPECT_EQ(fitting_lanes(9, floats), 16);
+  const engine::GroupOptions floats = widest_group(Precision::single_precision, engine::Isa::avx512);
+  EXPECT_EQ(fitting_lanes(6, false, floats), 1);
+  EXPECT_EQ(fitting_lanes(7, false, floats), 8);
+  EXPECT_EQ(fitting_lanes(9, false, floats), 16);
+  EXPECT_EQ(fitting_lanes(6, true, floats), 8);
+}
+
+TEST(LaneBatch, AnEmptyOneDoesNothing) {
+  Bench bench;
+  LaneHooks hooks = bench.no_more();
+  hooks.block = [](const LaneUse&, std::size_t) { ADD_FAILURE() << "a block without a test"; };
+  LaneBatchExchange alone(1);
+  run_lane_batch(std::make_unique<LaneBatch>(bench.packing(), eight(false)), hooks, alone);
 }
 
 TEST(LaneBatch, WhatIsSoonerDoneOneAfterTheOtherIsTakenApart) {
@@ -170,16 +183,26 @@ TEST(LaneBatch, AWorkerWhoHasRunDryIsGivenTests) {
 }
 
 TEST(FirstLots, LongTestsStandAlone) {
-  const engine::GroupOptions doubles = widest(Precision::double_precision, engine::Isa::avx512);
+  const LaneBatchOptions doubles{widest_group(Precision::double_precision, engine::Isa::avx512), false};
+  const auto chunks = [&](const std::vector<double>& cost, std::size_t n_workers) {
+    return first_chunks(cost, false, n_workers, doubles);
+  };
   // The seven angles and the intact rock, in thousands of cycles: one after the other by four workers.
   const std::vector<double> paper = {123, 112, 73, 61, 57, 52, 45, 40};
-  EXPECT_EQ(first_chunks(paper, 4, doubles), (std::vector<std::size_t>{1, 1, 1, 1}));
-  EXPECT_EQ(first_chunks(paper, 1, doubles), std::vector<std::size_t>{1});
-  EXPECT_EQ(first_chunks(std::vector<double>(8, 1.0), 1, doubles), std::vector<std::size_t>{8});
-  EXPECT_EQ(first_chunks({5, 5, 5}, 4, doubles), (std::vector<std::size_t>{1, 1, 1}));
-  EXPECT_EQ(first_chunks(std::vector<double>(40, 1.0), 2, doubles), (std::vector<std::size_t>{8, 8}));
+  EXPECT_EQ(chunks(paper, 4), (std::vector<std::size_t>{1, 1, 1, 1}));
+  EXPECT_EQ(chunks(paper, 1), std::vector<std::size_t>{1});
+  EXPECT_EQ(chunks(std::vector<double>(8, 1.0), 1), std::vector<std::size_t>{8});
+  EXPECT_EQ(chunks({5, 5, 5}, 4), (std::vector<std::size_t>{1, 1, 1}));
+  EXPECT_EQ(chunks(std::vector<double>(40, 1.0), 2), (std::vector<std::size_t>{8, 8}));
   // One long and eight short: these side by side, the long one by the other worker.
-  EXPECT_EQ(first_chunks({60, 9, 9, 9, 9, 9, 9, 9, 9}, 2, doubles), (std::vector<std::size_t>{1, 8}));
+  EXPECT_EQ(chunks({60, 9, 9, 9, 9, 9, 9, 9, 9}, 2), (std::vector<std::size_t>{1, 8}));
+}
+
+TEST(FirstLots, FixedLanesAreFilled) {
+  LaneBatchOptions eight_lanes{widest_group(Precision::double_precision, engine::Isa::avx512), true};
+  EXPECT_EQ(first_chunks(std::vector<double>(11, 1.0), false, 2, eight_lanes),
+            (std::vector<std::size_t>{8, 3}));
+  EXPECT_EQ(first_chunks({2, 1}, false, 4, eight_lanes), std::vector<std::size_t>{2});
 }
 
 TEST(LaneBatchExchange, EndsWhenNobodyHasWork) {

@@ -120,7 +120,7 @@ class RemoteQueue : public TaskQueue {
          {"cpu", report.cpu_seconds},
          {"wall", report.wall_seconds},
          {"idle", report.idle},
-         {"lanes", {use.test_steps, use.lane_steps, use.contact_steps, use.seconds}}});
+         {"lanes", {use.test_steps, use.lane_steps, use.alone_steps, use.contact_steps, use.seconds}}});
   }
 
  private:
@@ -197,7 +197,7 @@ class Server {
     if (what == "end") {
       --n_left_;
       const json& use = q["lanes"];
-      reports.push_back({q["cpu"], q["wall"], q["idle"], {use[0], use[1], use[2], use[3]}});
+      reports.push_back({q["cpu"], q["wall"], q["idle"], {use[0], use[1], use[2], use[3], use[4]}});
     }
     return queue_.stopped();
   }

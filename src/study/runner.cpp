@@ -92,9 +92,13 @@ class Worker {
     // The lanes of this worker alone, so the number of threads does not matter.
     MachineOptions alone = machine_;
     alone.threads = 1;
+    const std::vector<std::size_t>& tests = plan_.batches[a.batch].tests;
+    const bool alike = std::all_of(tests.begin(), tests.end(), [&](std::size_t t) {
+      return plan_.tests[t].kind == plan_.tests[tests.front()].kind;
+    });
     // All tests of a batch have the grains in common that are cut from the packing (genesis/cut.hpp).
     auto lane_batch = std::make_unique<LaneBatch>(genesis::shaped(packing_, any),
-                                                  lane_batch_options(a.n_tests, any, alone));
+                                                  lane_batch_options(a.n_tests, alike, any, alone));
     const LaneHooks lanes = hooks([&] { return next(a.batch); });
     lane_batch->fill(lanes);
     run_lane_batch(std::move(lane_batch), lanes, exchange_);

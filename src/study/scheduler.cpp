@@ -98,7 +98,7 @@ double time_one_by_one(const std::vector<double>& cost, std::size_t n_workers) {
 
 }  // namespace
 
-LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recipe,
+LaneBatchOptions lane_batch_options(std::size_t n_specimens, bool alike, const Recipe& recipe,
                                     const MachineOptions& machine) {
   const Precision precision = recipe.engine.precision;
   engine::GroupOptions group;
@@ -107,18 +107,25 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recip
   // A register full of specimens is the best speed per specimen.
   group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
                                                          : engine::native_lanes<double>(machine.isa);
-  group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, group);
+  group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, alike, group);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
   group.contacts = &engine::physics_of(recipe.matrix, recipe.bedding);
   return {group, machine.lanes > 0};
 }
 
-std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
-                                      const engine::GroupOptions& widest) {
-  const auto most = static_cast<std::size_t>(widest.lanes);
+std::vector<std::size_t> first_chunks(const std::vector<double>& cost, bool alike, std::size_t n_workers,
+                                      const LaneBatchOptions& widest) {
+  const auto most = static_cast<std::size_t>(widest.group.lanes);
+  if (widest.fixed) {
+    std::vector<std::size_t> chunks;
+    for (std::size_t i = 0; i < cost.size() && chunks.size() < n_workers; i += chunks.back())
+      chunks.push_back(std::min(most, cost.size() - i));
+    return chunks;
+  }
+  const auto lanes = [&](std::size_t n) { return fitting_lanes(n, alike, widest.group); };
   const auto slow = [&](std::size_t n) {
-    return slowness(fitting_lanes(n, widest), widest.precision, widest.isa);
+    return slowness(lanes(n), alike, widest.group.precision, widest.group.isa);
   };
   // Greedy: fills chunk after chunk, longest tests first, as far as a chunk stays within `time`. Cost falls,
   // so the first test of a chunk is its longest and decides how long the chunk takes. Chunks that would be
@@ -128,7 +135,7 @@ std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size
     for (std::size_t i = 0; i < cost.size() && chunks.size() < n_workers; i += chunks.back()) {
       std::size_t n = 1;
       for (std::size_t more = 2; more <= most && i + more <= cost.size(); ++more)
-        if (fitting_lanes(more, widest) > 1 && cost[i] * slow(more) <= time) n = more;
+        if (lanes(more) > 1 && cost[i] * slow(more) <= time) n = more;
       chunks.push_back(n);
     }
     return chunks;
@@ -137,16 +144,16 @@ std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size
   for (const double c : cost)
     for (std::size_t n = 1; n <= most; n *= 2) times.push_back(c * slow(n));
   std::sort(times.begin(), times.end());
-  // The least of these times within which all tests find a place; more time never places fewer. Where none
-  // suffices there are more tests than lanes, and the rest waits.
-  const auto fitting = std::partition_point(times.begin(), times.end(), [&](double time) {
+  // The least of these times within which all tests find a place. Where none suffices there are more tests
+  // than lanes, and the rest waits.
+  const auto fitting = std::find_if(times.begin(), times.end(), [&](double time) {
     const auto chunks = chunks_within(time);
-    return std::accumulate(chunks.begin(), chunks.end(), std::size_t{0}) < cost.size();
+    return std::accumulate(chunks.begin(), chunks.end(), std::size_t{0}) == cost.size();
   });
-  const double time = fitting == times.end() ? times.back() : *fitting;
-  if (fitting != times.end() && time_one_by_one(cost, n_workers) <= time)
+  if (fitting == times.end()) return chunks_within(times.back());
+  if (time_one_by_one(cost, n_workers) <= *fitting)
     return std::vector<std::size_t>(std::min(n_workers, cost.size()), 1);
-  return chunks_within(time);
+  return chunks_within(*fitting);
 }
 
 std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specimen>>& specimens,
@@ -168,9 +175,12 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   for (const std::size_t i : longest_first(cost)) shared.waiting.push_back(i);
   std::sort(cost.begin(), cost.end(), std::greater<>());
   // Each worker starts with a chunk of its own; what is in no chunk is taken one by one as lanes fall free.
-  const engine::GroupOptions widest = lane_batch_options(specimens.size(), recipe, machine).group;
+  const double layers = layers_of(*specimens.front());
+  const bool alike =
+      std::all_of(specimens.begin(), specimens.end(), [&](const auto& s) { return layers_of(*s) == layers; });
+  const LaneBatchOptions widest = lane_batch_options(specimens.size(), alike, recipe, machine);
   std::vector<std::deque<std::size_t>> chunks;
-  for (const std::size_t n : first_chunks(cost, static_cast<std::size_t>(machine.threads), widest)) {
+  for (const std::size_t n : first_chunks(cost, alike, static_cast<std::size_t>(machine.threads), widest)) {
     const auto end = shared.waiting.begin() + static_cast<std::ptrdiff_t>(n);
     chunks.emplace_back(shared.waiting.begin(), end);
     shared.waiting.erase(shared.waiting.begin(), end);
@@ -179,7 +189,7 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
   on_threads(
       chunks.size(), shared.broken,
       [&](std::size_t i) {
-        shared.work(chunks[i], lane_batch_options(chunks[i].size(), recipe, machine), exchange);
+        shared.work(chunks[i], lane_batch_options(chunks[i].size(), alike, recipe, machine), exchange);
       },
       [&] { exchange.leave(); });
   return std::move(shared.results);

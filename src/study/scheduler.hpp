@@ -22,7 +22,7 @@ namespace phy::study {
 struct MachineOptions {
   int threads = 1;
   int lanes = 0;  ///< 0: those that are soonest done, fewer for few specimens or near the end; else fixed
-  int skew = 4;
+  int skew = 8;
   engine::Isa isa = engine::Isa::sse2;
 };
 
@@ -46,15 +46,16 @@ std::vector<TestResult> run_tests(const std::vector<std::shared_ptr<const Specim
                                   const Recipe& recipe, const MachineOptions& machine,
                                   const ScheduleHooks& hooks = {});
 
-/// A lane batch for so many specimens of the recipe.
-LaneBatchOptions lane_batch_options(std::size_t n_specimens, const Recipe& recipe,
+/// A lane batch for so many specimens of the recipe; `alike`: their layers have the same inclination.
+LaneBatchOptions lane_batch_options(std::size_t n_specimens, bool alike, const Recipe& recipe,
                                     const MachineOptions& machine);
 
 /// Sizes of the first chunks of few tests for several workers, longest test first: such that the slowest
 /// worker is done as soon as possible, which leaves long tests alone in the fastest groups. Tests that find
-/// no place come later, as lanes fall free. `cost`: cycles of each test, falling; `widest`: the group for as
-/// many tests as there may be side by side.
-std::vector<std::size_t> first_chunks(const std::vector<double>& cost, std::size_t n_workers,
-                                      const engine::GroupOptions& widest);
+/// no place come later, as lanes fall free. `cost`: cycles of each test, falling; `widest`: the lane batch
+/// for as many tests as there may be side by side; where its lanes are fixed they are filled one chunk after
+/// the other.
+std::vector<std::size_t> first_chunks(const std::vector<double>& cost, bool alike, std::size_t n_workers,
+                                      const LaneBatchOptions& widest);
 
 }  // namespace phy::study
