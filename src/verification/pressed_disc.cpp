@@ -189,7 +189,8 @@ Specimen bedded_disc(const std::shared_ptr<const Packing>& disc, double theta) {
 void add_mean(std::vector<Check>& checks, const std::string& what, double expected,
               const std::vector<double>& values) {
   const Summary all = summarise(values);
-  checks.push_back({what + ", mean over packings [-]", expected, all.mean, 0.03});
+  checks.push_back(
+      {what + fmt::format(", mean of {} packings [-]", values.size()), expected, all.mean, 0.03});
   checks.push_back({what + ", half of the 95 % interval of that mean [-]", 0.0, all.half_width, 0.03});
 }
 
