@@ -113,12 +113,12 @@ paper: build
 # Published results and closed forms of whole bodies beside ours: docs/evidence.md from the studies of examples/evidence, resumed
 # if they are there. A study that holds a test without a peak ends with 1, which is a finding.
 EVIDENCE := joint-patches joint-bonded joint-frictional joint-stiffness lac-du-bonnet-ucs lac-du-bonnet-bts lac-du-bonnet-jaws lac-du-bonnet-confined \
-            resolution-ucs resolution-bts speed time-step
+            resolution-ucs resolution-ucs-large resolution-ucs-largest resolution-fast resolution-bts resolution-bts-large speed time-step
 evidence: program
 	@for s in $(EVIDENCE); do $(BUILD)/phyllite study examples/evidence/$$s.toml --out results/evidence/$$s || [ $$? = 1 ] || exit 1; done
 	@for p in 1 2 3 4 5; do f=results/evidence/joint-packing-$$p; sed "s/^n_grains.*/&\nseed = $$p/" examples/evidence/joint.toml > $$f.toml; \
 	  $(BUILD)/phyllite specimen $$f.toml --out $$f || exit 1; done
-	@for v in V25 V26 V27 V28; do $(BUILD)/phyllite verify $$v > results/evidence/$$v.txt || exit 1; done
+	@for v in V25 V26 V27 V28 V29 V30; do $(BUILD)/phyllite verify $$v > results/evidence/$$v.txt || exit 1; done
 	python3 tools/evidence.py results/evidence docs
 
 # What models of rock reach: data/maps, which the program takes in, and docs/theory/reach.md. What the tables

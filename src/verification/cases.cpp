@@ -12,8 +12,9 @@ bool Check::passed() const {
 const std::vector<VerificationCase>& verification_cases() {
   static const std::vector<VerificationCase> cases = [] {
     std::vector<VerificationCase> all;
-    for (const auto& part : {theory_cases(), statics_cases(), dynamics_cases(), law_cases(),
-                             flat_joint_cases(), specimen_cases(), test_cases(), whole_body_cases()})
+    for (const auto& part :
+         {theory_cases(), statics_cases(), dynamics_cases(), law_cases(), flat_joint_cases(),
+          specimen_cases(), test_cases(), pressed_disc_cases(), whole_body_cases(), published_cases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -28,13 +28,15 @@ struct VerificationCase {
 const std::vector<VerificationCase>& verification_cases();
 
 // The cases by theme.
-std::vector<VerificationCase> dynamics_cases();    ///< V0, V6-V8, V15, V17, V19, V24, V28: the engine
-std::vector<VerificationCase> law_cases();         ///< V9-V12: contact laws
-std::vector<VerificationCase> flat_joint_cases();  ///< V24: the law of flat joints
-std::vector<VerificationCase> theory_cases();      ///< V4, V14: closed forms
-std::vector<VerificationCase> statics_cases();     ///< V1-V3, V5, V13, V23, V24: direct elastic solution
-std::vector<VerificationCase> specimen_cases();    ///< V18: genesis
-std::vector<VerificationCase> test_cases();        ///< V13, V20 - V22, V24: whole tests
-std::vector<VerificationCase> whole_body_cases();  ///< V25 - V27: whole bodies
+std::vector<VerificationCase> dynamics_cases();      ///< V0, V6-V8, V15, V17, V19, V24, V28: the engine
+std::vector<VerificationCase> law_cases();           ///< V9-V12: contact laws
+std::vector<VerificationCase> flat_joint_cases();    ///< V24: the law of flat joints
+std::vector<VerificationCase> theory_cases();        ///< V4, V14: closed forms
+std::vector<VerificationCase> statics_cases();       ///< V1-V3, V5, V13, V23, V24: direct elastic solution
+std::vector<VerificationCase> specimen_cases();      ///< V18: genesis
+std::vector<VerificationCase> test_cases();          ///< V13, V20 - V22, V24: whole tests
+std::vector<VerificationCase> pressed_disc_cases();  ///< V25, V29: layered discs
+std::vector<VerificationCase> whole_body_cases();    ///< V26, V27: whole bodies
+std::vector<VerificationCase> published_cases();     ///< V30: results of others
 
 }  // namespace phy::verification
