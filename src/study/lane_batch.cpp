@@ -26,9 +26,9 @@ double slowness(int lanes, bool alike, Precision precision, engine::Isa isa) {
     double two, four, eight, sixteen;  // lanes
   };
   constexpr Times singles[2][3] = {{{0.0, 3.0, 6.0, 12.0}, {0.0, 4.2, 4.7, 9.4}, {0.0, 4.6, 6.1, 7.6}},
-                                   {{0.0, 2.0, 4.0, 8.0}, {0.0, 2.6, 2.7, 5.4}, {0.0, 3.0, 3.4, 4.6}}};
+                                   {{0.0, 2.0, 4.0, 8.0}, {0.0, 2.8, 2.7, 5.4}, {0.0, 3.3, 3.6, 4.7}}};
   constexpr Times doubles[2][3] = {{{1.5, 3.0, 6.0, 12.0}, {2.4, 2.8, 5.6, 11.2}, {2.9, 3.9, 5.7, 11.4}},
-                                   {{1.0, 2.0, 4.0, 8.0}, {1.6, 1.9, 3.8, 7.6}, {1.9, 2.4, 3.3, 6.6}}};
+                                   {{1.2, 2.4, 4.8, 9.6}, {1.8, 1.9, 3.8, 7.6}, {2.4, 2.6, 3.3, 6.6}}};
   const auto& of_precision = precision == Precision::single_precision ? singles : doubles;
   const Times& t = of_precision[alike ? 1 : 0][static_cast<int>(isa)];
   return lanes == 1 ? 1.0 : lanes == 2 ? t.two : lanes == 4 ? t.four : lanes == 8 ? t.eight : t.sixteen;
