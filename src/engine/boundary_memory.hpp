@@ -64,6 +64,14 @@ class BoundaryMemory {
   /// jacket.
   std::vector<double> push(std::size_t l) const;
 
+  /// What a block changes, planned motions among it.
+  struct State {
+    std::vector<LaneBoundary> lanes;
+    std::vector<T> touch_shear;
+  };
+  void keep(State& in) const { in.lanes = lanes_, touch_shear_.keep(in.touch_shear); }
+  void restore(const State& from) { lanes_ = from.lanes, touch_shear_.restore(from.touch_shear); }
+
   /// The points near bodies, after a new neighbour list.
   void list_touches(const NeighbourList<T>& list);
   /// How bodies move in the next block.

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <vector>
 
 namespace phy::engine::group {
 
@@ -16,9 +17,14 @@ class Buffer {
     data_.reset(static_cast<T*>(std::aligned_alloc(64, bytes)));
     if (!data_) throw std::bad_alloc();
     std::fill_n(data_.get(), bytes / sizeof(T), T(0));
+    size_ = n;
   }
+  std::size_t size() const { return size_; }
   T* get() { return data_.get(); }
   const T* get() const { return data_.get(); }
+  /// Its numbers into a vector, and back.
+  void keep(std::vector<T>& in) const { in.assign(get(), get() + size_); }
+  void restore(const std::vector<T>& from) { std::copy(from.begin(), from.end(), get()); }
   T& operator[](std::size_t i) { return data_.get()[i]; }
   const T& operator[](std::size_t i) const { return data_.get()[i]; }
 
@@ -27,6 +33,7 @@ class Buffer {
     void operator()(T* p) const { std::free(p); }
   };
   std::unique_ptr<T, Free> data_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace phy::engine::group

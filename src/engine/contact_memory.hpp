@@ -51,6 +51,9 @@ class ContactMemory {
   auto with(std::size_t c, std::size_t lane, const Specimen& specimen, const Use& use) const;
   ContactState state(std::size_t c, std::size_t lane, const Specimen& specimen) const;
 
+  /// All states, as they may be restored while the pairs stay.
+  void keep(std::vector<T>& in) const { state_.keep(in); }
+  void restore(const std::vector<T>& from) { state_.restore(from); }
   /// Empties a lane.
   void clear(std::size_t lane);
   /// From now on these pairs, sorted; states go along.

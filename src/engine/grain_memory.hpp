@@ -54,6 +54,9 @@ class GrainMemory {
   Vec2 place(std::size_t g, std::size_t lane) const { return x0_[g] + displacement(g, lane); }
   double rotation(std::size_t g, std::size_t lane) const { return get(g, g_rot, lane); }
 
+  /// All states.
+  void keep(std::vector<T>& in) const { state_.keep(in); }
+  void restore(const std::vector<T>& from) { state_.restore(from); }
   /// At rest, where the packing has them.
   void clear(std::size_t lane);
   void copy(std::size_t lane, GrainMemory<T>& to, std::size_t to_lane) const;

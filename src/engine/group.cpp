@@ -264,12 +264,7 @@ void Group<T>::run(GroupView<T>& view) {
 }
 
 template <class T>
-void Group<T>::advance() {
-  // The order matters. The jacket may demand a new list; a new list may create contacts, which change the
-  // time step that the lane table and the motion of bodies are made with; bodies in balance refer to the
-  // points that the list has found.
-  dirty_ = boundary_.fit_jackets(list_) || dirty_;
-  if (dirty_) rebuild();
+GroupView<T> Group<T>::run_block() {
   fill_lane_table();
   boundary_.plan();
   std::fill_n(sample_.get(), n_sample_fields * W_, 0.0);
@@ -277,9 +272,60 @@ void Group<T>::advance() {
   std::fill_n(damping_.get(), n_steps() * W_, T(0));
   GroupView<T> v = view();
   run(v);
-  // Displacements of bodies in balance are needed for the work, and cracks in their fixed order for the sum
-  // of released energy.
+  // Displacements of bodies in balance are needed for the work.
   boundary_.read_balance();
+  return v;
+}
+
+template <class T>
+void Group<T>::keep() {
+  grains_.keep(kept_.grains), contacts_.keep(kept_.contacts), boundary_.keep(kept_.boundary);
+}
+
+template <class T>
+void Group<T>::restore() {
+  grains_.restore(kept_.grains), contacts_.restore(kept_.contacts), boundary_.restore(kept_.boundary);
+}
+
+/// Grains of a lane that has cracks have met unseen, one of them thrown within the block: from where it began
+/// the lane needs another list. The motion of the block that failed tells how far it has to reach.
+template <class T>
+bool Group<T>::some_outran() {
+  const auto most = list_.farthest();
+  bool some = false;
+  for (std::size_t l = 0; l < W_; ++l) {
+    if (!may_outrun(l) || !missed_pair(l, most.moved[l])) continue;
+    std::vector<double> way(grains_.size());
+    for (std::size_t g = 0; g < way.size(); ++g) {
+      const T* const before = kept_.grains.data() + g * n_grain_fields * W_ + l;
+      const Vec2 began{static_cast<double>(before[g_ux * W_]), static_cast<double>(before[g_uy * W_])};
+      way[g] = norm(grains_.displacement(g, l) - began);
+    }
+    list_.forget(l), list_.expect(l, std::move(way));
+    some = true;
+  }
+  return some;
+}
+
+template <class T>
+void Group<T>::advance() {
+  constexpr int most_repeats = 3;  // of a block: who meets another grain flies elsewhere
+  // The order matters. The jacket may demand a new list; a new list may create contacts, which change the
+  // time step that the lane table and the motion of bodies are made with; bodies in balance refer to the
+  // points that the list has found.
+  dirty_ = boundary_.fit_jackets(list_) || dirty_;
+  if (dirty_) rebuild();
+  bool repeats = false;
+  for (std::size_t l = 0; l < W_; ++l) repeats = repeats || may_outrun(l);
+  if (repeats) keep();
+  GroupView<T> v = run_block();
+  for (int k = 0; repeats && k < most_repeats && some_outran(); ++k) {
+    restore();
+    rebuild();
+    keep();  // the contacts have other places
+    v = run_block();
+  }
+  // Cracks in their fixed order for the sum of released energy.
   sort_cracks(v);
   // Judged before anything is created or renewed: the watchdog asks what the list of this block has missed.
   const auto most = list_.farthest();

@@ -102,6 +102,10 @@ class Group final : public LaneGroup {
   bool dirty_ = true;              // lists and tables have to be made anew before the next block
   bool rearranged_ = true;         // contacts or their interfaces have changed since they were laid out
   std::int64_t n_rebuilds_ = 0;
+  struct {
+    std::vector<T> grains, contacts;
+    typename BoundaryMemory<T>::State boundary;
+  } kept_;  // as the block began, where it may be run again
 
   static std::size_t index(int lane) { return static_cast<std::size_t>(lane); }
   Lane& at(int lane) { return lanes_[index(lane)]; }
@@ -118,6 +122,12 @@ class Group final : public LaneGroup {
   void fill_lane_table();
   GroupView<T> view();
   void run(GroupView<T>& view);
+  GroupView<T> run_block();
+  /// Grains are thrown about by what breaks: before, no block is kept to be run again.
+  bool may_outrun(std::size_t l) const { return running(l) && !lanes_[l].cracks.empty(); }
+  void keep();
+  void restore();
+  bool some_outran();
   void set_step(std::size_t l);
   // contacts
   void rebuild();

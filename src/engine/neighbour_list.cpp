@@ -64,7 +64,7 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double>&&
     searched_at_[g * of.lanes() + l] = of.displacement(g, l);
     x[g] = of.place(g, l);
     // Round a fast grain the list reaches as far as twice its way in a block, because it may speed up.
-    const double flight = block * norm(of.velocity(g, l));
+    const double flight = std::max(block * norm(of.velocity(g, l)), lane.way.empty() ? 0.0 : lane.way[g]);
     double more = std::max(0.0, flight_margin * flight - usual_range());
     // The allowance is written back into `push`: fit_jackets() compares the next push with it.
     if (!lane.push.empty() && lane.push[g] > 0.0) more += lane.push[g] += usual_range();
@@ -74,6 +74,7 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double>&&
     reach[g] += more, lane.range[g] += more;
   }
   near_pairs(x, reach, of.skin(), lane.near);
+  lane.way.clear();
   lane.searched = true;
 }
 

@@ -4,8 +4,9 @@
 // a grain may go in the next block that is too fast for half the skin, or that a jacket drives. A list is
 // renewed before anything outside it can touch: when twice the largest motion since it was made, plus what
 // the fastest grain can do in the next block, exceeds the skin. A grain at rest that is hit within the block
-// may go farther all the same: what it then meets unseen is found at the end of the block (missed), and ends
-// the test.
+// may go farther all the same. What it then meets unseen is found at the end of the block (missed), and the
+// block is run again with a list that reaches as far as the grain went: which lists a lane has had, and so
+// who its neighbours were, makes no difference.
 #pragma once
 #include <optional>
 #include <vector>
@@ -38,6 +39,8 @@ class NeighbourList {
   bool outlived(std::size_t lane, const Farthest& most, double block, double bodies) const;
   /// Makes a lane's list. `push`: per sorted grain, how far a jacket drives it in a block [m]; may be empty.
   void search(std::size_t lane, double block, std::vector<double>&& push);
+  /// The lane's next list reaches round each sorted grain as far as it went in a block that is run again [m].
+  void expect(std::size_t lane, std::vector<double>&& way) { lanes_[lane].way = std::move(way); }
   /// Adds a pair whatever its gap.
   void add(std::size_t lane, PairKey pair) { lanes_[lane].near.push_back(pair); }
   const std::vector<PairKey>& near(std::size_t lane) const { return lanes_[lane].near; }
@@ -60,6 +63,7 @@ class NeighbourList {
   struct Lane {
     std::vector<PairKey> near;  // of the last search
     std::vector<double> range, push;
+    std::vector<double> way;  // for the next search; may be empty
     bool searched = false;
   };
   const GrainMemory<T>* grains_;

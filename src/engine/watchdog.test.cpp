@@ -244,24 +244,31 @@ TEST(Watchdog, WaitsForTheLoad) {
 }
 
 /// Three loose discs along x: the left one flies against the middle one, which flies on towards the right one
-/// within the same block of cycles.
+/// within the same block of cycles. Far from them two bonded ones, whose bond has broken before where
+/// `cracked`.
 struct Billiards {
   static constexpr int interval = 400;
   std::shared_ptr<const Specimen> specimen;
   LaneSetup setup;
   std::unique_ptr<LaneGroup> group;
 
-  Billiards(double gap, Precision precision) {
+  Billiards(double gap, Precision precision, bool cracked = false, int lanes = 4) {
     const double first = 0.2 * skin;
-    Specimen s =
-        assembly({{R, R, R}, {3.0 * R + first, R, R}, {5.0 * R + first + gap, R, R}}, MatrixRecipe{});
-    group = small_group(s, precision, interval);
+    Specimen s = assembly({{R, R, R},
+                           {3.0 * R + first, R, R},
+                           {5.0 * R + first + gap, R, R},
+                           {40.0 * R, R, R},
+                           {42.0 * R, R, R}},
+                          MatrixRecipe{});
+    bond_touching(s);
+    group = small_group(s, precision, interval, lanes);
     Boundary boundary;
     boundary.bodies = {pusher(3, 1.0)};  // never placed: gives the first step its stiffness
     setup.damping = 0.0, setup.step_safety = 0.02;
     setup.boundary = shared(boundary);
     specimen = shared(std::move(s));
     group->load(0, specimen, setup);
+    if (cracked) group->set_motion(0, 4, {0.1 * R, 0.0, 0.0}, {}, 0.0);
     group->advance();  // at rest
     const double v = 4.0 * skin / (group->time_step(0) * interval);
     group->set_motion(0, 0, {}, {v, 0.0}, 0.0);
@@ -288,6 +295,21 @@ TEST(Watchdog, SeesGrainsThatMetUnseen) {
       }
     }
   }
+}
+
+// Where something has broken the block is run again, with a list that reaches as far as the grains went.
+TEST(Watchdog, ABlockIsRunAgainForGrainsThatWereThrown) {
+  for (const Precision precision : both_precisions)
+    for (const int lanes : {4, 1}) {
+      Billiards known(0.9 * skin, precision, true, lanes), thrown(1.2 * skin, precision, true, lanes);
+      for (const Billiards* b : {&known, &thrown}) {
+        ASSERT_EQ(b->group->cracks(0).size(), 1U);
+        b->group->advance();
+        EXPECT_TRUE(b->group->health(0).ok) << b->group->health(0).reason;
+        EXPECT_GT(b->group->grains(0)[2].ux, 0.5 * skin) << "hit by the middle one";
+        EXPECT_EQ(b->group->row(0).step, 2.0 * Billiards::interval);
+      }
+    }
 }
 
 }  // namespace

@@ -36,9 +36,10 @@ double expected_grains(const Recipe& r) {
 }
 
 double expected_memory(const Recipe& r, std::size_t n_specimens) {
-  // Per grain: the packing with its near pairs; a specimen in its lane and as it is written, in double
-  // precision; what each frame and each snapshot holds, both up to twice as many as asked for.
-  constexpr double packing = 2000.0, specimen = 2400.0, frame = 2 * 8.0, snapshot = 2 * 168.0;
+  // Per grain: the packing with its near pairs; a specimen in its lane, as its last block began and as it is
+  // written, in double precision; what each frame and each snapshot holds, both up to twice as many as asked
+  // for.
+  constexpr double packing = 2000.0, specimen = 2700.0, frame = 2 * 8.0, snapshot = 2 * 168.0;
   const double each = specimen + frame * static_cast<double>(std::max<std::int64_t>(1, r.test.n_frames)) +
                       snapshot * static_cast<double>(std::max<std::int64_t>(1, r.test.n_snapshots));
   return expected_grains(r) * (packing + static_cast<double>(n_specimens) * each);
