@@ -10,7 +10,6 @@
 //
 // A grain moves as a whole, three components at a time, in registers of four.
 #pragma once
-#include <algorithm>
 #include <type_traits>
 
 #include "base/lane_records.hpp"
@@ -196,14 +195,17 @@ class WideLoop : public RowLoop<ScalarOf<R>> {
       if (NumberTraits<R>::test(where, l))
         v.wide.slips[n_slips++] = {contacts[l], NumberTraits<R>::get(slip, l)};
   }
-  /// Adds them in the order of the contacts: batches of one model are in order, those of several are not.
+  /// Adds them in the order of the contacts: those of one model come in order, a few of another stand behind.
+  /// (A sort of the library, compiled for one instruction set, might be the one that the linker keeps for
+  /// all.)
   PHY_RARE T with_slips(T sum) const {
-    ContactSlip<T>* const end = v.wide.slips + n_slips;
-    const auto before = [](const ContactSlip<T>& p, const ContactSlip<T>& q) {
-      return p.contact < q.contact;
-    };
-    if (!std::is_sorted(v.wide.slips, end, before)) std::sort(v.wide.slips, end, before);
-    for (const ContactSlip<T>* s = v.wide.slips; s < end; ++s) sum += s->work;
+    ContactSlip<T>* const slips = v.wide.slips;
+    for (std::size_t i = 1; i < n_slips; ++i)
+      for (std::size_t k = i; k > 0 && slips[k].contact < slips[k - 1].contact; --k) {
+        const ContactSlip<T> later = slips[k - 1];
+        slips[k - 1] = slips[k], slips[k] = later;
+      }
+    for (std::size_t i = 0; i < n_slips; ++i) sum += slips[i].work;
     return sum;
   }
   void keep_sums(const ContactForce& push, const contact::Sums<R>& sums, std::size_t place) {
