@@ -169,6 +169,21 @@ void BoundaryMemory<T>::add_work(std::size_t l, double& work) {
   lane.swept += swept;
 }
 
+template <class T>
+bool BoundaryMemory<T>::missed(std::size_t l, const NeighbourList<T>& list) const {
+  if (!acts(l)) return false;
+  for (std::size_t g = 0; g < grains_->size(); ++g) {
+    if (!list.beyond_range(l, g) || list.too_far(l, g)) continue;
+    for (std::size_t body = 0; body < n_bodies_; ++body) {
+      const std::size_t at = body * grains_->size() + g;
+      const Vec2 n = touch_normal_[at];
+      const Vec2 way = lanes_[l].bodies[body].state.displacement - grains_->displacement(g, l);
+      if (dot(n, n) > 0.0 && dot(n, way) > static_cast<double>(touch_gap_[at * W_ + l])) return true;
+    }
+  }
+  return false;
+}
+
 /// A point is listed for all lanes if any lane may need it; in the others its gap stays open and it adds
 /// zero.
 template <class T>

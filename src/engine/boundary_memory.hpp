@@ -72,6 +72,9 @@ class BoundaryMemory {
   void keep(State& in) const { in.lanes = lanes_, touch_shear_.keep(in.touch_shear); }
   void restore(const State& from) { lanes_ = from.lanes, touch_shear_.restore(from.touch_shear); }
 
+  /// A grain that went farther than the lane's list allows for presses on a body, which it may not have been
+  /// held against from the start of the block.
+  bool missed(std::size_t l, const NeighbourList<T>& list) const;
   /// The points near bodies, after a new neighbour list.
   void list_touches(const NeighbourList<T>& list);
   /// How bodies move in the next block.

@@ -287,21 +287,33 @@ void Group<T>::restore() {
   grains_.restore(kept_.grains), contacts_.restore(kept_.contacts), boundary_.restore(kept_.boundary);
 }
 
-/// Grains of a lane that has cracks have met unseen, one of them thrown within the block: from where it began
-/// the lane needs another list. The motion of the block that failed tells how far it has to reach.
+/// A grain that went farther than the lane's list reaches has met another, or a body, that it may not have
+/// been held against. A pair of which one has gone too far for any list is left to the watchdog.
 template <class T>
-bool Group<T>::some_outran() {
+bool Group<T>::outran(std::size_t l, double farthest_way) const {
+  const std::optional<PairKey> missed = missed_pair(l, farthest_way);
+  if (!missed) return farthest_way > list_.usual_range() && boundary_.missed(l, list_);
+  return !list_.too_far(l, static_cast<std::size_t>(key_a(*missed))) &&
+         !list_.too_far(l, static_cast<std::size_t>(key_b(*missed)));
+}
+
+/// Lanes with such grains: from where the block began they need another list, which reaches as far as their
+/// grains went in the blocks that failed.
+template <class T>
+bool Group<T>::some_outran(std::vector<int>& repeats) {
+  constexpr int most_repeats = 3;  // of a block: who meets another grain flies elsewhere
   const auto most = list_.farthest();
   bool some = false;
   for (std::size_t l = 0; l < W_; ++l) {
-    if (!may_outrun(l) || !missed_pair(l, most.moved[l])) continue;
+    if (!running(l) || repeats[l] == most_repeats || !outran(l, most.moved[l])) continue;
+    ++repeats[l];
     std::vector<double> way(grains_.size());
     for (std::size_t g = 0; g < way.size(); ++g) {
       const T* const before = kept_.grains.data() + g * n_grain_fields * W_ + l;
       const Vec2 began{static_cast<double>(before[g_ux * W_]), static_cast<double>(before[g_uy * W_])};
       way[g] = norm(grains_.displacement(g, l) - began);
     }
-    list_.forget(l), list_.expect(l, std::move(way));
+    list_.forget(l), list_.expect(l, way);
     some = true;
   }
   return some;
@@ -309,22 +321,20 @@ bool Group<T>::some_outran() {
 
 template <class T>
 void Group<T>::advance() {
-  constexpr int most_repeats = 3;  // of a block: who meets another grain flies elsewhere
   // The order matters. The jacket may demand a new list; a new list may create contacts, which change the
   // time step that the lane table and the motion of bodies are made with; bodies in balance refer to the
   // points that the list has found.
   dirty_ = boundary_.fit_jackets(list_) || dirty_;
   if (dirty_) rebuild();
-  bool repeats = false;
-  for (std::size_t l = 0; l < W_; ++l) repeats = repeats || may_outrun(l);
-  if (repeats) keep();
+  keep();
   GroupView<T> v = run_block();
-  for (int k = 0; repeats && k < most_repeats && some_outran(); ++k) {
+  for (std::vector<int> repeats(W_); some_outran(repeats);) {
     restore();
-    rebuild();
+    rebuild(true);
     keep();  // the contacts have other places
     v = run_block();
   }
+  list_.accept();
   // Cracks in their fixed order for the sum of released energy.
   sort_cracks(v);
   // Judged before anything is created or renewed: the watchdog asks what the list of this block has missed.

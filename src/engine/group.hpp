@@ -123,15 +123,14 @@ class Group final : public LaneGroup {
   GroupView<T> view();
   void run(GroupView<T>& view);
   GroupView<T> run_block();
-  /// Grains are thrown about by what breaks: before, no block is kept to be run again.
-  bool may_outrun(std::size_t l) const { return running(l) && !lanes_[l].cracks.empty(); }
   void keep();
   void restore();
-  bool some_outran();
+  bool outran(std::size_t lane, double farthest_way) const;
+  bool some_outran(std::vector<int>& repeats);
   void set_step(std::size_t l);
   // contacts
-  void rebuild();
-  std::vector<PairKey> collect_pairs();
+  void rebuild(bool forgotten_only = false);
+  std::vector<PairKey> collect_pairs(bool forgotten_only);
   void list_open();
   void create_contacts();
   bool create_interface(std::size_t c, std::size_t lane, double gap);

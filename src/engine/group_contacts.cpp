@@ -5,16 +5,17 @@
 
 namespace phy::engine::group {
 
-/// Searches lanes whose lists would not last; the others keep theirs. A pair that holds something stays.
+/// Searches lanes whose lists would not last, or only those that were forgotten; the others keep theirs. A
+/// pair that holds something stays.
 template <class T>
-std::vector<PairKey> Group<T>::collect_pairs() {
+std::vector<PairKey> Group<T>::collect_pairs(bool forgotten_only) {
   PairUnion all(grains_.size());
   const auto most = list_.farthest();
   for (std::size_t l = 0; l < W_; ++l) {
     if (!lanes_[l].specimen) continue;
     // A renewal makes the tables of all lanes anew, so lanes whose own list would end soon are searched along
     // with it.
-    if (list_.worn(l, most, block(l))) {
+    if (forgotten_only ? !list_.searched(l) : list_.worn(l, most, block(l))) {
       list_.search(l, block(l), boundary_.push(l));
       // Bonds of the specimen may span any gap; install() relies on their places.
       if (lanes_[l].fresh)
@@ -33,8 +34,8 @@ std::vector<PairKey> Group<T>::collect_pairs() {
 }
 
 template <class T>
-void Group<T>::rebuild() {
-  contacts_.carry(collect_pairs());
+void Group<T>::rebuild(bool forgotten_only) {
+  contacts_.carry(collect_pairs(forgotten_only));
   // The lowest occupied lane speaks for all: check_neighbour() has made sure that geometry is the same.
   MatrixRecipe matrix;
   for (std::size_t l = W_; l-- > 0;)

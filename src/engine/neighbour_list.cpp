@@ -74,8 +74,19 @@ void NeighbourList<T>::search(std::size_t l, double block, std::vector<double>&&
     reach[g] += more, lane.range[g] += more;
   }
   near_pairs(x, reach, of.skin(), lane.near);
-  lane.way.clear();
   lane.searched = true;
+}
+
+template <class T>
+void NeighbourList<T>::expect(std::size_t l, const std::vector<double>& way) {
+  std::vector<double>& all = lanes_[l].way;
+  all.resize(way.size());
+  for (std::size_t g = 0; g < way.size(); ++g) all[g] = std::max(all[g], way[g]);
+}
+
+template <class T>
+bool NeighbourList<T>::too_far(std::size_t l, std::size_t g) const {
+  return way(l, g) > usual_range() + farthest_reach * grains_->smallest_radius();
 }
 
 void PairUnion::add(PairKey key) {

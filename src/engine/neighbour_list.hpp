@@ -5,9 +5,10 @@
 // renewed before anything outside it can touch: when twice the largest motion since it was made, plus what
 // the fastest grain can do in the next block, exceeds the skin. A grain at rest that is hit within the block
 // may go farther all the same. What it then meets unseen is found at the end of the block (missed), and the
-// block is run again with a list that reaches as far as the grain went: which lists a lane has had, and so
-// who its neighbours were, makes no difference.
+// block is run again with a list that reaches as far as the grain went, so that it does not matter when the
+// list was renewed, which neighbours in the lanes have a say in.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -39,8 +40,18 @@ class NeighbourList {
   bool outlived(std::size_t lane, const Farthest& most, double block, double bodies) const;
   /// Makes a lane's list. `push`: per sorted grain, how far a jacket drives it in a block [m]; may be empty.
   void search(std::size_t lane, double block, std::vector<double>&& push);
-  /// The lane's next list reaches round each sorted grain as far as it went in a block that is run again [m].
-  void expect(std::size_t lane, std::vector<double>&& way) { lanes_[lane].way = std::move(way); }
+  /// Until accept() the lane's lists reach round each sorted grain as far as it went [m] in any run of the
+  /// block.
+  void expect(std::size_t lane, const std::vector<double>& way);
+  /// The block will not be run again.
+  void accept() {
+    for (Lane& lane : lanes_) lane.way.clear();
+  }
+  /// A sorted grain has gone farther since the search than the list allows for, or than any list can.
+  bool beyond_range(std::size_t lane, std::size_t grain) const {
+    return way(lane, grain) > range(lane, grain);
+  }
+  bool too_far(std::size_t lane, std::size_t grain) const;
   /// Adds a pair whatever its gap.
   void add(std::size_t lane, PairKey pair) { lanes_[lane].near.push_back(pair); }
   const std::vector<PairKey>& near(std::size_t lane) const { return lanes_[lane].near; }
@@ -63,12 +74,16 @@ class NeighbourList {
   struct Lane {
     std::vector<PairKey> near;  // of the last search
     std::vector<double> range, push;
-    std::vector<double> way;  // for the next search; may be empty
+    std::vector<double> way;  // in blocks that are run again; may be empty
     bool searched = false;
   };
   const GrainMemory<T>* grains_;
   std::vector<Lane> lanes_;
   std::vector<Vec2> searched_at_;  // per grain and lane: displacement at the last search
+
+  double way(std::size_t lane, std::size_t g) const {
+    return norm(grains_->displacement(g, lane) - searched_at_[g * grains_->lanes() + lane]);
+  }
 };
 
 template <class T>
