@@ -19,7 +19,7 @@ namespace {
 void print_check(const verification::Check& k, int width) {
   const char* verdict = k.passed() ? "ok  " : "FAIL";
   const std::string line =
-      fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.0e}  {}\n", verdict,
+      fmt::format("     {} expected {:< 16.9e} measured {:< 16.9e} tolerance {:.2g}  {}\n", verdict,
                   k.expected, k.measured, k.tolerance, k.what);
   if (width <= 0 || line.size() <= static_cast<std::size_t>(width) + 1) {
     print_out("{}", line);
@@ -40,7 +40,7 @@ void print_markdown(const verification::VerificationCase& c, const std::vector<v
   print_out("\n## {} - {}\n\nSource: {}. Tolerance: {}.\n\n", c.id, c.claim, c.source, c.why);
   print_out("| quantity | expected | measured | tolerance | |\n|---|---|---|---|---|\n");
   for (const verification::Check& k : checks)
-    print_out("| {} | {:.9e} | {:.9e} | {:.0e} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
+    print_out("| {} | {:.9e} | {:.9e} | {:.2g} | {} |\n", k.what, k.expected, k.measured, k.tolerance,
               k.passed() ? "ok" : "FAIL");
 }
 

@@ -191,7 +191,8 @@ void add_mean(std::vector<Check>& checks, const std::string& what, double expect
   const Summary all = summarise(values);
   checks.push_back(
       {what + fmt::format(", mean of {} packings [-]", values.size()), expected, all.mean, 0.03});
-  checks.push_back({what + ", half of the 95 % interval of that mean [-]", 0.0, all.half_width, 0.03});
+  checks.push_back({what + ", half of the 95 % interval of that mean, at most the tolerance [-]", 0.0,
+                    all.half_width, 0.03});
 }
 
 /// The load stays, the layers turn.
