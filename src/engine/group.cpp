@@ -305,7 +305,7 @@ bool Group<T>::some_outran(std::vector<int>& repeats) {
   const auto most = list_.farthest();
   bool some = false;
   for (std::size_t l = 0; l < W_; ++l) {
-    if (!running(l) || repeats[l] == most_repeats || !outran(l, most.moved[l])) continue;
+    if (!may_outrun(l) || repeats[l] == most_repeats || !outran(l, most.moved[l])) continue;
     ++repeats[l];
     std::vector<double> way(grains_.size());
     for (std::size_t g = 0; g < way.size(); ++g) {
@@ -326,9 +326,11 @@ void Group<T>::advance() {
   // points that the list has found.
   dirty_ = boundary_.fit_jackets(list_) || dirty_;
   if (dirty_) rebuild();
-  keep();
+  bool may = false;
+  for (std::size_t l = 0; l < W_; ++l) may = may || may_outrun(l);
+  if (may) keep();
   GroupView<T> v = run_block();
-  for (std::vector<int> repeats(W_); some_outran(repeats);) {
+  for (std::vector<int> repeats(W_); may && some_outran(repeats);) {
     restore();
     rebuild(true);
     keep();  // the contacts have other places

@@ -125,6 +125,9 @@ class Group final : public LaneGroup {
   GroupView<T> run_block();
   void keep();
   void restore();
+  /// Grains are thrown about by what has broken; what flies apart before anything has is left to the
+  /// watchdog.
+  bool may_outrun(std::size_t lane) const { return running(lane) && !lanes_[lane].cracks.empty(); }
   bool outran(std::size_t lane, double farthest_way) const;
   bool some_outran(std::vector<int>& repeats);
   void set_step(std::size_t l);

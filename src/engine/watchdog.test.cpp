@@ -243,8 +243,12 @@ TEST(Watchdog, WaitsForTheLoad) {
   }
 }
 
+/// Two bonded discs far from all others, for a first crack: it is made by drawing the second one away.
+const std::vector<Disc> pair_to_break = {{40.0 * R, R, R}, {42.0 * R, R, R}};
+constexpr GrainState drawn_away{0.1 * R, 0.0, 0.0};
+
 /// Three loose discs along x: the left one flies against the middle one, which flies on towards the right one
-/// within the same block of cycles.
+/// within the same block of cycles. Something has broken before.
 struct Billiards {
   static constexpr int interval = 400;
   std::shared_ptr<const Specimen> specimen;
@@ -253,8 +257,13 @@ struct Billiards {
 
   Billiards(double gap, Precision precision, int lanes = 4) {
     const double first = 0.2 * skin;
-    Specimen s =
-        assembly({{R, R, R}, {3.0 * R + first, R, R}, {5.0 * R + first + gap, R, R}}, MatrixRecipe{});
+    Specimen s = assembly({{R, R, R},
+                           {3.0 * R + first, R, R},
+                           {5.0 * R + first + gap, R, R},
+                           pair_to_break[0],
+                           pair_to_break[1]},
+                          MatrixRecipe{});
+    bond_touching(s);
     group = small_group(s, precision, interval, lanes);
     Boundary boundary;
     boundary.bodies = {pusher(3, 1.0)};  // never placed: gives the first step its stiffness
@@ -262,7 +271,9 @@ struct Billiards {
     setup.boundary = shared(boundary);
     specimen = shared(std::move(s));
     group->load(0, specimen, setup);
-    group->advance();  // at rest
+    group->set_motion(0, 4, drawn_away, {}, 0.0);
+    group->advance();  // the others are at rest
+    EXPECT_EQ(group->cracks(0).size(), 1U);
     const double v = std::max(4.0 * skin, 1.4 * gap) / (group->time_step(0) * interval);
     group->set_motion(0, 0, {}, {v, 0.0}, 0.0);
   }
@@ -301,7 +312,9 @@ TEST(Watchdog, ABlockInWhichAGrainMetAWallUnseenIsRunAgain) {
   for (const Precision precision : both_precisions)
     for (const int lanes : {4, 1}) {
       const double first = 0.2 * skin;
-      const Specimen s = assembly({{R, R, R}, {3.0 * R + first, R, R}}, MatrixRecipe{});
+      Specimen s =
+          assembly({{R, R, R}, {3.0 * R + first, R, R}, pair_to_break[0], pair_to_break[1]}, MatrixRecipe{});
+      bond_touching(s);
       const auto group = small_group(s, precision, Billiards::interval, lanes);
       Boundary boundary;
       boundary.bodies = {pusher(2, -1.0)};
@@ -311,7 +324,9 @@ TEST(Watchdog, ABlockInWhichAGrainMetAWallUnseenIsRunAgain) {
       setup.damping = 0.0, setup.step_safety = 0.02, setup.boundary = shared(boundary);
       group->load(0, shared(s), setup);
       group->place_boundary(0);
+      group->set_motion(0, 3, drawn_away, {}, 0.0);
       group->advance();
+      EXPECT_EQ(group->cracks(0).size(), 1U);
       group->set_motion(0, 0, {}, {5.0 * skin / (group->time_step(0) * Billiards::interval), 0.0}, 0.0);
       group->advance();
       EXPECT_TRUE(group->health(0).ok) << group->health(0).reason;
