@@ -4,9 +4,9 @@
 // a grain may go in the next block that is too fast for half the skin, or that a jacket drives. A list is
 // renewed before anything outside it can touch: when twice the largest motion since it was made, plus what
 // the fastest grain can do in the next block, exceeds the skin. A grain at rest that is hit within the block
-// may go farther all the same. What it then meets unseen is found at the end of the block (missed), and the
-// block is run again with a list that reaches as far as the grain went, so that it does not matter when the
-// list was renewed, which neighbours in the lanes have a say in.
+// may go farther all the same. What it then meets unseen is found at the end of the block (missed), and once
+// something has broken the block is run again with a list that reaches as far as the grain went: when a list
+// is renewed, neighbours in the lanes have a say in (docs/decisions/0015 has what is left).
 #pragma once
 #include <algorithm>
 #include <optional>
