@@ -31,12 +31,20 @@ struct Rows {
   }
 };
 
+/// The same in batches of W contacts.
+struct Arranged : Rows {
+  std::size_t W;
+  WideContacts<double> wide;
+
+  explicit Arranged(std::size_t lanes) : W(lanes), wide(lanes, 1, 3) {
+    wide.arrange(view);
+    wide.enter(view);
+  }
+};
+
 TEST(WideContacts, EveryContactHasAPlaceAmongItsLike) {
-  Rows rows;
-  constexpr std::size_t W = 4;
-  WideContacts<double> wide(W, 1, 3);
-  wide.arrange(rows.view);
-  wide.enter(rows.view);
+  const Arranged rows(4);
+  const std::size_t W = rows.W;
   const WideView<double>& w = rows.view.wide;
   std::set<std::int32_t> seen;
   for (int row = 0; row < 2; ++row) {
@@ -63,10 +71,7 @@ TEST(WideContacts, EveryContactHasAPlaceAmongItsLike) {
 // What the loop adds up: for each grain, the forces of its contacts in their
 // order.
 TEST(WideContacts, AGrainIsPushedInTheOrderOfItsContacts) {
-  Rows rows;
-  WideContacts<double> wide(4, 1, 3);
-  wide.arrange(rows.view);
-  wide.enter(rows.view);
+  const Arranged rows(4);
   const WideView<double>& w = rows.view.wide;
   for (int row = 0; row < 2; ++row) {
     std::size_t n_pushes = 0;
@@ -92,10 +97,7 @@ TEST(WideContacts, AGrainIsPushedInTheOrderOfItsContacts) {
 }
 
 TEST(WideContacts, StatesComeBackToTheirContacts) {
-  Rows rows;
-  WideContacts<double> wide(8, 1, 3);
-  wide.arrange(rows.view);
-  wide.enter(rows.view);
+  Arranged rows(8);
   const std::vector<double> before = rows.state;
   for (const std::size_t c : {0U, 4U, 10U}) {
     const std::size_t row = c < 4 ? 0 : 1;
@@ -103,7 +105,7 @@ TEST(WideContacts, StatesComeBackToTheirContacts) {
                               static_cast<std::size_t>(rows.view.wide.place[c]);
     rows.view.wide.state[(place / 8 * 3 + 1) * 8 + place % 8] = -1.0;
   }
-  wide.leave(rows.view);
+  rows.wide.leave(rows.view);
   for (std::size_t c = 0; c < rows.contacts.size(); ++c)
     for (std::size_t f = 0; f < 3; ++f) {
       const bool changed = f == 1 && (c == 0 || c == 4 || c == 10);
@@ -113,11 +115,8 @@ TEST(WideContacts, StatesComeBackToTheirContacts) {
 
 // What makes an empty place harmless: no state, and a gap that nothing closes.
 TEST(WideContacts, EmptyPlacesNeverPress) {
-  Rows rows;
-  constexpr std::size_t W = 8;
-  WideContacts<double> wide(W, 1, 3);
-  wide.arrange(rows.view);
-  wide.enter(rows.view);
+  const Arranged rows(8);
+  const std::size_t W = rows.W;
   const WideView<double>& w = rows.view.wide;
   const auto n_batches = static_cast<std::size_t>(w.row_batch[2]);
   std::size_t n_empty = 0;
