@@ -205,6 +205,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
   test.n_snapshots = 0, test.n_frames = 0;
   test.angles.clear(), test.intact = false;
   recipe.engine.precision = Precision::single_precision;
+  recipe.engine.grain_inertia = GrainInertia::equal;
   return recipe;
 }
 

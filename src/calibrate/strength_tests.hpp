@@ -49,10 +49,10 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
                                           ModulusReading reading = ModulusReading::tangent_50,
                                           std::vector<Comparison>* moduli = nullptr);
 
-/// Settings of the tests of a rock: single precision, no snapshots, and the slowest of the platen speeds of
-/// its tests of UCS (of those under confinement where there are no others), so that one recipe suits all
-/// angles. `all`: their strength over the modulus of the recipe
-/// (direct solution on the packing `seed`) is the strain of the peak.
+/// Settings of the tests of a rock: single precision, grains of equal mass, no snapshots, and the slowest of
+/// the platen speeds of its tests of UCS (of those under confinement where there are no others), so that one
+/// recipe suits all angles. `all`: their strength over the modulus of the recipe (direct solution on the
+/// packing `seed`) is the strain of the peak.
 Recipe test_settings(const Recipe& recipe, const std::vector<Target>& all, std::int64_t seed,
                      Simulator& simulator);
 /// The same for these targets alone, with the moduli [Pa] at their angles.

@@ -13,29 +13,25 @@ constexpr double skin_factor = 0.25;  // of the smallest radius
 }  // namespace
 
 template <class T>
-GrainMemory<T>::GrainMemory(std::shared_ptr<const Packing> packing, std::size_t W)
-    : packing_(std::move(packing)), W_(W) {
+GrainMemory<T>::GrainMemory(std::shared_ptr<const Packing> packing, std::size_t W, GrainInertia inertia)
+    : packing_(std::move(packing)), inertia_(*packing_, inertia), W_(W) {
   PHY_CHECK(!packing_->discs.empty(), "a packing has grains");
   for (const Disc& d : packing_->discs) r_min_ = r_min_ > 0.0 ? std::min(r_min_, d.r) : d.r;
   skin_ = skin_factor * r_min_;
   layout_ = make_layout(*packing_, skin_);
   const GaugeWeights gauge = gauge_weights(*packing_);
   // Fields in the sorted order of the loop. Constants are per area and per r^4: density, which may differ by
-  // lane, comes in by l_accel; inertia of a disc is m r^2/2 = density pi r^4/2.
+  // lane, comes in by l_accel.
   for (const std::int32_t sorted : layout_.order) {
     const auto i = static_cast<std::size_t>(sorted);
     const Disc& d = packing_->discs[i];
     x0_.push_back({d.x, d.y});
     radius_.push_back(d.r);
-    const double area = pi * d.r * d.r;
-    const_.push_back({T(1.0 / area), T(2.0 / (area * d.r * d.r)), T(d.r), T(gauge.x[i]), T(gauge.y[i])});
+    const double area = inertia_.area(i);
+    const_.push_back(
+        {T(1.0 / area), T(inertia_.roundness() / (area * d.r * d.r)), T(d.r), T(gauge.x[i]), T(gauge.y[i])});
   }
   state_.assign(size() * n_grain_fields * W_);
-}
-
-template <class T>
-double GrainMemory<T>::mass(std::size_t g, double density) const {
-  return density * pi * radius_[g] * radius_[g];
 }
 
 template <class T>

@@ -5,6 +5,7 @@
 
 #include "base/near_pairs.hpp"
 #include "engine/buffer.hpp"
+#include "engine/inertia.hpp"
 #include "engine/layout.hpp"
 #include "engine/view.hpp"
 #include "records/result.hpp"
@@ -15,7 +16,7 @@ template <class T>
 class GrainMemory {
  public:
   /// W: number of lanes.
-  GrainMemory(std::shared_ptr<const Packing> packing, std::size_t W);
+  GrainMemory(std::shared_ptr<const Packing> packing, std::size_t W, GrainInertia inertia);
 
   const Packing& packing() const { return *packing_; }
   const Layout& layout() const { return layout_; }
@@ -29,7 +30,10 @@ class GrainMemory {
   Vec2 start(std::size_t g) const { return x0_[g]; }
   double radius(std::size_t g) const { return radius_[g]; }
   const std::vector<double>& radii() const { return radius_; }
-  double mass(std::size_t g, double density) const;
+  double mass(std::size_t g, double density) const {
+    return inertia_.mass(packing_id(static_cast<std::int32_t>(g)), density);
+  }
+  const Inertia& inertia() const { return inertia_; }
   std::uint32_t packing_id(std::int32_t g) const {
     return static_cast<std::uint32_t>(layout_.order[static_cast<std::size_t>(g)]);
   }
@@ -69,6 +73,7 @@ class GrainMemory {
 
  private:
   std::shared_ptr<const Packing> packing_;
+  Inertia inertia_;
   std::size_t W_;
   double r_min_ = 0.0, skin_ = 0.0;
   Layout layout_;

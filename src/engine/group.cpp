@@ -24,7 +24,7 @@ Group<T>::Group(std::shared_ptr<const Packing> packing, const GroupOptions& opti
       W_(static_cast<std::size_t>(options.lanes)),
       kernel_(kernel_of<T>(*options.contacts, options)),
       lanes_(W_),
-      grains_(std::move(packing), W_),
+      grains_(std::move(packing), W_, options.inertia),
       list_(grains_),
       contacts_(grains_, options.contacts->models),
       boundary_(grains_, options.interval) {
@@ -91,8 +91,8 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
   edge.bodies.resize(info.boundary().bodies.size());
   edge.damping = setup.damping, edge.density = specimen->matrix.density;
   // The bound comes first, it gives the time step.
-  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), info.boundary(),
-                     info.setup.body_friction);
+  info.bound.emplace(*specimen, initial_stiffnesses(contacts_.models(), *specimen), grains_.inertia(),
+                     info.boundary(), info.setup.body_friction);
   for (const Contact& c : specimen->contacts) {
     // Those without a bond are in the list like pairs that meet later, and are counted once.
     if (c.kind == ContactKind::touching)
@@ -112,8 +112,9 @@ void Group<T>::load(int lane, std::shared_ptr<const Specimen> specimen, const La
 template <class T>
 void Group<T>::move_lane(int lane, LaneGroup& target, int to_lane) {
   auto* const to = dynamic_cast<Group<T>*>(&target);
-  PHY_CHECK(to != nullptr && to != this && to->options_.interval == options_.interval,
-            "a lane moves between groups of one precision and block");
+  PHY_CHECK(to != nullptr && to != this && to->options_.interval == options_.interval &&
+                to->options_.inertia == options_.inertia,
+            "a lane moves between groups of one precision, masses and block");
   PHY_CHECK(at(lane).specimen && !to->at(to_lane).specimen, "a specimen moves into an empty lane");
   to->check_neighbour(*at(lane).specimen);
   const std::size_t from = index(lane), into = index(to_lane);

@@ -19,13 +19,14 @@
 
 namespace phy::engine {
 
-/// Numerics of a group; never changes a bit, except `interval`.
+/// Numerics of a group; never changes a bit, except `interval` and `inertia`.
 struct GroupOptions {
   Isa isa = Isa::sse2;
   Precision precision = Precision::double_precision;
   int lanes = 1;
-  int skew = 8;        ///< cycles per sweep
-  int interval = 100;  ///< cycles between checks (recipe: test.history_interval)
+  int skew = 8;                               ///< cycles per sweep
+  int interval = 100;                         ///< cycles between checks (recipe: test.history_interval)
+  GrainInertia inertia = GrainInertia::disc;  ///< recipe: engine.grain_inertia
   const ContactPhysics* contacts = &physics_of({}, {});  ///< models of matrix and interfaces
 };
 

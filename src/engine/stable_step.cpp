@@ -10,8 +10,6 @@
 namespace phy::engine {
 namespace {
 
-using Sym3 = std::array<double, 6>;  // xx yy zz xy xz yz
-
 /// Largest eigenvalue of a positive semi-definite matrix, from above: Newton's method on the characteristic
 /// polynomial started at the trace falls monotonically to the largest root.
 double largest_eigenvalue(const Sym3& m) {
@@ -73,22 +71,26 @@ Sym3 gram(const std::array<std::array<double, 3>, 3>& b) {
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-/// A body's contact, on the diagonal block of its grain. `rubs`: the body has friction.
-void add_wall(const Specimen& specimen, const Touch& t, bool rubs, Sym3& block) {
+/// A body's contact, for the diagonal block of its grain. `rubs`: the body has friction.
+Sym3 wall_block(const Specimen& specimen, const Inertia& inertia, const Touch& t, bool rubs) {
   // The body moves as prescribed and is no degree of freedom, so its contact only stiffens the grain:
-  // k_n n n^T + k_s s s^T, where s = (t, -sqrt(2)) is the slide per displacement and scaled rotation. Without
-  // friction nothing is carried across; what is kept of k_s then lies on the safe side.
+  // k_n n n^T + k_s s s^T, where s = (t, -sqrt(m r^2/I)) is the slide per displacement and scaled rotation.
+  // Without friction nothing is carried across; what is kept of k_s then lies on the safe side.
   const double k_n = contact::wall::normal_stiffness(specimen.matrix), ratio = specimen.matrix.ks_over_kn;
-  const double r = specimen.packing->discs[t.grain].r, mass = specimen.matrix.density * pi * r * r;
+  const double mass = inertia.mass(t.grain, specimen.matrix.density), round = inertia.roundness();
   const double xx = t.normal.x * t.normal.x, yy = t.normal.y * t.normal.y;
-  block[0] += (xx + ratio * yy) * k_n / mass;
-  block[1] += (yy + ratio * xx) * k_n / mass;
-  block[2] += 2.0 * ratio * k_n / mass;
-  block[3] += (1.0 - ratio) * t.normal.x * t.normal.y * k_n / mass;
-  if (!rubs) return;
   const Vec2 across = tangent(t.normal);
-  block[4] -= std::sqrt(2.0) * ratio * k_n / mass * across.x;
-  block[5] -= std::sqrt(2.0) * ratio * k_n / mass * across.y;
+  const double turning = rubs ? std::sqrt(round) * ratio * k_n / mass : 0.0;
+  return {(xx + ratio * yy) * k_n / mass,
+          (yy + ratio * xx) * k_n / mass,
+          round * ratio * k_n / mass,
+          (1.0 - ratio) * t.normal.x * t.normal.y * k_n / mass,
+          -turning * across.x,
+          -turning * across.y};
+}
+
+void add_to(Sym3& to, const Sym3& block, double factor = 1.0) {
+  for (std::size_t i = 0; i < 6; ++i) to[i] += factor * block[i];
 }
 
 }  // namespace
@@ -122,36 +124,41 @@ ContactStiffness initial_stiffness(const contact::Models& models, const Specimen
 }
 
 FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
-                               const Boundary& boundary, double body_friction)
-    : packing_(specimen.packing.get()), density_(specimen.matrix.density) {
-  const std::size_t n = packing_->discs.size();
-  std::vector<Sym3> diagonal(n, Sym3{});
-  std::vector<Entry> entries;
-  entries.reserve(contacts.size());
-  // Diagonal blocks add up over the contacts of a grain; off-diagonal blocks belong to one contact each, and
-  // only their norm is needed.
-  for (const ContactStiffness& c : contacts) {
-    std::array<double, 12> d{};
-    const double norm_ab = block_norm(c, d.data(), d.data() + 6);
-    for (std::size_t i = 0; i < 6; ++i) diagonal[c.a][i] += d[i], diagonal[c.b][i] += d[6 + i];
-    entries.push_back({c.a, c.b, norm_ab});
-  }
-  std::vector<double> own(n), next(n);
+                               const Inertia& inertia, const Boundary& boundary, double body_friction)
+    : packing_(specimen.packing.get()), inertia_(inertia), density_(specimen.matrix.density) {
+  std::vector<OfBody> bodies;
   for (const BoundaryBody& body : boundary.bodies)
     for (const Touch& t : body.touches)
       // Also grains that will touch soon: the bound does not grow when a body reaches them.
       if (t.gap < packing_->discs[t.grain].r)
-        add_wall(specimen, t, body.rough && body_friction > 0.0, diagonal[t.grain]);
-  for (std::size_t i = 0; i < n; ++i) {
-    own[i] = largest_eigenvalue(diagonal[i]);
+        bodies.push_back({t.grain, wall_block(specimen, inertia_, t, body.rough && body_friction > 0.0)});
+  std::vector<Blocks> blocks;
+  blocks.reserve(contacts.size());
+  for (const ContactStiffness& c : contacts) blocks.push_back(blocks_of(c));
+  if (inertia_.kind() == GrainInertia::equal) {
+    bound_by_tensors(blocks, bodies);
+  } else {
+    bound_by_norms(blocks, bodies);
   }
+  tight_ = bound_;
+}
+
+void FrequencyBound::bound_by_norms(const std::vector<Blocks>& contacts, const std::vector<OfBody>& bodies) {
+  const std::size_t n = packing_->discs.size();
+  // Diagonal blocks add up over the contacts of a grain; off-diagonal blocks belong to one contact each, and
+  // only their norm is needed.
+  std::vector<Sym3> diagonal(n, Sym3{});
+  for (const Blocks& c : contacts) add_to(diagonal[c.a], c.of_a), add_to(diagonal[c.b], c.of_b);
+  for (const OfBody& b : bodies) add_to(diagonal[b.grain], b.block);
+  std::vector<double> own(n), next(n);
+  for (std::size_t i = 0; i < n; ++i) own[i] = largest_eigenvalue(diagonal[i]);
   x_.assign(n, 1.0);
   row_.assign(n, 0.0);
   bound_ = 0.0;
   // Collatz-Wielandt: max_i (N x)_i/x_i bounds rho(N) for every x > 0, and x <- N x brings it down.
   for (int iteration = 0; iteration < 100; ++iteration) {
     for (std::size_t i = 0; i < n; ++i) next[i] = own[i] * x_[i];
-    for (const Entry& e : entries) next[e.a] += e.norm * x_[e.b], next[e.b] += e.norm * x_[e.a];
+    for (const Blocks& c : contacts) next[c.a] += c.norm_ab * x_[c.b], next[c.b] += c.norm_ab * x_[c.a];
     double top = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       row_[i] = next[i] / x_[i];
@@ -168,40 +175,62 @@ FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<Conta
         100)  // grains far from the hot spot keep a floor, so that later contacts stay bounded
       for (std::size_t i = 0; i < n; ++i) x_[i] = std::max(next[i] / largest, 1e-3);
   }
-  tight_ = bound_;
 }
 
-double FrequencyBound::block_norm(const ContactStiffness& k, double* diag_a, double* diag_b) const {
-  const Disc& da = packing_->discs[k.a];
-  const Disc& db = packing_->discs[k.b];
+void FrequencyBound::bound_by_tensors(const std::vector<Blocks>& contacts,
+                                      const std::vector<OfBody>& bodies) {
+  constexpr int n_iterations = 10;
+  constexpr double floor = 1e-3;  // as above
+  const std::size_t n = packing_->discs.size();
+  std::vector<double> x(n, 1.0), row(n);
+  for (int iteration = 0; iteration < n_iterations; ++iteration) {
+    std::vector<Sym3> diagonal(n, Sym3{});
+    for (const OfBody& b : bodies) add_to(diagonal[b.grain], b.block);
+    for (const Blocks& c : contacts) {
+      const double ratio = x[c.b] / x[c.a];
+      add_to(diagonal[c.a], c.of_a, 1.0 + ratio), add_to(diagonal[c.b], c.of_b, 1.0 + 1.0 / ratio);
+    }
+    for (std::size_t i = 0; i < n; ++i) row[i] = largest_eigenvalue(diagonal[i]);
+    const double top = *std::max_element(row.begin(), row.end());
+    if (iteration == 0 || top < bound_) bound_ = top, x_ = x, row_ = row;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, x[i] *= std::max(row[i] / top, floor));
+    for (double& value : x) value = std::max(value / largest, floor);
+  }
+}
+
+FrequencyBound::Blocks FrequencyBound::blocks_of(const ContactStiffness& k) const {
+  const double r_a = packing_->discs[k.a].r, r_b = packing_->discs[k.b].r;
   const Vec2 t = tangent(k.branch);
-  const double inv_ma = 1.0 / std::sqrt(density_ * pi * da.r * da.r);
-  const double inv_mb = 1.0 / std::sqrt(density_ * pi * db.r * db.r);
-  // Disc: I = m r^2/2, so 1/sqrt(I) = sqrt(2)/(r sqrt(m)).
-  const double root2 = std::sqrt(2.0);
-  const Gradient ga = gradient(-1.0, da.r + 0.5 * k.gap, t, k, inv_ma, inv_ma * root2 / da.r);
-  const Gradient gb = gradient(1.0, db.r + 0.5 * k.gap, t, k, inv_mb, inv_mb * root2 / db.r);
-  const auto put = [](const std::array<std::array<double, 3>, 3>& m, double* out) {
-    out[0] = m[0][0], out[1] = m[1][1], out[2] = m[2][2], out[3] = m[0][1], out[4] = m[0][2],
-    out[5] = m[1][2];
+  const double inv_ma = 1.0 / std::sqrt(inertia_.mass(k.a, density_));
+  const double inv_mb = 1.0 / std::sqrt(inertia_.mass(k.b, density_));
+  // 1/sqrt(I) = sqrt(m r^2/I)/(r sqrt(m)).
+  const double root = std::sqrt(inertia_.roundness());
+  const Gradient ga = gradient(-1.0, r_a + 0.5 * k.gap, t, k, inv_ma, inv_ma * root / r_a);
+  const Gradient gb = gradient(1.0, r_b + 0.5 * k.gap, t, k, inv_mb, inv_mb * root / r_b);
+  const auto symmetric = [](const std::array<std::array<double, 3>, 3>& m) {
+    return Sym3{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
   };
-  put(product(ga, ga, k), diag_a);
-  put(product(gb, gb, k), diag_b);
   // Spectral norm of the off-diagonal block: square root of the largest eigenvalue of B^T B.
-  return std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))));
+  return {k.a, k.b, symmetric(product(ga, ga, k)), symmetric(product(gb, gb, k)),
+          std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))))};
 }
 
 double FrequencyBound::omega() const { return std::sqrt(bound_); }
 
 void FrequencyBound::add(const ContactStiffness& k) {
-  std::array<double, 12> d{};
-  const double norm_ab = block_norm(k, d.data(), d.data() + 6);
-  const std::uint32_t a = k.a, b = k.b;
+  const Blocks c = blocks_of(k);
   // The trace of what is added to a diagonal block is not less than the growth of its largest eigenvalue.
-  const auto trace = [&](std::size_t at) { return d[at] + d[at + 1] + d[at + 2]; };
-  row_[a] += trace(0) + norm_ab * x_[b] / x_[a];
-  row_[b] += trace(6) + norm_ab * x_[a] / x_[b];
-  bound_ = std::max({bound_, row_[a], row_[b]});
+  const auto trace = [](const Sym3& block) { return block[0] + block[1] + block[2]; };
+  const double ratio = x_[c.b] / x_[c.a];
+  if (inertia_.kind() == GrainInertia::equal) {
+    row_[c.a] += (1.0 + ratio) * trace(c.of_a);
+    row_[c.b] += (1.0 + 1.0 / ratio) * trace(c.of_b);
+  } else {
+    row_[c.a] += trace(c.of_a) + c.norm_ab * x_[c.b] / x_[c.a];
+    row_[c.b] += trace(c.of_b) + c.norm_ab * x_[c.a] / x_[c.b];
+  }
+  bound_ = std::max({bound_, row_[c.a], row_[c.b]});
 }
 
 }  // namespace phy::engine

@@ -51,8 +51,8 @@ enum SampleField {
 
 template <class T>
 struct GrainConst {
-  T inv_area;     ///< 1/(pi r^2): acceleration = force / (density area)
-  T inv_inertia;  ///< 2/(pi r^4)
+  T inv_area;     ///< of a disc 1/(pi r^2): acceleration = force / (density area)
+  T inv_inertia;  ///< of a disc 2/(pi r^4)
   T radius;
   T gauge_x, gauge_y;  ///< weights of the least-squares strain gauge [1/m]
 };

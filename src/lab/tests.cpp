@@ -53,6 +53,7 @@ TestResult run_alone(const std::shared_ptr<const Specimen>& specimen, const Reci
   engine::GroupOptions options;
   options.isa = engine::native_isa();
   options.interval = static_cast<int>(recipe.test.history_interval);
+  options.inertia = recipe.engine.grain_inertia;
   options.contacts = &engine::physics_of(specimen->matrix, specimen->bedding);
   const auto group = engine::make_group(specimen->packing, options);
   const auto test = make_test(specimen, recipe, *group, 0);

@@ -21,6 +21,7 @@ enum class MatrixModel { parallel_bond, flat_joint };      ///< what holds grain
 enum class BreakAt { centroid, edge };                     ///< laws/flat_joint/README.md
 enum class BeddingRule { crossing, zone, oriented };       ///< which contacts become smooth joints
 enum class Precision { double_precision, single_precision };
+enum class GrainInertia { disc, equal };
 /// Sides of a biaxial test: rigid walls, or pressure on side grains.
 enum class Confinement { walls, jacket };
 
@@ -183,6 +184,7 @@ struct EngineRecipe {
   Precision precision = Precision::double_precision;
   double damping = 0.7;       ///< local damping coefficient alpha
   double step_safety = 0.92;  ///< fraction of the stable step 2/(omega_max sqrt(1 + alpha))
+  GrainInertia grain_inertia = GrainInertia::disc;  ///< equal: all of the mean mass (engine/inertia.hpp)
 };
 
 struct Recipe {

@@ -375,6 +375,9 @@ void add_engine(List& l) {
   l.number("engine", "damping", 0, 0.95, "damp", "local damping coefficient alpha", part, &E::damping);
   l.number("engine", "step_safety", 0.01, 1, "safety-factor", "fraction of the stable time step", part,
            &E::step_safety);
+  l.choice("engine", "grain_inertia", {"disc", "equal"},
+           "mass in the dynamics: each grain its own, or all the mean mass, whose time step is longer", part,
+           &E::grain_inertia);
 }
 
 /// With the default of every key, as in a file.

@@ -197,9 +197,14 @@ std::string loading_text(const RunRecord& run) {
   return fmt::format(
       "{} The explicit time step was {:.3g} to {:.3g} s ({:g} of the proven stable step), local damping "
       "{:g}, {} "
-      "precision. {}",
+      "precision.{} {}",
       r.test.kind->loading_text(r), least, most, r.engine.step_safety, r.engine.damping,
-      r.engine.precision == Precision::double_precision ? "double" : "single", ends_text(run));
+      r.engine.precision == Precision::double_precision ? "double" : "single",
+      r.engine.grain_inertia == GrainInertia::equal
+          ? " Every grain had the mean mass of a grain and the moment of inertia of a ring (differential "
+            "density scaling)."
+          : "",
+      ends_text(run));
 }
 
 /// A number of all specimens; where they define it differently, by what gave their strength, each definition

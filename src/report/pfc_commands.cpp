@@ -142,6 +142,7 @@ std::string pfc_omissions(const Recipe& r) {
   omit(flat && m.gapped_fraction > 0.0, "contacts that start apart (gapped_fraction)");
   omit(m.unbreakable, "bonds that never break (unbreakable)");
   omit(!r.packing.file.empty(), "the packing of packing.file: radii and numbers above are not its own");
+  omit(r.engine.grain_inertia == GrainInertia::equal, "grains of equal mass (grain_inertia)");
   omit(r.bedding.size() > 1, "all sets of bedding but the first");
   if (r.bedding.empty()) return text;
   const BeddingRecipe& b = r.bedding.front();

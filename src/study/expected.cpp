@@ -15,12 +15,13 @@ namespace {
 constexpr double modulus_factor = 0.9;  // E over that of contact and bond
 constexpr double bedded_factor = 2.1;   // the same of what lies between the planes
 constexpr double bridge_factor = 0.2;   // macro cohesion over tau_c: bonds that the joints leave between them
-constexpr double cohesion_factor = 0.5;   // macro cohesion over that of the joints, beside the bridges
-constexpr double stiffness_factor = 1.8;  // K over k, for n and s, of a plane one layer of contacts thick
-constexpr double layer_thickness = 0.9;   // of a zone that holds one layer, over the mean diameter
-constexpr double direct_cycles = 7000.0;  // that a press runs in both direct solutions
-constexpr double beyond_peak = 1.15;      // strain at the end of a test over that of the peak
-constexpr double step_factor = 0.53;      // dt over sqrt(m/k) of the smallest grain, step_safety as usual
+constexpr double cohesion_factor = 0.5;    // macro cohesion over that of the joints, beside the bridges
+constexpr double stiffness_factor = 1.8;   // K over k, for n and s, of a plane one layer of contacts thick
+constexpr double layer_thickness = 0.9;    // of a zone that holds one layer, over the mean diameter
+constexpr double direct_cycles = 7000.0;   // that a press runs in both direct solutions
+constexpr double beyond_peak = 1.15;       // strain at the end of a test over that of the peak
+constexpr double step_factor = 0.53;       // dt over sqrt(m/k) of the smallest grain, step_safety as usual
+constexpr double equal_mass_factor = 1.3;  // the same over that of discs
 
 }  // namespace
 
@@ -49,8 +50,9 @@ double expected_cost(const Recipe& r) {
   const MatrixRecipe& m = r.matrix;
   // The smallest grain decides the step; mass is per metre of thickness, so sqrt(mass/E) is a time.
   const double mass = m.density * pi * r.packing.radius_min * r.packing.radius_min;
+  const double equal = r.engine.grain_inertia == GrainInertia::equal ? equal_mass_factor : 1.0;
   const double dt =
-      step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
+      equal * step_factor * r.engine.step_safety / EngineRecipe{}.step_safety * std::sqrt(mass / m.modulus());
   // At least a tenth of the way to the peak, for tests whose pre-strain leaves almost nothing.
   const double strain =
       std::max(0.1 * expected_peak_strain(r),

@@ -23,9 +23,9 @@ std::size_t kind_of(std::map<std::vector<double>, std::size_t>& kinds, const Rec
 }
 
 // Whatever the lanes of one group have to share (engine/lane_group.hpp): packing, boundary, contact models
-// and geometry, precision and block.
+// and geometry, precision, masses of the grains and block.
 using BatchName = std::tuple<std::string, std::string, std::string, const engine::ContactPhysics*,
-                             StiffnessConvention, std::int64_t, Precision, std::int64_t>;
+                             StiffnessConvention, std::int64_t, Precision, GrainInertia, std::int64_t>;
 
 BatchName batch_name(const Recipe& r) {
   return {r.packing.file,
@@ -35,6 +35,7 @@ BatchName batch_name(const Recipe& r) {
           r.matrix.stiffness_convention,
           r.matrix.elements,
           r.engine.precision,
+          r.engine.grain_inertia,
           r.test.history_interval};
 }
 

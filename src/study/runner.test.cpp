@@ -128,6 +128,15 @@ TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
   expect_rows_as_alone(p, store);
 }
 
+// Nor may grains of their own and of equal mass.
+TEST_F(Runner, MassesDoNotMixInTheLanes) {
+  const Plan p = plan("[[vary]]\nkey = \"engine.grain_inertia\"\nvalues = [\"disc\", \"equal\"]\n");
+  EXPECT_EQ(p.batches.size(), 2u);
+  Store store(at("s.sqlite"));
+  work(p, store, 1);
+  expect_rows_as_alone(p, store);
+}
+
 // Nor may flat joints of different numbers of elements; one and the same number shares its lanes.
 TEST_F(Runner, ElementsDoNotMixInTheLanes) {
   const Plan p = plan(

@@ -110,6 +110,7 @@ LaneBatchOptions lane_batch_options(std::size_t n_specimens, bool alike, const R
   group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, alike, group);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);
+  group.inertia = recipe.engine.grain_inertia;
   group.contacts = &engine::physics_of(recipe.matrix, recipe.bedding);
   return {group, machine.lanes > 0};
 }

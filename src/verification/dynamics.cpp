@@ -271,7 +271,10 @@ std::vector<Check> energy_balance() {
 // closed forms.
 std::vector<Check> stable_step() {
   const auto ratio = [](const Specimen& s, double exact) {
-    return engine::FrequencyBound(s, engine::initial_stiffnesses(contact::models_of(s), s)).omega() / exact;
+    return engine::FrequencyBound(s, engine::initial_stiffnesses(contact::models_of(s), s),
+                                  {*s.packing, GrainInertia::disc})
+               .omega() /
+           exact;
   };
   Specimen pair = bonded_pair();
   const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;

@@ -72,6 +72,19 @@ study::MachineOptions alone() {
   return machine;
 }
 
+TEST(OneHashOfEqualMasses, ForLanesSetsAndThreads) {
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    Recipe r = small_recipe(precision);
+    const auto specimens = specimens_of(r);
+    const std::vector<std::string> discs = hashes(r, specimens, narrowest(precision));
+    r.engine.grain_inertia = GrainInertia::equal;
+    const std::vector<std::string> expected = hashes(r, specimens, narrowest(precision));
+    EXPECT_NE(expected, discs);
+    for (const study::MachineOptions& machine : {widest(precision), alone()})
+      EXPECT_EQ(hashes(r, specimens, machine), expected);
+  }
+}
+
 // Written down once: a change of any bit of the physics shows here and has to be explained in the changelog.
 TEST(GoldenHashes, AreTheRecordedOnes) {
   std::string before;

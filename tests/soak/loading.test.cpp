@@ -1,6 +1,6 @@
-// What an affine pre-strain, the search's speed and one speed for all angles do to UCS and E beside loading
-// from rest at a speed of its own: the same specimens loaded in all these ways, and with another draw of
-// strengths as the yardstick. Rocks of 1,197
+// What an affine pre-strain, the search's speed, one speed for all angles and grains of equal mass do to UCS
+// and E beside loading from rest at a speed of its own: the same specimens loaded in all these ways, and with
+// another draw of strengths as the yardstick. Rocks of 1,197
 // discs, both rules, joints that are stiff and soft, bonds with directions, flat joints.
 // PHY_LOADING_PACKINGS: on how many packings (4).
 #include <gtest/gtest.h>
@@ -102,11 +102,12 @@ struct Effect {
 TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
   const auto n = static_cast<int>(setting("PHY_LOADING_PACKINGS", 4));
-  Effect pre_strained, search, other_draw, one_speed;
+  Effect pre_strained, search, other_draw, one_speed, equal_mass;
   for (const NamedRock& r : rocks()) {
     const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
     const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
-    const Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
+    Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
+    settings.engine.grain_inertia = GrainInertia::disc;
     const StrengthTests tests(settings, targets, 1, *simulator);
     const auto tested = [&](Loading loading, const std::function<void(Recipe&)>& change) {
       std::vector<Recipe> recipes;
@@ -118,23 +119,27 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
       return simulator->test(recipes);
     };
     const std::vector<TestResult> from_rest = tested(Loading::from_rest, [](Recipe&) {});
-    Effect a, b, c, d;
+    Effect a, b, c, d, e;
     a.add(tested(Loading::search, [](Recipe& t) { t.test.platen_speed /= search_speed; }), from_rest);
     b.add(tested(Loading::search, [](Recipe&) {}), from_rest);
     c.add(tested(Loading::from_rest, [](Recipe& t) { ++t.matrix.bond_seed; }), from_rest);
     // all angles at one speed: a hundred transits until the earliest of their peaks
     d.add(tested(Loading::from_rest, [&](Recipe& t) { t.test.platen_speed = settings.test.platen_speed; }),
           from_rest);
+    e.add(tested(Loading::from_rest, [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }),
+          from_rest);
     std::printf("%s\n", r.name.c_str());
-    a.print("pre-strained"), b.print("search"), d.print("one speed"), c.print("other draw");
+    a.print("pre-strained"), b.print("search"), d.print("one speed"), e.print("equal mass");
+    c.print("other draw");
     std::fflush(stdout);
-    pre_strained.add(a), search.add(b), other_draw.add(c), one_speed.add(d);
+    pre_strained.add(a), search.add(b), other_draw.add(c), one_speed.add(d), equal_mass.add(e);
   }
   std::printf("all\n");
   pre_strained.print("pre-strained"), search.print("search"), one_speed.print("one speed");
+  equal_mass.print("equal mass");
   other_draw.print("other draw");
   EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
-  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E})
+  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E})
     EXPECT_LE(std::fabs(summarise(moved->percent).mean), 1.0);
 }
 
