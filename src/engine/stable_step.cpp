@@ -192,7 +192,7 @@ void FrequencyBound::bound_by_tensors(const std::vector<Blocks>& contacts,
     }
     for (std::size_t i = 0; i < n; ++i) row[i] = largest_eigenvalue(diagonal[i]);
     const double top = *std::max_element(row.begin(), row.end());
-    if (iteration == 0 || top < bound_) bound_ = top, x_ = x, row_ = row;
+    if (iteration == 0 || top < bound_) bound_ = top, x_ = x, diagonal_.swap(diagonal);
     double largest = 0.0;
     for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, x[i] *= std::max(row[i] / top, floor));
     for (double& value : x) value = std::max(value / largest, floor);
@@ -220,16 +220,16 @@ double FrequencyBound::omega() const { return std::sqrt(bound_); }
 
 void FrequencyBound::add(const ContactStiffness& k) {
   const Blocks c = blocks_of(k);
+  if (inertia_.kind() == GrainInertia::equal) {
+    const double ratio = x_[c.b] / x_[c.a];
+    add_to(diagonal_[c.a], c.of_a, 1.0 + ratio), add_to(diagonal_[c.b], c.of_b, 1.0 + 1.0 / ratio);
+    bound_ = std::max({bound_, largest_eigenvalue(diagonal_[c.a]), largest_eigenvalue(diagonal_[c.b])});
+    return;
+  }
   // The trace of what is added to a diagonal block is not less than the growth of its largest eigenvalue.
   const auto trace = [](const Sym3& block) { return block[0] + block[1] + block[2]; };
-  const double ratio = x_[c.b] / x_[c.a];
-  if (inertia_.kind() == GrainInertia::equal) {
-    row_[c.a] += (1.0 + ratio) * trace(c.of_a);
-    row_[c.b] += (1.0 + 1.0 / ratio) * trace(c.of_b);
-  } else {
-    row_[c.a] += trace(c.of_a) + c.norm_ab * x_[c.b] / x_[c.a];
-    row_[c.b] += trace(c.of_b) + c.norm_ab * x_[c.a] / x_[c.b];
-  }
+  row_[c.a] += trace(c.of_a) + c.norm_ab * x_[c.b] / x_[c.a];
+  row_[c.b] += trace(c.of_b) + c.norm_ab * x_[c.a] / x_[c.b];
   bound_ = std::max({bound_, row_[c.a], row_[c.b]});
 }
 
