@@ -77,12 +77,12 @@ class FrequencyBound {
   const Packing* packing_;
   Inertia inertia_;
   double density_;
-  std::vector<double> x_;    // witness, > 0
+  std::vector<double> x_;  // witness, > 0
   // What bounds the frequency at a grain: (N x)_i/x_i, or the largest eigenvalue of its block.
   std::vector<double> row_;
   std::vector<Sym3> diagonal_;
-  double bound_ = 0.0;       // max of row_
-  double tight_ = 0.0;       // the same before any addition
+  double bound_ = 0.0;  // max of row_
+  double tight_ = 0.0;  // the same before any addition
 };
 
 }  // namespace phy::engine
