@@ -158,7 +158,7 @@ void Group<T>::tighten_bound(std::size_t l) {
     stiffnesses.push_back(whole ? initial : stiffness_of(contacts_.models(), s, k, initial.branch, false));
   }
   for (const auto& [key, k] : lane.created) stiffnesses.push_back(k);
-  lane.bound.emplace(s, stiffnesses, grains_.inertia(), lane.boundary(), lane.setup.body_friction);
+  lane.bound->renew(s, stiffnesses, lane.boundary(), lane.setup.body_friction);
 }
 
 template class Group<double>;

@@ -126,6 +126,11 @@ ContactStiffness initial_stiffness(const contact::Models& models, const Specimen
 FrequencyBound::FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
                                const Inertia& inertia, const Boundary& boundary, double body_friction)
     : packing_(specimen.packing.get()), inertia_(inertia), density_(specimen.matrix.density) {
+  renew(specimen, contacts, boundary, body_friction);
+}
+
+void FrequencyBound::renew(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
+                           const Boundary& boundary, double body_friction) {
   std::vector<OfBody> bodies;
   for (const BoundaryBody& body : boundary.bodies)
     for (const Touch& t : body.touches)
@@ -179,10 +184,11 @@ void FrequencyBound::bound_by_norms(const std::vector<Blocks>& contacts, const s
 
 void FrequencyBound::bound_by_tensors(const std::vector<Blocks>& contacts,
                                       const std::vector<OfBody>& bodies) {
-  constexpr int n_iterations = 10;
   constexpr double floor = 1e-3;  // as above
   const std::size_t n = packing_->discs.size();
-  std::vector<double> x(n, 1.0), row(n);
+  // A bound that is renewed goes on from its last witness: few contacts have changed.
+  const int n_iterations = x_.empty() ? 10 : 3;
+  std::vector<double> x = x_.empty() ? std::vector<double>(n, 1.0) : x_, row(n);
   for (int iteration = 0; iteration < n_iterations; ++iteration) {
     std::vector<Sym3> diagonal(n, Sym3{});
     for (const OfBody& b : bodies) add_to(diagonal[b.grain], b.block);

@@ -51,6 +51,9 @@ class FrequencyBound {
   /// Grains within a radius of a body count as touching it. `body_friction`: of its rough bodies.
   FrequencyBound(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
                  const Inertia& inertia, const Boundary& boundary = {}, double body_friction = 0.0);
+  /// The bound anew, from the contacts that are there.
+  void renew(const Specimen& specimen, const std::vector<ContactStiffness>& contacts,
+             const Boundary& boundary, double body_friction);
   /// Upper bound of omega_max [1/s].
   double omega() const;
   /// A contact is created: the bound rises by what its grains' rows can at most become. Breakage only lowers
