@@ -119,33 +119,21 @@ void expect_rows_as_alone(const Plan& p, Store& store) {
   }
 }
 
-// All lanes of a group have one stiffness convention; so tests of two conventions may not share a batch.
-TEST_F(Runner, ConventionsDoNotMixInTheLanes) {
-  const Plan p = plan("[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n");
-  EXPECT_EQ(p.batches.size(), 2u);
-  Store store(at("s.sqlite"));
-  work(p, store, 1);
-  expect_rows_as_alone(p, store);
-}
-
-// Nor may grains of their own and of equal mass.
-TEST_F(Runner, MassesDoNotMixInTheLanes) {
-  const Plan p = plan("[[vary]]\nkey = \"engine.grain_inertia\"\nvalues = [\"disc\", \"equal\"]\n");
-  EXPECT_EQ(p.batches.size(), 2u);
-  Store store(at("s.sqlite"));
-  work(p, store, 1);
-  expect_rows_as_alone(p, store);
-}
-
-// Nor may flat joints of different numbers of elements; one and the same number shares its lanes.
-TEST_F(Runner, ElementsDoNotMixInTheLanes) {
-  const Plan p = plan(
-      "[set]\n\"matrix.model\" = \"flat_joint\"\n[[vary]]\nkey = \"matrix.elements\"\nvalues = [2, 3]\n"
-      "[[vary]]\nkey = \"matrix.mu\"\nvalues = [0.3, 0.6]\n");
-  EXPECT_EQ(p.batches.size(), 2u);
-  Store store(at("s.sqlite"));
-  work(p, store, 1);
-  expect_rows_as_alone(p, store);
+// All lanes of a group have one stiffness convention, masses of one kind, flat joints of one number of
+// elements (one and the same number shares its lanes): tests that differ in these may not share a batch.
+TEST_F(Runner, WhatAllLanesShareDoesNotMix) {
+  for (const char* study :
+       {"[[vary]]\nkey = \"matrix.stiffness_convention\"\nvalues = [\"pfc31\", \"pfc5\"]\n",
+        "[[vary]]\nkey = \"engine.grain_inertia\"\nvalues = [\"disc\", \"equal\"]\n",
+        "[set]\n\"matrix.model\" = \"flat_joint\"\n[[vary]]\nkey = \"matrix.elements\"\nvalues = [2, 3]\n"
+        "[[vary]]\nkey = \"matrix.mu\"\nvalues = [0.3, 0.6]\n"}) {
+    SCOPED_TRACE(study);
+    const Plan p = plan(study);
+    EXPECT_EQ(p.batches.size(), 2u);
+    Store store(at("s.sqlite"));
+    work(p, store, 1);
+    expect_rows_as_alone(p, store);
+  }
 }
 
 // The file alone does not make the packing: its size and whether its overlaps carry stress are the recipe's.
