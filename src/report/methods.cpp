@@ -188,6 +188,13 @@ std::string ends_text(const RunRecord& run) {
   return fmt::format("How each test ended: {}.", fmt::join(ends, "; "));
 }
 
+std::string inertia_text(const Recipe& r) {
+  return r.engine.grain_inertia == GrainInertia::disc
+             ? ""
+             : " Every grain had the mean mass of a grain and the moment of inertia of a ring (differential "
+               "density scaling).";
+}
+
 std::string loading_text(const RunRecord& run) {
   const SpecimenRecord& t = run.tests.front();
   double least = t.result.dt, most = t.result.dt;
@@ -199,11 +206,7 @@ std::string loading_text(const RunRecord& run) {
       "{:g}, {} "
       "precision.{} {}",
       r.test.kind->loading_text(r), least, most, r.engine.step_safety, r.engine.damping,
-      r.engine.precision == Precision::double_precision ? "double" : "single",
-      r.engine.grain_inertia == GrainInertia::equal
-          ? " Every grain had the mean mass of a grain and the moment of inertia of a ring (differential "
-            "density scaling)."
-          : "",
+      r.engine.precision == Precision::double_precision ? "double" : "single", inertia_text(r),
       ends_text(run));
 }
 
@@ -324,7 +327,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);
-  return text + ".";
+  return text + "." + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 
 std::string outcome_text(const Calibration& c) {

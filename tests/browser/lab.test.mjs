@@ -1,5 +1,6 @@
 // The page of `phyllite lab` in Debian's Chromium, by visible labels alone: from a pasted table to a calibrated rock and a test on it.
-// `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser. The tests follow one another on one small rock.
+// `make browser` runs it; PHYLLITE names the program, CHROMIUM the browser. The tests follow one another on one small rock, whose specimens
+// take long enough to be seen in the press: what is shown of it is written once in a second.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -11,7 +12,7 @@ import { chromium } from "../../web/node_modules/playwright-core/index.mjs";
 const phyllite = process.env.PHYLLITE ?? "build/release/phyllite";
 const folder = mkdtempSync(join(tmpdir(), "phyllite-lab-"));
 const file = (name) => readFileSync(join(folder, name), "utf8");
-const model = `[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "2 mm"\nrule = "crossing"\n[engine]\nprecision = "float"\n`;
+const model = `[specimen]\nwidth = "15 mm"\nheight = "30 mm"\n[packing]\nn_grains = 1160\n[[bedding]]\nspacing = "3 mm"\nrule = "crossing"\n[engine]\nprecision = "float"\n`;
 const copied = "theta [deg]\tE [GPa]\tUCS [MPa]\r\n0\t8,9\t92,5\r\n45\t7,3\t5o\r\n90\t53,6\t102,5\r\n"; // out of a spreadsheet; one letter for a digit
 
 let browser;
