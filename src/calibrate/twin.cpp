@@ -23,7 +23,9 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
     strengths.push_back({Property::ucs, theta, 2.0 * truth.matrix.sigma_c, 1.0, 1, true});
   const auto pressed = [&](const std::vector<std::int64_t>& some, std::vector<Comparison>* read) {
     Recipe settings = test_settings(truth, strengths, seeds.front(), simulator);
-    settings.engine.grain_inertia = truth.engine.grain_inertia;  // a rock's grains have their own masses
+    // a rock's grains have their own masses, and its table the bits of before
+    settings.engine.grain_inertia = truth.engine.grain_inertia;
+    settings.engine.step_safety = truth.engine.step_safety;
     return strength_response(settings, strengths, some, Loading::from_rest, simulator, E_is, read);
   };
   const std::vector<Comparison> first = pressed({seeds.front()}, nullptr);

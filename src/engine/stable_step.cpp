@@ -217,9 +217,11 @@ FrequencyBound::Blocks FrequencyBound::blocks_of(const ContactStiffness& k) cons
   const auto symmetric = [](const std::array<std::array<double, 3>, 3>& m) {
     return Sym3{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
   };
+  Blocks blocks{k.a, k.b, symmetric(product(ga, ga, k)), symmetric(product(gb, gb, k)), 0.0};
   // Spectral norm of the off-diagonal block: square root of the largest eigenvalue of B^T B.
-  return {k.a, k.b, symmetric(product(ga, ga, k)), symmetric(product(gb, gb, k)),
-          std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))))};
+  if (inertia_.kind() != GrainInertia::equal)
+    blocks.norm_ab = std::sqrt(largest_eigenvalue(gram(product(ga, gb, k))));
+  return blocks;
 }
 
 double FrequencyBound::omega() const { return std::sqrt(bound_); }

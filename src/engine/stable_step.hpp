@@ -63,7 +63,7 @@ class FrequencyBound {
   bool loose() const { return bound_ > 1.06 * tight_; }
 
  private:
-  /// Scaled stiffness of a contact: of each grain with itself, and between them.
+  /// Scaled stiffness of a contact: of each grain with itself, and between them (its norm, for discs).
   struct Blocks {
     std::uint32_t a, b;
     Sym3 of_a, of_b;

@@ -1,9 +1,10 @@
 #include "statics/system.hpp"
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "base/check.hpp"
@@ -72,17 +73,8 @@ ElasticOutcome check_stiffness(const Network& net, const std::vector<laws::Tange
 
 }  // namespace
 
-struct StiffnessSystem::Numbers {
-  Matrix K;  // upper triangle, in the order of elimination
-  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
-};
-
-StiffnessSystem::~StiffnessSystem() = default;
-StiffnessSystem::StiffnessSystem(StiffnessSystem&&) noexcept = default;
-StiffnessSystem& StiffnessSystem::operator=(StiffnessSystem&&) noexcept = default;
-
 StiffnessSystem::StiffnessSystem(const Network& net, std::vector<Freedom> prescribed)
-    : numbers_(std::make_unique<Numbers>()), prescribed_(std::move(prescribed)) {
+    : prescribed_(std::move(prescribed)) {
   std::vector<char> given(3 * net.x.size(), 0), free_body(net.x.size(), 0);
   for (const Freedom& f : prescribed_) {
     PHY_CHECK(f.body < net.x.size() && f.component >= 0 && f.component < 3,
@@ -98,12 +90,11 @@ StiffnessSystem::StiffnessSystem(const Network& net, std::vector<Freedom> prescr
       if (!given[f]) equation_[f] = n++;
   for (const Link& l : net.links) pairs_.push_back(l.a), pairs_.push_back(l.b);
   diagonal_.resize(static_cast<std::size_t>(n));
-  place_coefficients(net);
-  numbers_->factor.analyzePattern(numbers_->K);
+  factor_ = SparseCholesky(place_coefficients(net));
 }
 
 // Upper triangle by columns: entry (i, j), i <= j, has the key j * 2^32 + i.
-void StiffnessSystem::place_coefficients(const Network& net) {
+SymmetricPattern StiffnessSystem::place_coefficients(const Network& net) {
   using Key = std::uint64_t;
   constexpr Key none = ~Key{0};
   const auto key = [](std::int32_t i, std::int32_t j) {
@@ -123,23 +114,23 @@ void StiffnessSystem::place_coefficients(const Network& net) {
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   if (!keys.empty() && keys.back() == none) keys.pop_back();
-  Matrix& K = numbers_->K;
-  K.resize(n, n);
-  K.resizeNonZeros(static_cast<int>(keys.size()));
-  std::fill_n(K.outerIndexPtr(), n + 1, 0);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    K.innerIndexPtr()[i] = static_cast<int>(keys[i] & 0xffffffffU);
-    ++K.outerIndexPtr()[(keys[i] >> 32U) + 1];
+  SymmetricPattern pattern;
+  pattern.column.assign(diagonal_.size() + 1, 0);
+  for (const Key k : keys) {
+    pattern.row.push_back(static_cast<std::int32_t>(k & 0xffffffffU));
+    ++pattern.column[(k >> 32U) + 1];
   }
-  for (std::int32_t i = 0; i < n; ++i) K.outerIndexPtr()[i + 1] += K.outerIndexPtr()[i];
+  std::partial_sum(pattern.column.begin(), pattern.column.end(), pattern.column.begin());
+  coefficients_.resize(keys.size());
   const auto find = [&](Key k) {  // within its column
-    const int* column = K.outerIndexPtr() + (k >> 32U);
+    const std::int32_t* const column = pattern.column.data() + (k >> 32U);
     const auto first = keys.begin() + column[0], last = keys.begin() + column[1];
     return static_cast<std::int32_t>(std::lower_bound(first, last, k) - keys.begin());
   };
   slot_.reserve(wanted.size());
   for (const Key k : wanted) slot_.push_back(k == none ? -1 : find(k));
   for (std::int32_t i = 0; i < n; ++i) diagonal_[static_cast<std::size_t>(i)] = find(key(i, i));
+  return pattern;
 }
 
 bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& prescribed) const {
@@ -157,8 +148,8 @@ bool StiffnessSystem::fits(const Network& net, const std::vector<Freedom>& presc
 ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<laws::Tangent<double>>& k) {
   if (ElasticOutcome outcome = check_stiffness(net, k); !outcome.ok()) return outcome;
   loose_ = loose_bodies(net, k, prescribed_);
-  double* K = numbers_->K.valuePtr();
-  std::fill_n(K, numbers_->K.nonZeros(), 0.0);
+  std::vector<double>& K = coefficients_;
+  std::fill(K.begin(), K.end(), 0.0);
   double stiffest = 0.0;
   for (std::size_t i = 0; i < net.links.size(); ++i) {
     const LinkRows row = rows(net.links[i]);
@@ -166,19 +157,17 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<law
     for (std::size_t r = 0; r < 6; ++r) {
       const std::array<double, 3> q = resistance(k[i], {row[0][r], row[1][r], row[2][r]});
       for (std::size_t c = 0; c <= r; ++c, ++slot)
-        if (*slot >= 0) K[*slot] += q[0] * row[0][c] + q[1] * row[1][c] + q[2] * row[2][c];
+        if (*slot >= 0)
+          K[static_cast<std::size_t>(*slot)] += q[0] * row[0][c] + q[1] * row[1][c] + q[2] * row[2][c];
     }
     stiffest = std::max({stiffest, k[i].k_n, k[i].k_s});
   }
   ground_ = ground_stiffness * stiffest, length_ = net.length;
   for (std::size_t f = 0; f < equation_.size(); ++f)
     if (equation_[f] >= 0 && loose_[f / 3])
-      K[diagonal_[static_cast<std::size_t>(equation_[f])]] +=
+      K[static_cast<std::size_t>(diagonal_[static_cast<std::size_t>(equation_[f])])] +=
           f % 3 == 2 ? ground_ * length_ * length_ : ground_;
-  numbers_->factor.factorize(numbers_->K);
-  if (numbers_->factor.info() == Eigen::Success &&
-      (diagonal_.empty() || numbers_->factor.vectorD().minCoeff() > 0.0))
-    return {};
+  if (factor_.factorise(K)) return {};
   return {ElasticStatus::mechanism,
           "the stiffness matrix is singular to rounding",
           "check for stiffnesses that differ by more than 1e12",
@@ -186,13 +175,13 @@ ElasticOutcome StiffnessSystem::factor(const Network& net, const std::vector<law
 }
 
 Movements StiffnessSystem::solve(const std::vector<double>& f) const {
-  Eigen::VectorXd b(static_cast<Eigen::Index>(diagonal_.size()));
+  std::vector<double> x(diagonal_.size());
   for (std::size_t i = 0; i < equation_.size(); ++i)
-    if (equation_[i] >= 0) b[equation_[i]] = f[i];
-  const Eigen::VectorXd x = numbers_->factor.solve(b);
+    if (equation_[i] >= 0) x[static_cast<std::size_t>(equation_[i])] = f[i];
+  factor_.solve(x);
   Movements u(equation_.size(), 0.0);
   for (std::size_t i = 0; i < equation_.size(); ++i)
-    if (equation_[i] >= 0) u[i] = x[equation_[i]];
+    if (equation_[i] >= 0) u[i] = x[static_cast<std::size_t>(equation_[i])];
   return u;
 }
 

@@ -1,18 +1,17 @@
 // The linear system of a network: K u = f with any degree of freedom prescribed or loaded.
 //
-// K is symmetric and, with loose bodies held by weak springs (rigidity.hpp), positive definite; it is
-// factored as L D L^T by Eigen's simplicial Cholesky. The order of elimination (approximate minimum degree on
-// the graph of bodies, three unknowns each) and the place of every coefficient depend on who touches whom
-// only, so one StiffnessSystem serves all bedding angles and all parameters of a packing. Rejected: CHOLMOD
-// (two to three times faster, but GPL); conjugate gradients (in two dimensions the factor is small, and
-// sensitivities want many right-hand sides).
+// K is symmetric and, with loose bodies held by weak springs (rigidity.hpp), positive definite
+// (sparse_cholesky.hpp). The order of elimination (approximate minimum degree on the graph of bodies, three
+// unknowns each) and the place of every coefficient depend on who touches whom only, so one StiffnessSystem
+// serves all bedding angles and all parameters of a packing. Rejected: conjugate gradients (in two dimensions
+// the factor is small, and sensitivities want many right-hand sides).
 #pragma once
-#include <memory>
 #include <vector>
 
 #include "records/elastic.hpp"
 #include "statics/network.hpp"
 #include "statics/rigidity.hpp"
+#include "statics/sparse_cholesky.hpp"
 
 namespace phy::statics {
 
@@ -40,9 +39,6 @@ class StiffnessSystem {
  public:
   /// Symbolic part: who is linked to whom, and which movements are prescribed.
   StiffnessSystem(const Network& network, std::vector<Freedom> prescribed);
-  ~StiffnessSystem();
-  StiffnessSystem(StiffnessSystem&&) noexcept;
-  StiffnessSystem& operator=(StiffnessSystem&&) noexcept;
 
   /// Would the symbolic part of this network be the same?
   bool fits(const Network& network, const std::vector<Freedom>& prescribed) const;
@@ -66,8 +62,8 @@ class StiffnessSystem {
   double ground_share(const Movements& u, double force) const;
 
  private:
-  struct Numbers;
-  std::unique_ptr<Numbers> numbers_;
+  SparseCholesky factor_;
+  std::vector<double> coefficients_;  // upper triangle of K, in the order of elimination
   std::vector<Freedom> prescribed_;
   std::vector<std::uint32_t> pairs_;    // a, b of every link
   std::vector<std::int32_t> equation_;  // of each degree of freedom, -1: prescribed
@@ -76,7 +72,7 @@ class StiffnessSystem {
   std::vector<std::int32_t> diagonal_;  // coefficient of each equation's diagonal
   std::vector<char> loose_;
   double ground_ = 0.0, length_ = 1.0;
-  void place_coefficients(const Network& network);
+  SymmetricPattern place_coefficients(const Network& network);
 };
 
 /// Inner forces on all bodies, K u: what has to be applied to hold the movements (reactions where they are

@@ -1,6 +1,6 @@
-// What an affine pre-strain, the search's speed, one speed for all angles and grains of equal mass do to UCS
-// and E beside loading from rest at a speed of its own: the same specimens loaded in all these ways, and with
-// another draw of strengths as the yardstick. Rocks of 1,197
+// What an affine pre-strain, the search's speed, one speed for all angles, grains of equal mass without and
+// with a longer time step, and an early end do to UCS and E beside loading from rest at a speed of its own:
+// the same specimens loaded in all these ways, and with another draw of strengths as the yardstick. Rocks of 1,197
 // discs, both rules, joints that are stiff and soft, bonds with directions, flat joints.
 // PHY_LOADING_PACKINGS: on how many packings (4).
 #include <gtest/gtest.h>
@@ -102,12 +102,14 @@ struct Effect {
 TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
   const auto n = static_cast<int>(setting("PHY_LOADING_PACKINGS", 4));
-  Effect pre_strained, search, other_draw, one_speed, equal_mass;
+  Effect pre_strained, search, other_draw, one_speed, equal_mass, long_step, early_end;
   for (const NamedRock& r : rocks()) {
     const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
     const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
     Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
-    settings.engine.grain_inertia = GrainInertia::disc;
+    settings.engine = EngineRecipe{};
+    settings.engine.precision = Precision::single_precision;
+    settings.test.stop_at = 0.8;
     const StrengthTests tests(settings, targets, 1, *simulator);
     const auto tested = [&](Loading loading, const std::function<void(Recipe&)>& change) {
       std::vector<Recipe> recipes;
@@ -119,7 +121,7 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
       return simulator->test(recipes);
     };
     const std::vector<TestResult> from_rest = tested(Loading::from_rest, [](Recipe&) {});
-    Effect a, b, c, d, e;
+    Effect a, b, c, d, e, f, g;
     a.add(tested(Loading::search, [](Recipe& t) { t.test.platen_speed /= search_speed; }), from_rest);
     b.add(tested(Loading::search, [](Recipe&) {}), from_rest);
     c.add(tested(Loading::from_rest, [](Recipe& t) { ++t.matrix.bond_seed; }), from_rest);
@@ -128,18 +130,26 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
           from_rest);
     e.add(tested(Loading::from_rest, [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }),
           from_rest);
+    f.add(tested(Loading::from_rest,
+                 [](Recipe& t) {
+                   t.engine.grain_inertia = GrainInertia::equal, t.engine.step_safety = 0.99;
+                 }),
+          from_rest);
+    g.add(tested(Loading::from_rest, [](Recipe& t) { t.test.stop_at = 0.9; }), from_rest);
     std::printf("%s\n", r.name.c_str());
     a.print("pre-strained"), b.print("search"), d.print("one speed"), e.print("equal mass");
-    c.print("other draw");
+    f.print("and 0.99 step"), g.print("ends at 90 %"), c.print("other draw");
     std::fflush(stdout);
     pre_strained.add(a), search.add(b), other_draw.add(c), one_speed.add(d), equal_mass.add(e);
+    long_step.add(f), early_end.add(g);
   }
   std::printf("all\n");
   pre_strained.print("pre-strained"), search.print("search"), one_speed.print("one speed");
-  equal_mass.print("equal mass");
+  equal_mass.print("equal mass"), long_step.print("and 0.99 step"), early_end.print("ends at 90 %");
   other_draw.print("other draw");
   EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
-  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E})
+  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E, &long_step.ucs,
+                             &long_step.E})
     EXPECT_LE(std::fabs(summarise(moved->percent).mean), 1.0);
 }
 
