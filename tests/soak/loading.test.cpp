@@ -1,7 +1,7 @@
 // What an affine pre-strain, the search's speed, one speed for all angles, grains of equal mass without and
 // with a longer time step, and an early end do to UCS and E beside loading from rest at a speed of its own:
-// the same specimens loaded in all these ways, and with another draw of strengths as the yardstick. Rocks of 1,197
-// discs, both rules, joints that are stiff and soft, bonds with directions, flat joints.
+// the same specimens loaded in all these ways, and with another draw of strengths as the yardstick. Rocks of
+// 1,197 discs, both rules, joints that are stiff and soft, bonds with directions, flat joints.
 // PHY_LOADING_PACKINGS: on how many packings (4).
 #include <gtest/gtest.h>
 
@@ -130,11 +130,10 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
           from_rest);
     e.add(tested(Loading::from_rest, [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }),
           from_rest);
-    f.add(tested(Loading::from_rest,
-                 [](Recipe& t) {
-                   t.engine.grain_inertia = GrainInertia::equal, t.engine.step_safety = 0.99;
-                 }),
-          from_rest);
+    f.add(
+        tested(Loading::from_rest,
+               [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal, t.engine.step_safety = 0.99; }),
+        from_rest);
     g.add(tested(Loading::from_rest, [](Recipe& t) { t.test.stop_at = 0.9; }), from_rest);
     std::printf("%s\n", r.name.c_str());
     a.print("pre-strained"), b.print("search"), d.print("one speed"), e.print("equal mass");
@@ -148,8 +147,8 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
   equal_mass.print("equal mass"), long_step.print("and 0.99 step"), early_end.print("ends at 90 %");
   other_draw.print("other draw");
   EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
-  for (const Pairs* moved : {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E, &long_step.ucs,
-                             &long_step.E})
+  for (const Pairs* moved :
+       {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E, &long_step.ucs, &long_step.E})
     EXPECT_LE(std::fabs(summarise(moved->percent).mean), 1.0);
 }
 
