@@ -23,7 +23,7 @@ constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
 constexpr double search_speed = 1.4;
 constexpr double pre_strain_share = 0.25;   // of the expected peak strain
-constexpr double step_safety = 0.99;        // of a limit that is proven, on the safe side by 8 % or more
+constexpr double step_safety = 0.99;        // of a limit that is proven: nothing is kept in reserve
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
 /// Moduli of the recipe at the angles of the targets.

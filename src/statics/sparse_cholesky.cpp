@@ -20,18 +20,6 @@ std::vector<Rows> lower_columns(const SymmetricPattern& pattern) {
   return columns;
 }
 
-/// Numbers of `n` columns from the diagonal down, the first of them `height` long.
-double numbers_in(std::size_t n, std::size_t height) {
-  const auto columns = static_cast<double>(n);
-  return columns * static_cast<double>(height) - 0.5 * columns * (columns - 1.0);
-}
-
-/// May `n` columns be stored as one, a share of whose numbers is zero? Small ones cost more to address than
-/// to compute.
-bool few_zeros(std::size_t n, double share) {
-  return share <= (n <= 12 ? 0.4 : n <= 30 ? 0.15 : n <= 90 ? 0.05 : 0.02);
-}
-
 /// to[i] -= sum over k of f[k] from[k][i], the sum taken one after the other.
 template <int n>
 void subtract(double* __restrict to, const double* const* from, const double* f, std::size_t end) {
@@ -98,34 +86,26 @@ SparseCholesky::SparseCholesky(const SymmetricPattern& pattern) {
 void SparseCholesky::find_supernodes(const SymmetricPattern& pattern) {
   const std::vector<Rows> lower = lower_columns(pattern);
   std::vector<std::vector<std::size_t>> children(pattern.size());  // supernodes with this first row below
-  std::vector<double> filled;                                      // numbers that are not zero, per supernode
-  Rows together;
+  Rows rows, together;
   for (std::size_t j = 0; j < pattern.size(); ++j) {
     // Rows of column j of L: its own, and those that the supernodes before it leave.
-    Supernode s{static_cast<std::int32_t>(j), 1, {static_cast<std::int32_t>(j)}, 0, 0};
-    s.rows.insert(s.rows.end(), lower[j].begin(), lower[j].end());
+    rows.assign(1, static_cast<std::int32_t>(j));
+    rows.insert(rows.end(), lower[j].begin(), lower[j].end());
     for (const std::size_t child : children[j]) {
+      const Supernode& c = nodes_[child];
       together.clear();
-      const Rows& rows = nodes_[child].rows;
-      std::set_union(s.rows.begin(), s.rows.end(),
-                     rows.begin() + static_cast<std::ptrdiff_t>(nodes_[child].n), rows.end(),
-                     std::back_inserter(together));
-      s.rows.swap(together);
+      std::set_union(rows.begin(), rows.end(), c.rows.begin() + static_cast<std::ptrdiff_t>(c.n),
+                     c.rows.end(), std::back_inserter(together));
+      rows.swap(together);
     }
-    double numbers = static_cast<double>(s.rows.size());
-    if (!children[j].empty() && children[j].back() + 1 == nodes_.size()) {
-      Supernode& before = nodes_.back();  // ends at column j - 1 and hands on to j: one with it?
-      const std::size_t n = before.n + 1;
-      const double both = filled.back() + numbers;
-      if (few_zeros(n, 1.0 - both / numbers_in(n, before.n + s.rows.size()))) {
-        before.rows.resize(before.n);
-        before.rows.insert(before.rows.end(), s.rows.begin(), s.rows.end());
-        s = std::move(before), s.n = n, numbers = both;
-        nodes_.pop_back(), filled.pop_back();
-      }
-    }
-    if (s.rows.size() > s.n) children[index(s.rows[s.n])].push_back(nodes_.size());
-    nodes_.push_back(std::move(s)), filled.push_back(numbers);
+    // What the last supernode leaves is among these rows; where it is all of them, the column is one more.
+    const bool follows = !children[j].empty() && children[j].back() + 1 == nodes_.size();
+    if (follows && nodes_.back().rows.size() - nodes_.back().n == rows.size())
+      ++nodes_.back().n;
+    else
+      nodes_.push_back({static_cast<std::int32_t>(j), 1, rows, 0, 0});
+    const Supernode& s = nodes_.back();
+    if (s.rows.size() > s.n) children[index(s.rows[s.n])].push_back(nodes_.size() - 1);
   }
 }
 

@@ -2,10 +2,10 @@
 //
 // Columns of L with the same rows below them form a supernode: three movements of a grain, then of ever more
 // grains at once. It is a small dense matrix. As soon as it is eliminated, its part of every later column is
-// computed densely and subtracted there, to places that were looked up once for the pattern (right-looking;
-// supernodes that take in a few zeros, as of Ashcraft & Grimes 1989). The work is in dense loops, several
-// times as fast as column by column through lists of indices (docs/decisions/0017). Rejected: Eigen's dense
-// products, whose blocks depend on the processor's caches, and with them the last bits; CHOLMOD (GPL).
+// computed densely and subtracted there, to places that were looked up once for the pattern (right-looking).
+// The work is in dense loops, three times as fast as column by column through lists of indices
+// (docs/decisions/0017). Rejected: Eigen's dense products, whose blocks depend on the processor's caches, and
+// with them the last bits; CHOLMOD (GPL); supernodes that take in a few zeros (no faster).
 //
 // All loops have a fixed order. The order of elimination is the caller's: a fill-reducing one in postorder is
 // expected, others are right and slow.

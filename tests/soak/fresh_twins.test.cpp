@@ -152,6 +152,7 @@ TEST(FreshTwins, LeastThatCanBeMissed) {
 
 TEST(FreshTwins, RockLike) {
   const Totals t = run(0, n_rock_like);
+  if (t.E.empty()) GTEST_SKIP() << "no rock of this kind was asked for";
   EXPECT_LE(median(t.E), 0.03);
   EXPECT_LE(median(t.worst_E), 0.08);
   EXPECT_LE(median(t.ucs), 0.06);
@@ -160,6 +161,7 @@ TEST(FreshTwins, RockLike) {
 
 TEST(FreshTwins, Misspecified) {
   const Totals t = run(n_rock_like, n_fresh);
+  if (t.E.empty()) GTEST_SKIP() << "no rock of this kind was asked for";
   EXPECT_LE(median(t.ucs), 0.08);
   for (const Coverage* c : {&t.inside_E, &t.inside_ucs}) EXPECT_GE(c->share(), 0.85);
 }

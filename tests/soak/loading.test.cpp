@@ -107,9 +107,9 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
     const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
     const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
     Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
-    settings.engine = EngineRecipe{};
-    settings.engine.precision = Precision::single_precision;
-    settings.test.stop_at = 0.8;
+    const EngineRecipe of_calibrations = settings.engine;
+    settings.engine.grain_inertia = GrainInertia::disc;
+    settings.engine.step_safety = EngineRecipe{}.step_safety;
     const StrengthTests tests(settings, targets, 1, *simulator);
     const auto tested = [&](Loading loading, const std::function<void(Recipe&)>& change) {
       std::vector<Recipe> recipes;
@@ -130,21 +130,18 @@ TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
           from_rest);
     e.add(tested(Loading::from_rest, [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }),
           from_rest);
-    f.add(
-        tested(Loading::from_rest,
-               [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal, t.engine.step_safety = 0.99; }),
-        from_rest);
+    f.add(tested(Loading::from_rest, [&](Recipe& t) { t.engine = of_calibrations; }), from_rest);
     g.add(tested(Loading::from_rest, [](Recipe& t) { t.test.stop_at = 0.9; }), from_rest);
     std::printf("%s\n", r.name.c_str());
     a.print("pre-strained"), b.print("search"), d.print("one speed"), e.print("equal mass");
-    f.print("and 0.99 step"), g.print("ends at 90 %"), c.print("other draw");
+    f.print("and long step"), g.print("ends at 90 %"), c.print("other draw");
     std::fflush(stdout);
     pre_strained.add(a), search.add(b), other_draw.add(c), one_speed.add(d), equal_mass.add(e);
     long_step.add(f), early_end.add(g);
   }
   std::printf("all\n");
   pre_strained.print("pre-strained"), search.print("search"), one_speed.print("one speed");
-  equal_mass.print("equal mass"), long_step.print("and 0.99 step"), early_end.print("ends at 90 %");
+  equal_mass.print("equal mass"), long_step.print("and long step"), early_end.print("ends at 90 %");
   other_draw.print("other draw");
   EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
   for (const Pairs* moved :
