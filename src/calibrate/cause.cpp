@@ -91,9 +91,11 @@ bool may_ask_for_flat_joints(const View& v) {
          !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior;
 }
 
+constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
+
 std::string weaker_in_tension(const View& v) {
   return may_ask_for_flat_joints(v) ? "--matrix flat_joint: flat joints break in tension at less of UCS"
-                                    : "leave the tensile strengths out if compression is what matters";
+                                    : without_tension;
 }
 
 /// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
@@ -184,7 +186,7 @@ std::optional<Cause> ratio_to_tension(const View& v) {
   for (const Property p : {Property::brazilian, Property::direct_tension}) {
     std::vector<double> table, model;
     double squares = 0.0, farthest = 0.0, theta = 0.0;
-    bool all_too_low = true;
+    bool all_too_low = true, certain = false;  // certain: more specimens would not bring the farthest nearer
     for (const Comparison& t : v.answered(p)) {
       const Comparison* u = v.at(Property::ucs, t.target.theta);
       if (u == nullptr) continue;
@@ -192,7 +194,8 @@ std::optional<Cause> ratio_to_tension(const View& v) {
       const double off = std::log(table.back() / model.back());
       const double noise =
           std::hypot(std::hypot(of_laboratory(t), of_laboratory(*u)), std::hypot(of_model(t), of_model(*u)));
-      if (std::fabs(off) > farthest) farthest = std::fabs(off), theta = t.target.theta;
+      if (std::fabs(off) > farthest)
+        farthest = std::fabs(off), theta = t.target.theta, certain = farthest > surely * noise;
       all_too_low = all_too_low && off > std::max(other_strength, beyond_chance * noise);
       squares += off * off;
     }
@@ -200,6 +203,7 @@ std::optional<Cause> ratio_to_tension(const View& v) {
     return Cause{fmt::format("UCS/{} is {} in the table, {} in the model{}", to_string(p), range(table),
                              range(model), all_too_low ? " (bonded discs are strong in tension)" : ""),
                  all_too_low ? weaker_in_tension(v)
+                 : certain   ? without_tension
                              : fmt::format("more specimens of {} at {:g} degrees", to_string(p), theta)};
   }
   return {};
