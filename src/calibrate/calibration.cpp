@@ -309,18 +309,26 @@ bool takes_more_packings(Calibration& result, const Work& work, const std::vecto
   return false;
 }
 
+Recipe with_pictures(Recipe recipe) {
+  const TestRecipe usual;
+  recipe.test.n_snapshots = usual.n_snapshots, recipe.test.n_frames = usual.n_frames;
+  return recipe;
+}
+
 /// Strengths on unseen packings, and on more of them where they differ much; the moduli on as many.
 std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
   const Evidence& evidence = work.evidence;
   const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
   const std::int64_t n = evidence.n_tests(), n_tension = n - evidence.n_compressive();
+  Recipe shown = with_pictures(result.recipe);
+  shown.name = result.rock + ", on a packing that the fit has not seen";
   std::vector<Comparison> rows;
   for (;;) {
     work.options.listener.say(
         fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(result.recipe, evidence.strengths, work.unseen, Loading::from_rest,
-                             work.simulator, reading, &from_test);
+    rows = strength_response(shown, evidence.strengths, work.unseen, Loading::from_rest, work.simulator,
+                             reading, &from_test);
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
     if (!takes_more_packings(result, work, rows)) break;
@@ -377,9 +385,9 @@ bool calibrate_strength(Calibration& result, Work& work) {
 /// A recipe for `phyllite run`: all angles of the table, pictures and curve beyond the peak.
 void make_ready(Recipe& recipe, const Evidence& evidence) {
   const TestRecipe usual;
+  recipe = with_pictures(std::move(recipe));
   TestRecipe& test = recipe.test;
   test.kind = usual.kind;
-  test.n_snapshots = usual.n_snapshots, test.n_frames = usual.n_frames;
   test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
   std::set<double> angles;
   if (evidence.rock.bedded)
@@ -491,16 +499,6 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   result.verdict.sentence = verdict_sentence(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
-}
-
-Recipe on_unseen_packing(const Calibration& calibration) {
-  Recipe recipe = calibration.recipe;
-  recipe.packing.seed += n_fit;
-  std::set<double> angles;
-  for (const Comparison& c : calibration.fitted)
-    if (c.target.property == Property::ucs) angles.insert(c.target.theta);
-  if (!recipe.test.angles.empty()) recipe.test.angles.assign(angles.begin(), angles.end());
-  return recipe;
 }
 
 }  // namespace phy::calibrate

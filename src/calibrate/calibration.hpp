@@ -32,8 +32,4 @@ void check_possible(const Evidence& evidence, const CalibrationOptions& options)
 /// much. An interrupted calibration has VerdictStatus::interrupted.
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator);
 
-/// The calibrated model on the first packing of its verification: what to show of it, since the fit has not
-/// seen that packing. The tests are those of UCS at the angles of the table.
-Recipe on_unseen_packing(const Calibration& calibration);
-
 }  // namespace phy::calibrate

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "base/stats.hpp"
@@ -62,6 +64,30 @@ TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
 }
 
 // A press whose tangent is a fifth below what the unbroken specimen has: moduli are sought a quarter higher.
+/// Keeps the recipes whose tests are to leave pictures.
+class Photographed : public PaperPress {
+ public:
+  std::vector<Recipe> shown;
+  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+    std::copy_if(recipes.begin(), recipes.end(), std::back_inserter(shown), keeps_pictures);
+    return PaperPress::test(recipes);
+  }
+};
+
+TEST(Calibrate, ShowsItsTestsOfUcsOnTheFirstUnseenPacking) {
+  Photographed press;
+  Rock r = rock();
+  for (const double theta : {0.0, 90.0}) r.readings.push_back(reading(Property::brazilian, theta, 8e6));
+  calibrated(r, press);
+  std::vector<double> angles;
+  for (const Recipe& one : press.shown) {
+    angles.push_back(one.bedding.front().theta);
+    EXPECT_EQ(one.packing.seed, 6) << "seeds 1 to 5 are those of the fit";
+    EXPECT_EQ(one.test.kind, TestKind());
+  }
+  EXPECT_THAT(angles, testing::ElementsAre(0.0, 30.0, 60.0, 90.0));
+}
+
 TEST(Calibrate, ATangentIsMetByStifferContacts) {
   PaperPress press;
   press.tangent = 0.8;

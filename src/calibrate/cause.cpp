@@ -91,6 +91,13 @@ bool may_ask_for_flat_joints(const View& v) {
          !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior;
 }
 
+/// What helps depends on whose chance the difference may be: the table's, that of the packings, nobody's.
+std::string next_of(bool table_is_certain, bool model_is_certain, const std::string& more_specimens) {
+  return !table_is_certain   ? more_specimens
+         : !model_is_certain ? "smaller grains in the rock's recipe, since packings differ too much"
+                             : "take the model only at angles where it meets the table";
+}
+
 constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
 
 std::string weaker_in_tension(const View& v) {
@@ -136,12 +143,11 @@ std::optional<Cause> modulus_ratio(const View& v) {
 }
 
 /// By the table's means and by the model's, beyond the chance of either.
-bool stronger(const Comparison& a, const Comparison& b) {
-  return std::log(a.target.mean / b.target.mean) >
-         beyond_chance * std::hypot(of_laboratory(a), of_laboratory(b));
+bool stronger(const Comparison& a, const Comparison& b, double errors = beyond_chance) {
+  return std::log(a.target.mean / b.target.mean) > errors * std::hypot(of_laboratory(a), of_laboratory(b));
 }
-bool stronger_in_model(const Comparison& a, const Comparison& b) {
-  return std::log(a.mean / b.mean) > beyond_chance * std::hypot(of_model(a), of_model(b));
+bool stronger_in_model(const Comparison& a, const Comparison& b, double errors = beyond_chance) {
+  return std::log(a.mean / b.mean) > errors * std::hypot(of_model(a), of_model(b));
 }
 
 /// A plane is weakest at 45 degrees plus half of its friction angle and alike to both sides of it (Jaeger,
@@ -164,8 +170,9 @@ std::optional<Cause> weakest_angle(const View& v) {
   const bool of_planes = v.of.layers == LayerModel::planes && no_plane(ucs, rock);
   return Cause{fmt::format("the model is weakest at {:g} degrees, the rock at {:g}{}", model.target.theta,
                            rock.target.theta, of_planes ? ": no single weak plane does that" : ""),
-               other_layers(v, fmt::format("more specimens at {:g} and {:g} degrees", rock.target.theta,
-                                           model.target.theta))};
+               other_layers(v, next_of(stronger(model, rock, surely), stronger_in_model(rock, model, surely),
+                                       fmt::format("more specimens at {:g} and {:g} degrees",
+                                                   rock.target.theta, model.target.theta)))};
 }
 
 std::optional<Cause> strength_ratio(const View& v) {
@@ -173,7 +180,9 @@ std::optional<Cause> strength_ratio(const View& v) {
   if (!ucs || ucs->difference() <= std::max(other_strength, beyond_chance * ucs->noise)) return {};
   return Cause{fmt::format("UCS(0)/UCS(90) is {:.2f} in the table, {:.2f} in the model",
                            1.0 / ucs->laboratory, 1.0 / ucs->model),
-               other_layers(v, "more specimens at 0 and 90 degrees")};
+               other_layers(v, next_of(ucs->difference() > surely * ucs->noise_of_table,
+                                       ucs->difference() > surely * ucs->noise,
+                                       "more specimens at 0 and 90 degrees"))};
 }
 
 std::string range(const std::vector<double>& some, const char* format = "{:.1f}") {

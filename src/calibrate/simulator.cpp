@@ -106,6 +106,9 @@ class OwnSimulator : public Simulator {
   std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
     clockwork_.begin(recipes.size());
     const study::Plan plan = study::plan_of(recipes);
+    if (options_.gallery != nullptr)
+      for (const study::PlannedTest& t : plan.tests)
+        if (keeps_pictures(t.recipe) && !options_.gallery->holds(t.recipe)) store().remove(t.key);
     run(plan);
     std::vector<std::string> keys;
     for (const study::Run& r : plan.runs) keys.push_back(plan.tests[r.test].key);
@@ -168,6 +171,12 @@ class OwnSimulator : public Simulator {
       hooks.on_reading = [&](const study::PlannedTest& test, double strain, double stress) {
         options_.on_reading(test.recipe, strain, stress);
       };
+    if (options_.gallery != nullptr)
+      hooks.on_result = [&](const study::PlannedTest& test, const TestResult& result) {
+        if (!keeps_pictures(test.recipe) || result.n_grains == 0) return;  // 0: no specimen could be made
+        options_.gallery->add(*study::specimen_of(study::packing_of(test.recipe), test.recipe), test.recipe,
+                              result);
+      };
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;
     machine.threads = options_.threads, machine.isa = engine::native_isa();
@@ -178,6 +187,8 @@ class OwnSimulator : public Simulator {
 };
 
 }  // namespace
+
+bool keeps_pictures(const Recipe& recipe) { return recipe.test.n_snapshots > 0 || recipe.test.n_frames > 0; }
 
 std::unique_ptr<Simulator> make_simulator(SimulatorOptions options) {
   return std::make_unique<OwnSimulator>(std::move(options));

@@ -38,6 +38,18 @@ struct TestProgress {
   double seconds_left = 0.0;  ///< 0: not known yet
 };
 
+/// Where specimens go whose tests keep pictures (keeps_pictures()): a store holds numbers, curves and cracks
+/// alone.
+class Gallery {
+ public:
+  virtual ~Gallery() = default;
+  /// False: the test is done again, though the store may have its numbers.
+  virtual bool holds(const Recipe& recipe) = 0;
+  virtual void add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) = 0;
+};
+/// States or displacement fields through the test.
+bool keeps_pictures(const Recipe& recipe);
+
 struct SimulatorOptions {
   int threads = 1;
   std::string store;  ///< SQLite file of finished tests (study/store.hpp); empty: kept until the end only
@@ -47,6 +59,7 @@ struct SimulatorOptions {
   /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
   std::function<void(const Recipe&, double strain, double stress)> on_reading = nullptr;
   bool with_untrusted = false;  ///< tests that are not to be trusted count like the others
+  Gallery* gallery = nullptr;   ///< called from a worker, one at a time; null: pictures are lost
 };
 
 /// This program: packings from the cache, statics, press. Tests that the store holds are not run again.

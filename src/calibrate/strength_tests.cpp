@@ -218,7 +218,11 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    for (const std::int64_t seed : seeds) recipes.push_back(tests.of(recipe, i, seed, loading));
+    for (const std::int64_t seed : seeds) {
+      recipes.push_back(tests.of(recipe, i, seed, loading));
+      if (seed != seeds.front() || recipes.back().test.kind != TestKind())
+        recipes.back().test.n_snapshots = recipes.back().test.n_frames = 0;
+    }
   const std::vector<TestResult> results = simulator.test(recipes);
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -42,7 +42,7 @@ double modulus_of(const TestResult& result, ModulusReading reading);
 
 /// Mean strengths of a recipe at the targets over packings, by the tests themselves. `moduli` gains E as
 /// `reading` has it and nu (over 40 - 60 % of the strength) of the tests of UCS; their targets have no
-/// values.
+/// values. A recipe that keeps pictures has them of the tests of UCS on the first packing, and no others.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, Loading loading,
                                           Simulator& simulator,

@@ -1,47 +1,19 @@
 // `phyllite calibrate ROCK`: laboratory data in, a verified set of micro-parameters out.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
-#include "cli/press.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_words.hpp"
 #include "cli/terminal.hpp"
-#include "genesis/settle.hpp"
-#include "genesis/specimen.hpp"
 #include "io/rock_in.hpp"
 #include "jobs/calibration_folder.hpp"
 #include "jobs/calibration_watch.hpp"
-#include "records/specimen_record.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
-#include "study/experiment.hpp"
 
 namespace phy::cli {
 namespace {
-
-/// Presses what belongs into the report. How many tests are missing: stopped by the user.
-std::size_t press_calibrated(const Calibration& c, const std::string& folder, const Session& session) {
-  const std::optional<Recipe> recipe = jobs::specimens_to_press(folder, c);
-  if (!recipe) return 0;
-  std::vector<std::shared_ptr<const Specimen>> specimens;
-  try {
-    const auto packing = study::packing_of(*recipe, [stop = stop_on_interrupt()] { return stop->load(); });
-    for (Specimen& s : genesis::make_specimens(packing, *recipe))
-      specimens.push_back(std::make_shared<const Specimen>(std::move(s)));
-  } catch (const genesis::Interrupted&) {
-    return specimen_names(*recipe).size();
-  }
-  print_wrapped(session.terminal_width, 2, "the calibrated rock on a packing that the fit has not seen:\n");
-  flush_out();
-  const std::vector<TestResult> results =
-      press(*recipe, specimens, jobs::specimens_in(folder), machine_of(session));
-  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), [](const TestResult& r) {
-    return r.outcome.status == Status::interrupted;
-  }));
-}
 
 /// How to go on with what was stopped.
 std::string resume_command(jobs::CalibrationRequest args) {
@@ -63,6 +35,8 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   calibrate::check_possible(evidence, options);
   const jobs::BegunCalibration begun = jobs::begin_calibration(evidence, args);
   machine.store = begun.store;
+  const auto gallery = jobs::gallery_in(args.out);
+  machine.gallery = gallery.get();
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));
@@ -86,11 +60,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   const Calibration result = calibrate::calibrate(evidence, options, *simulator);
   line.finish();
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
-  std::size_t n_missing = 0;
-  if (!interrupted) {
-    jobs::write_calibration(args.out, result);  // first: the output may be full
-    n_missing = press_calibrated(result, args.out, session);
-  }
+  if (!interrupted) jobs::write_calibration(args.out, result);  // first: the output may be full
   const std::string lanes = lanes_text(work.lanes);
   print_out("{}{:.1f} s in all{}\n", jobs::screen_of(result, width), result.seconds,
             lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
@@ -100,15 +70,11 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
     return 1;
   }
   write_report(args.out);
-  watch.end(n_missing > 0 ? "stopped" : "finished");
+  watch.end("finished");
   print_wrapped(width, 2, "calibrated.toml, {}PFC and Yade files, calibration.json and every run in {}\n",
                 result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
                 args.out);
-  if (n_missing > 0)
-    print_wrapped(width, 2, "stopped: {} specimens were not pressed for the report; to go on: {}\n",
-                  n_missing, resume_command(args));
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
-  if (n_missing > 0) return 1;
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 

@@ -24,6 +24,7 @@
 #include "report/calibration_tables.hpp"
 #include "report/methods.hpp"
 #include "report/pfc_commands.hpp"
+#include "study/experiment.hpp"
 #include "study/store.hpp"
 
 namespace phy::jobs {
@@ -122,6 +123,32 @@ std::string tables_of(const Calibration& c) {
                      report::sentence_text(c, 0));
 }
 
+class SpecimenFolder : public calibrate::Gallery {
+ public:
+  explicit SpecimenFolder(fs::path folder) : folder_(std::move(folder)) {}
+  bool holds(const Recipe& recipe) override {
+    const std::string name = specimen_names(recipe).front(), place = place_of(name);
+    std::optional<study::RecipeDifference> d;
+    try {
+      d = study::first_difference(io::read_result_recipe(place), recipe);
+      if (!d) return io::read_result(place).result.name == name;
+    } catch (const InputError&) {  // absent, or damaged
+      return false;
+    } catch (const IoError&) {
+      return false;
+    }
+    throw InputError(Problem{place, d->key, d->one, d->other + ", as in the calibrated rock",
+                             "a result of another recipe lies there: move it away, and --resume"});
+  }
+  void add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) override {
+    io::write_result(place_of(result.name), recipe, PHY_VERSION, specimen, result);
+  }
+
+ private:
+  fs::path folder_;
+  std::string place_of(const std::string& name) const { return (folder_ / io::folder_name(name)).string(); }
+};
+
 }  // namespace
 
 std::vector<std::string> words_of(const CalibrationRequest& request) {
@@ -205,29 +232,8 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
 
 std::string specimens_in(const std::string& folder) { return (fs::path(folder) / "specimens").string(); }
 
-std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibration& c) {
-  const auto is_ucs = [](const Comparison& row) {
-    return row.target.property == Property::ucs && row.answered();
-  };
-  if (std::none_of(c.verification.begin(), c.verification.end(), is_ucs)) return {};
-  Recipe recipe = calibrate::on_unseen_packing(c);
-  const std::string place = specimens_in(folder);
-  if (auto problems =
-          problems_of_others(place, recipe, "the calibrated rock", "move them away, and --resume");
-      !problems.empty())
-    throw InputError(std::move(problems));
-  const auto is_there = [&](const std::string& name) {
-    try {
-      return io::read_result((fs::path(place) / io::folder_name(name)).string()).result.name == name;
-    } catch (const InputError&) {  // absent, or damaged
-    } catch (const IoError&) {
-    }
-    return false;
-  };
-  std::vector<double>& angles = recipe.test.angles;
-  if (angles.empty()) return is_there(specimen_names(recipe).front()) ? std::nullopt : std::optional(recipe);
-  std::erase_if(angles, [&](double theta) { return is_there(specimen_name(theta)); });
-  return angles.empty() ? std::nullopt : std::optional(recipe);
+std::unique_ptr<calibrate::Gallery> gallery_in(const std::string& folder) {
+  return std::make_unique<SpecimenFolder>(specimens_in(folder));
 }
 
 std::string screen_of(const Calibration& c, int width) {

@@ -1,6 +1,7 @@
 // A calibration in a folder: begun or taken up again, and all that it leaves there.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,10 +54,9 @@ void write_calibration(const std::string& folder, const Calibration& calibration
 /// Folder of the calibrated rock as it broke (docs/formats.md, "Calibration").
 std::string specimens_in(const std::string& folder);
 
-/// The calibrated rock as it is pressed once more, for pictures and curves: the verification keeps numbers
-/// alone; at the angles whose specimens are not in their folder yet. Nothing where a calibration has no UCS,
-/// or all of them are there. Throws InputError where results of another recipe lie there.
-std::optional<Recipe> specimens_to_press(const std::string& folder, const Calibration& calibration);
+/// Puts the specimens of a calibration there. Throws InputError where a result of another recipe is in the
+/// place of one.
+std::unique_ptr<calibrate::Gallery> gallery_in(const std::string& folder);
 
 /// What a screen shows: the verdict first, parameters before comparisons.
 std::string screen_of(const Calibration& calibration, int width);

@@ -39,8 +39,11 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     calibrate::CalibrationOptions how = jobs::options_of(request);
     calibrate::check_possible(evidence, how);
     std::optional<jobs::BegunCalibration> begun;
-    if (!request.out.empty())
+    std::unique_ptr<calibrate::Gallery> gallery;
+    if (!request.out.empty()) {
       begun.emplace(jobs::begin_calibration(evidence, request)), machine.store = begun->store;
+      gallery = jobs::gallery_in(request.out), machine.gallery = gallery.get();
+    }
     machine.on_progress = [&](const calibrate::TestProgress& p) {
       watch.show({jobs::progress_text(p), p.n_done, p.n_total});
     };

@@ -406,6 +406,14 @@ void Store::release(const std::string& key) {
   io::Statement(database_, "DELETE FROM claim WHERE key = ? AND owner = ?").bind(key).bind(owner_).run();
 }
 
+void Store::remove(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  database_.transaction([&] {
+    for (const char* table : {"number", "specimen"})
+      io::Statement(database_, fmt::format("DELETE FROM {} WHERE key = ?", table)).bind(key).run();
+  });
+}
+
 void Store::release_all() {
   const std::lock_guard lock(mutex_);
   io::Statement(database_, "DELETE FROM claim WHERE owner = ?").bind(owner_).run();

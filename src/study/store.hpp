@@ -75,6 +75,8 @@ class Store {
   void renew();
   /// Gives unfinished claims back: one, or all of this object.
   void release(const std::string& key);
+  /// A finished test becomes one that nobody has run.
+  void remove(const std::string& key);
   void release_all();
   /// Stores a finished specimen (not an interrupted one) and ends the claim. A row that is there stays.
   /// `host`: where it ran; "": here.

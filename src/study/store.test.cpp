@@ -121,6 +121,17 @@ TEST_F(StoreTest, TheFirstRowStays) {
   EXPECT_EQ(store.size(), 1u);
 }
 
+TEST_F(StoreTest, WhatIsRemovedMayBeRunAgain) {
+  Store store(file());
+  store.put("k", "r", some_result(1)), store.put("other", "r", some_result(2));
+  store.remove("k");
+  EXPECT_FALSE(store.find("k"));
+  EXPECT_EQ(store.claim("k"), Claim::mine);
+  store.put("k", "r", some_result(3));
+  EXPECT_EQ(store.find("k")->result.hash, "hash3");
+  EXPECT_EQ(store.find("other")->result.hash, "hash2");
+}
+
 TEST_F(StoreTest, InterruptedTestsAreNoResults) {
   TestResult r = some_result(1);
   r.outcome.status = Status::interrupted;

@@ -61,7 +61,7 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
     return n;
   };
   EXPECT_EQ(n_drawn(), 4);
-  fs::remove_all(out() + "/specimens/theta_60_deg");  // as if it had been stopped there
+  fs::remove_all(out() + "/specimens/theta_60_deg");  // as if it had been killed before it was written
   ASSERT_EQ(run("report " + out()), 0) << output;
   EXPECT_EQ(n_drawn(), 3);
   ASSERT_THAT(run(calibrate(out() + " --resume")), testing::AnyOf(0, 1)) << output;
