@@ -15,6 +15,7 @@
 #include "calibrate/cause.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/eq2.hpp"
 #include "calibrate/identifiability.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
@@ -442,6 +443,9 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   if (!work.by_sequence())
     add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
+  options.listener.say("Eq. 2 on packings of the fit, and what spacing and rule of the planes change in it");
+  result.eq2 = eq2_band(result.recipe, work.fit, simulator);
+  result.n_elastic += n_solutions_of(result.eq2);
   if (!work.by_sequence())
     result.ensemble =
         posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);

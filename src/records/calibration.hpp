@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/nan.hpp"
+#include "base/stats.hpp"
 #include "records/quality.hpp"
 #include "records/rock.hpp"
 
@@ -81,6 +82,12 @@ struct Mixing {
   double r_hat = nan;      ///< spread of all draws over that inside parts of them; 1: all parts agree
 };
 
+/// Eq. 2 of the paper, macro over micro stiffness of the planes [Pa/m]: K_n over k_n, K_s over k_s.
+struct StiffnessRelation {
+  std::string setting;  ///< "as calibrated", or what is otherwise: "spacing x 0.7"
+  LineFit normal, shear;
+};
+
 /// Everything `phyllite calibrate` found.
 struct Calibration {
   std::string rock;
@@ -100,6 +107,7 @@ struct Calibration {
   /// the unseen packings, beside the table's: what bonds and joints have lost by then is missing from
   /// `fitted` and `verification`. Where the table holds E or nu, and UCS.
   std::vector<Comparison> tangent_from_test;
+  std::vector<StiffnessRelation> eq2;  ///< and how far it moves with what is assumed of the planes
   Verdict verdict;
   std::vector<std::string> notes;
   Mixing mixing;                      ///< of the draws behind the strengths; NaN without these

@@ -59,6 +59,16 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
 }
 
 /// Parameters in the order of the paper's tables, in words.
+Json eq2_json(const std::vector<StiffnessRelation>& band) {
+  const auto line = [](const LineFit& fit) {
+    return Json{{"slope", fit.slope}, {"intercept", fit.intercept}, {"R2", fit.R2}};
+  };
+  Json list = Json::array();
+  for (const StiffnessRelation& r : band)
+    list.push_back({{"planes", r.setting}, {"K_n", line(r.normal)}, {"K_s", line(r.shear)}});
+  return list;
+}
+
 Json tables_json(const Calibration& c) {
   Json list = Json::array();
   for (const ParameterTable& t : parameter_rows(c))
@@ -118,6 +128,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["E_is"] = to_string(c.E_is), j["layers"] = to_string(c.layers);
   j["matrix"] = c.recipe.matrix.model == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond";
   j["tangent_from_test"] = rows_json(c.tangent_from_test);
+  if (!c.eq2.empty()) j["eq2"] = eq2_json(c.eq2);
   j["notes"] = c.notes;
   j["methods"] = methods_text(c, version);
   j["mixing"] = {{"effective_sample_size", c.mixing.effective}, {"r_hat", c.mixing.r_hat}};

@@ -269,6 +269,36 @@ std::string macro_table(const Calibration& c, int terminal_width) {
   return text_table(label, groups, terminal_width) + wrapped(legend, terminal_width, 2);
 }
 
+std::string eq2_table(const Calibration& c, int terminal_width) {
+  if (c.eq2.empty()) return "";
+  using R = const StiffnessRelation&;
+  const auto column = [&](const char* head, const char* unit, auto cell) {
+    return column_of(head, unit, c.eq2, cell);
+  };
+  Column label = column("planes", "", [](R r) { return r.setting; });
+  label.left = true;
+  std::vector<Columns> groups;
+  const auto add = [&](const char* slope, LineFit StiffnessRelation::*line) {
+    groups.push_back({column(slope, "", [line](R r) { return three_digits((r.*line).slope); }),
+                      column("intercept", "GPa/m",
+                             [line](R r) {
+                               const double b = (r.*line).intercept * 1e-9;
+                               return std::isfinite(b) ? fmt::format("{:.0f}", b) : "-";
+                             }),
+                      column("R2", "", [line](R r) {
+                        return std::isfinite((r.*line).R2) ? fmt::format("{:.4f}", (r.*line).R2) : "-";
+                      })});
+  };
+  add("K_n/k_n", &StiffnessRelation::normal), add("K_s/k_s", &StiffnessRelation::shear);
+  return wrapped("Eq. 2: stiffness of the planes over that of their joints, K = slope k + intercept\n",
+                 terminal_width, 2) +
+         text_table(label, groups, terminal_width) +
+         wrapped(
+             "packings of the fit, joints of half, once and twice the stiffness, the rest as calibrated; "
+             "E(theta) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90 degrees\n",
+             terminal_width, 2);
+}
+
 std::string error_table(const Calibration& c, int terminal_width) {
   const std::vector<ErrorRow> rows = error_rows(c);
   Column label{"root mean square error", "", {}, true};

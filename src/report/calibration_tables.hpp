@@ -33,6 +33,9 @@ std::string error_table(const Calibration& calibration, int terminal_width);
 /// Every cell with standard error, interval, fit and unseen packings.
 std::string macro_table(const Calibration& calibration, int terminal_width);
 
+/// Eq. 2 on the packings of the fit, and with other planes; empty where Eq. 1 is not of the model.
+std::string eq2_table(const Calibration& calibration, int terminal_width);
+
 /// The verdict in one sentence.
 std::string sentence_text(const Calibration& calibration, int terminal_width);
 

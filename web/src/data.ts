@@ -64,7 +64,15 @@ export interface Calibration {
   verification: Comparison[];
   left_out: Comparison[];
   tangent_from_test?: Comparison[]; // E and nu at half of UCS; not in older files
+  eq2?: { planes: string; K_n: Line; K_s: Line }[]; // macro over micro stiffness; none where Eq. 1 is not of the model
   notes: string[];
+}
+
+/** y = slope x + intercept [Pa/m]; null: not determined. */
+export interface Line {
+  slope: number | null;
+  intercept: number | null;
+  R2: number | null;
 }
 
 /** Of a study or sweep: a mean with its 95 % interval (null: one value only). */

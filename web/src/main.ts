@@ -1,6 +1,6 @@
 // Lays the page out and ties the slider, the specimens and the curves together.
 import { damage, comparison, peakLabel, LinkedChart, modeShare, overAngle, rose, Series, seriesChart, stressAt, stressStrain } from "./charts";
-import { Calibration, Comparison, Estimate, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
+import { Calibration, Comparison, Estimate, Line, Parameter, Report, Test, crackKinds, lastUpTo, readReport } from "./data";
 import { Child, Figure, check, choice, copyButton, figure, fold, h, labelled, table, theme } from "./dom";
 import { friendly, scales } from "./units";
 import { Field, Viewer, headHeight, ramps } from "./viewer";
@@ -593,6 +593,14 @@ function whatIsDetermined(c: Calibration): HTMLElement {
   );
 }
 
+/** Eq. 2 on the packings of the fit, and with other planes. */
+function eq2Table(lines: NonNullable<Calibration["eq2"]>): HTMLElement {
+  const digits = (x: number | null, n: number, scale = 1) => (x === null ? "–" : (x * scale).toFixed(n));
+  const cells = (l: Line) => [digits(l.slope, 2), digits(l.intercept, 0, 1e-9), digits(l.R2, 4)];
+  const heads = (K: string, k: string) => [`${K}/${k}, slope`, "intercept [GPa/m]", "R²"];
+  return table("Eq. 2", ["planes", ...heads("K_n", "k_n"), ...heads("K_s", "k_s")], lines.map((l) => [l.planes, ...cells(l.K_n), ...cells(l.K_s)]), null);
+}
+
 function calibration() {
   const c = report.calibration;
   if (!c) return;
@@ -608,6 +616,12 @@ function calibration() {
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
     fold(`All ${c.verdict.findings.length} findings and ${c.notes.length} notes`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
     fold("What the data determine", whatIsDetermined(c)),
+    c.eq2 !== undefined &&
+      fold(
+        "Eq. 2: stiffness of the planes over that of their joints, and what spacing and rule change in it",
+        h("p", { class: "muted" }, "K = slope · k + intercept on packings of the fit; joints of half, once and twice the stiffness, the rest as calibrated. E(θ) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90°. Lines of another specimen are wrong by what the rows differ."),
+        eq2Table(c.eq2),
+      ),
     fold(
       "Every cell",
       tests.includes("nu") && compared(c, "nu"),

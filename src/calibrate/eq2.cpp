@@ -1,0 +1,122 @@
+#include "calibrate/eq2.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "base/stats.hpp"
+#include "calibrate/elastic_response.hpp"
+#include "theory/eq1_fit.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr std::array angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
+constexpr std::array factors = {0.5, 2.0};  // on the stiffness of the joints, beside 1
+constexpr std::array unsure = {0.7, 1.4};   // about what a spacing or a thickness is known to
+constexpr std::size_t n_recipes = 1 + 2 * factors.size();
+
+bool has_eq1(const Recipe& r) {
+  return r.bedding.size() == 1 && r.bedding.front().is_regular() &&
+         r.bedding.front().layer_thickness == 0.0 && !r.matrix.directional();
+}
+
+struct Setting {
+  std::string name;
+  Recipe recipe;
+};
+std::vector<Setting> settings_of(const Recipe& recipe) {
+  std::vector<Setting> all = {{"as calibrated", recipe}};
+  const auto with = [&](std::string name, auto change) {
+    all.push_back({std::move(name), recipe});
+    change(all.back().recipe.bedding.front());
+  };
+  for (const double f : unsure)
+    with(fmt::format("spacing x {:g}", f), [f](BeddingRecipe& b) { b.spacing *= f; });
+  if (recipe.bedding.front().rule != BeddingRule::zone)
+    with(fmt::format("rule zone, thickness {:g} mm", recipe.bedding.front().zone_thickness * 1e3),
+         [](BeddingRecipe& b) { b.rule = BeddingRule::zone; });
+  if (recipe.bedding.front().rule != BeddingRule::crossing)
+    with("rule crossing", [](BeddingRecipe& b) { b.rule = BeddingRule::crossing; });
+  if (recipe.bedding.front().rule == BeddingRule::zone)
+    for (const double f : unsure)
+      with(fmt::format("zone thickness x {:g}", f), [f](BeddingRecipe& b) { b.zone_thickness *= f; });
+  std::erase_if(all, [](const Setting& s) {
+    const BeddingRecipe& b = s.recipe.bedding.front();
+    return b.rule == BeddingRule::zone && b.zone_thickness >= b.spacing;  // no planes any more
+  });
+  return all;
+}
+
+/// The joints of a setting: as they are, then k_n and k_s one after the other.
+std::vector<Recipe> with_other_joints(const Recipe& recipe) {
+  std::vector<Recipe> all = {recipe};
+  for (double BeddingRecipe::*k : {&BeddingRecipe::k_n, &BeddingRecipe::k_s})
+    for (const double f : factors) all.push_back(recipe), all.back().bedding.front().*k *= f;
+  return all;
+}
+
+/// Eq. 1 through the moduli of one recipe, in the order of angles and seeds.
+theory::Eq1Fit eq1_of(std::span<const ElasticResult> results) {
+  const std::size_t n_seeds = results.size() / angles.size();
+  std::vector<theory::ModulusReading> readings;
+  for (std::size_t a = 0; a < angles.size(); ++a) {
+    double sum = 0.0;
+    for (const ElasticResult& r : results.subspan(a * n_seeds, n_seeds)) sum += r.E_gauge;
+    readings.push_back({angles[a], sum / static_cast<double>(n_seeds)});
+  }
+  theory::Eq1Options options;
+  options.reference = theory::Eq1Reference::measured_90;
+  return theory::fit_eq1(readings, options);
+}
+
+/// The line through K over k; `compliance`: of Eq. 1, that of the joints in question.
+LineFit line_of(const std::vector<Recipe>& recipes, const std::vector<theory::Eq1Fit>& fits,
+                double BeddingRecipe::*k, double theory::Eq1Fit::*compliance) {
+  std::vector<double> micro, macro;
+  for (std::size_t i = 0; i < recipes.size(); ++i) {
+    const BeddingRecipe& joints = recipes[i].bedding.front();
+    const bool varied = i == 0 || joints.*k != recipes.front().bedding.front().*k;
+    if (!varied || !fits[i].ok()) continue;
+    micro.push_back(joints.*k), macro.push_back(1.0 / (fits[i].*compliance * joints.spacing));
+  }
+  return fit_line(micro, macro);
+}
+
+StiffnessRelation relation_of(const Setting& setting, const std::vector<std::int64_t>& seeds,
+                              Simulator& simulator) {
+  const std::vector<Recipe> recipes = with_other_joints(setting.recipe);
+  std::vector<Recipe> singles;
+  for (const Recipe& r : recipes)
+    for (const double theta : angles)
+      for (const std::int64_t seed : seeds) singles.push_back(single_at(r, theta, seed));
+  const std::vector<ElasticResult> results = simulator.elastic(singles, true);
+  std::vector<theory::Eq1Fit> fits;
+  const std::size_t n = angles.size() * seeds.size();
+  for (std::size_t i = 0; i < recipes.size(); ++i)
+    fits.push_back(eq1_of(std::span(results).subspan(i * n, n)));
+  return {setting.name, line_of(recipes, fits, &BeddingRecipe::k_n, &theory::Eq1Fit::a),
+          line_of(recipes, fits, &BeddingRecipe::k_s, &theory::Eq1Fit::b)};
+}
+
+}  // namespace
+
+std::vector<StiffnessRelation> eq2_band(const Recipe& recipe, const std::vector<std::int64_t>& seeds,
+                                        Simulator& simulator) {
+  std::vector<StiffnessRelation> band;
+  if (!has_eq1(recipe)) return band;
+  const std::vector<std::int64_t> some(
+      seeds.begin(), seeds.begin() + std::min<std::ptrdiff_t>(eq2_packings, std::ssize(seeds)));
+  for (const Setting& s : settings_of(recipe)) band.push_back(relation_of(s, some, simulator));
+  return band;
+}
+
+std::int64_t n_solutions_of(const std::vector<StiffnessRelation>& band) {
+  return static_cast<std::int64_t>(band.size() * n_recipes * angles.size()) * eq2_packings;
+}
+
+}  // namespace phy::calibrate
