@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "calibrate/reach_check.hpp"
@@ -31,12 +32,18 @@ TEST(Reach, EveryFamilyHasItsPointsWithinItsRanges) {
 }
 
 // Whoever changes a lever has to run the maps again.
+/// A recipe with all levers off their base.
+Recipe of_family(const ModelFamily& family) {
+  Recipe r = family.base;
+  double place = -0.9;
+  for (const Lever& l : family.levers) l.set(r, l.at_place(place += 0.1));
+  return r;
+}
+
 TEST(Reach, ARecipeReadsTheLeversThatItWasGiven) {
   for (const ModelFamily& family : model_families()) {
-    Recipe r = family.base;
+    const Recipe r = of_family(family);
     double place = -0.9;
-    for (const Lever& l : family.levers) l.set(r, l.at_place(place += 0.1));
-    place = -0.9;
     for (const Lever& l : family.levers) EXPECT_NEAR(l.place_of(l.get(r)), place += 0.1, 1e-12) << l.name;
     EXPECT_EQ(family_of(r), &family) << family.name;
   }
@@ -84,6 +91,55 @@ TEST(Reach, ARockOfTheMapIsFoundThereAndNowhereElse) {
     }
     EXPECT_THAT(place_in_maps(evidence), testing::Contains(testing::HasSubstr("UCS/BTS(45) = ")));
   }
+}
+
+/// What a model answers to a table: its values times exp(+-off), in turn.
+std::vector<Comparison> answers(const Evidence& evidence, double off) {
+  std::vector<Comparison> rows;
+  for (const Target& t : evidence.targets) {
+    rows.emplace_back();
+    rows.back().target = t, rows.back().mean = t.mean * std::exp(off), rows.back().n_packings = 5;
+    off = -off;
+  }
+  return rows;
+}
+
+// A rock of a map, and a model that misses it by a tenth: the search has not found what there is.
+TEST(Reach, AModelIsHeldAgainstTheMaps) {
+  int n_held = 0;
+  for (const ModelFamily& family : model_families()) {
+    if (!family.layered) continue;
+    const ReachTable& table = reach_of(family);
+    const Evidence evidence(rock_of(table, whole_row(table)));
+    const std::vector<NearestPoint> points = nearest_points(evidence);
+    if (std::find_if(points.begin(), points.end(), [&](const NearestPoint& p) {
+          return p.family == &family && p.n_points >= 64;  // fewer say nothing
+        }) == points.end())
+      continue;
+    ++n_held;
+    const auto said = [&](const Recipe& model) {
+      return against_maps(evidence, model, answers(evidence, 0.1));
+    };
+    EXPECT_THAT(said(of_family(family)), testing::HasSubstr(": another search"));
+    EXPECT_THAT(said(Recipe()), testing::HasSubstr(family.label + std::string(" (layers, --matrix) may")));
+  }
+  EXPECT_GE(n_held, 4);
+}
+
+// A rock that none of them is like: what comes as near as the nearest is not blamed on the search.
+TEST(Reach, WhatNoModelReachesIsSaidToBeSo) {
+  const ReachTable& table = reach_of(model_families().front());
+  Rock rock = rock_of(table, whole_row(table));
+  for (RockReading& r : rock.readings)
+    if (r.property == Property::ucs) r.value *= r.theta == 15.0 ? 0.2 : 1.0;
+  const Evidence evidence(rock);
+  EXPECT_THAT(against_maps(evidence, Recipe(), answers(evidence, 0.05)),
+              testing::HasSubstr("the models fall short"));
+  EXPECT_THAT(against_maps(evidence, Recipe(), answers(evidence, 0.8)),
+              testing::HasSubstr("(layers, --matrix) may come nearer"));
+  std::vector<Comparison> silent = answers(evidence, 0.05);
+  silent.back().mean = std::nan("");
+  EXPECT_EQ(against_maps(evidence, Recipe(), silent), "");
 }
 
 TEST(Reach, APointThatLacksAnAnswerIsNotCompared) {

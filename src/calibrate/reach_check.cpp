@@ -10,6 +10,9 @@
 namespace phy::calibrate {
 namespace {
 
+constexpr int fewest_points = 64;  // of a family that says something by what it does not reach
+constexpr double clearly = 1.1;    // times as near
+
 /// log of a cell between the mapped inclinations of a property, linear. `stem`: "UCS/sigma_c".
 double log_at(const ReachTable& table, std::size_t row, const std::string& stem, Property property,
               double theta) {
@@ -47,11 +50,13 @@ struct Spread {
   }
 };
 
-double error_of(const ReachTable& table, std::size_t row, const Evidence& evidence) {
+/// Of the values of the table that a family has mapped; `log_answer`: of a model, up to its two scales.
+template <class Answer>
+double error_of(const ReachTable& table, const Evidence& evidence, const Answer& log_answer) {
   Spread moduli, strengths;
   for (const Target& t : evidence.targets) {
     if (!was_mapped(table, t.property)) continue;
-    (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - answer(table, row, evidence, t));
+    (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - log_answer(t));
   }
   const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0), n = moduli.n + strengths.n - free;
   if (strengths.n == 0 || n < 2) return nan;  // nothing, or hardly anything, to compare
@@ -103,7 +108,8 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
     NearestPoint nearest{&family, 0, nan};
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
       if (!table.is_dense(row) || !table.is_sensible(row)) continue;
-      const double error = error_of(table, row, evidence);
+      const double error =
+          error_of(table, evidence, [&](const Target& t) { return answer(table, row, evidence, t); });
       if (!std::isfinite(error)) continue;
       ++nearest.n_points;
       if (!(error >= nearest.error)) nearest.error = error;
@@ -111,6 +117,32 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
     list.push_back(nearest);
   }
   return list;
+}
+
+std::string against_maps(const Evidence& evidence, const Recipe& model,
+                         const std::vector<Comparison>& found) {
+  const auto log_answer = [&](const Target& t) {
+    const Comparison* row = row_of(found, t);
+    return row != nullptr && row->answered() ? std::log(row->mean) : nan;
+  };
+  NearestPoint nearest{nullptr, 0, nan};
+  double own = nan;
+  int n_points = 0, n_families = 0;
+  for (const NearestPoint& p : nearest_points(evidence)) {
+    if (p.n_points < fewest_points) continue;
+    n_points += p.n_points, ++n_families;
+    own = error_of(reach_of(*p.family), evidence, log_answer);
+    if (!(p.error >= nearest.error)) nearest = p;
+  }
+  if (nearest.family == nullptr || !std::isfinite(own)) return "";
+  const std::string numbers = fmt::format(
+      "E and strengths missed by {:.1f} % (rms, scales free), by {:.1f} % at the nearest of {} mapped "
+      "specimens of {} models: ",
+      100.0 * own, 100.0 * nearest.error, n_points, n_families);
+  return numbers + (nearest.error > own / clearly ? "the models fall short rather than the search"
+                    : nearest.family->has(model)
+                        ? "another search (--effort, packing.seed) may come nearer"
+                        : fmt::format("{} (layers, --matrix) may come nearer", nearest.family->label));
 }
 
 std::vector<std::string> place_in_maps(const Evidence& evidence) {

@@ -5,6 +5,7 @@
 
 #include "calibrate/evidence.hpp"
 #include "calibrate/reach.hpp"
+#include "records/calibration.hpp"
 
 namespace phy::calibrate {
 
@@ -20,7 +21,13 @@ struct NearestPoint {
 /// layered rock was not mapped and is left out.
 std::vector<NearestPoint> nearest_points(const Evidence& evidence);
 
-/// The same in sentences, with UCS over tension of the table and of the maps where the table has both.
+/// A calibrated model held against the maps, both scales free: whether one of the other models, or a longer
+/// search, may come nearer to the table, in a sentence. `found`: what the model answers. Empty where there is
+/// too little to compare.
+std::string against_maps(const Evidence& evidence, const Recipe& model, const std::vector<Comparison>& found);
+
+/// The nearest points in sentences, with UCS over tension of the table and of the maps where the table has
+/// both.
 std::vector<std::string> place_in_maps(const Evidence& evidence);
 
 }  // namespace phy::calibrate
