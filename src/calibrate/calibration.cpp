@@ -30,6 +30,7 @@ namespace {
 
 constexpr int n_fit = 5;                         // packings of the elastic fit
 constexpr int n_unseen = verification_packings;  // at first
+constexpr int n_eq2 = 2;                         // packings for Eq. 2
 constexpr int n_spare = 15;                      // more for the elastic fit, where packings differ much
 constexpr int n_softened = 5;                    // on which softening is measured at the estimate
 constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
@@ -447,9 +448,13 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   if (!work.by_sequence())
     add_identifiability(estimates, evidence, result.verdict.status != VerdictStatus::out_of_reach);
   result.recipe.name = name_of(result, !work.elastic.parameters.empty(), strength);
-  options.listener.say("Eq. 2 on packings of the fit, and what spacing and rule of the planes change in it");
-  result.eq2 = eq2_band(result.recipe, work.fit, simulator);
-  result.n_elastic += n_solutions_of(result.eq2);
+  if (!work.by_sequence() && has_eq2(result.recipe)) {  // a sequence has lines of its own on the way
+    options.listener.say(
+        "Eq. 2 on packings of the fit, and what spacing and rule of the planes change in it");
+    const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_eq2);
+    result.eq2 = eq2_band(result.recipe, some, simulator);
+    result.n_elastic += n_solutions_of(result.eq2, some.size());
+  }
   if (!work.by_sequence())
     result.ensemble =
         posterior_ensemble(result.recipe, work.elastic.draws, work.strength.draws, work.first_of_ensemble);

@@ -63,7 +63,6 @@ TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
   EXPECT_THAT(calibrated(rock(), press).notes, Not(Contains(HasSubstr("at small strain"))));
 }
 
-// A press whose tangent is a fifth below what the unbroken specimen has: moduli are sought a quarter higher.
 /// Keeps the recipes whose tests are to leave pictures.
 class Photographed : public PaperPress {
  public:
@@ -88,6 +87,7 @@ TEST(Calibrate, ShowsItsTestsOfUcsOnTheFirstUnseenPacking) {
   EXPECT_THAT(angles, testing::ElementsAre(0.0, 30.0, 60.0, 90.0));
 }
 
+// A press whose tangent is a fifth below what the unbroken specimen has: moduli are sought a quarter higher.
 TEST(Calibrate, ATangentIsMetByStifferContacts) {
   PaperPress press;
   press.tangent = 0.8;

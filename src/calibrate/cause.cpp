@@ -92,10 +92,14 @@ bool may_ask_for_flat_joints(const View& v) {
 }
 
 /// What helps depends on whose chance the difference may be: the table's, that of the packings, nobody's.
-std::string next_of(bool table_is_certain, bool model_is_certain, const std::string& more_specimens) {
-  return !table_is_certain   ? more_specimens
-         : !model_is_certain ? "smaller grains in the rock's recipe, since packings differ too much"
-                             : "take the model only at angles where it meets the table";
+std::string next_of(const View& v, bool table_is_certain, bool model_is_certain,
+                    const std::string& more_specimens) {
+  if (!table_is_certain) return more_specimens;
+  if (!model_is_certain) return "smaller grains in the rock's recipe: the packings of these leave it open";
+  const std::vector<Comparison> ucs = v.answered(Property::ucs);
+  return std::all_of(ucs.begin(), ucs.end(), misses)
+             ? "another model (layers, --matrix)"
+             : "take the model only at angles where it meets the table";
 }
 
 constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
@@ -107,7 +111,7 @@ std::string weaker_in_tension(const View& v) {
 
 /// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
 struct EndRatio {
-  double laboratory, model, noise, noise_of_table;
+  double laboratory, model, noise, noise_of_table, noise_of_model;
   double difference() const { return std::fabs(std::log(laboratory / model)); }
 };
 std::optional<EndRatio> end_ratio(const View& v, Property p) {
@@ -115,8 +119,9 @@ std::optional<EndRatio> end_ratio(const View& v, Property p) {
   if (a == nullptr || b == nullptr || a->mean / b->mean <= 0.0 || a->target.mean / b->target.mean <= 0.0)
     return {};
   const double table = std::hypot(of_laboratory(*a), of_laboratory(*b));
-  return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean,
-                  std::hypot(table, of_model(*a), of_model(*b)), table};
+  const double packings = std::hypot(of_model(*a), of_model(*b));
+  return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean, std::hypot(table, packings), table,
+                  packings};
 }
 
 /// Across and along the layers the compliance that nu/E stands for is one and the same.
@@ -133,6 +138,25 @@ std::optional<Cause> nu_of_no_body(const View& v) {
                            "E(90)/E(0) = {:.2f}",
                            nu->laboratory, E->laboratory),
                "check how nu was measured (it counts in the plane of load and dip), or leave it out"};
+}
+
+/// All E too high or too low by one factor, beyond the chance of its mean.
+std::optional<Cause> moduli_as_a_whole(const View& v) {
+  const std::vector<Comparison> E = v.answered(Property::E);
+  double sum = 0.0, variance = 0.0;
+  for (const Comparison& c : E) {
+    sum += std::log(c.mean / c.target.mean);
+    variance += std::pow(std::hypot(of_laboratory(c), of_model(c)), 2.0);
+  }
+  const auto n = static_cast<double>(E.size());
+  const double factor = std::exp(sum / n);
+  if (E.empty() ||
+      std::fabs(sum / n) <= std::max(2.0 * tolerance(Property::E), surely * std::sqrt(variance) / n))
+    return {};
+  return Cause{fmt::format("E as a whole is {:.2f} times that of the table", factor),
+               v.of.method == CalibrationMethod::sequence
+                   ? "the same table without --method sequence, which fits all moduli together"
+                   : "check E_is, the part of the curve that the table's E is read from"};
 }
 
 std::optional<Cause> modulus_ratio(const View& v) {
@@ -168,11 +192,12 @@ std::optional<Cause> weakest_angle(const View& v) {
   if (!stronger(model, rock) || !stronger_in_model(rock, model)) return {};
   // of bonds with directions it is no reason
   const bool of_planes = v.of.layers == LayerModel::planes && no_plane(ucs, rock);
-  return Cause{fmt::format("the model is weakest at {:g} degrees, the rock at {:g}{}", model.target.theta,
-                           rock.target.theta, of_planes ? ": no single weak plane does that" : ""),
-               other_layers(v, next_of(stronger(model, rock, surely), stronger_in_model(rock, model, surely),
-                                       fmt::format("more specimens at {:g} and {:g} degrees",
-                                                   rock.target.theta, model.target.theta)))};
+  return Cause{
+      fmt::format("the model is weakest at {:g} degrees, the rock at {:g}{}", model.target.theta,
+                  rock.target.theta, of_planes ? ": no single weak plane does that" : ""),
+      other_layers(v, next_of(v, stronger(model, rock, surely), stronger_in_model(rock, model, surely),
+                              fmt::format("more specimens at {:g} and {:g} degrees", rock.target.theta,
+                                          model.target.theta)))};
 }
 
 std::optional<Cause> strength_ratio(const View& v) {
@@ -180,8 +205,8 @@ std::optional<Cause> strength_ratio(const View& v) {
   if (!ucs || ucs->difference() <= std::max(other_strength, beyond_chance * ucs->noise)) return {};
   return Cause{fmt::format("UCS(0)/UCS(90) is {:.2f} in the table, {:.2f} in the model",
                            1.0 / ucs->laboratory, 1.0 / ucs->model),
-               other_layers(v, next_of(ucs->difference() > surely * ucs->noise_of_table,
-                                       ucs->difference() > surely * ucs->noise,
+               other_layers(v, next_of(v, ucs->difference() > surely * ucs->noise_of_table,
+                                       ucs->difference() > surely * ucs->noise_of_model,
                                        "more specimens at 0 and 90 degrees"))};
 }
 
@@ -282,8 +307,10 @@ Cause farthest_cell(const View& v, Part part) {
 }
 
 Cause cause_of(const View& v, Part part) {
-  const std::array<std::vector<Rule*>, n_parts> rules = {
-      {{nu_of_no_body, modulus_ratio}, {weakest_angle, strength_ratio}, {ratio_to_tension}, {cracks_begin}}};
+  const std::array<std::vector<Rule*>, n_parts> rules = {{{nu_of_no_body, moduli_as_a_whole, modulus_ratio},
+                                                          {weakest_angle, strength_ratio},
+                                                          {ratio_to_tension},
+                                                          {cracks_begin}}};
   for (Rule* rule : rules[part])
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;
@@ -363,13 +390,18 @@ std::string good_news(const View& v) {
     if (!e.next_test.empty()) next.push_back(e.next_test);
   }
   const std::string gap = gap_of(v);
+  const bool moduli_alone = std::none_of(
+      v.rows.begin(), v.rows.end(), [](const Comparison& row) { return is_strength(row.target.property); });
+  if (moduli_alone) text += "; its strengths are those of the recipe, not of the rock";
   text += c.method == CalibrationMethod::sequence ? "; a sequence does not tell what its data leave open"
           : open.empty()                          ? "; the data determine every parameter"
                          : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
   if (!c.longer_by.empty()) text += "; " + short_search(c);
   if (!next.empty()) return text + "; next: " + next.front();
-  return text + (gap.empty() ? "; next: run it (calibrated.toml)" : "; next: specimens in that gap");
+  return text + (moduli_alone  ? "; next: a calibration with strengths"
+                 : gap.empty() ? "; next: run it (calibrated.toml)"
+                               : "; next: specimens in that gap");
 }
 
 bool is_coarse(const Comparison& c) { return c.answered() && !misses(c) && unresolved(c); }

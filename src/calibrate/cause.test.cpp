@@ -103,6 +103,27 @@ TEST(Cause, UcsAcrossOverUcsAlong) {
               Not(HasSubstr("UCS(0)/UCS(90)")));
 }
 
+// All E a fifth low, which a mean of seven shows although no single one is surely off.
+TEST(Cause, ModuliAsAWhole) {
+  const std::vector<double> table = {20, 21, 23, 26, 30, 36, 40}, low = {16, 17, 18.4, 21, 24, 29, 32};
+  EXPECT_THAT(sentence({cells(Property::E, table, low, 0.2)}),
+              HasSubstr("E as a whole is 0.80 times that of the table; next: check E_is"));
+  Calibration c;
+  c.verdict.status = VerdictStatus::out_of_reach, c.method = CalibrationMethod::sequence;
+  c.fitted = c.verification = cells(Property::E, table, low);
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: the same table without --method sequence"));
+  EXPECT_THAT(sentence({cells(Property::E, table, {16, 25, 19, 31, 25, 43, 33})}),
+              Not(HasSubstr("as a whole")));
+  EXPECT_THAT(sentence({cells(Property::E, table, low, 1.0)}), Not(HasSubstr("as a whole")));  // or chance
+}
+
+TEST(Cause, StrengthsThatNobodySoughtAreNotCalibrated) {
+  const std::vector<double> E = {20, 21, 23, 26, 30, 36, 40};
+  EXPECT_THAT(sentence({cells(Property::E, E, E)}, VerdictStatus::calibrated),
+              testing::AllOf(HasSubstr("strengths are those of the recipe"),
+                             HasSubstr("next: a calibration with strengths"), Not(HasSubstr("run it"))));
+}
+
 TEST(Cause, FlatJointsAreAdvisedWhereTensionIsTooHighAndNobodyHasComparedThem) {
   Calibration c;
   c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes;

@@ -20,11 +20,6 @@ constexpr std::array factors = {0.5, 2.0};  // on the stiffness of the joints, b
 constexpr std::array unsure = {0.7, 1.4};   // about what a spacing or a thickness is known to
 constexpr std::size_t n_recipes = 1 + 2 * factors.size();
 
-bool has_eq1(const Recipe& r) {
-  return r.bedding.size() == 1 && r.bedding.front().is_regular() &&
-         r.bedding.front().layer_thickness == 0.0 && !r.matrix.directional();
-}
-
 struct Setting {
   std::string name;
   Recipe recipe;
@@ -74,21 +69,21 @@ theory::Eq1Fit eq1_of(std::span<const ElasticResult> results) {
   return theory::fit_eq1(readings, options);
 }
 
-/// The line through K over k; `compliance`: of Eq. 1, that of the joints in question.
-LineFit line_of(const std::vector<Recipe>& recipes, const std::vector<theory::Eq1Fit>& fits,
-                double BeddingRecipe::*k, double theory::Eq1Fit::*compliance) {
+/// `compliance`: of Eq. 1, that of the joints in question.
+StiffnessRelation relation(const std::vector<Recipe>& recipes, const std::vector<theory::Eq1Fit>& fits,
+                           double BeddingRecipe::*k, double theory::Eq1Fit::*compliance) {
   std::vector<double> micro, macro;
   for (std::size_t i = 0; i < recipes.size(); ++i) {
     const BeddingRecipe& joints = recipes[i].bedding.front();
-    const bool varied = i == 0 || joints.*k != recipes.front().bedding.front().*k;
-    if (!varied || !fits[i].ok()) continue;
+    if (i > 0 && joints.*k == recipes.front().bedding.front().*k) continue;  // the other stiffness varies
+    if (!fits[i].ok()) return {};
     micro.push_back(joints.*k), macro.push_back(1.0 / (fits[i].*compliance * joints.spacing));
   }
-  return fit_line(micro, macro);
+  return {macro.front() / micro.front(), fit_line(micro, macro)};
 }
 
-StiffnessRelation relation_of(const Setting& setting, const std::vector<std::int64_t>& seeds,
-                              Simulator& simulator) {
+PlaneStiffness stiffness_of(const Setting& setting, const std::vector<std::int64_t>& seeds,
+                            Simulator& simulator) {
   const std::vector<Recipe> recipes = with_other_joints(setting.recipe);
   std::vector<Recipe> singles;
   for (const Recipe& r : recipes)
@@ -99,24 +94,26 @@ StiffnessRelation relation_of(const Setting& setting, const std::vector<std::int
   const std::size_t n = angles.size() * seeds.size();
   for (std::size_t i = 0; i < recipes.size(); ++i)
     fits.push_back(eq1_of(std::span(results).subspan(i * n, n)));
-  return {setting.name, line_of(recipes, fits, &BeddingRecipe::k_n, &theory::Eq1Fit::a),
-          line_of(recipes, fits, &BeddingRecipe::k_s, &theory::Eq1Fit::b)};
+  return {setting.name, relation(recipes, fits, &BeddingRecipe::k_n, &theory::Eq1Fit::a),
+          relation(recipes, fits, &BeddingRecipe::k_s, &theory::Eq1Fit::b)};
 }
 
 }  // namespace
 
-std::vector<StiffnessRelation> eq2_band(const Recipe& recipe, const std::vector<std::int64_t>& seeds,
-                                        Simulator& simulator) {
-  std::vector<StiffnessRelation> band;
-  if (!has_eq1(recipe)) return band;
-  const std::vector<std::int64_t> some(
-      seeds.begin(), seeds.begin() + std::min<std::ptrdiff_t>(eq2_packings, std::ssize(seeds)));
-  for (const Setting& s : settings_of(recipe)) band.push_back(relation_of(s, some, simulator));
+bool has_eq2(const Recipe& r) {
+  return r.bedding.size() == 1 && r.bedding.front().is_regular() &&
+         r.bedding.front().layer_thickness == 0.0 && !r.matrix.directional();
+}
+
+std::vector<PlaneStiffness> eq2_band(const Recipe& recipe, const std::vector<std::int64_t>& seeds,
+                                     Simulator& simulator) {
+  std::vector<PlaneStiffness> band;
+  for (const Setting& s : settings_of(recipe)) band.push_back(stiffness_of(s, seeds, simulator));
   return band;
 }
 
-std::int64_t n_solutions_of(const std::vector<StiffnessRelation>& band) {
-  return static_cast<std::int64_t>(band.size() * n_recipes * angles.size()) * eq2_packings;
+std::int64_t n_solutions_of(const std::vector<PlaneStiffness>& band, std::size_t n_packings) {
+  return static_cast<std::int64_t>(band.size() * n_recipes * angles.size() * n_packings);
 }
 
 }  // namespace phy::calibrate

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/nan.hpp"
+#include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -38,25 +39,31 @@ double answer(const ReachTable& table, std::size_t row, const Evidence& evidence
                 t.theta);
 }
 
-/// Sum of squares of differences of logarithms about their mean: one scale is free.
+/// Weighted sum of squares of differences of logarithms about their mean: one scale is free.
 struct Spread {
-  double sum = 0.0, squares = 0.0;
+  double weights = 0.0, sum = 0.0, squares = 0.0;
   int n = 0;
-  void add(double difference) { sum += difference, squares += difference * difference, ++n; }
+  void add(double difference, double weight) {
+    weights += weight, sum += weight * difference, squares += weight * difference * difference, ++n;
+  }
   /// Not below 0 by rounding; NaN where an answer was missing.
   double about_mean() const {
-    const double value = n > 0 ? squares - sum * sum / n : 0.0;
+    const double value = n > 0 ? squares - sum * sum / weights : 0.0;
     return value < 0.0 ? 0.0 : value;
   }
 };
 
+using Unit = double (*)(Property);  ///< what a difference of logarithms is counted in
+double one(Property) { return 1.0; }
+
 /// Of the values of the table that a family has mapped; `log_answer`: of a model, up to its two scales.
 template <class Answer>
-double error_of(const ReachTable& table, const Evidence& evidence, const Answer& log_answer) {
+double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& log_answer) {
   Spread moduli, strengths;
   for (const Target& t : evidence.targets) {
     if (!was_mapped(table, t.property)) continue;
-    (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - log_answer(t));
+    (is_strength(t.property) ? strengths : moduli)
+        .add(std::log(t.mean) - log_answer(t), 1.0 / (unit(t.property) * unit(t.property)));
   }
   const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0), n = moduli.n + strengths.n - free;
   if (strengths.n == 0 || n < 2) return nan;  // nothing, or hardly anything, to compare
@@ -98,9 +105,7 @@ void add_ratios(const Evidence& evidence, const std::vector<NearestPoint>& famil
     }
 }
 
-}  // namespace
-
-std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
+std::vector<NearestPoint> nearest_points_in(Unit unit, const Evidence& evidence) {
   std::vector<NearestPoint> list;
   for (const ModelFamily& family : model_families()) {
     if (family.layered != evidence.rock.bedded) continue;
@@ -109,7 +114,7 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
       if (!table.is_dense(row) || !table.is_sensible(row)) continue;
       const double error =
-          error_of(table, evidence, [&](const Target& t) { return answer(table, row, evidence, t); });
+          error_of(table, evidence, unit, [&](const Target& t) { return answer(table, row, evidence, t); });
       if (!std::isfinite(error)) continue;
       ++nearest.n_points;
       if (!(error >= nearest.error)) nearest.error = error;
@@ -117,6 +122,12 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
     list.push_back(nearest);
   }
   return list;
+}
+
+}  // namespace
+
+std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
+  return nearest_points_in(one, evidence);
 }
 
 std::string against_maps(const Evidence& evidence, const Recipe& model,
@@ -128,17 +139,17 @@ std::string against_maps(const Evidence& evidence, const Recipe& model,
   NearestPoint nearest{nullptr, 0, nan};
   double own = nan;
   int n_points = 0, n_families = 0;
-  for (const NearestPoint& p : nearest_points(evidence)) {
+  for (const NearestPoint& p : nearest_points_in(tolerance, evidence)) {
     if (p.n_points < fewest_points) continue;
     n_points += p.n_points, ++n_families;
-    own = error_of(reach_of(*p.family), evidence, log_answer);
+    own = error_of(reach_of(*p.family), evidence, tolerance, log_answer);
     if (!(p.error >= nearest.error)) nearest = p;
   }
   if (nearest.family == nullptr || !std::isfinite(own)) return "";
   const std::string numbers = fmt::format(
-      "E and strengths missed by {:.1f} % (rms, scales free), by {:.1f} % at the nearest of {} mapped "
+      "E and strengths missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped "
       "specimens of {} models: ",
-      100.0 * own, 100.0 * nearest.error, n_points, n_families);
+      own, nearest.error, n_points, n_families);
   return numbers + (nearest.error > own / clearly ? "the models fall short rather than the search"
                     : nearest.family->has(model)
                         ? "another search (--effort, packing.seed) may come nearer"

@@ -21,9 +21,9 @@ struct NearestPoint {
 /// layered rock was not mapped and is left out.
 std::vector<NearestPoint> nearest_points(const Evidence& evidence);
 
-/// A calibrated model held against the maps, both scales free: whether one of the other models, or a longer
-/// search, may come nearer to the table, in a sentence. `found`: what the model answers. Empty where there is
-/// too little to compare.
+/// A calibrated model held against the maps, scales free on both sides, in units of the tolerances
+/// (margin.hpp): whether one of the other models, or another search, may come nearer, in a sentence. `found`:
+/// what the model answers. Empty where there is too little to compare.
 std::string against_maps(const Evidence& evidence, const Recipe& model, const std::vector<Comparison>& found);
 
 /// The nearest points in sentences, with UCS over tension of the table and of the maps where the table has

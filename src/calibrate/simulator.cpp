@@ -174,8 +174,9 @@ class OwnSimulator : public Simulator {
     if (options_.gallery != nullptr)
       hooks.on_result = [&](const study::PlannedTest& test, const TestResult& result) {
         if (!keeps_pictures(test.recipe) || result.n_grains == 0) return;  // 0: no specimen could be made
-        options_.gallery->add(*study::specimen_of(study::packing_of(test.recipe), test.recipe), test.recipe,
-                              result);
+        const auto known = packings_.find(packing_name(test.recipe));
+        const auto packing = known != packings_.end() ? known->second : study::packing_of(test.recipe);
+        options_.gallery->add(*study::specimen_of(packing, test.recipe), test.recipe, result);
       };
     study::StoreQueue queue(plan, store(), hooks, options_.threads);
     study::MachineOptions machine;

@@ -85,9 +85,13 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
   }
 }
 
-/// "22 %"; nu has no unit.
+/// "22 %", with a digit more where that would read as the limit; nu has no unit.
 std::string in_words(Property p, double miss) {
-  return p == Property::nu ? fmt::format("{:.2f}", miss) : fmt::format("{:.0f} %", 100.0 * miss);
+  const double scale = p == Property::nu ? 1.0 : 100.0;
+  const int digits = p == Property::nu ? 2 : 0;
+  const auto text = [&](double x, int n) { return fmt::format("{:.{}f}", scale * x, n); };
+  const bool alike = miss > coarsest(p) && text(miss, digits) == text(coarsest(p), digits);
+  return text(miss, alike ? digits + 1 : digits) + (p == Property::nu ? "" : " %");
 }
 
 /// Rows that are met only because they are too coarse, with what they resolve and what would help. True if

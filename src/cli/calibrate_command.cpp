@@ -35,8 +35,8 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   calibrate::check_possible(evidence, options);
   const jobs::BegunCalibration begun = jobs::begin_calibration(evidence, args);
   machine.store = begun.store;
-  const auto gallery = jobs::gallery_in(args.out);
-  machine.gallery = gallery.get();
+  jobs::SpecimenFolder specimens(args.out);
+  machine.gallery = &specimens;
   print_wrapped(width, 10, "rock      {} ({})\n", rock.name, args.rock);
   print_notes(rock.notes, width);
   print_out("\n{}\n", report::target_table(evidence.targets, width));
@@ -75,6 +75,8 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
                 result.ensemble.empty() ? "" : fmt::format("{} draws in ensemble, ", result.ensemble.size()),
                 args.out);
   print_out("\n{}", report::sentence_text(result, width));  // where a long output ends
+  flush_out();
+  specimens.check();
   return result.verdict.status == VerdictStatus::out_of_reach ? 1 : 0;
 }
 

@@ -124,32 +124,6 @@ std::string tables_of(const Calibration& c) {
                      fmt::join(report::methods_text(c, PHY_VERSION), "\n"), report::sentence_text(c, 0));
 }
 
-class SpecimenFolder : public calibrate::Gallery {
- public:
-  explicit SpecimenFolder(fs::path folder) : folder_(std::move(folder)) {}
-  bool holds(const Recipe& recipe) override {
-    const std::string name = specimen_names(recipe).front(), place = place_of(name);
-    std::optional<study::RecipeDifference> d;
-    try {
-      d = study::first_difference(io::read_result_recipe(place), recipe);
-      if (!d) return io::read_result(place).result.name == name;
-    } catch (const InputError&) {  // absent, or damaged
-      return false;
-    } catch (const IoError&) {
-      return false;
-    }
-    throw InputError(Problem{place, d->key, d->one, d->other + ", as in the calibrated rock",
-                             "a result of another recipe lies there: move it away, and --resume"});
-  }
-  void add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) override {
-    io::write_result(place_of(result.name), recipe, PHY_VERSION, specimen, result);
-  }
-
- private:
-  fs::path folder_;
-  std::string place_of(const std::string& name) const { return (folder_ / io::folder_name(name)).string(); }
-};
-
 }  // namespace
 
 std::vector<std::string> words_of(const CalibrationRequest& request) {
@@ -233,8 +207,27 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
 
 std::string specimens_in(const std::string& folder) { return (fs::path(folder) / "specimens").string(); }
 
-std::unique_ptr<calibrate::Gallery> gallery_in(const std::string& folder) {
-  return std::make_unique<SpecimenFolder>(specimens_in(folder));
+bool SpecimenFolder::holds(const Recipe& recipe) {
+  const std::string place = (fs::path(folder_) / io::folder_name(specimen_names(recipe).front())).string();
+  if (!fs::exists(place)) return false;
+  try {
+    io::read_result(place);
+    if (const auto d = study::first_difference(io::read_result_recipe(place), recipe))
+      throw InputError(Problem{place, d->key, d->one, d->other + ", as in the calibrated rock",
+                               "a result of another recipe lies there: move it away, and --resume"});
+  } catch (const std::exception&) {
+    if (!problem_) problem_ = std::current_exception();
+  }
+  return true;
+}
+
+void SpecimenFolder::add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) {
+  try {
+    io::write_result((fs::path(folder_) / io::folder_name(result.name)).string(), recipe, PHY_VERSION,
+                     specimen, result);
+  } catch (const std::exception&) {
+    if (!problem_) problem_ = std::current_exception();
+  }
 }
 
 std::string screen_of(const Calibration& c, int width) {

@@ -1,7 +1,7 @@
 // A calibration in a folder: begun or taken up again, and all that it leaves there.
 #pragma once
 #include <cstdint>
-#include <memory>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,9 +54,23 @@ void write_calibration(const std::string& folder, const Calibration& calibration
 /// Folder of the calibrated rock as it broke (docs/formats.md, "Calibration").
 std::string specimens_in(const std::string& folder);
 
-/// Puts the specimens of a calibration there. Throws InputError where a result of another recipe is in the
-/// place of one.
-std::unique_ptr<calibrate::Gallery> gallery_in(const std::string& folder);
+/// Puts the specimens of a calibration there. Where something else, or a damaged result, is in the place of
+/// one, it is left alone and told by check(), so that no calibration is lost for the sake of its pictures.
+class SpecimenFolder : public calibrate::Gallery {
+ public:
+  /// `folder`: of the calibration.
+  explicit SpecimenFolder(const std::string& folder) : folder_(specimens_in(folder)) {}
+  bool holds(const Recipe& recipe) override;
+  void add(const Specimen& specimen, const Recipe& recipe, const TestResult& result) override;
+  /// Throws the first InputError or IoError that came up.
+  void check() const {
+    if (problem_) std::rethrow_exception(problem_);
+  }
+
+ private:
+  std::string folder_;
+  std::exception_ptr problem_;
+};
 
 /// What a screen shows: the verdict first, parameters before comparisons.
 std::string screen_of(const Calibration& calibration, int width);

@@ -39,11 +39,10 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     calibrate::CalibrationOptions how = jobs::options_of(request);
     calibrate::check_possible(evidence, how);
     std::optional<jobs::BegunCalibration> begun;
-    std::unique_ptr<calibrate::Gallery> gallery;
-    if (!request.out.empty()) {
-      begun.emplace(jobs::begin_calibration(evidence, request)), machine.store = begun->store;
-      gallery = jobs::gallery_in(request.out), machine.gallery = gallery.get();
-    }
+    jobs::SpecimenFolder specimens(request.out);
+    if (!request.out.empty())
+      begun.emplace(jobs::begin_calibration(evidence, request)), machine.store = begun->store,
+                                                                 machine.gallery = &specimens;
     machine.on_progress = [&](const calibrate::TestProgress& p) {
       watch.show({jobs::progress_text(p), p.n_done, p.n_total});
     };
@@ -52,6 +51,7 @@ Calibration calibrate(const NamedRock& rock, const py::dict& options, int thread
     if (request.out.empty() || result.verdict.status == VerdictStatus::interrupted) return;
     jobs::write_calibration(request.out, result);
     jobs::write_report(request.out);
+    specimens.check();
   });
   return result;
 }

@@ -82,10 +82,14 @@ struct Mixing {
   double r_hat = nan;      ///< spread of all draws over that inside parts of them; 1: all parts agree
 };
 
-/// Eq. 2 of the paper, macro over micro stiffness of the planes [Pa/m]: K_n over k_n, K_s over k_s.
+/// Macro stiffness K of the planes over micro stiffness k of their joints [Pa/m].
 struct StiffnessRelation {
-  std::string setting;  ///< "as calibrated", or what is otherwise: "spacing x 0.7"
-  LineFit normal, shear;
+  double ratio = nan;  ///< K/k of the joints as they are
+  LineFit line;        ///< K = slope k + intercept about them: Eq. 2 of the paper
+};
+struct PlaneStiffness {
+  std::string planes;  ///< "as calibrated", or what is otherwise: "spacing x 0.7"
+  StiffnessRelation normal, shear;
 };
 
 /// Everything `phyllite calibrate` found.
@@ -107,7 +111,7 @@ struct Calibration {
   /// the unseen packings, beside the table's: what bonds and joints have lost by then is missing from
   /// `fitted` and `verification`. Where the table holds E or nu, and UCS.
   std::vector<Comparison> tangent_from_test;
-  std::vector<StiffnessRelation> eq2;  ///< and how far it moves with what is assumed of the planes
+  std::vector<PlaneStiffness> eq2;  ///< and how far it moves with what is assumed of the planes
   Verdict verdict;
   std::vector<std::string> notes;
   Mixing mixing;                      ///< of the draws behind the strengths; NaN without these

@@ -58,17 +58,18 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
   return list;
 }
 
-/// Parameters in the order of the paper's tables, in words.
-Json eq2_json(const std::vector<StiffnessRelation>& band) {
-  const auto line = [](const LineFit& fit) {
-    return Json{{"slope", fit.slope}, {"intercept", fit.intercept}, {"R2", fit.R2}};
+Json eq2_json(const std::vector<PlaneStiffness>& band) {
+  const auto relation = [](const StiffnessRelation& r) {
+    return Json{
+        {"ratio", r.ratio}, {"slope", r.line.slope}, {"intercept", r.line.intercept}, {"R2", r.line.R2}};
   };
   Json list = Json::array();
-  for (const StiffnessRelation& r : band)
-    list.push_back({{"planes", r.setting}, {"K_n", line(r.normal)}, {"K_s", line(r.shear)}});
+  for (const PlaneStiffness& s : band)
+    list.push_back({{"planes", s.planes}, {"K_n", relation(s.normal)}, {"K_s", relation(s.shear)}});
   return list;
 }
 
+/// Parameters in the order of the paper's tables, in words.
 Json tables_json(const Calibration& c) {
   Json list = Json::array();
   for (const ParameterTable& t : parameter_rows(c))

@@ -73,7 +73,10 @@ void add_cells(std::vector<std::string>& lines, const Calibration& c, const Targ
     if (row.answered()) off.push_back(std::fabs(nu ? row.mean - row.target.mean : 100.0 * row.error()));
   }
   if (!off.empty())
-    lines.push_back(fmt::format("{} {}{} off at {:g} degrees", name, span(off, nu ? "{:.2f}" : "{:.2g}"),
+    lines.push_back(fmt::format("{} {}{} off at {:g} degrees", name,
+                                span(off, nu                                                 ? "{:.2f}"
+                                          : *std::max_element(off.begin(), off.end()) < 9.95 ? "{:.2g}"
+                                                                                             : "{:.0f}"),
                                 nu ? "" : " %", fmt::join(where, ", ")));
   if (!silent.empty())
     lines.push_back(fmt::format("{}: no answer at {:g} degrees", name, fmt::join(silent, ", ")));
@@ -122,8 +125,8 @@ std::vector<std::string> summary_lines(const Calibration& c) {
   const std::vector<std::string> rest = of_no_cell(c.verdict.findings, c);
   for (const ParameterEstimate& e : c.parameters)
     if (e.open()) open.push_back(e.symbol);
-  if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));
   lines.insert(lines.end(), rest.begin(), rest.end());
+  if (!open.empty()) lines.push_back(fmt::format("left open by the data: {}", fmt::join(open, ", ")));
   return lines;
 }
 

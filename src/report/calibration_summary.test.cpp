@@ -47,7 +47,7 @@ TEST(CalibrationSummary, CellsOfOnePropertyAreOneLine) {
   EXPECT_THAT(summary_lines(found()),
               ElementsAre("nu 0.05 off at 0 degrees", "UCS 10 - 12 % off at 30, 75 degrees",
                           "UCS/BTS 4.0 in the laboratory, 5.6 in the nearest model, at 30 degrees",
-                          "left open by the data: mu, phi", "something else"));
+                          "something else", "left open by the data: mu, phi"));
 }
 
 TEST(CalibrationSummary, CellsThatNoFindingNamesStaySilent) {

@@ -271,31 +271,34 @@ std::string macro_table(const Calibration& c, int terminal_width) {
 
 std::string eq2_table(const Calibration& c, int terminal_width) {
   if (c.eq2.empty()) return "";
-  using R = const StiffnessRelation&;
-  const auto column = [&](const char* head, const char* unit, auto cell) {
-    return column_of(head, unit, c.eq2, cell);
+  using R = const PlaneStiffness&;
+  const auto column = [&](const std::string& head, const char* unit, const char* format, auto number) {
+    return column_of(head, unit, c.eq2, [=](R r) {
+      const double x = number(r);
+      return std::isfinite(x) ? fmt::format(fmt::runtime(format), x) : std::string("-");
+    });
   };
-  Column label = column("planes", "", [](R r) { return r.setting; });
+  Column label = column_of("planes", "", c.eq2, [](R r) { return r.planes; });
   label.left = true;
   std::vector<Columns> groups;
-  const auto add = [&](const char* slope, LineFit StiffnessRelation::*line) {
-    groups.push_back({column(slope, "", [line](R r) { return three_digits((r.*line).slope); }),
-                      column("intercept", "GPa/m",
-                             [line](R r) {
-                               const double b = (r.*line).intercept * 1e-9;
-                               return std::isfinite(b) ? fmt::format("{:.0f}", b) : "-";
-                             }),
-                      column("R2", "", [line](R r) {
-                        return std::isfinite((r.*line).R2) ? fmt::format("{:.4f}", (r.*line).R2) : "-";
-                      })});
+  const auto add = [&](const char* ratio, StiffnessRelation PlaneStiffness::*of) {
+    groups.push_back(
+        {column(ratio, "", "{:.2f}", [of](R r) { return (r.*of).ratio; }),
+         column("slope", "", "{:.2f}", [of](R r) { return (r.*of).line.slope; }),
+         column("intercept", "GPa/m", "{:.0f}", [of](R r) { return (r.*of).line.intercept * 1e-9; }),
+         column("R2", "", "{:.4f}", [of](R r) { return (r.*of).line.R2; })});
   };
-  add("K_n/k_n", &StiffnessRelation::normal), add("K_s/k_s", &StiffnessRelation::shear);
-  return wrapped("Eq. 2: stiffness of the planes over that of their joints, K = slope k + intercept\n",
-                 terminal_width, 2) +
+  add("K_n/k_n", &PlaneStiffness::normal), add("K_s/k_s", &PlaneStiffness::shear);
+  return wrapped(
+             "Eq. 2: stiffness K of the planes over k of their joints, and the line K = slope k + "
+             "intercept\n",
+             terminal_width, 2) +
          text_table(label, groups, terminal_width) +
          wrapped(
-             "packings of the fit, joints of half, once and twice the stiffness, the rest as calibrated; "
-             "E(theta) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90 degrees\n",
+             "packings of the fit; lines through joints of half, once and twice the stiffness, the rest as "
+             "calibrated, K/k at once; E(theta) by direct solutions whose contacts also pull, K by Eq. 1 "
+             "with "
+             "E at 90 degrees; the relation bends, the lower R2 the more; -: Eq. 1 does not hold\n",
              terminal_width, 2);
 }
 

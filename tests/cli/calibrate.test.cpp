@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "../program.hpp"
 
@@ -66,6 +67,13 @@ TEST_F(CalibrateCli, EndsWithTablesVerdictRecipeAndFilesForOtherPrograms) {
   EXPECT_EQ(n_drawn(), 3);
   ASSERT_THAT(run(calibrate(out() + " --resume")), testing::AnyOf(0, 1)) << output;
   EXPECT_EQ(n_drawn(), 4);
+  // damaged: left alone and told, behind everything else
+  std::ofstream(out() + "/specimens/theta_60_deg/result.json") << "half";
+  fs::remove(out() + "/calibration.json");
+  ASSERT_EQ(run(calibrate(out() + " --resume")), 3);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("theta_60_deg"), HasSubstr("root mean square error")));
+  EXPECT_TRUE(fs::exists(out() + "/calibration.json"));
+  EXPECT_EQ(read(out() + "/specimens/theta_60_deg/result.json"), "half");
   ASSERT_EQ(run(calibrate(out())), 2);
   EXPECT_THAT(output, HasSubstr("--resume goes on with it"));
   for (int i = 0; i < 2; ++i) {  // what was refused does not bar the folder

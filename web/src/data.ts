@@ -68,8 +68,9 @@ export interface Calibration {
   notes: string[];
 }
 
-/** y = slope x + intercept [Pa/m]; null: not determined. */
+/** K over k, and the line K = slope k + intercept [Pa/m]; null: not determined. */
 export interface Line {
+  ratio: number | null;
   slope: number | null;
   intercept: number | null;
   R2: number | null;

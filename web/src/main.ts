@@ -596,8 +596,8 @@ function whatIsDetermined(c: Calibration): HTMLElement {
 /** Eq. 2 on the packings of the fit, and with other planes. */
 function eq2Table(lines: NonNullable<Calibration["eq2"]>): HTMLElement {
   const digits = (x: number | null, n: number, scale = 1) => (x === null ? "–" : (x * scale).toFixed(n));
-  const cells = (l: Line) => [digits(l.slope, 2), digits(l.intercept, 0, 1e-9), digits(l.R2, 4)];
-  const heads = (K: string, k: string) => [`${K}/${k}, slope`, "intercept [GPa/m]", "R²"];
+  const cells = (l: Line) => [digits(l.ratio, 2), digits(l.slope, 2), digits(l.intercept, 0, 1e-9), digits(l.R2, 4)];
+  const heads = (K: string, k: string) => [`${K}/${k}`, "slope", "intercept [GPa/m]", "R²"];
   return table("Eq. 2", ["planes", ...heads("K_n", "k_n"), ...heads("K_s", "k_s")], lines.map((l) => [l.planes, ...cells(l.K_n), ...cells(l.K_s)]), null);
 }
 
@@ -619,7 +619,7 @@ function calibration() {
     c.eq2 !== undefined &&
       fold(
         "Eq. 2: stiffness of the planes over that of their joints, and what spacing and rule change in it",
-        h("p", { class: "muted" }, "K = slope · k + intercept on packings of the fit; joints of half, once and twice the stiffness, the rest as calibrated. E(θ) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90°. Lines of another specimen are wrong by what the rows differ."),
+        h("p", { class: "muted" }, "K/k as calibrated, and the line K = slope · k + intercept through joints of half, once and twice the stiffness, on packings of the fit. E(θ) by direct solutions whose contacts also pull, K by Eq. 1 with E at 90°. The relation bends, the lower R² the more. Other packings have other lines too."),
         eq2Table(c.eq2),
       ),
     fold(
