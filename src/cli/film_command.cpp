@@ -42,7 +42,8 @@ int make_film(const FilmArguments& args) {
 void add_film_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FilmArguments>();
   CLI::App* verb = app.add_subcommand("film", "write an animation of the test (WebM or GIF) through ffmpeg");
-  verb->add_option("result", args->result, "folder that `phyllite run` wrote, or one specimen of it")
+  verb->add_option("result", args->result,
+                   "folder that `phyllite run` wrote, `specimens` of a calibration, or one specimen of them")
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--out", args->out, "file that ends in .webm or .gif")

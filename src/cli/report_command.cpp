@@ -32,7 +32,9 @@ int report(const ReportArguments& args) {
   io::write_output(out, page);
   const double seconds = seconds_since(start);
   print_out("{}: {}{:.1f} MB, written in {:.2f} s\n", out,
-            run.tests.empty() ? "" : fmt::format("{} specimens, ", run.tests.size()),
+            run.tests.empty()
+                ? ""
+                : fmt::format("{} specimen{}, ", run.tests.size(), run.tests.size() == 1 ? "" : "s"),
             1e-6 * static_cast<double>(page.size()), seconds);
   return tell_provenance(run, 0);
 }

@@ -36,7 +36,8 @@ void add_show_command(CLI::App& app, Session& session) {
   auto path = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand(
       "show", "print the tables of a run again (of a study: `study status`, `study effects`)");
-  verb->add_option("result", *path, "folder that `phyllite run` wrote, or one specimen of it")
+  verb->add_option("result", *path,
+                   "folder that `phyllite run` wrote, `specimens` of a calibration, or one specimen of them")
       ->required()
       ->type_name("FOLDER");
   verb->callback([path, &session] { session.exit_code = show(*path, session); });
