@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <string>
 
 #include "base/clock.hpp"
@@ -292,9 +294,16 @@ ElasticResult solve_uniaxial(const Specimen& specimen, const ElasticOptions& opt
 
 std::vector<ElasticResult> solve_all(const std::vector<Specimen>& specimens, const ElasticOptions& options,
                                      int threads) {
+  // Those of one packing after the other: the symbolic part of their systems is the same (system.hpp).
+  std::vector<std::size_t> order(specimens.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::less<>()(specimens[a].packing.get(), specimens[b].packing.get());
+  });
   std::vector<ElasticResult> results(specimens.size());
-  for_all(specimens.size(), threads, [&] {
-    return [&, statics = UniaxialStatics()](std::size_t i) mutable {
+  for_all(order.size(), threads, [&] {
+    return [&, statics = UniaxialStatics()](std::size_t next) mutable {
+      const std::size_t i = order[next];
       if (options.stop == nullptr || !*options.stop) results[i] = statics.solve(specimens[i], options);
     };
   });

@@ -228,6 +228,18 @@ TEST(Uniaxial, ThreadsDoNotMatter) {
   }
 }
 
+// Solved packing by packing, given back as they were asked for.
+TEST(Uniaxial, ResultsKeepTheOrderOfSpecimensOfSeveralPackings) {
+  std::vector<Specimen> specimens;
+  for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+    specimens.push_back(small_specimen(theta));
+    if (specimens.size() % 2 == 0) specimens.back() = with_discs(specimens.back(), [](Packing&) {});
+  }
+  const std::vector<ElasticResult> all = solve_all(specimens, {}, 2);
+  for (std::size_t i = 0; i < specimens.size(); ++i)
+    EXPECT_EQ(all[i].E_gauge, solve_uniaxial(specimens[i]).E_gauge) << i;
+}
+
 TEST(Uniaxial, GluedPlatensAreStiffer) {
   ElasticOptions glued;
   glued.platens = Platens::glued;
