@@ -15,11 +15,12 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double beyond_chance = 1.64;   // standard errors, 5 % to one side
-constexpr double surely = 2.58;          // the same, 1 % to both sides
-constexpr double other_strength = 0.10;  // ratios of strengths that differ by as much differ
-constexpr double worth_a_word = 0.15;    // share of the misfit
-constexpr double widest_gap = 30.0;      // [deg] between angles of UCS
+constexpr double beyond_chance = 1.64;        // standard errors, 5 % to one side
+constexpr double surely = 2.58;               // the same, 1 % to both sides
+constexpr double other_strength = 0.10;       // ratios of strengths that differ by as much differ
+constexpr double worth_a_word = 0.15;         // share of the misfit
+constexpr std::size_t fewest_of_a_whole = 3;  // angles
+constexpr double widest_gap = 30.0;           // [deg] between angles of UCS
 
 struct Cause {
   std::string text, next;
@@ -97,9 +98,10 @@ std::string next_of(const View& v, bool table_is_certain, bool model_is_certain,
   if (!table_is_certain) return more_specimens;
   if (!model_is_certain) return "smaller grains in the rock's recipe: the packings of these leave it open";
   const std::vector<Comparison> ucs = v.answered(Property::ucs);
-  return std::all_of(ucs.begin(), ucs.end(), misses)
-             ? "another model (layers, --matrix)"
-             : "take the model only at angles where it meets the table";
+  if (!std::all_of(ucs.begin(), ucs.end(), misses))
+    return "take the model only at angles where it meets the table";
+  return v.of.model_chosen ? "take UCS from the table: the models that were compared do not meet it"
+                           : "another model (layers, --matrix)";
 }
 
 constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
@@ -111,17 +113,16 @@ std::string weaker_in_tension(const View& v) {
 
 /// A value at 90 over that at 0 degrees, of table and model, with the standard error of their logarithms.
 struct EndRatio {
-  double laboratory, model, noise, noise_of_table, noise_of_model;
+  double laboratory, model, noise_of_table, noise_of_model;
+  double noise() const { return std::hypot(noise_of_table, noise_of_model); }
   double difference() const { return std::fabs(std::log(laboratory / model)); }
 };
 std::optional<EndRatio> end_ratio(const View& v, Property p) {
   const Comparison *a = v.at(p, 90.0), *b = v.at(p, 0.0);
   if (a == nullptr || b == nullptr || a->mean / b->mean <= 0.0 || a->target.mean / b->target.mean <= 0.0)
     return {};
-  const double table = std::hypot(of_laboratory(*a), of_laboratory(*b));
-  const double packings = std::hypot(of_model(*a), of_model(*b));
-  return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean, std::hypot(table, packings), table,
-                  packings};
+  return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean,
+                  std::hypot(of_laboratory(*a), of_laboratory(*b)), std::hypot(of_model(*a), of_model(*b))};
 }
 
 /// Across and along the layers the compliance that nu/E stands for is one and the same.
@@ -140,19 +141,19 @@ std::optional<Cause> nu_of_no_body(const View& v) {
                "check how nu was measured (it counts in the plane of load and dip), or leave it out"};
 }
 
-/// All E too high or too low by one factor, beyond the chance of its mean.
+/// E too high or too low by one factor at all angles, beyond the chance of its mean. Specimens scatter each
+/// for itself; packings are the same at every angle, so that their chance does not average out.
 std::optional<Cause> moduli_as_a_whole(const View& v) {
   const std::vector<Comparison> E = v.answered(Property::E);
-  double sum = 0.0, variance = 0.0;
+  if (E.size() < fewest_of_a_whole) return {};
+  double sum = 0.0, specimens = 0.0, packings = 0.0;
   for (const Comparison& c : E) {
     sum += std::log(c.mean / c.target.mean);
-    variance += std::pow(std::hypot(of_laboratory(c), of_model(c)), 2.0);
+    specimens += of_laboratory(c) * of_laboratory(c), packings += of_model(c);
   }
   const auto n = static_cast<double>(E.size());
-  const double factor = std::exp(sum / n);
-  if (E.empty() ||
-      std::fabs(sum / n) <= std::max(2.0 * tolerance(Property::E), surely * std::sqrt(variance) / n))
-    return {};
+  const double factor = std::exp(sum / n), noise = std::hypot(std::sqrt(specimens), packings) / n;
+  if (std::fabs(sum / n) <= std::max(2.0 * tolerance(Property::E), surely * noise)) return {};
   return Cause{fmt::format("E as a whole is {:.2f} times that of the table", factor),
                v.of.method == CalibrationMethod::sequence
                    ? "the same table without --method sequence, which fits all moduli together"
@@ -161,7 +162,7 @@ std::optional<Cause> moduli_as_a_whole(const View& v) {
 
 std::optional<Cause> modulus_ratio(const View& v) {
   const auto E = end_ratio(v, Property::E);
-  if (!E || E->difference() <= std::max(2.0 * tolerance(Property::E), beyond_chance * E->noise)) return {};
+  if (!E || E->difference() <= std::max(2.0 * tolerance(Property::E), beyond_chance * E->noise())) return {};
   return Cause{fmt::format("E(90)/E(0) is {:.2f} in the table, {:.2f} in the model", E->laboratory, E->model),
                "check the angles of the table and E_is, the part of the curve that its E is read from"};
 }
@@ -202,7 +203,7 @@ std::optional<Cause> weakest_angle(const View& v) {
 
 std::optional<Cause> strength_ratio(const View& v) {
   const auto ucs = end_ratio(v, Property::ucs);
-  if (!ucs || ucs->difference() <= std::max(other_strength, beyond_chance * ucs->noise)) return {};
+  if (!ucs || ucs->difference() <= std::max(other_strength, beyond_chance * ucs->noise())) return {};
   return Cause{fmt::format("UCS(0)/UCS(90) is {:.2f} in the table, {:.2f} in the model",
                            1.0 / ucs->laboratory, 1.0 / ucs->model),
                other_layers(v, next_of(v, ucs->difference() > surely * ucs->noise_of_table,

@@ -297,8 +297,7 @@ std::string eq2_table(const Calibration& c, int terminal_width) {
          wrapped(
              "packings of the fit; lines through joints of half, once and twice the stiffness, the rest as "
              "calibrated, K/k at once; E(theta) by direct solutions whose contacts also pull, K by Eq. 1 "
-             "with "
-             "E at 90 degrees; the relation bends, the lower R2 the more; -: Eq. 1 does not hold\n",
+             "with E at 90 degrees; the relation bends, the lower R2 the more; -: Eq. 1 does not hold\n",
              terminal_width, 2);
 }
 
