@@ -150,7 +150,7 @@ std::string against_maps(const Evidence& evidence, const Recipe& model,
       "E and strengths missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped "
       "specimens of {} models: ",
       own, nearest.error, n_points, n_families);
-  return numbers + (nearest.error > own / clearly ? "the models fall short rather than the search"
+  return numbers + (nearest.error > own / clearly ? "no sign there of a nearer model"
                     : nearest.family->has(model)
                         ? "another search (--effort, packing.seed) may come nearer"
                         : fmt::format("{} (layers, --matrix) may come nearer", nearest.family->label));
