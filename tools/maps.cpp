@@ -165,8 +165,7 @@ Recipe test_of(const Recipe& point, const Target& target, std::int64_t packing, 
   const bool compression = target.property == Property::ucs;
   const Recipe ready = compression ? calibrate::test_settings(point, alone, {modulus})
                                    : calibrate::test_settings(point, {}, std::vector<double>());
-  Recipe r =
-      calibrate::StrengthTests(ready, alone, {modulus}).of(ready, 0, packing, calibrate::Loading::from_rest);
+  Recipe r = calibrate::StrengthTests(ready, alone, {modulus}).of(ready, 0, packing, calibrate::from_rest);
   if (compression) r.test.platen_speed *= quicker;
   return r;
 }

@@ -330,8 +330,8 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
     work.options.listener.say(
         fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(shown, evidence.strengths, work.unseen, Loading::from_rest, work.simulator,
-                             reading, &from_test);
+    rows = strength_response(shown, evidence.strengths, work.unseen, as_measured, work.simulator, reading,
+                             &from_test);
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
     if (!takes_more_packings(result, work, rows)) break;

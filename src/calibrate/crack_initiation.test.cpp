@@ -51,9 +51,12 @@ TEST(CrackInitiation, IsReadInTheVeryTestOfUcs) {
   ASSERT_EQ(evidence.strengths.size(), 2U);
   EXPECT_EQ(evidence.n_tests(), 1);
   const StrengthTests tests(evidence.rock.model, evidence.strengths, std::vector<double>(2, 60e9));
-  for (const Loading loading : {Loading::search, Loading::from_rest})
-    EXPECT_EQ(study::specimen_key(tests.of(evidence.rock.model, 0, 7, loading)),
-              study::specimen_key(tests.of(evidence.rock.model, 1, 7, loading)));
+  for (const Loading& loading : {search_of_strengths, as_measured}) {
+    const Recipe ucs = tests.of(evidence.rock.model, 0, 7, loading),
+                 sigma_ci = tests.of(evidence.rock.model, 1, 7, loading, 1e6);
+    EXPECT_EQ(study::specimen_key(ucs), study::specimen_key(sigma_ci));
+    EXPECT_EQ(ucs.test.approach_strain, 0.0) << "the first cracks come on the way that it would hurry over";
+  }
 }
 
 TEST(CrackInitiation, SlitsMeetItAndEWithThem) {

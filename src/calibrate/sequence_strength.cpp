@@ -123,7 +123,7 @@ class Sequence {
     Recipe recipe = fit_.recipe;
     step.parameter->set(recipe, std::exp(x));
     const std::vector<TestResult> results =
-        simulator_.test({tests_.of(recipe, step.target, seed_, Loading::from_rest)});
+        simulator_.test({tests_.of(recipe, step.target, seed_, as_measured)});
     if (simulator_.stopped()) throw Stopped{};
     --left_, ++fit_.n_tests;
     const Target& t = evidence_.strengths[step.target];
@@ -189,8 +189,7 @@ class Sequence {
     if (evidence_.rock.bedded && !is_step(joint_sigma_n))
       add_estimate(joint_sigma_n, fmt::format("{}, in the ratio of the recipe",
                                               is_step(joint_cohesion) ? "cohesion" : "sigma_c"));
-    fit_.fitted =
-        strength_response(fit_.recipe, evidence_.strengths, {seed_}, Loading::from_rest, simulator_);
+    fit_.fitted = strength_response(fit_.recipe, evidence_.strengths, {seed_}, as_measured, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     const std::int64_t n = evidence_.n_tests();
     fit_.n_tests += n, fit_.n_tension += n - evidence_.n_compressive();
@@ -223,10 +222,10 @@ class Sequence {
     std::vector<Recipe> all;
     for (const Step& step : steps_)
       for (std::size_t k = 0; k < usual_tests; ++k)
-        all.push_back(tests_.of(fit_.recipe, step.target, seed_, Loading::from_rest));
+        all.push_back(tests_.of(fit_.recipe, step.target, seed_, as_measured));
     for (std::size_t i = 0; i < evidence_.strengths.size(); ++i)
       for (int k = 0; k <= verification_packings; ++k)
-        all.push_back(tests_.of(fit_.recipe, i, seed_, Loading::from_rest));
+        all.push_back(tests_.of(fit_.recipe, i, seed_, as_measured));
     simulator_.announce(all);
   }
 };

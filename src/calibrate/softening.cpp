@@ -45,7 +45,7 @@ Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::v
   std::vector<Recipe> recipes, unbroken;
   for (std::size_t i = 0; i < ucs.size(); ++i)
     for (const std::int64_t seed : seeds) {
-      recipes.push_back(tests.of(recipe, i, seed, Loading::from_rest));
+      recipes.push_back(tests.of(recipe, i, seed, as_measured));
       unbroken.push_back(as_for_moduli(recipes.back(), model));
     }
   const std::vector<TestResult> results = simulator.test(recipes);

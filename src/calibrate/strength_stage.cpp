@@ -106,12 +106,13 @@ struct Design {
 
 std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
                              const Design& design, const Recipe& recipe,
-                             const std::vector<std::int64_t>& seeds) {
+                             const std::vector<std::int64_t>& seeds, const Loading& loading) {
   std::vector<Recipe> recipes;
   for (std::size_t p = 0; p < design.points.size(); ++p) {
     const Recipe point = posterior.recipe_at(design.coarse ? coarse(recipe) : recipe, design.points[p]);
     for (std::size_t i = 0; i < posterior.n_targets(); ++i)
-      recipes.push_back(tests.of(point, i, seeds[design.packings[p]], Loading::search));
+      recipes.push_back(tests.of(point, i, seeds[design.packings[p]], loading,
+                                 std::exp(posterior.predict(design.points[p], i).mean)));
   }
   return recipes;
 }
@@ -181,7 +182,8 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
                                 const Recipe& model, Simulator& simulator, StrengthFit& fit,
                                 ReadModuli* read) {
   const std::vector<Point>& points = design.points;
-  const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds);
+  const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds,
+                                               read != nullptr ? search_with_moduli : search_of_strengths);
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return {};
   Surprise surprise(posterior.n_targets());
@@ -358,12 +360,12 @@ void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
   Packings packings(seeds.size());
   for (const Batch& b : batches) {
     const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
-    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds);
+    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds, search_of_strengths);
     all.insert(all.end(), some.begin(), some.end());
   }
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
     for (int k = 0; k < verification_packings; ++k)
-      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), Loading::from_rest));
+      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), as_measured));
   simulator.announce(all);
 }
 
@@ -390,7 +392,6 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::size_t n_planned = batches.size();
   fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
   report_cut(budget, most, n_compressive, fit);
-  announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   std::vector<Point> draws;
   Point estimate;
   const auto learn = [&](std::size_t n_batches) {
@@ -401,6 +402,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     listener.estimates({known.begin(), known.end()});
   };
   learn(0);  // from the prior mean alone
+  announce(posterior, tests, batches, fit.recipe, seeds, simulator);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];

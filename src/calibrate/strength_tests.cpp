@@ -21,8 +21,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
-constexpr double search_speed = 1.4;
-constexpr double pre_strain_share = 0.25;   // of the expected peak strain
+constexpr double approach_speed = 3.0;      // over the speed of the test behind it
+constexpr double least_foreseen = 0.1;      // of the strength in the table
 constexpr double step_safety = 0.99;        // of a limit that is proven: nothing is kept in reserve
 constexpr std::int64_t disc_interval = 25;  // steps between rows: a disc breaks in some 2,000 steps or more
 
@@ -127,24 +127,33 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets,
                              const std::vector<double>& moduli)
-    : targets_(targets), strains_(peak_strains(targets, moduli)) {
+    : targets_(targets), strains_(peak_strains(targets, moduli)), reads_before_(targets.size(), false) {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
   for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
     if (!is_read_before_ucs(targets_[i].property)) continue;
     const std::size_t test = place_of_ucs(targets_, targets_[i].theta);
     strains_[i] = strains_[test], speeds_[i] = speeds_[test];
+    reads_before_[i] = reads_before_[test] = true;
   }
 }
 
-Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const {
+Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t seed, const Loading& loading,
+                         double foreseen) const {
   Recipe one = single_at(recipe, targets_[target].theta, seed);
   const TestDescription* kind = test_of(targets_[target].property).test;
   PHY_CHECK(kind != nullptr, "only properties that a test has are pressed");
   one.test.kind = *kind;
-  const bool quick = loading == Loading::search;
-  one.test.platen_speed = speeds_[target] * (quick ? search_speed : 1.0);
-  if (quick && one.test.kind->may_pre_strain) one.test.pre_strain = pre_strain_share * strains_[target];
+  one.test.platen_speed = speeds_[target] * loading.speed;
+  // A disc that a fast approach throws about has no strength: jaws meet it in points.
+  const double share =
+      one.test.kind->cut != nullptr ? std::min(loading.approach, as_measured.approach) : loading.approach;
+  if (share > 0.0 && !reads_before_[target]) {
+    const Target& t = targets_[target];
+    const double weaker = std::clamp((foreseen - t.confining) / stress_rise(t), least_foreseen, 1.0);
+    one.test.approach_strain = share * weaker * strains_[target];
+    one.test.approach_speed = approach_speed * one.test.platen_speed;
+  }
   if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
     one.test.history_interval = disc_interval;
@@ -212,7 +221,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
 }
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Loading loading,
+                                          const std::vector<std::int64_t>& seeds, const Loading& loading,
                                           Simulator& simulator, ModulusReading reading,
                                           std::vector<Comparison>* moduli) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);

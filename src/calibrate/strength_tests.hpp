@@ -4,6 +4,7 @@
 // peak that the laboratory's strength leads to expect: tests side by side then end together. How they begin,
 // and what the search of the strengths may do faster, is their Loading (docs/calibration.md, "Loading").
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "calibrate/simulator.hpp"
@@ -14,10 +15,18 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// How tests are loaded: from rest, as a laboratory does, in the verification, for the softening at the
-/// estimate, by the sequence and for tables of twins; in the search of the strengths 1.4 times as fast, and
-/// in compression without confinement after an affine pre-strain to a quarter of the expected peak strain.
-enum class Loading { from_rest, search };
+/// How tests are loaded. The way to the peak may begin with a fast approach (test.approach_strain), which
+/// ends where something is read.
+struct Loading {
+  double speed;     ///< of the platens, over the one at which a wave crosses the specimen a hundred times
+  double approach;  ///< share of the expected peak strain, of discs at most as in as_measured; 0: none
+};
+/// As a laboratory does: tables of twins.
+inline constexpr Loading from_rest = {1.0, 0.0};
+/// Verification, softening at the estimate, the sequence: E is read from 40 % of the strength on.
+inline constexpr Loading as_measured = {1.0, 0.25};
+/// The search of the strengths, where it learns from its tests how E as read softens, and where it does not.
+inline constexpr Loading search_with_moduli = {1.4, 0.25}, search_of_strengths = {1.4, 0.7};
 
 /// The tests for one packing each.
 class StrengthTests {
@@ -27,11 +36,14 @@ class StrengthTests {
                 Simulator& simulator);
   /// The same with the moduli [Pa] at the angles of the targets, where they are known.
   StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, const std::vector<double>& moduli);
-  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed, Loading loading) const;
+  /// `foreseen`: strength that the specimen may be too weak to exceed [Pa]; its approach ends earlier then.
+  Recipe of(const Recipe& recipe, std::size_t target, std::int64_t seed, const Loading& loading,
+            double foreseen = std::numeric_limits<double>::infinity()) const;
 
  private:
   std::vector<Target> targets_;
   std::vector<double> strains_, speeds_;
+  std::vector<bool> reads_before_;  // something before UCS: no approach may jump over it
 };
 
 /// Strength of a test [Pa]; NaN if it has none.
@@ -44,7 +56,7 @@ double modulus_of(const TestResult& result, ModulusReading reading);
 /// `reading` has it and nu (over 40 - 60 % of the strength) of the tests of UCS; their targets have no
 /// values. A recipe that keeps pictures has them of the tests of UCS on the first packing, and no others.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, Loading loading,
+                                          const std::vector<std::int64_t>& seeds, const Loading& loading,
                                           Simulator& simulator,
                                           ModulusReading reading = ModulusReading::tangent_50,
                                           std::vector<Comparison>* moduli = nullptr);

@@ -26,7 +26,7 @@ std::vector<Comparison> twin_response(const Recipe& truth, const std::vector<dou
     // a rock's grains have their own masses, and its table the bits of before
     settings.engine.grain_inertia = truth.engine.grain_inertia;
     settings.engine.step_safety = truth.engine.step_safety;
-    return strength_response(settings, strengths, some, Loading::from_rest, simulator, E_is, read);
+    return strength_response(settings, strengths, some, from_rest, simulator, E_is, read);
   };
   const std::vector<Comparison> first = pressed({seeds.front()}, nullptr);
   for (std::size_t i = 0; i < strengths.size(); ++i)

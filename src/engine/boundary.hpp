@@ -88,9 +88,10 @@ struct Balance {
 /// How a body moves.
 struct PrescribedMotion {
   Vec2 velocity;      ///< [m/s]; a component under servo or in balance ignores it
-  double ramp = 0.0;  ///< time in which the velocity rises linearly from 0 [s]
-  Servo servo_x, servo_y;
+  double ramp = 0.0;  ///< time in which the velocity changes linearly from `before` [s]
+  Servo servo_x = {}, servo_y = {};
   Balance balance_x = {}, balance_y = {};
+  Vec2 before = {};  ///< [m/s]
 };
 
 /// A body at the end of a block.

@@ -72,9 +72,16 @@ const HistoryColumns& platen_stress_columns() {
   return columns;
 }
 
+std::string speed_text(const TestRecipe& test) {
+  const std::string slow = print_quantity(test.platen_speed, Dimension::speed) + " each";
+  if (test.approach_strain == 0.0) return slow;
+  return fmt::format("{} up to a strain of {:g}, then at {}",
+                     print_quantity(test.approach_speed, Dimension::speed), test.approach_strain, slow);
+}
+
 std::string platens_text(const TestRecipe& test) {
-  return fmt::format("Two rigid platens (friction {:g}) closed at {} each", test.platen_friction,
-                     print_quantity(test.platen_speed, Dimension::speed));
+  return fmt::format("Two rigid platens (friction {:g}) closed at {}", test.platen_friction,
+                     speed_text(test));
 }
 
 double wave_stiffness(const MatrixRecipe& matrix, double area, double time) {

@@ -39,6 +39,8 @@ double ray_spacing(const Packing& packing);
 TestBoundary platens(const Packing& packing);
 /// Axial stress of the press, from both platens and from each.
 const HistoryColumns& platen_stress_columns();
+/// "0.05 m/s each", or with the approach before it.
+std::string speed_text(const TestRecipe& test);
 /// "Two rigid platens (friction 0) closed at 0.05 m/s each".
 std::string platens_text(const TestRecipe& test);
 

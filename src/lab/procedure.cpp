@@ -67,17 +67,34 @@ void Procedure::place_boundary() {
 
 void Procedure::start_loading() {
   phase_ = Phase::load;
+  approaching_ = recipe_.test.approach_strain > 0.0;
   group_->forbid_breakage(lane_, specimen_->matrix.unbreakable);
   prescribe_motion();
   result_.history.width = packing().width;
   result_.history.height = packing().height;
 }
 
+Procedure::Speeds Procedure::speeds() const {
+  const TestRecipe& test = recipe_.test;
+  if (approaching_) return {0.0, test.approach_speed};
+  const bool has_approached = !result_.history.rows.empty() && test.approach_strain > 0.0;
+  return {has_approached ? test.approach_speed : 0.0, test.platen_speed};
+}
+
 void Procedure::close_platens(double length) {
-  const double speed = recipe_.test.platen_speed;
-  const double ramp = recipe_.test.ramp_strain * length / speed;
-  group_->prescribe(lane_, 0, {{0.0, speed}, ramp, {}, {}});
-  group_->prescribe(lane_, 1, {{0.0, -speed}, ramp, {}, {}});
+  const Speeds speed = speeds();
+  const double ramp = recipe_.test.ramp_strain * length / speed.now;
+  for (const auto& [platen, way] : {std::pair(0, 1.0), std::pair(1, -1.0)})
+    group_->prescribe(
+        lane_, platen,
+        {.velocity = {0.0, way * speed.now}, .ramp = ramp, .before = {0.0, way * speed.before}});
+}
+
+/// From here on the bodies are as slow as the test asks.
+void Procedure::end_approach(double strain) {
+  if (!approaching_ || strain < recipe_.test.approach_strain) return;
+  approaching_ = false;
+  prescribe_motion();
 }
 
 bool Procedure::end(Status status, std::string reason, std::string advice) {
@@ -175,7 +192,9 @@ bool Procedure::after_block() {
   }
   if (phase_ == Phase::prepare) return prepare(blocks_);
   result_.history.rows.push_back(row);
-  if (const Reading now = reading(row); now.stress > peak_.stress) peak_ = now;
+  const Reading now = reading(row);
+  if (now.stress > peak_.stress) peak_ = now;
+  end_approach(now.strain);
   keep_pictures();
   return check_stop();
 }

@@ -6,8 +6,8 @@
 //             have gone)
 //   prepare   the boundary is in place; what a kind of test does before it loads (affine pre-strain,
 //             confinement)
-//   load      a history row every test.history_interval cycles, until the stop rule, the watchdog or the
-//             user ends it
+//   load      up to test.approach_strain at test.approach_speed, then at test.platen_speed; a history row
+//             every test.history_interval cycles, until the stop rule, the watchdog or the user ends it
 // Stop rule, of the stress and strain that the kind calls its own (reading): the stress has fallen to
 // test.stop_at of its peak; the strain exceeds that of the peak by test.post_peak without a new one; or
 // test.max_strain is reached. A peak needs three broken bonds. A test that has reached test.max_strain and
@@ -64,7 +64,7 @@ class Procedure {
   virtual bool prepare(std::int64_t /*n_blocks*/) { return false; }
   /// The watchdog has rejected what was prepared: begin without it? False: there is no other way.
   virtual bool begin_without() { return false; }
-  /// Sets the bodies in motion, at the start of loading.
+  /// Sets the bodies in motion: at the start of loading, and where the approach ends.
   virtual void prescribe_motion() = 0;
   virtual double max_strain() const { return recipe_.test.max_strain; }
   /// What the history of this test holds beyond strain and stress of its bodies (which `row` has already).
@@ -75,7 +75,12 @@ class Procedure {
   /// What ends this test as peaked, for those who read its history.
   analysis::StopRule stop_rule() const { return {recipe_.test.stop_at, recipe_.test.post_peak}; }
   void start_loading();
-  /// Both platens, bodies 0 and 1, close at test.platen_speed after test.ramp_strain of `length` [m].
+  /// Of the bodies that load, before and behind the ramp that begins [m/s].
+  struct Speeds {
+    double before, now;
+  };
+  Speeds speeds() const;
+  /// Both platens, bodies 0 and 1, close at their speed after test.ramp_strain of `length` [m].
   void close_platens(double length);
   bool end(Status status, std::string reason, std::string advice);
   /// While a stress is prepared: after each block, whether it has reached its full target and lies within
@@ -114,6 +119,7 @@ class Procedure {
   double value(const std::string& name) const;  // of a number of the result
   void accept_strength();
   void note_fall(double strain, double stress);  // behind a peak whose test ended before its end of fall
+  void end_approach(double strain);
   bool check_stop();
   bool end_without_peak(const Reading& now);
   bool end_unstable(const engine::LaneHealth& health);
@@ -122,6 +128,7 @@ class Procedure {
   HistoryRow row_;
   double zero_axial_ = 0.0, zero_lateral_ = 0.0;  // where strains count from
   Phase phase_ = Phase::settle;
+  bool approaching_ = false;      // at test.approach_speed
   std::int64_t blocks_ = 0;       // in this phase
   std::int64_t n_at_target_ = 0;  // blocks of preparation at the full target
   std::int64_t n_steady_ = 0;     // of these, in a row close to it

@@ -157,7 +157,10 @@ struct TestRecipe {
   std::vector<double> angles;
   bool intact = false;         ///< also a specimen without bedding
   double platen_speed = 0.05;  ///< [m/s] of each platen
-  double ramp_strain = 2e-5;   ///< axial strain over which the speed rises from 0
+  /// [-] strain up to which the platens move at approach_speed; 0: none
+  double approach_strain = 0.0;
+  double approach_speed = 0.0;  ///< [m/s] of each platen, above platen_speed; 0: no approach
+  double ramp_strain = 2e-5;    ///< axial strain over which the speed rises from 0
   double platen_friction = 0.0;
   double stop_at = 0.6;                 ///< stop when the stress falls to this fraction of the peak
   double post_peak = 1.0;               ///< stop when the strain exceeds that of the peak by this fraction

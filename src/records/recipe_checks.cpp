@@ -247,11 +247,33 @@ class CrossChecks {
       report_problem({"test.angles"}, print_quantity(*twice, Dimension::angle), "every angle once",
                      "remove the second one; for another specimen change a seed");
     test_of_kind();
+    approach();
     for (const auto& [key, strain] :
-         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"pre_strain", t.pre_strain}})
+         {std::pair{"ramp_strain", t.ramp_strain}, std::pair{"pre_strain", t.pre_strain},
+          std::pair{"approach_strain", t.approach_strain}})
       if (strain >= t.max_strain)
         report_problem({std::string("test.") + key, "test.max_strain"}, print_number(strain),
                        "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
+  }
+
+  void approach() {
+    const TestRecipe& t = r_.test;
+    const bool has_strain = t.approach_strain > 0.0, has_speed = t.approach_speed > 0.0;
+    if (has_strain != has_speed)
+      report_problem({"test.approach_strain", "test.approach_speed"}, "one of them", "both or none",
+                     "give the strain up to which the platens are faster, and how fast they are");
+    else if (has_speed && t.approach_speed < t.platen_speed)
+      report_problem({"test.approach_speed", "test.platen_speed"},
+                     print_quantity(t.approach_speed, Dimension::speed),
+                     "at least platen_speed = " + print_quantity(t.platen_speed, Dimension::speed),
+                     "the approach is what may be fast; swap them, or leave it out");
+    if (has_strain && t.approach_strain <= t.pre_strain)
+      report_problem({"test.approach_strain", "test.pre_strain"}, print_number(t.approach_strain),
+                     "above pre_strain = " + print_number(t.pre_strain),
+                     "the test begins there: leave one of the two out, or go on farther");
+    if (has_strain && !t.kind->may_approach)
+      report_problem({"test.approach_strain", "test.kind"}, print_number(t.approach_strain),
+                     "0 for this kind of test", "leave approach_strain and approach_speed out");
   }
 
   void test_of_kind() {

@@ -315,9 +315,16 @@ void add_test(List& l) {
   l.boolean("test", "intact", "also a specimen without bedding", part, &T::intact);
   l.quantity("test", "platen_speed", Dimension::speed, 1e-6, 10, "", "speed of each platen", part,
              &T::platen_speed);
+  l.number("test", "approach_strain", 0, 0.1, "",
+           "strain, as of max_strain, up to which the platens move at approach_speed; 0: none", part,
+           &T::approach_strain);
+  l.quantity("test", "approach_speed", Dimension::speed, 0, 10, "",
+             "speed of each platen up to approach_strain, above platen_speed; 0: none", part,
+             &T::approach_speed);
   l.number("test", "ramp_strain", 0, 0.01, "",
-           "axial strain while the speed rises from 0 (direct_shear: displacement over width)", part,
-           &T::ramp_strain);
+           "axial strain while the speed rises from 0, or falls to platen_speed (direct_shear: displacement "
+           "over width)",
+           part, &T::ramp_strain);
   l.number("test", "platen_friction", 0, 10, "wall fric",
            "friction coefficient of the platens; not of brazilian", part, &T::platen_friction);
   l.number("test", "stop_at", 0, 0.99, "", "the test ends when the stress falls to this fraction of the peak",

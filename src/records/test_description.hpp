@@ -96,6 +96,7 @@ struct TestDescription {
   std::vector<TableColumn> table;
   bool runs_to_end = false;     ///< to test.max_strain, whatever happens, for what comes after the peak
   bool may_pre_strain = false;  ///< can start loaded (test.pre_strain)
+  bool may_approach = true;     ///< its bodies may be faster at first (test.approach_strain)
   bool may_harden = false;      ///< by compression: its strength may be a knee (analysis/strength_rule.hpp)
   KeptStress kept_stress = {};
   double TestRecipe::*friction = &TestRecipe::platen_friction;  ///< of the bodies that are rough

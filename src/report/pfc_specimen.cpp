@@ -259,6 +259,7 @@ void check_pfc_export(const Recipe& r, const std::string& where) {
   refuse(r.packing.initial_stress == InitialStress::isotropic, "packing.initial_stress", "stress_free",
          "the files declare present overlaps stress-free");
   refuse(r.test.pre_strain > 0.0, "test.pre_strain", "0", "the platens begin at rest");
+  refuse(r.test.approach_strain > 0.0, "test.approach_strain", "0", "the platens keep one speed");
   refuse(m.unbreakable, "matrix.unbreakable", "false", "PFC's bonds break");
   if (!problems.empty()) throw InputError(problems);
 }

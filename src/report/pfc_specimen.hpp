@@ -22,7 +22,7 @@ struct PfcFiles {
 
 /// Throws InputError with everything in the recipe that has no place in the files: tests other than uniaxial
 /// compression, flat joints, stiffnesses that differ from contact to contact, a locked-in stress, an affine
-/// pre-strain, bonds that never break. `where` names the recipe.
+/// pre-strain, a fast approach, bonds that never break. `where` names the recipe.
 void check_pfc_export(const Recipe& recipe, const std::string& where);
 
 /// The files of one specimen of a recipe that was checked. The test calls the specimen "STEM-specimen.p2dat"

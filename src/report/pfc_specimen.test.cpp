@@ -133,11 +133,12 @@ TEST(PfcSpecimen, WhatHasNoPlaceInTheFilesIsRefusedAllAtOnce) {
   r.matrix.model = MatrixModel::flat_joint;
   r.packing.initial_stress = InitialStress::isotropic;
   r.test.pre_strain = 1e-3;
+  r.test.approach_strain = 2e-3, r.test.approach_speed = 1.0;
   try {
     check_pfc_export(r, "r.toml");
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_EQ(e.problems().size(), 3U);
+    EXPECT_EQ(e.problems().size(), 4U);
     EXPECT_THAT(e.what(), HasSubstr("r.toml"));
   }
 }

@@ -57,9 +57,11 @@ double expected_cost(const Recipe& r) {
   const double strain =
       std::max(0.1 * expected_peak_strain(r),
                std::min(beyond_peak * expected_peak_strain(r), r.test.max_strain) - r.test.pre_strain);
+  const double fast = std::min(strain, std::max(0.0, r.test.approach_strain - r.test.pre_strain));
+  const double way =
+      (strain - fast) / r.test.platen_speed + (fast > 0.0 ? fast / r.test.approach_speed : 0.0);
   // Both platens move, so strain grows by 2 v/length per second.
-  const double cycles = strain * r.test.kind->expected.length(r) / (2.0 * r.test.platen_speed * dt);
-  return cycles * expected_grains(r);
+  return way * r.test.kind->expected.length(r) / (2.0 * dt) * expected_grains(r);
 }
 
 double expected_direct_cost(const Recipe& r) { return direct_cycles * expected_grains(r); }

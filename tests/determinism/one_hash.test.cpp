@@ -232,6 +232,9 @@ TEST_P(OneHash, ForATestThatMovesAfterEveryBlock) {
     r.test.max_strain = pre_strain + 5e-4;
     check(r, ", affine pre-strain");
   }
+  r = base;
+  r.test.approach_strain = 0.4 * r.test.max_strain, r.test.approach_speed = 3.0 * r.test.platen_speed;
+  check(r, ", fast approach");
 }
 
 TEST_P(OneHash, ForASpecimenAlone) {

@@ -41,7 +41,7 @@ std::vector<Comparison> response(const Recipe& truth, calibrate::Simulator& simu
   std::vector<Comparison> rows = calibrate::elastic_response(truth, moduli, seeds, simulator);
   const Recipe settings = calibrate::test_settings(truth, strengths, seeds.front(), simulator);
   for (const Comparison& c :
-       calibrate::strength_response(settings, strengths, seeds, calibrate::Loading::from_rest, simulator))
+       calibrate::strength_response(settings, strengths, seeds, calibrate::from_rest, simulator))
     rows.push_back(c);
   return rows;
 }

@@ -222,7 +222,7 @@ TEST(Comparison, ErrorOfUcsAtOneBudget) {
     how.max_tests = budget;
     const auto error = [&](const Recipe& r) {
       return rmse_against(
-          calibrate::strength_response(r, ucs, unseen_packings(), calibrate::Loading::from_rest, *simulator),
+          calibrate::strength_response(r, ucs, unseen_packings(), calibrate::as_measured, *simulator),
           t.unseen, Property::ucs);
     };
     const Numbers now = {error(t.found.recipe),

@@ -35,7 +35,7 @@ std::vector<Comparison> confined_response(const Recipe& truth, const std::vector
         targets.push_back(t);
       }
   const Recipe settings = calibrate::test_settings(truth, targets, seeds.front(), simulator);
-  return calibrate::strength_response(settings, targets, seeds, calibrate::Loading::from_rest, simulator);
+  return calibrate::strength_response(settings, targets, seeds, calibrate::from_rest, simulator);
 }
 
 Rock table_of(const Recipe& truth, const Recipe& model, std::uint32_t k, calibrate::Simulator& simulator) {

@@ -1,15 +1,18 @@
-// What an affine pre-strain, the search's speed, one speed for all angles, grains of equal mass without and
-// with a longer time step, and an early end do to UCS and E beside loading from rest at a speed of its own:
+// What a fast approach, the search's speed, one speed for all angles, grains of equal mass without and with a
+// longer time step, and an early end do to UCS and E beside loading from rest at a speed of its own:
 // the same specimens loaded in all these ways, and with another draw of strengths as the yardstick. Rocks of
 // 1,197 discs, both rules, joints that are stiff and soft, bonds with directions, flat joints.
-// PHY_LOADING_PACKINGS: on how many packings (4).
+// PHY_LOADING_PACKINGS: on how many packings (4); PHY_LOADING_THREADS: on how many threads (all).
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "../calibration/twin_trial.hpp"
 #include "base/stats.hpp"
@@ -22,8 +25,12 @@ namespace {
 using calibrate::Loading;
 using calibrate::StrengthTests;
 
-constexpr double search_speed = 1.4;
 const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
+
+int threads() {
+  return static_cast<int>(setting("PHY_LOADING_THREADS", std::thread::hardware_concurrency()));
+}
+int n_packings() { return static_cast<int>(setting("PHY_LOADING_PACKINGS", 4)); }
 
 struct NamedRock {
   std::string name;
@@ -99,54 +106,136 @@ struct Effect {
   }
 };
 
-TEST(Loading, PreStrainAndSpeedMoveStrengthsAndModuliLittle) {
-  const auto threads = static_cast<int>(std::thread::hardware_concurrency());
-  const auto n = static_cast<int>(setting("PHY_LOADING_PACKINGS", 4));
-  Effect pre_strained, search, other_draw, one_speed, equal_mass, long_step, early_end;
+/// The same specimens loaded in several ways, all of them held against loading from rest with discs.
+class Ways {
+ public:
+  void run(const std::vector<std::pair<const char*, Loading>>& loadings,
+           const std::vector<std::pair<const char*, std::function<void(Recipe&)>>>& changes) {
+    for (const NamedRock& r : rocks()) {
+      const auto simulator = calibrate::make_simulator({threads(), "", nullptr, nullptr});
+      const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
+      Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
+      one_speed_ = settings.test.platen_speed, of_calibrations_ = settings.engine;
+      settings.engine.grain_inertia = GrainInertia::disc;
+      settings.engine.step_safety = EngineRecipe{}.step_safety;
+      const StrengthTests tests(settings, targets, 1, *simulator);
+      const auto tested = [&](const Loading& loading, const std::function<void(Recipe&)>& change) {
+        std::vector<Recipe> recipes;
+        for (std::size_t i = 0; i < targets.size(); ++i)
+          for (const std::int64_t seed : packings_from(2, n_packings())) {
+            recipes.push_back(tests.of(settings, i, seed, loading));
+            change(recipes.back());
+          }
+        return simulator->test(recipes);
+      };
+      const std::vector<TestResult> from_rest = tested(calibrate::from_rest, [](Recipe&) {});
+      std::printf("%s\n", r.name.c_str());
+      for (const auto& [name, loading] : loadings) add(name, tested(loading, [](Recipe&) {}), from_rest);
+      for (const auto& [name, change] : changes) add(name, tested(calibrate::from_rest, change), from_rest);
+      std::fflush(stdout);
+    }
+    std::printf("all\n");
+    for (const auto& [name, effect] : effects_) effect.print(name.c_str());
+  }
+  const Effect& of(const std::string& name) const { return effects_.at(name); }
+  double one_speed() const { return one_speed_; }  // of all angles of the present rock
+  const EngineRecipe& of_calibrations() const { return of_calibrations_; }
+
+ private:
+  std::map<std::string, Effect> effects_;
+  double one_speed_ = 0.0;
+  EngineRecipe of_calibrations_;
+
+  void add(const std::string& name, const std::vector<TestResult>& tests,
+           const std::vector<TestResult>& from_rest) {
+    Effect e;
+    e.add(tests, from_rest), e.print(name.c_str());
+    effects_[name].add(e);
+  }
+};
+
+void expect_little(const Pairs& moved) {
+  EXPECT_GE(moved.percent.size(), 100U);
+  EXPECT_LE(std::fabs(summarise(moved.percent).mean), 1.0);
+}
+
+TEST(Loading, ApproachAndSpeedMoveStrengthsAndModuliLittle) {
+  Ways ways;
+  ways.run({{"as measured", calibrate::as_measured},
+            {"search", calibrate::search_of_strengths},
+            {"with moduli", calibrate::search_with_moduli}},
+           {{"other draw", [](Recipe& t) { ++t.matrix.bond_seed; }}});
+  expect_little(ways.of("as measured").ucs), expect_little(ways.of("as measured").E);
+  expect_little(ways.of("with moduli").E);
+}
+
+TEST(Loading, SpeedOfOneAndMassesMoveStrengthsAndModuliLittle) {
+  Ways ways;
+  ways.run({}, {// all angles at one speed: a hundred transits until the earliest of their peaks
+                {"one speed", [&](Recipe& t) { t.test.platen_speed = ways.one_speed(); }},
+                {"equal mass", [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }},
+                {"and long step", [&](Recipe& t) { t.engine = ways.of_calibrations(); }},
+                {"ends at 90 %", [](Recipe& t) { t.test.stop_at = 0.9; }}});
+  for (const char* name : {"one speed", "equal mass", "and long step"}) expect_little(ways.of(name).ucs);
+  for (const char* name : {"equal mass", "and long step"}) expect_little(ways.of(name).E);
+}
+
+/// Tests of a rock other than UCS, at the strengths that it has itself.
+std::vector<Target> other_strengths(const Recipe& recipe, calibrate::Simulator& simulator) {
+  std::vector<Target> targets;
+  for (const double theta : {0.0, 45.0, 90.0}) {
+    targets.push_back({Property::brazilian, theta, 0.3 * recipe.matrix.sigma_c, 1.0, 1, true});
+    targets.push_back({Property::direct_tension, theta, 0.2 * recipe.matrix.sigma_c, 1.0, 1, true});
+    targets.push_back({Property::confined, theta, 3.0 * recipe.matrix.sigma_c, 1.0, 1, true});
+    targets.back().confining = 10e6;
+  }
+  for (int pass = 0; pass < 2; ++pass) {  // at the speed that suits what was found
+    const Recipe settings = calibrate::test_settings(recipe, targets, 1, simulator);
+    const auto rows =
+        calibrate::strength_response(settings, targets, {1, 2}, calibrate::from_rest, simulator);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      if (std::isfinite(rows[i].mean)) targets[i].mean = rows[i].mean;
+  }
+  return targets;
+}
+
+TEST(Loading, ApproachMovesOtherStrengthsLittle) {
+  const int n = n_packings();
+  std::map<std::string, Pairs> all;
   for (const NamedRock& r : rocks()) {
-    const auto simulator = calibrate::make_simulator({threads, "", nullptr, nullptr});
-    const std::vector<Target> targets = own_strengths(r.recipe, *simulator);
-    Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
-    const EngineRecipe of_calibrations = settings.engine;
-    settings.engine.grain_inertia = GrainInertia::disc;
-    settings.engine.step_safety = EngineRecipe{}.step_safety;
+    const auto simulator = calibrate::make_simulator({threads(), "", nullptr, nullptr});
+    const std::vector<Target> targets = other_strengths(r.recipe, *simulator);
+    const Recipe settings = calibrate::test_settings(r.recipe, targets, 1, *simulator);
     const StrengthTests tests(settings, targets, 1, *simulator);
-    const auto tested = [&](Loading loading, const std::function<void(Recipe&)>& change) {
+    const auto tested = [&](const Loading& loading) {
       std::vector<Recipe> recipes;
       for (std::size_t i = 0; i < targets.size(); ++i)
-        for (const std::int64_t seed : packings_from(2, n)) {
+        for (const std::int64_t seed : packings_from(2, n))
           recipes.push_back(tests.of(settings, i, seed, loading));
-          change(recipes.back());
-        }
       return simulator->test(recipes);
     };
-    const std::vector<TestResult> from_rest = tested(Loading::from_rest, [](Recipe&) {});
-    Effect a, b, c, d, e, f, g;
-    a.add(tested(Loading::search, [](Recipe& t) { t.test.platen_speed /= search_speed; }), from_rest);
-    b.add(tested(Loading::search, [](Recipe&) {}), from_rest);
-    c.add(tested(Loading::from_rest, [](Recipe& t) { ++t.matrix.bond_seed; }), from_rest);
-    // all angles at one speed: a hundred transits until the earliest of their peaks
-    d.add(tested(Loading::from_rest, [&](Recipe& t) { t.test.platen_speed = settings.test.platen_speed; }),
-          from_rest);
-    e.add(tested(Loading::from_rest, [](Recipe& t) { t.engine.grain_inertia = GrainInertia::equal; }),
-          from_rest);
-    f.add(tested(Loading::from_rest, [&](Recipe& t) { t.engine = of_calibrations; }), from_rest);
-    g.add(tested(Loading::from_rest, [](Recipe& t) { t.test.stop_at = 0.9; }), from_rest);
+    const std::vector<TestResult> from_rest = tested(calibrate::from_rest);
     std::printf("%s\n", r.name.c_str());
-    a.print("pre-strained"), b.print("search"), d.print("one speed"), e.print("equal mass");
-    f.print("and long step"), g.print("ends at 90 %"), c.print("other draw");
+    for (const auto& [name, loading] :
+         {std::pair{"as measured", calibrate::as_measured}, {"search", calibrate::search_of_strengths}}) {
+      const std::vector<TestResult> hurried = tested(loading);
+      for (std::size_t i = 0; i < targets.size(); ++i)
+        for (std::size_t k = i * static_cast<std::size_t>(n); k < (i + 1) * static_cast<std::size_t>(n);
+             ++k) {
+          const Property p = targets[i].property;
+          const std::string key = std::string(to_string(p)) + ", " + name;
+          if (!has_strength(hurried[k].outcome.status) && has_strength(from_rest[k].outcome.status))
+            std::printf("  %s(%g), %s: %s\n", to_string(p), targets[i].theta, name,
+                        hurried[k].outcome.reason.c_str());
+          all[key].add(calibrate::strength_of(hurried[k], p), calibrate::strength_of(from_rest[k], p));
+          all[key + ", steps - 1"].add(static_cast<double>(hurried[k].n_steps),
+                                       static_cast<double>(from_rest[k].n_steps));
+        }
+    }
+    for (const auto& [key, pairs] : all)
+      std::printf("  %s: %s, %zu pairs so far\n", key.c_str(), pairs.text().c_str(), pairs.percent.size());
     std::fflush(stdout);
-    pre_strained.add(a), search.add(b), other_draw.add(c), one_speed.add(d), equal_mass.add(e);
-    long_step.add(f), early_end.add(g);
   }
-  std::printf("all\n");
-  pre_strained.print("pre-strained"), search.print("search"), one_speed.print("one speed");
-  equal_mass.print("equal mass"), long_step.print("and long step"), early_end.print("ends at 90 %");
-  other_draw.print("other draw");
-  EXPECT_GE(pre_strained.ucs.percent.size(), 100U);
-  for (const Pairs* moved :
-       {&one_speed.ucs, &search.ucs, &search.E, &equal_mass.ucs, &equal_mass.E, &long_step.ucs, &long_step.E})
-    EXPECT_LE(std::fabs(summarise(moved->percent).mean), 1.0);
 }
 
 }  // namespace

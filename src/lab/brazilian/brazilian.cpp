@@ -103,12 +103,12 @@ TestDescription description() {
   // 6: approach of the jaws over the diameter, over BTS / E, after Hondros.
   d.expected = {.length = disc_diameter, .strain_factor = 6.0, .intact = 0.36, .bedded = 0.2};
   d.loading_text = [](const Recipe& r) {
-    return fmt::format(
-        "Discs of {} were cut from the specimens; {} (friction {:g}) closed on them at {} each.",
-        print_quantity(disc_diameter(r), Dimension::length),
-        r.test.loading_angle > 0.0 ? fmt::format("two jaws, each on an arc of {:g} deg", r.test.loading_angle)
-                                   : "two flat platens",
-        r.test.jaw_friction, print_quantity(r.test.platen_speed, Dimension::speed));
+    return fmt::format("Discs of {} were cut from the specimens; {} (friction {:g}) closed on them at {}.",
+                       print_quantity(disc_diameter(r), Dimension::length),
+                       r.test.loading_angle > 0.0
+                           ? fmt::format("two jaws, each on an arc of {:g} deg", r.test.loading_angle)
+                           : "two flat platens",
+                       r.test.jaw_friction, speed_text(r.test));
   };
   return d;
 }

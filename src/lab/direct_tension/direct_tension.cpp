@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/units.hpp"
+#include "lab/boundaries.hpp"
 #include "lab/direct_tension/reading.hpp"
 
 namespace phy::lab {
@@ -41,11 +42,14 @@ class DirectTensionTest final : public Procedure {
 };
 
 void DirectTensionTest::prescribe_motion() {
-  const double speed = recipe_.test.platen_speed;
+  const auto [before, now] = speeds();
   const double grip = grip_thickness(recipe_, packing()), free = packing().height - 2.0 * grip;
-  group_->prescribe(lane_, 0, {{0.0, -speed}, 0.0, {}, {}});
-  group_->prescribe(lane_, 1, {{0.0, speed}, 0.0, {}, {}});
-  group_->start_moving(lane_, [&](Vec2 x) {
+  const double ramp = before > 0.0 ? recipe_.test.ramp_strain * free / now : 0.0;
+  for (const auto& [body, way] : {std::pair(0, -1.0), std::pair(1, 1.0)})
+    group_->prescribe(lane_, body,
+                      {.velocity = {0.0, way * now}, .ramp = ramp, .before = {0.0, way * before}});
+  if (before > 0.0) return;
+  group_->start_moving(lane_, [&, speed = now](Vec2 x) {
     return Vec2{0.0, speed * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
   });
 }
@@ -78,8 +82,8 @@ TestDescription description() {
              {"sigma_ci", "MPa", "sigma_ci", 1e-6, 2},
              {"cracks at", "the grips", "failure_at_grip", 1.0, 2}};
   d.loading_text = [](const Recipe& r) {
-    return fmt::format("Grips on both ends, free to move sideways, pulled at {} each; the sides were free.",
-                       print_quantity(r.test.platen_speed, Dimension::speed));
+    return fmt::format("Grips on both ends, free to move sideways, pulled at {}; the sides were free.",
+                       speed_text(r.test));
   };
   return d;
 }

@@ -79,6 +79,7 @@ class SemiCircularBendTest final : public Procedure {
   using Procedure::Procedure;
 
  private:
+  void on_placed() override;
   void prescribe_motion() override;
   void read_more(HistoryRow& row) override;
   std::vector<Number> numbers(const analysis::WavePath& path) const override;
@@ -95,10 +96,12 @@ double SemiCircularBendTest::mouth() const {
   return grains[static_cast<std::size_t>(mouth_.right)].ux - grains[static_cast<std::size_t>(mouth_.left)].ux;
 }
 
-void SemiCircularBendTest::prescribe_motion() {
+void SemiCircularBendTest::on_placed() {
   before_ = mouth();
-  close_platens(2.0 * bend_.radius);
+  start_loading();
 }
+
+void SemiCircularBendTest::prescribe_motion() { close_platens(2.0 * bend_.radius); }
 
 void SemiCircularBendTest::read_more(HistoryRow& row) {
   row.load = 2.0 * bend_.radius * row.axial_stress;
@@ -127,10 +130,10 @@ std::string loading_text_of(const Recipe& r) {
   return fmt::format(
       "Half discs of radius {} were cut from the specimens, notched from the middle of the flat face to a "
       "depth of {} (a/R = {:g}) and bent over two rollers {} apart (s/2R = {:g}); loading and support "
-      "rollers approached at {} each (semi-circular bend, M.D. Kuruppu et al., Rock Mech. Rock Eng. 47 "
+      "rollers approached at {} (semi-circular bend, M.D. Kuruppu et al., Rock Mech. Rock Eng. 47 "
       "(2014) 267-274). The apparent K_Ic takes the factor of an isotropic body from there.",
       length(s.radius), length(s.notch), r.test.notch_ratio, length(s.span), r.test.span_ratio,
-      print_quantity(r.test.platen_speed, Dimension::speed));
+      speed_text(r.test));
 }
 
 HistoryColumns columns() {

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "analysis/analyse.hpp"
 #include "lab/procedure_fixture.hpp"
@@ -66,6 +68,40 @@ TEST(JumpStart, StrainThatThrowsGrainsAboutIsTakenBack) {
   const TestResult thrown = run_alone(r);
   EXPECT_NE(thrown.outcome.status, Status::unstable) << thrown.outcome.reason;
   EXPECT_EQ(thrown.hash, plain.hash);
+}
+
+TestResult approach(double strain, double speed) {
+  Recipe r = small_rock(TestKind("uniaxial"));
+  r.test.platen_speed = 0.05;
+  r.test.approach_strain = strain, r.test.approach_speed = speed;
+  return run_alone(r);
+}
+/// Strain between two rows, `row` and the next.
+double strain_of_block(const TestResult& t, std::size_t row) {
+  return t.history.rows[row + 1].axial_strain - t.history.rows[row].axial_strain;
+}
+
+TEST(Approach, IsFasterUpToItsStrainAndAsSlowAsTheTestBehindIt) {
+  const double until = 1e-3;
+  const TestResult plain = approach(0.0, 0.0), fast = approach(until, 0.15);
+  ASSERT_EQ(fast.outcome.status, Status::peaked);
+  const std::vector<HistoryRow>& rows = fast.history.rows;
+  const auto end = static_cast<std::size_t>(
+      std::find_if(rows.begin(), rows.end(), [&](const HistoryRow& r) { return r.axial_strain >= until; }) -
+      rows.begin());
+  const std::size_t ramp = 20;  // rows, of a change of speed
+  ASSERT_GT(end, 2 * ramp);
+  EXPECT_NEAR(strain_of_block(fast, end - 2) / strain_of_block(plain, ramp), 3.0, 1e-6);
+  EXPECT_NEAR(strain_of_block(fast, end + ramp) / strain_of_block(plain, ramp), 1.0, 1e-6);
+  for (std::size_t row = end; row < end + ramp; ++row)
+    EXPECT_LE(strain_of_block(fast, row + 1), strain_of_block(fast, row) * (1.0 + 1e-9))
+        << "no jolt, row " << row;
+  EXPECT_LT(number(fast, "energy_error").value, 5e-3);
+  EXPECT_LT(fast.n_steps, plain.n_steps);
+}
+
+TEST(Approach, AtTheSpeedOfTheTestChangesNoBit) {
+  EXPECT_EQ(approach(1e-3, 0.05).hash, approach(0.0, 0.0).hash);
 }
 
 // 330 grains loose in four times their place: nothing to go on for.

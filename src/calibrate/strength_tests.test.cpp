@@ -1,0 +1,67 @@
+#include "calibrate/strength_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace phy::calibrate {
+namespace {
+
+/// UCS of 100 MPa and 250 MPa under 50 MPa, of a rock with E = 50 GPa: peaks at strains of 0.2 and 0.4 %.
+class Loaded : public testing::Test {
+ protected:
+  static Target target(Property property, double mean, double confining) {
+    Target t{property, 0.0, mean, 1e6, 3, false};
+    t.confining = confining;
+    return t;
+  }
+  const std::vector<Target> targets_ = {target(Property::ucs, 100e6, 0.0),
+                                        target(Property::confined, 250e6, 50e6),
+                                        target(Property::brazilian, 10e6, 0.0)};
+  const StrengthTests tests_ = {Recipe(), targets_, std::vector<double>(3, 50e9)};
+
+  TestRecipe test(std::size_t i, const Loading& loading,
+                  double foreseen = std::numeric_limits<double>::infinity()) const {
+    return tests_.of(Recipe(), i, 1, loading, foreseen).test;
+  }
+};
+
+TEST_F(Loaded, FromRestThereIsNoApproach) {
+  EXPECT_EQ(test(0, from_rest).approach_strain, 0.0);
+  EXPECT_EQ(test(0, from_rest).approach_speed, 0.0);
+}
+
+// E at half of the strength is read from 40 % of it on.
+TEST_F(Loaded, TheApproachEndsBeforeAModulusIsRead) {
+  EXPECT_NEAR(test(0, as_measured).approach_strain, 0.25 * 0.002, 1e-12);
+  EXPECT_EQ(test(0, as_measured).platen_speed, test(0, from_rest).platen_speed);
+  EXPECT_NEAR(test(0, as_measured).approach_speed, 3.0 * test(0, from_rest).platen_speed, 1e-12);
+  EXPECT_EQ(test(0, search_with_moduli).approach_strain, test(0, as_measured).approach_strain);
+}
+
+TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {
+  const double slow = test(0, from_rest).platen_speed;
+  EXPECT_NEAR(test(0, search_of_strengths).platen_speed, 1.4 * slow, 1e-12);
+  EXPECT_NEAR(test(0, search_of_strengths).approach_speed, 4.2 * slow, 1e-12);
+  EXPECT_NEAR(test(0, search_of_strengths).approach_strain, 0.7 * 0.002, 1e-12);
+  EXPECT_NEAR(test(1, search_of_strengths).approach_strain, 0.7 * 0.004, 1e-12)
+      << "stress grows from the confinement on";
+}
+
+TEST_F(Loaded, DiscsAreNotThrownAbout) {
+  EXPECT_EQ(test(2, search_of_strengths).approach_strain, test(2, as_measured).approach_strain);
+  EXPECT_GT(test(2, search_of_strengths).platen_speed, test(2, as_measured).platen_speed);
+}
+
+// Half as strong as the table has it: the rock would fail within the approach of the table's.
+TEST_F(Loaded, WhatIsForeseenToBeWeakerIsApproachedLess) {
+  EXPECT_NEAR(test(0, search_of_strengths, 50e6).approach_strain, 0.35 * 0.002, 1e-12);
+  EXPECT_NEAR(test(1, search_of_strengths, 150e6).approach_strain, 0.35 * 0.004, 1e-12);
+  EXPECT_NEAR(test(0, search_of_strengths, 300e6).approach_strain, 0.7 * 0.002, 1e-12)
+      << "stronger: no farther than the table leads to expect";
+}
+
+TEST_F(Loaded, ForeseenBelowItsConfinementItStillMoves) {
+  EXPECT_GT(test(1, search_of_strengths, 10e6).approach_strain, 0.0);
+}
+
+}  // namespace
+}  // namespace phy::calibrate
