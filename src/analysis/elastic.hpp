@@ -12,6 +12,7 @@
 // uniaxial compressive strength and deformability of rock (IJRMMS 16:135-140).
 #pragma once
 #include <string>
+#include <vector>
 
 #include "analysis/branch.hpp"
 
@@ -27,5 +28,10 @@ Number secant_modulus(const LoadingBranch& branch, double fraction, StrainFrom f
 
 /// Poisson's ratio: lateral strain of the gauge over the axial strain named. Notes as for tangent_modulus.
 Number poisson_ratio(const LoadingBranch& branch, StressRange range, StrainFrom from, std::string name);
+
+/// Says of every modulus, of nu and of the onset of cracks whose range of stress was passed while the loading
+/// bodies changed their speed, between the strains `from` and `to`, that it was: inertia bends the curve
+/// there.
+void note_slowing(std::vector<Number>& numbers, const LoadingBranch& branch, double from, double to);
 
 }  // namespace phy::analysis

@@ -354,13 +354,13 @@ void report_without_peak(StrengthFit& fit) {
 /// All tests to come, the verification included, at the middle of the box.
 void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               const std::vector<Batch>& batches, const Recipe& recipe, const std::vector<std::int64_t>& seeds,
-              Simulator& simulator) {
+              const Loading& loading, Simulator& simulator) {
   std::vector<Recipe> all;
   const Point middle = posterior.middle_of_box();
   Packings packings(seeds.size());
   for (const Batch& b : batches) {
     const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
-    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds, search_of_strengths);
+    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds, loading);
     all.insert(all.end(), some.begin(), some.end());
   }
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
@@ -402,7 +402,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     listener.estimates({known.begin(), known.end()});
   };
   learn(0);  // from the prior mean alone
-  announce(posterior, tests, batches, fit.recipe, seeds, simulator);
+  const Loading& loading = remodel ? search_with_moduli : search_of_strengths;
+  announce(posterior, tests, batches, fit.recipe, seeds, loading, simulator);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];

@@ -151,8 +151,8 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
   if (share > 0.0 && !reads_before_[target]) {
     const Target& t = targets_[target];
     const double weaker = std::clamp((foreseen - t.confining) / stress_rise(t), least_foreseen, 1.0);
-    one.test.approach_strain = share * weaker * strains_[target];
-    one.test.approach_speed = approach_speed * one.test.platen_speed;
+    if (const double until = share * weaker * strains_[target]; until > one.test.ramp_strain)
+      one.test.approach_strain = until, one.test.approach_speed = approach_speed * one.test.platen_speed;
   }
   if (one.test.kind->cut != nullptr) {
     if (targets_[target].diameter > 0.0) one.test.disc_diameter = targets_[target].diameter;
@@ -212,6 +212,7 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
   TestRecipe& test = recipe.test;
   if (std::isfinite(slowest)) test.platen_speed = slowest, test.max_strain = largest_strain(largest);
   test.stop_at = 0.8, test.post_peak = 1.0;
+  test.pre_strain = test.approach_strain = test.approach_speed = 0.0;  // what the Loading of each test says
   test.n_snapshots = 0, test.n_frames = 0;
   test.angles.clear(), test.intact = false;
   recipe.engine.precision = Precision::single_precision;

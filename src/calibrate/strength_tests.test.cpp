@@ -46,6 +46,24 @@ TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {
       << "stress grows from the confinement on";
 }
 
+// The tests of a rock are loaded as the calibration has it, whatever the recipe of the model says.
+TEST_F(Loaded, SettingsKeepNoPreStrainAndNoApproachOfTheModel) {
+  Recipe model;
+  model.test.pre_strain = 1e-3, model.test.approach_strain = 5e-3, model.test.approach_speed = 1.0;
+  const Recipe settings = test_settings(model, targets_, std::vector<double>(3, 50e9));
+  EXPECT_EQ(settings.test.pre_strain, 0.0);
+  EXPECT_EQ(settings.test.approach_strain, 0.0);
+  EXPECT_EQ(settings.test.approach_speed, 0.0);
+  EXPECT_EQ(tests_.of(settings, 0, 1, from_rest).test.approach_strain, 0.0);
+}
+
+TEST_F(Loaded, AnApproachWithinTheRampIsNone) {
+  Recipe slow;
+  slow.test.ramp_strain = 1e-3;
+  EXPECT_EQ(tests_.of(slow, 0, 1, as_measured).test.approach_strain, 0.0);
+  EXPECT_EQ(tests_.of(slow, 0, 1, as_measured).test.approach_speed, 0.0);
+}
+
 TEST_F(Loaded, DiscsAreNotThrownAbout) {
   EXPECT_EQ(test(2, search_of_strengths).approach_strain, test(2, as_measured).approach_strain);
   EXPECT_GT(test(2, search_of_strengths).platen_speed, test(2, as_measured).platen_speed);

@@ -1,5 +1,7 @@
 #include "cli/machine.hpp"
 
+#include <fmt/format.h>
+
 #include <csignal>
 
 #include "base/check.hpp"
@@ -33,6 +35,14 @@ bool catch_signals() {
 }  // namespace
 
 int n_threads(const Session& session) { return jobs::n_threads(session.threads); }
+
+std::string speed_words(const TestRecipe& test) {
+  std::string words = fmt::format("{:.3f} m/s per platen", test.platen_speed);
+  if (test.approach_strain > 0.0)
+    words +=
+        fmt::format(" behind {:.3f} m/s up to a strain of {:g}", test.approach_speed, test.approach_strain);
+  return words;
+}
 
 study::MachineOptions machine_of(const Session& session) { return jobs::machine_of(session.threads); }
 

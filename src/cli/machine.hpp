@@ -15,6 +15,9 @@ int n_threads(const Session& session);
 /// Those threads with the widest instructions of this processor.
 study::MachineOptions machine_of(const Session& session);
 
+/// "0.050 m/s per platen", or with the fast approach before it.
+std::string speed_words(const TestRecipe& test);
+
 /// From the first call on, the first Ctrl-C, SIGTERM or SIGHUP sets the flag that is returned and a second
 /// one ends at once: what is finished is on disk already. Verbs call it before anything else.
 const std::atomic<bool>* stop_on_interrupt();

@@ -30,6 +30,11 @@ void check_free(const char* verb, const std::string& name, const std::vector<std
           Problem{"command line", verb, name + ending, "a name that is free", "nothing was written"});
 }
 
+/// Who gives the file that will be written means the name of the rock.
+std::string without_ending(const std::string& name, const std::string& ending) {
+  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
+}
+
 /// `data`: a table that is there; without it one is written, too.
 int rock_new(const std::string& name, const std::string& data) {
   check_free("rock new", name, {".toml"});
@@ -129,7 +134,8 @@ void add_rock_command(CLI::App& app, Session& session) {
       ->add_option("--data", *data,
                    "a table that is there, CSV or .xlsx: NAME.toml names it, and no NAME.csv is written")
       ->type_name("FILE");
-  fresh->callback([name, data, &session] { session.exit_code = rock_new(*name, *data); });
+  fresh->callback(
+      [name, data, &session] { session.exit_code = rock_new(without_ending(*name, ".toml"), *data); });
   auto path = std::make_shared<std::string>();
   CLI::App* check = rock->add_subcommand("check", "what a rock's data can and cannot determine");
   check->add_option("rock", *path, "rock file (TOML)")->required()->type_name("FILE");
@@ -147,7 +153,8 @@ void add_rock_command(CLI::App& app, Session& session) {
   twin->callback([=, &session] {
     stop_on_interrupt();
     const auto which = std::find(readings.begin(), readings.end(), *E_is) - readings.begin();
-    session.exit_code = rock_twin(*recipe, *name, static_cast<ModulusReading>(which), session);
+    session.exit_code =
+        rock_twin(*recipe, without_ending(*name, ".csv"), static_cast<ModulusReading>(which), session);
   });
 }
 

@@ -104,8 +104,8 @@ study::MachineOptions chosen_machine(const Recipe& recipe, const RunArguments& a
   machine.lanes = args.lanes;
   machine.skew = args.skew;
   print_wrapped(session.terminal_width, 10,
-                "press     {} specimens, {:.3f} m/s per platen, {} precision, {} of {}, {} thread(s)\n",
-                n_specimens, recipe.test.platen_speed,
+                "press     {} specimens, {}, {} precision, {} of {}, {} thread(s)\n", n_specimens,
+                speed_words(recipe.test),
                 recipe.engine.precision == Precision::double_precision ? "double" : "single",
                 args.lanes > 0 ? fmt::format("{} lane(s)", args.lanes) : "lanes as they fit",
                 engine::to_string(machine.isa), machine.threads);

@@ -59,8 +59,7 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
     print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
   else
     print_wrapped(
-        width, 10, "press     {:.3f} m/s per platen, {} precision, affine pre-strain {}\n",
-        s.base.test.platen_speed,
+        width, 10, "press     {}, {} precision, affine pre-strain {}\n", speed_words(s.base.test),
         s.base.engine.precision == Precision::double_precision ? "double" : "single",
         s.base.test.pre_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.pre_strain) : "off");
   if (left == 0) return;

@@ -23,8 +23,10 @@ double servo_step(const Servo& servo, double mean_force, double displacement, do
 
 /// Upper bound of a body's speed. In balance it is at most that of the fastest grain: moving all grains that
 /// it touches moves it by as much.
-double fastest_body(const PrescribedMotion& d, double fastest_grain) {
-  return std::max(norm(d.velocity), norm(d.before)) + (d.servo_x.on ? d.servo_x.max_speed : 0.0) +
+double fastest_body(const BodyMotion& body, double fastest_grain) {
+  const PrescribedMotion& d = body.prescribed;
+  const double before = body.motion_time < d.ramp ? norm(d.before) : 0.0;
+  return std::max(norm(d.velocity), before) + (d.servo_x.on ? d.servo_x.max_speed : 0.0) +
          (d.servo_y.on ? d.servo_y.max_speed : 0.0) +
          (d.balance_x.on || d.balance_y.on ? fastest_grain : 0.0);
 }
@@ -300,7 +302,7 @@ void BoundaryMemory<T>::plan_lane(std::size_t l) {
       // Velocities belong to half steps (leap-frog), so the ramp is read half a step on. A servo has no ramp:
       // its speed answers to a force.
       const double fraction = d.ramp > 0.0 ? std::min(1.0, (body.motion_time + 0.5 * lane.dt) / d.ramp) : 1.0;
-      const Vec2 ramped = d.before + fraction * (full - d.before);
+      const Vec2 ramped = fraction < 1.0 ? d.before + fraction * (full - d.before) : full;
       const Vec2 v{d.servo_x.on ? full.x : ramped.x, d.servo_y.on ? full.y : ramped.y};
       const Vec2 du = lane.dt * v;
       body.motion_time += lane.dt;
@@ -325,8 +327,7 @@ template <class T>
 double BoundaryMemory<T>::reach(std::size_t l, double fastest_grain, double block) const {
   double most = 0.0;
   for (const BodyMotion& t : lanes_[l].bodies)
-    most = std::max(
-        most, norm(t.state.displacement - t.listed_at) + fastest_body(t.prescribed, fastest_grain) * block);
+    most = std::max(most, norm(t.state.displacement - t.listed_at) + fastest_body(t, fastest_grain) * block);
   return most;
 }
 

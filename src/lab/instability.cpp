@@ -68,14 +68,18 @@ class Suspects {
             : "");
   }
   void speed(const HistoryRow& last) {
-    const double wave = std::sqrt(matrix_.modulus() * matrix_.density) * recipe_.test.platen_speed;
+    const TestRecipe& test = recipe_.test;
+    const bool approaching = std::fabs(last.axial_strain) < test.approach_strain;
+    const char* const key = approaching ? "approach_speed" : "platen_speed";
+    const double wave = std::sqrt(matrix_.modulus() * matrix_.density) *
+                        (approaching ? test.approach_speed : test.platen_speed);
     const double strength = std::min(matrix_.sigma_c, matrix_.tau_c);
     const double moving = last.boundary_work > 0.0 ? last.kinetic / last.boundary_work : 0.0;
     if (wave > shattering * strength)
-      add("lower test.platen_speed: the wave that it sends in carries {:.2g} MPa, and the bonds bear {:.2g}",
+      add("lower test.{}: the wave that it sends in carries {:.2g} MPa, and the bonds bear {:.2g}", key,
           wave * 1e-6, strength * 1e-6);
     else if (moving > violent)
-      add("lower test.platen_speed: {:.0f} % of its work moves grains", 100.0 * moving);
+      add("lower test.{}: {:.0f} % of its work moves grains", key, 100.0 * moving);
   }
   void ratio(const char* key, double value, const char* of) {
     if (value > extreme || value * extreme < 1.0)

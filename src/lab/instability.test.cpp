@@ -48,6 +48,8 @@ TEST(Instability, EveryCauseIsNamedByItsKey) {
   };
   EXPECT_TRUE(names(of([](Recipe& r) { r.engine.damping = 0.0; }), "raise engine.damping (0)"));
   EXPECT_TRUE(names(of([](Recipe& r) { r.test.platen_speed = 10.0; }), "lower test.platen_speed: the wave"));
+  EXPECT_TRUE(names(of([](Recipe& r) { r.test.approach_strain = 1e-3, r.test.approach_speed = 10.0; }),
+                    "lower test.approach_speed: the wave"));
   EXPECT_TRUE(names(of([](Recipe& r) { r.matrix.E_b = 1e4 * r.matrix.E_c; }), "matrix.E_b is 1.0e+04 of"));
   EXPECT_TRUE(names(of([](Recipe& r) { r.bedding[0].k_n *= 1e5; }), "bedding k_n is"));
   EXPECT_TRUE(names(of([](Recipe& r) { r.bedding[0].k_s *= 1e-5; }), "bedding k_s is"));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/analyse.hpp"
+#include "analysis/elastic.hpp"
 #include "analysis/specimen_checks.hpp"
 #include "base/check.hpp"
 #include "base/nan.hpp"
@@ -81,9 +82,13 @@ Procedure::Speeds Procedure::speeds() const {
   return {has_approached ? test.approach_speed : 0.0, test.platen_speed};
 }
 
+double Procedure::ramp_over(double length, const Speeds& speed) const {
+  return recipe_.test.ramp_strain * length / (speed.before + speed.now);
+}
+
 void Procedure::close_platens(double length) {
   const Speeds speed = speeds();
-  const double ramp = recipe_.test.ramp_strain * length / speed.now;
+  const double ramp = ramp_over(length, speed);
   for (const auto& [platen, way] : {std::pair(0, 1.0), std::pair(1, -1.0)})
     group_->prescribe(
         lane_, platen,
@@ -341,11 +346,26 @@ void Procedure::note_fall(double strain, double stress) {
                              ""});
 }
 
+/// How much of the way to the peak was as slow as the test asks, and what was read while the bodies slowed
+/// down.
+void Procedure::judge_approach() {
+  const TestRecipe& test = recipe_.test;
+  if (test.approach_strain == 0.0) return;
+  const double slow_from = test.approach_strain + test.ramp_strain;
+  Number share{"slow_share", std::nan(""), "1",
+               "part of the way to the largest stress, in strain, behind the fast approach", ""};
+  if (peak_.strain > 0.0) share.value = std::max(0.0, 1.0 - slow_from / peak_.strain);
+  result_.numbers.push_back(std::move(share));
+  const auto branch = analysis::loading_branch(result_.history, stop_rule());
+  analysis::note_slowing(result_.numbers, branch, test.approach_strain, slow_from);
+}
+
 void Procedure::read_numbers() {
   const double density = specimen_->matrix.density * (1.0 - packing().report.porosity);
   result_.numbers = analysis::with_reasons(numbers({density, packing().height}));
   for (Number& n : analysis::specimen_checks(*specimen_)) result_.numbers.push_back(std::move(n));
   result_.numbers.push_back({"damping", recipe_.engine.damping, "1", "local damping coefficient", ""});
+  judge_approach();
   accept_strength();
   const std::vector<QualityMark> marks = quality_marks(result_.numbers);
   Outcome& outcome = result_.outcome;

@@ -80,6 +80,8 @@ class Procedure {
     double before, now;
   };
   Speeds speeds() const;
+  /// Time of a ramp in which two bodies come nearer by test.ramp_strain of `length` [s].
+  double ramp_over(double length, const Speeds& speed) const;
   /// Both platens, bodies 0 and 1, close at their speed after test.ramp_strain of `length` [m].
   void close_platens(double length);
   bool end(Status status, std::string reason, std::string advice);
@@ -117,6 +119,7 @@ class Procedure {
   void read_numbers();
   /// A test at its largest strain may have a strength all the same: a first peak, or a knee.
   double value(const std::string& name) const;  // of a number of the result
+  void judge_approach();
   void accept_strength();
   void note_fall(double strain, double stress);  // behind a peak whose test ended before its end of fall
   void end_approach(double strain);

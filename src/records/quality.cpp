@@ -32,6 +32,8 @@ const std::vector<QualityLimit>& quality_limits() {
        "bedding.orientation_range"},
       {"grains_per_spacing", true, 3.0, 1.0, "too few grains between two bedding planes",
        "lower the radii of [packing], or raise bedding.spacing"},
+      {"slow_share", true, 0.2, -1.0, "the peak lies within the fast approach, or close behind it",
+       "lower test.approach_strain"},
       {"wave_transits", true, 50.0, 10.0, "stress waves have little time to even out",
        "lower test.platen_speed"},
       {"peak_confirmed", true, 1.0, 0.5,

@@ -22,7 +22,8 @@ std::vector<Number> sound() {
           measured("peak_confirmed", 2.0), measured("rows_to_peak", 500),
           measured("wave_transits", 90),   measured("platen_difference_95", 0.005),
           measured("kinetic_ratio", 1e-3), measured("energy_error", 1e-3),
-          measured("damping", 0.7),        measured("fall_seen", 1.0)};
+          measured("damping", 0.7),        measured("fall_seen", 1.0),
+          measured("slow_share", 0.7)};
 }
 
 std::vector<Number> sound_but(const char* name, double value) {

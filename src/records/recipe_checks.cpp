@@ -256,22 +256,25 @@ class CrossChecks {
                        "below max_strain = " + print_number(t.max_strain), "lower it, or raise max_strain");
   }
 
+  /// A strain of 0 switches the approach off, whatever its speed: a study varies it from there.
   void approach() {
     const TestRecipe& t = r_.test;
-    const bool has_strain = t.approach_strain > 0.0, has_speed = t.approach_speed > 0.0;
-    if (has_strain != has_speed)
-      report_problem({"test.approach_strain", "test.approach_speed"}, "one of them", "both or none",
-                     "give the strain up to which the platens are faster, and how fast they are");
-    else if (has_speed && t.approach_speed < t.platen_speed)
+    if (t.approach_strain == 0.0) return;
+    const double start = t.pre_strain + t.ramp_strain;
+    if (t.approach_speed == 0.0)
+      report_problem({"test.approach_strain", "test.approach_speed"}, print_number(t.approach_strain),
+                     "0 without an approach_speed", "say how fast the platens are up to there");
+    else if (t.approach_speed < t.platen_speed)
       report_problem({"test.approach_speed", "test.platen_speed"},
                      print_quantity(t.approach_speed, Dimension::speed),
                      "at least platen_speed = " + print_quantity(t.platen_speed, Dimension::speed),
-                     "the approach is what may be fast; swap them, or leave it out");
-    if (has_strain && t.approach_strain <= t.pre_strain)
-      report_problem({"test.approach_strain", "test.pre_strain"}, print_number(t.approach_strain),
-                     "above pre_strain = " + print_number(t.pre_strain),
-                     "the test begins there: leave one of the two out, or go on farther");
-    if (has_strain && !t.kind->may_approach)
+                     "the approach is what may be fast: raise it, or set approach_strain to 0");
+    if (t.approach_strain <= start)
+      report_problem({"test.approach_strain", "test.pre_strain", "test.ramp_strain"},
+                     print_number(t.approach_strain),
+                     "above pre_strain + ramp_strain = " + print_number(start),
+                     "the platens reach their speed there: leave the approach out, or let it go on farther");
+    if (!t.kind->may_approach)
       report_problem({"test.approach_strain", "test.kind"}, print_number(t.approach_strain),
                      "0 for this kind of test", "leave approach_strain and approach_speed out");
   }

@@ -316,11 +316,11 @@ void add_test(List& l) {
   l.quantity("test", "platen_speed", Dimension::speed, 1e-6, 10, "", "speed of each platen", part,
              &T::platen_speed);
   l.number("test", "approach_strain", 0, 0.1, "",
-           "strain, as of max_strain, up to which the platens move at approach_speed; 0: none", part,
-           &T::approach_strain);
+           "strain, as of max_strain, up to which the platens move at approach_speed; 0: none; not of "
+           "direct_shear",
+           part, &T::approach_strain);
   l.quantity("test", "approach_speed", Dimension::speed, 0, 10, "",
-             "speed of each platen up to approach_strain, above platen_speed; 0: none", part,
-             &T::approach_speed);
+             "speed of each platen up to approach_strain, at least platen_speed", part, &T::approach_speed);
   l.number("test", "ramp_strain", 0, 0.01, "",
            "axial strain while the speed rises from 0, or falls to platen_speed (direct_shear: displacement "
            "over width)",

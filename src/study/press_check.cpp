@@ -16,7 +16,7 @@ Recipe short_test(Recipe r) {
   r.test.kind = TestKind("uniaxial");  // as in the direct solution, whatever test the recipe names
   r.test.platen_speed = speed, r.test.ramp_strain = ramp_strain;
   // To a given small strain, whatever happens: no rule ends the test before.
-  r.test.max_strain = press_check_strain, r.test.pre_strain = 0.0;
+  r.test.max_strain = press_check_strain, r.test.pre_strain = r.test.approach_strain = 0.0;
   r.test.stop_at = 0.0, r.test.post_peak = 0.0, r.test.platen_friction = 0.0;
   r.test.n_snapshots = 0;
   return r;

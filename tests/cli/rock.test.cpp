@@ -32,6 +32,13 @@ TEST_F(RockCli, NamesThatNoRockFileCanHaveAreRefused) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
+TEST_F(RockCli, TheNameOfTheFileIsTakenForThatOfTheRock) {
+  ASSERT_EQ(run("rock new " + at("schist.toml")), 0) << output;
+  EXPECT_TRUE(fs::exists(at("schist.toml")) && fs::exists(at("schist.csv"))) << output;
+  EXPECT_EQ(run("rock new " + at(".toml")), 2) << output;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << output;
+}
+
 TEST_F(RockCli, ATwinWritesOverNothing) {
   write("mine.csv", "precious\n");
   ASSERT_EQ(run("rock twin " + write("m.toml", "") + " " + at("mine")), 2) << output;

@@ -3,7 +3,7 @@
 //   prepare   platens and sides bring the specimen to test.confining_stress all round, along a ramp as slow
 //             as the later loading; done when both stresses are within 0.5 % for ten blocks in a row. Bonds
 //             may break.
-//   load      strains count from here; platens close at test.platen_speed, the sides keep the stress
+//   load      strains count from here; platens close at the speed of the test, the sides keep the stress
 //
 // Sides (test.confinement): "walls", two frictionless rigid walls without mass, each in balance with the
 // confining stress in every step (engine/boundary.hpp, docs/decisions/0007), as in a press with side platens;

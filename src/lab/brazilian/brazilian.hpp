@@ -5,7 +5,7 @@
 // rim where it stands out most; a few grains carry the load, and the rim may crush before the centre splits.
 // With an angle (usual: 10 degrees) two rigid jaws hold that arc of the rim: every grain that a ray from
 // outside meets first has a contact along its radius, stress-free at the start, as a jaw bedded on the rough
-// rim. Platens and jaws approach at test.platen_speed each. Stop rule: lab/procedure.hpp.
+// rim. Platens and jaws approach at the speed of the test each. Stop rule: lab/procedure.hpp.
 //
 // Jaws hold the disc by friction, test.jaw_friction. Without it nothing but inertia does: a jaw holds a few
 // grains whose radii do not add up to the load line, and oblique bedding pushes sideways. A coarse disc then

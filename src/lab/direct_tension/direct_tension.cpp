@@ -42,15 +42,15 @@ class DirectTensionTest final : public Procedure {
 };
 
 void DirectTensionTest::prescribe_motion() {
-  const auto [before, now] = speeds();
+  const Speeds speed = speeds();
   const double grip = grip_thickness(recipe_, packing()), free = packing().height - 2.0 * grip;
-  const double ramp = before > 0.0 ? recipe_.test.ramp_strain * free / now : 0.0;
+  const double ramp = speed.before > 0.0 ? ramp_over(free, speed) : 0.0;
   for (const auto& [body, way] : {std::pair(0, -1.0), std::pair(1, 1.0)})
-    group_->prescribe(lane_, body,
-                      {.velocity = {0.0, way * now}, .ramp = ramp, .before = {0.0, way * before}});
-  if (before > 0.0) return;
-  group_->start_moving(lane_, [&, speed = now](Vec2 x) {
-    return Vec2{0.0, speed * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
+    group_->prescribe(
+        lane_, body, {.velocity = {0.0, way * speed.now}, .ramp = ramp, .before = {0.0, way * speed.before}});
+  if (speed.before > 0.0) return;
+  group_->start_moving(lane_, [&](Vec2 x) {
+    return Vec2{0.0, speed.now * std::clamp(2.0 * (x.y - grip) / free - 1.0, -1.0, 1.0)};
   });
 }
 

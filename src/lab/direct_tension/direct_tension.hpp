@@ -3,8 +3,8 @@
 // A grip holds the grains whose centres lie within test.grip_thickness of an end, along the load only: they
 // may move sideways and turn, so that the ends do not hinder the lateral contraction (glued steel caps
 // would). The specimen starts with the velocity field of uniform straining, so that no wave runs in from the
-// grips. Grips move at test.platen_speed each until the stress has fallen (stop rule: lab/procedure.hpp, on
-// tension).
+// grips. Grips move at the speed of the test each until the stress has fallen (stop rule: lab/procedure.hpp,
+// on tension).
 //
 // History, compression positive as everywhere, so stress and strain are negative: stress is the mean grip
 // force over the initial width; strain the approach of the grips over the free length between them. Numbers

@@ -6,7 +6,7 @@
 // the middle of that face (genesis/cut.hpp): whole grains are taken out, so the flanks touch nowhere and the
 // end of the notch is as blunt as a grain. Bedding at theta = 0 lies across the notch and the load, at 90
 // along them. Two rollers support the flat face at +-s/2, one loads the top of the arc; loading and support
-// rollers approach at test.platen_speed each. Stop rule: lab/procedure.hpp.
+// rollers approach at the speed of the test each. Stop rule: lab/procedure.hpp.
 //
 // A roller is a rigid vertical push, without friction unless test.platen_friction is given, on the grains of
 // the surface that rays within one largest radius of its line meet first, stress-free at the start as a
