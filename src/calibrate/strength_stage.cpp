@@ -104,6 +104,10 @@ struct Design {
   std::vector<std::size_t> packings;
 };
 
+const Loading& loading_of(bool learns_moduli) {
+  return learns_moduli ? search_with_moduli : search_of_strengths;
+}
+
 std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthTests& tests,
                              const Design& design, const Recipe& recipe,
                              const std::vector<std::int64_t>& seeds, const Loading& loading) {
@@ -182,8 +186,8 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
                                 const Recipe& model, Simulator& simulator, StrengthFit& fit,
                                 ReadModuli* read) {
   const std::vector<Point>& points = design.points;
-  const std::vector<Recipe> recipes = tests_at(posterior, tests, design, fit.recipe, seeds,
-                                               read != nullptr ? search_with_moduli : search_of_strengths);
+  const std::vector<Recipe> recipes =
+      tests_at(posterior, tests, design, fit.recipe, seeds, loading_of(read != nullptr));
   const std::vector<TestResult> results = simulator.test(recipes);
   if (simulator.stopped()) return {};
   Surprise surprise(posterior.n_targets());
@@ -402,8 +406,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     listener.estimates({known.begin(), known.end()});
   };
   learn(0);  // from the prior mean alone
-  const Loading& loading = remodel ? search_with_moduli : search_of_strengths;
-  announce(posterior, tests, batches, fit.recipe, seeds, loading, simulator);
+  announce(posterior, tests, batches, fit.recipe, seeds, loading_of(remodel != nullptr), simulator);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];

@@ -15,8 +15,7 @@ namespace phy::calibrate {
 /// True for the strengths that this program can test.
 bool can_test(Property property);
 
-/// How tests are loaded. The way to the peak may begin with a fast approach (test.approach_strain), which
-/// ends where something is read.
+/// How tests are loaded. The way to the peak may begin with a fast approach (test.approach_strain).
 struct Loading {
   double speed;     ///< of the platens, over the one at which a wave crosses the specimen a hundred times
   double approach;  ///< share of the expected peak strain, of discs at most as in as_measured; 0: none

@@ -350,7 +350,7 @@ void Procedure::note_fall(double strain, double stress) {
 /// down.
 void Procedure::judge_approach() {
   const TestRecipe& test = recipe_.test;
-  if (test.approach_strain == 0.0) return;
+  if (test.approach_strain == 0.0 || test.approach_speed == test.platen_speed) return;
   const double slow_from = test.approach_strain + test.ramp_strain;
   Number share{"slow_share", std::nan(""), "1",
                "part of the way to the largest stress, in strain, behind the fast approach", ""};
