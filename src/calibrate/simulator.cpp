@@ -16,6 +16,7 @@
 #include "study/effects.hpp"
 #include "study/expected.hpp"
 #include "study/experiment.hpp"
+#include "study/runner.hpp"
 
 namespace phy::calibrate {
 namespace {

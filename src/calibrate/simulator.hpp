@@ -10,7 +10,7 @@
 #include "records/elastic.hpp"
 #include "records/recipe.hpp"
 #include "records/result.hpp"
-#include "study/runner.hpp"
+#include "study/work.hpp"
 
 namespace phy::calibrate {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/check.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"

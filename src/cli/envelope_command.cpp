@@ -26,6 +26,7 @@
 #include "records/quality.hpp"
 #include "records/recipe_schema.hpp"
 #include "study/envelope.hpp"
+#include "study/scheduler.hpp"
 #include "study/table.hpp"
 
 namespace phy::cli {

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "study/scheduler.hpp"
+#include "records/recipe.hpp"
+#include "study/work.hpp"
 
 namespace phy::cli {
 

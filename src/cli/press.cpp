@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "io/store.hpp"
 #include "report/palette.hpp"
+#include "study/scheduler.hpp"
 
 namespace phy::cli {
 namespace {

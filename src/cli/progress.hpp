@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/scheduler.hpp"
+#include "study/work.hpp"
 
 namespace phy::cli {
 

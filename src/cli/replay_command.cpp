@@ -15,6 +15,7 @@
 #include "io/load.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "records/test_description.hpp"
 #include "study/experiment.hpp"
 #include "study/replay.hpp"
 #include "study/store.hpp"

@@ -1,10 +1,11 @@
 // `phyllite run RECIPE...`: packing, specimens, tests, results on disk, one table.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "base/check.hpp"
 #include "base/clock.hpp"
@@ -14,7 +15,7 @@
 #include "cli/machine.hpp"
 #include "cli/press.hpp"
 #include "cli/terminal.hpp"
-#include "engine/kernels.hpp"
+#include "engine/isa.hpp"
 #include "genesis/cache.hpp"
 #include "genesis/specimen.hpp"
 #include "io/load.hpp"
@@ -118,14 +119,17 @@ struct RecipeRun {
   Recipe recipe;
 };
 
-/// Whether the loop was built for so many lanes; 0: for as many as fit.
-bool has_lanes(const Recipe& r, int lanes) {
-  if (lanes == 0) return true;
-  const engine::ContactPhysics& physics = engine::physics_of(r.matrix, r.bedding);
+/// What is wrong with so many lanes for a recipe; 0: as many as fit.
+std::optional<Problem> lanes_problem(const RecipeRun& job, int lanes) {
   const engine::Isa isa = engine::native_isa();
-  return r.engine.precision == Precision::double_precision
-             ? physics.double_kernel(isa, lanes).advance != nullptr
-             : physics.float_kernel(isa, lanes).advance != nullptr;
+  const bool in_double = job.recipe.engine.precision == Precision::double_precision;
+  const std::vector<int> some = in_double ? engine::lanes_of<double>(isa) : engine::lanes_of<float>(isa);
+  if (lanes == 0 || std::find(some.begin(), some.end(), lanes) != some.end()) return std::nullopt;
+  return Problem{
+      "command line", "--lanes", std::to_string(lanes),
+      fmt::format("{}: what {} registers hold in {} precision, which {} asks for", fmt::join(some, ", "),
+                  engine::to_string(isa), in_double ? "double" : "single", job.path),
+      "leave it out: lanes are chosen as they fit"};
 }
 
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named
@@ -151,12 +155,7 @@ std::vector<RecipeRun> jobs_of(const RunArguments& args) {
       problems.push_back(std::move(p));
   }
   for (const RecipeRun& job : jobs)
-    if (!has_lanes(job.recipe, args.lanes))
-      problems.push_back({"command line", "--lanes", std::to_string(args.lanes),
-                          job.recipe.engine.precision == Precision::double_precision
-                              ? "1, 2, 4 or 8, as " + job.path + " asks for double precision"
-                              : "1, 4, 8 or 16, as " + job.path + " asks for single precision",
-                          "leave it out: lanes are chosen as they fit"});
+    if (std::optional<Problem> p = lanes_problem(job, args.lanes)) problems.push_back(std::move(*p));
   if (!problems.empty()) throw InputError(std::move(problems));
   io::check_outputs(pages);
   return jobs;
@@ -213,7 +212,8 @@ void add_run_command(CLI::App& app, Session& session) {
   run->add_option("recipe", args->recipes, "recipe files (TOML)")->required()->type_name("FILE");
   run->add_option("--out", args->out, "folder for the results")->capture_default_str()->type_name("FOLDER");
   run->add_option("--lanes", args->lanes,
-                  "specimens side by side: 1, 2, 4, 8 (double), 1, 4, 8, 16 (float); 0 = automatic")
+                  "specimens side by side, as far as a register holds them: 1, 2, 4, 8 (double), 1, 4, 8, 16 "
+                  "(float); 0 = automatic")
       ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}))
       ->capture_default_str();
   run->add_option("--skew", args->skew, "cycles per sweep; changes the speed only")

@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "study/effects.hpp"
-#include "study/lane_batch.hpp"
+#include "study/work.hpp"
 
 namespace phy::cli {
 

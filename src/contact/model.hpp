@@ -15,7 +15,7 @@
 #include <span>
 
 #include "base/vec.hpp"
-#include "laws/law.hpp"
+#include "laws/tangent.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
 

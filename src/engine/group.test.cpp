@@ -25,7 +25,7 @@ TEST(Joint, GrainsPassThroughEachOther) {
     GroupOptions options;
     options.isa = native_isa();
     options.precision = precision;
-    options.lanes = 4;
+    options.lanes = some_lanes(precision);
     auto group = make_group(s.packing, options);
     group->load(0, std::make_shared<const Specimen>(s), {});
     for (const double offset : {0.0, 1e-12, -1e-9}) {  // from the meeting of the centres

@@ -11,11 +11,11 @@ namespace phy::engine {
 namespace {
 
 #if defined(__AVX512F__)
-constexpr int register_bytes = 64;
+constexpr std::size_t register_bytes = 64;
 #elif defined(__AVX2__)
-constexpr int register_bytes = 32;
+constexpr std::size_t register_bytes = 32;
 #else
-constexpr int register_bytes = 16;
+constexpr std::size_t register_bytes = 16;
 #endif
 
 /// What `kernel` has for one line of the list of combinations.
@@ -29,12 +29,15 @@ Kernel<T> find(std::size_t combination, const KernelOf& kernel) {
   (std::make_index_sequence<std::tuple_size_v<contact::Combinations>>());
   return found;
 }
-/// Specimens in lanes.
+/// Specimens in lanes, as far as a register holds them: two registers are slower than two groups.
 template <class R>
 Kernel<ScalarOf<R>> run(std::size_t combination) {
   using T = ScalarOf<R>;
-  return find<T>(combination,
-                 []<class Line>(Line) { return Kernel<T>{advance_block<R, typename Line::type>}; });
+  if constexpr (sizeof(R) > register_bytes)
+    return {};
+  else
+    return find<T>(combination,
+                   []<class Line>(Line) { return Kernel<T>{advance_block<R, typename Line::type>}; });
 }
 /// One specimen, a register full of its contacts.
 template <class T>

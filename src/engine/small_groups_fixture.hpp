@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -13,13 +14,19 @@ namespace phy::engine {
 
 inline constexpr Precision both_precisions[] = {Precision::double_precision, Precision::single_precision};
 
-/// A group of these lanes, 4 of either precision, on this machine's instruction set.
+/// Of this machine: 4, in double 2 where its registers hold no more.
+inline int some_lanes(Precision precision) {
+  if (precision == Precision::single_precision) return std::min(4, native_lanes<float>(native_isa()));
+  return std::min(4, native_lanes<double>(native_isa()));
+}
+
+/// A group of these lanes, 0: some_lanes(), on this machine's instruction set.
 inline std::unique_ptr<LaneGroup> small_group(const Specimen& s, Precision precision, int interval,
-                                              int lanes = 4) {
+                                              int lanes = 0) {
   GroupOptions options;
   options.isa = native_isa();
   options.precision = precision;
-  options.lanes = lanes;
+  options.lanes = lanes > 0 ? lanes : some_lanes(precision);
   options.interval = interval;
   return make_group(s.packing, options);
 }
@@ -52,7 +59,7 @@ struct TwoDiscs {
     GroupOptions options;
     options.isa = native_isa();
     options.precision = precision;
-    options.lanes = 4;
+    options.lanes = some_lanes(precision);
     options.interval = 400;
     group = make_group(s->packing, options);
     Boundary boundary;

@@ -7,6 +7,7 @@
 
 #include "base/clock.hpp"
 #include "records/specimen_record.hpp"
+#include "records/test_description.hpp"
 
 namespace phy::jobs {
 namespace {

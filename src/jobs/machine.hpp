@@ -1,6 +1,6 @@
 // How a front end uses the machine.
 #pragma once
-#include "study/scheduler.hpp"
+#include "study/work.hpp"
 
 namespace phy::jobs {
 

@@ -8,7 +8,7 @@
 
 #include "study/effects.hpp"
 #include "study/plan.hpp"
-#include "study/runner.hpp"
+#include "study/work.hpp"
 
 namespace phy::jobs {
 

@@ -14,6 +14,7 @@
 #include "python/module.hpp"
 #include "python/released.hpp"
 #include "report/calibration_files.hpp"
+#include "study/runner.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Lanes of the narrowest group that holds `n` tests.
 int holding_lanes(std::size_t n, Precision precision, int widest) {
-  // Float has no kernel of two lanes (engine/kernels.hpp); counts are powers of two.
+  // Float has no kernel of two lanes (engine/isa.hpp); counts are powers of two.
   int lanes = n > 1 && precision == Precision::single_precision ? 4 : 1;
   while (static_cast<std::size_t>(lanes) < n && lanes < widest) lanes *= 2;
   return lanes;
@@ -23,12 +23,12 @@ int holding_lanes(std::size_t n, Precision precision, int widest) {
 
 double slowness(int lanes, bool alike, Precision precision, engine::Isa isa) {
   struct Times {
-    double two, four, eight, sixteen;  // lanes
+    double two, four, eight, sixteen;  // lanes; 0: no such group (engine::lanes_of)
   };
-  constexpr Times singles[2][3] = {{{0.0, 3.0, 6.0, 12.0}, {0.0, 4.2, 4.7, 9.4}, {0.0, 4.6, 6.1, 7.6}},
-                                   {{0.0, 2.0, 4.0, 8.0}, {0.0, 2.8, 2.7, 5.4}, {0.0, 3.3, 3.6, 4.7}}};
-  constexpr Times doubles[2][3] = {{{1.5, 3.0, 6.0, 12.0}, {2.4, 2.8, 5.6, 11.2}, {2.9, 3.9, 5.7, 11.4}},
-                                   {{1.2, 2.4, 4.8, 9.6}, {1.8, 1.9, 3.8, 7.6}, {2.4, 2.6, 3.3, 6.6}}};
+  constexpr Times singles[2][3] = {{{0.0, 3.0, 0.0, 0.0}, {0.0, 4.2, 4.7, 0.0}, {0.0, 4.6, 6.1, 7.6}},
+                                   {{0.0, 2.0, 0.0, 0.0}, {0.0, 2.8, 2.7, 0.0}, {0.0, 3.3, 3.6, 4.7}}};
+  constexpr Times doubles[2][3] = {{{1.5, 0.0, 0.0, 0.0}, {2.4, 2.8, 0.0, 0.0}, {2.9, 3.9, 5.7, 0.0}},
+                                   {{1.2, 0.0, 0.0, 0.0}, {1.8, 1.9, 0.0, 0.0}, {2.4, 2.6, 3.3, 0.0}}};
   const auto& of_precision = precision == Precision::single_precision ? singles : doubles;
   const Times& t = of_precision[alike ? 1 : 0][static_cast<int>(isa)];
   return lanes == 1 ? 1.0 : lanes == 2 ? t.two : lanes == 4 ? t.four : lanes == 8 ? t.eight : t.sixteen;
@@ -42,11 +42,6 @@ int fitting_lanes(std::size_t n, bool alike, const engine::GroupOptions& widest)
 }
 
 double layers_of(const Specimen& specimen) { return layered(specimen) ? inclination(specimen) : -1.0; }
-
-void LaneUse::add(const LaneUse& other) {
-  test_steps += other.test_steps, lane_steps += other.lane_steps, alone_steps += other.alone_steps;
-  contact_steps += other.contact_steps, seconds += other.seconds;
-}
 
 LaneBatch::LaneBatch(std::shared_ptr<const Packing> packing, const LaneBatchOptions& options)
     : packing_(std::move(packing)),

@@ -22,6 +22,7 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
+#include "study/work.hpp"
 
 namespace phy::study {
 
@@ -30,22 +31,6 @@ struct Job {
   std::shared_ptr<const Specimen> specimen;
   std::shared_ptr<const Recipe> recipe;  ///< of the precision and block length of the group
   std::size_t index = 0;                 ///< given back with the result
-};
-
-/// What lanes did: how many of them held a test, and how fast they went.
-struct LaneUse {
-  double test_steps = 0.0;     ///< cycles times tests
-  double lane_steps = 0.0;     ///< cycles times lanes, empty ones too
-  double alone_steps = 0.0;    ///< cycles of tests that had a group to themselves
-  double contact_steps = 0.0;  ///< cycles times contacts of the tests
-  double seconds = 0.0;        ///< of the processor, in cycles
-  void add(const LaneUse& other);
-  /// Share of the lanes that held a test, where tests were side by side; NaN where none were.
-  double occupancy() const { return (test_steps - alone_steps) / (lane_steps - alone_steps); }
-  /// Share of the cycles of tests that had a group to themselves; NaN before the first cycle, as the next.
-  double alone() const { return alone_steps / test_steps; }
-  /// Time per contact, cycle and test [s].
-  double seconds_per_step() const { return seconds / contact_steps; }
 };
 
 /// Where a lane batch gets its work and leaves its results. Called from the thread that runs the lane batch.
@@ -63,9 +48,8 @@ struct LaneBatchOptions {
   bool fixed = false;  ///< the number of lanes stays, and no test is given away
 };
 
-/// Time of a cycle of a group over that of a test that is alone in its group, as bench_engine has it; groups
-/// wider than a register: in proportion. `alike`: all tests have their layers at the same inclination, so
-/// that no contact is computed by two laws.
+/// Time of a cycle of a group over that of a test that is alone in its group, as bench_engine has it.
+/// `alike`: all tests have their layers at the same inclination, so that no contact is computed by two laws.
 double slowness(int lanes, bool alike, Precision precision, engine::Isa isa);
 /// The fewest lanes that hold `n` tests, at most those of `widest`; 1 where one after the other is sooner, or
 /// as good as.

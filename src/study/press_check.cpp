@@ -4,6 +4,7 @@
 
 #include "base/nan.hpp"
 #include "base/stats.hpp"
+#include "study/scheduler.hpp"
 
 namespace phy::study {
 namespace {

@@ -11,7 +11,7 @@
 #include "records/recipe.hpp"
 #include "records/result.hpp"
 #include "records/specimen.hpp"
-#include "study/scheduler.hpp"
+#include "study/work.hpp"
 
 namespace phy::study {
 

@@ -10,6 +10,7 @@
 #include "genesis/settle.hpp"
 #include "io/toml_in.hpp"
 #include "lab/load_path.hpp"
+#include "study/chunks.hpp"
 #include "study/direct.hpp"
 #include "study/experiment.hpp"
 
@@ -141,13 +142,6 @@ class Worker {
 };
 
 }  // namespace
-
-double StudyProgress::seconds_left(double seconds) const {
-  // Expected costs are guesses with a common factor, which finished tests reveal: work done over work
-  // expected. Before there are any it is 1.
-  const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;
-  return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
-}
 
 StoreQueue::StoreQueue(const Plan& plan, Store& store, StudyHooks hooks, int n_workers)
     : plan_(plan),

@@ -6,7 +6,6 @@
 // worker changes.
 #pragma once
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -16,34 +15,12 @@
 #include <thread>
 #include <vector>
 
+#include "records/result.hpp"
 #include "study/plan.hpp"
-#include "study/scheduler.hpp"
 #include "study/store.hpp"
+#include "study/work.hpp"
 
 namespace phy::study {
-
-/// Where a study stands.
-struct StudyProgress {
-  std::size_t n_done = 0;    ///< finished, by any process
-  std::size_t n_failed = 0;  ///< of these: without an answer
-  std::size_t n_new = 0;     ///< of these: finished by this run
-  std::size_t n_guest = 0;   ///< of these: on other ranks
-  std::size_t n_total = 0;
-  double cost_new = 0.0, cost_left = 0.0;  ///< expected cost of what this run has finished, and of the rest
-  double work = 0.0;                       ///< cycles times grains of this run, the unit of cost
-  double work_new = 0.0;                   ///< of these: of finished tests
-
-  /// Seconds to go after `seconds` of work: the expected cost, scaled by what finished tests really took.
-  double seconds_left(double seconds) const;
-};
-
-struct StudyHooks {
-  std::function<void(const PlannedTest&, const TestResult&)> on_result;  ///< one at a time
-  std::function<void(const StudyProgress&)> on_progress;                 ///< one at a time
-  /// Strain and stress [Pa] of a running test after each block; one at a time. Not of tests on other ranks.
-  std::function<void(const PlannedTest&, double strain, double stress)> on_reading = nullptr;
-  const std::atomic<bool>* stop = nullptr;
-};
 
 /// A worker's next packing.
 struct Assignment {
@@ -115,14 +92,6 @@ class StoreQueue : public TaskQueue {
   std::vector<std::size_t> elsewhere_;                // claimed by other processes
   std::condition_variable_any wake_;
   std::jthread keeper_;
-};
-
-/// What the workers did.
-struct WorkReport {
-  double cpu_seconds = 0.0;   ///< of all workers
-  double wall_seconds = 0.0;  ///< from the first start to the last end
-  double idle = 0.0;          ///< share of workers' time without work
-  LaneUse lanes;              ///< of tests, not of direct solutions
 };
 
 /// Runs tests of the queue until none is left or it is stopped. Rethrows the first exception of a worker.

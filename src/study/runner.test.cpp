@@ -8,6 +8,7 @@
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
 #include "study/experiment.hpp"
+#include "study/scheduler.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
 

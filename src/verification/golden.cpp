@@ -6,10 +6,12 @@
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "contact/model.hpp"
 #include "contact/models.hpp"
 #include "genesis/packing.hpp"
 #include "records/test_description.hpp"
 #include "study/experiment.hpp"
+#include "study/scheduler.hpp"
 
 // The recorded numbers, taken into the program by the assembler.
 asm(".section .rodata\n"

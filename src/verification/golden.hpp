@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "records/recipe.hpp"
-#include "study/scheduler.hpp"
+#include "study/work.hpp"
 
 namespace phy::verification {
 

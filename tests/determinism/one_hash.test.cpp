@@ -51,6 +51,11 @@ std::vector<std::string> hashes(const Recipe& r,
   return h;
 }
 
+std::vector<int> all_lanes(Precision precision, engine::Isa isa) {
+  return precision == Precision::single_precision ? engine::lanes_of<float>(isa)
+                                                  : engine::lanes_of<double>(isa);
+}
+
 study::MachineOptions narrowest(Precision precision) {
   study::MachineOptions machine;
   machine.lanes = precision == Precision::single_precision ? 4 : 1, machine.skew = 1;
@@ -59,7 +64,7 @@ study::MachineOptions narrowest(Precision precision) {
 study::MachineOptions widest(Precision precision) {
   study::MachineOptions machine;
   machine.isa = engine::native_isa();
-  machine.lanes = precision == Precision::single_precision ? 16 : 8, machine.skew = 9, machine.threads = 2;
+  machine.lanes = all_lanes(precision, machine.isa).back(), machine.skew = 9, machine.threads = 2;
   return machine;
 }
 
@@ -136,13 +141,11 @@ class OneHash : public testing::TestWithParam<Precision> {};
 TEST_P(OneHash, ForLanesSetsThreadsSkewAndNeighbours) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
-  const bool single = GetParam() == Precision::single_precision;
+  const auto reference = hashes(r, specimens, narrowest(GetParam()));
   study::MachineOptions machine;
-  machine.lanes = single ? 4 : 1;
-  const auto reference = hashes(r, specimens, machine);
   for (const engine::Isa isa : {engine::Isa::sse2, engine::Isa::avx2, engine::Isa::avx512}) {
     if (isa > engine::native_isa()) continue;
-    for (const int lanes : single ? std::vector<int>{1, 4, 8, 16} : std::vector<int>{1, 2, 4, 8}) {
+    for (const int lanes : all_lanes(GetParam(), isa)) {
       machine = {};
       machine.isa = isa;
       machine.lanes = lanes;
@@ -159,9 +162,8 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndNeighbours) {
 TEST_P(OneHash, ForTestsThatMoveBetweenGroups) {
   const Recipe r = small_recipe(GetParam());
   const auto specimens = specimens_of(r);
+  const auto reference = hashes(r, specimens, narrowest(GetParam()));
   study::MachineOptions machine;
-  machine.lanes = 4;
-  const auto reference = hashes(r, specimens, machine);
   for (const int threads : {1, 2, 3, 5}) {
     machine = {};
     machine.isa = engine::native_isa();
@@ -178,7 +180,8 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
   options.precision = r.engine.precision;
   options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
-  const std::array<int, 3> widths = {r.engine.precision == Precision::single_precision ? 4 : 2, 8, 1};
+  const std::vector<int> lanes = all_lanes(r.engine.precision, options.isa);
+  const std::array<int, 3> widths = {lanes[1], lanes.back(), 1};
   std::array<std::unique_ptr<engine::LaneGroup>, 3> groups;
   for (const std::size_t i : {0U, 1U, 2U}) {
     options.lanes = widths[i];
@@ -242,7 +245,7 @@ TEST_P(OneHash, ForASpecimenAlone) {
   const auto specimens = specimens_of(r);
   study::MachineOptions machine;
   machine.isa = engine::native_isa();
-  machine.lanes = 4;
+  machine.lanes = all_lanes(GetParam(), machine.isa)[1];
   const auto together = hashes(r, specimens, machine);
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     EXPECT_EQ(hashes(r, {specimens[i]}, machine).front(), together[i]) << specimens[i]->name;

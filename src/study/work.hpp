@@ -1,0 +1,83 @@
+// The work of a study or of a recipe's tests: how it is to be done, how it stands, what it took.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+#include "engine/isa.hpp"
+#include "records/result.hpp"
+
+namespace phy::study {
+
+struct PlannedTest;
+
+/// How to use the machine. Changes no bit of any result.
+struct MachineOptions {
+  int threads = 1;
+  int lanes = 0;  ///< 0: those that are soonest done, fewer for few specimens or near the end; else fixed
+  int skew = 8;
+  engine::Isa isa = engine::Isa::sse2;
+};
+
+/// Progress of all running specimens.
+struct Progress {
+  std::size_t n_done = 0, n_total = 0;
+  double steps_done = 0.0;  ///< cycles times specimens so far
+};
+
+struct ScheduleHooks {
+  std::function<void(std::size_t index, const TestResult&)> on_result;  ///< from a worker, one at a time
+  std::function<void(const Progress&)> on_progress;                     ///< from a worker, one at a time
+  /// Strain and stress [Pa] of a running test after each block; from a worker, one at a time.
+  std::function<void(std::size_t index, double strain, double stress)> on_reading;
+  const std::atomic<bool>* stop = nullptr;  ///< true: end soon, keep what is finished
+};
+
+/// Where a study stands.
+struct StudyProgress {
+  std::size_t n_done = 0;    ///< finished, by any process
+  std::size_t n_failed = 0;  ///< of these: without an answer
+  std::size_t n_new = 0;     ///< of these: finished by this run
+  std::size_t n_guest = 0;   ///< of these: on other ranks
+  std::size_t n_total = 0;
+  double cost_new = 0.0, cost_left = 0.0;  ///< expected cost of what this run has finished, and of the rest
+  double work = 0.0;                       ///< cycles times grains of this run, the unit of cost
+  double work_new = 0.0;                   ///< of these: of finished tests
+
+  /// Seconds to go after `seconds` of work: the expected cost, scaled by what finished tests really took.
+  double seconds_left(double seconds) const;
+};
+
+struct StudyHooks {
+  std::function<void(const PlannedTest&, const TestResult&)> on_result;  ///< one at a time
+  std::function<void(const StudyProgress&)> on_progress;                 ///< one at a time
+  /// Strain and stress [Pa] of a running test after each block; one at a time. Not of tests on other ranks.
+  std::function<void(const PlannedTest&, double strain, double stress)> on_reading = nullptr;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// What lanes did: how many of them held a test, and how fast they went.
+struct LaneUse {
+  double test_steps = 0.0;     ///< cycles times tests
+  double lane_steps = 0.0;     ///< cycles times lanes, empty ones too
+  double alone_steps = 0.0;    ///< cycles of tests that had a group to themselves
+  double contact_steps = 0.0;  ///< cycles times contacts of the tests
+  double seconds = 0.0;        ///< of the processor, in cycles
+  void add(const LaneUse& other);
+  /// Share of the lanes that held a test, where tests were side by side; NaN where none were.
+  double occupancy() const { return (test_steps - alone_steps) / (lane_steps - alone_steps); }
+  /// Share of the cycles of tests that had a group to themselves; NaN before the first cycle, as the next.
+  double alone() const { return alone_steps / test_steps; }
+  /// Time per contact, cycle and test [s].
+  double seconds_per_step() const { return seconds / contact_steps; }
+};
+
+/// What the workers did.
+struct WorkReport {
+  double cpu_seconds = 0.0;   ///< of all workers
+  double wall_seconds = 0.0;  ///< from the first start to the last end
+  double idle = 0.0;          ///< share of workers' time without work
+  LaneUse lanes;              ///< of tests, not of direct solutions
+};
+
+}  // namespace phy::study
