@@ -21,7 +21,7 @@ class ProgramTest : public phy::InFolder {
   std::string output;
   void SetUp() override { ::setenv("XDG_CACHE_HOME", at("cache").c_str(), 1); }
 
-  int run(const std::string& arguments) { return run_line(std::string(PHY_PROGRAM) + " " + arguments); }
+  int run(const std::string& arguments) { return run_line(PHY_PROGRAM " " + arguments); }
   /// Runs a line of shell; what it prints is in `output`. The exit code, or -1 after a signal.
   int run_line(const std::string& line) {
     output.clear();

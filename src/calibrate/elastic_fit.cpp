@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <unsupported/Eigen/NonLinearOptimization>
 
+#include "base/least_squares.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_problem.hpp"
 #include "calibrate/margin.hpp"
@@ -31,25 +31,19 @@ Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
-/// The problem in the form of Eigen's Levenberg-Marquardt.
 struct Functor {
   ElasticProblem& problem;
   Linearised at(const VectorXd& x) const { return problem.linearised(Point(x.begin(), x.end())); }
   int values() const { return static_cast<int>(problem.n_residuals()); }
-  int operator()(const VectorXd& x, VectorXd& r) const { return r = vector_of(at(x).residuals), 0; }
-  int df(const VectorXd& x, MatrixXd& J) const {
-    return J = vector_of(at(x).jacobian).reshaped(values(), x.size()), 0;
+  void operator()(const VectorXd& x, VectorXd& r) const { r = vector_of(at(x).residuals); }
+  void df(const VectorXd& x, MatrixXd& J) const {
+    J = vector_of(at(x).jacobian).reshaped(values(), x.size());
   }
 };
 
 void minimise(ElasticProblem& problem, Point& x, int most, double tolerance) {
-  Functor functor{problem};
-  Eigen::LevenbergMarquardt<Functor> solver(functor);
-  solver.parameters.maxfev = most;
-  solver.parameters.ftol = solver.parameters.xtol = tolerance;
-  solver.parameters.factor = 10.0;
-  VectorXd moved = vector_of(x);
-  solver.minimize(moved);
+  const Functor functor{problem};
+  const VectorXd moved = least_squares(misfits_of(functor), vector_of(x), {most, tolerance, 10.0});
   x.assign(moved.begin(), moved.end());
 }
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 
+#include "base/least_squares.hpp"
 #include "calibrate/elastic_limits.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
@@ -99,7 +99,7 @@ struct Problem {
   double model(const VectorXd& x, const std::vector<double>& at, const Answer& a) const {
     return a.known.at(at) + (a.target.property == Property::nu ? 0.0 : x[scale_of(a.target)]);
   }
-  int operator()(const VectorXd& x, VectorXd& r) const {
+  void operator()(const VectorXd& x, VectorXd& r) const {
     const std::vector<double> at = places_at(x);
     Eigen::Index n = 0;
     for (const Answer& a : answers) {
@@ -110,16 +110,14 @@ struct Problem {
     }
     for (std::size_t j = 0; j < sought.size(); ++j)
       r[n++] = pull * x[place(j)], r[n++] = wall * (x[place(j)] - at[sought[j]]);
-    return 0;
   }
-  int df(const VectorXd& x, Eigen::MatrixXd& J) const {
+  void df(const VectorXd& x, Eigen::MatrixXd& J) const {
     VectorXd here(values()), ahead(values()), moved = x;
     operator()(x, here);
     for (Eigen::Index j = 0; j < x.size(); ++j) {
       moved[j] = x[j] + step, operator()(moved, ahead);
       J.col(j) = (ahead - here) / step, moved[j] = x[j];
     }
-    return 0;
   }
   double at(const VectorXd& x) const {
     VectorXd r(values());
@@ -163,12 +161,7 @@ VectorXd nearest_of(Problem& problem, const ReachTable& table) {
   order.resize(std::min(order.size(), n_starts));
   VectorXd best = problem.start(table.places(order.front().second));
   for (const auto& [value, row] : order) {
-    VectorXd x = problem.start(table.places(row));
-    Eigen::LevenbergMarquardt<Problem> solver(problem);
-    solver.parameters.maxfev = 60;
-    solver.parameters.ftol = solver.parameters.xtol = 1e-4;
-    solver.parameters.factor = 1.0;
-    solver.minimize(x);
+    const VectorXd x = least_squares(misfits_of(problem), problem.start(table.places(row)), {60, 1e-4, 1.0});
     if (problem.at(x) < problem.at(best)) best = x;
   }
   return best;

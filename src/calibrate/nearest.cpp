@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 
+#include "base/least_squares.hpp"
 #include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
@@ -26,7 +26,7 @@ struct Misfit {
   int inputs() const { return static_cast<int>(mean.size()); }
   int values() const { return static_cast<int>(2 * n_misses + 2 * mean.size()); }
   /// Errors, ignorance, distances from the draws, and from the box.
-  int operator()(const VectorXd& x, VectorXd& r) const {
+  void operator()(const VectorXd& x, VectorXd& r) const {
     const Point held = posterior.held(Point(x.begin(), x.end()));
     const Eigen::Index n = n_misses, m = mean.size();
     const std::vector<StrengthPosterior::Miss> misses = posterior.misses(held);
@@ -41,17 +41,15 @@ struct Misfit {
       r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
       r[2 * n + m + j] = wall * (x[j] - held[static_cast<std::size_t>(j)]);
     }
-    return 0;
   }
   /// By differences of one step: places run from -1 to 1, sigma_c by its logarithm.
-  int df(const VectorXd& x, Eigen::MatrixXd& J) const {
+  void df(const VectorXd& x, Eigen::MatrixXd& J) const {
     VectorXd ahead(values()), behind(values()), moved = x;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
       moved[j] = x[j] + step, operator()(moved, ahead);
       moved[j] = x[j] - step, operator()(moved, behind);
       J.col(j) = (ahead - behind) / (2.0 * step), moved[j] = x[j];
     }
-    return 0;
   }
   double at(const Point& x) const {
     VectorXd r(values());
@@ -73,13 +71,8 @@ Misfit misfit_of(const StrengthPosterior& posterior, const std::vector<Point>& d
 }
 
 Point downhill(const Misfit& misfit, const Point& from) {
-  Misfit functor = misfit;
-  Eigen::LevenbergMarquardt<Misfit> solver(functor);
-  solver.parameters.maxfev = 60;
-  solver.parameters.ftol = solver.parameters.xtol = 1e-4;
-  solver.parameters.factor = 1.0;
-  VectorXd x = Eigen::Map<const VectorXd>(from.data(), misfit.inputs());
-  solver.minimize(x);
+  const VectorXd x = least_squares(misfits_of(misfit),
+                                   Eigen::Map<const VectorXd>(from.data(), misfit.inputs()), {60, 1e-4, 1.0});
   return misfit.posterior.held(Point(x.begin(), x.end()));
 }
 

@@ -161,8 +161,8 @@ void expect_eventful(LaneGroup& group, int lane) {
   EXPECT_TRUE(group.health(lane).ok) << group.health(lane).reason;
 }
 
-/// A specimen that wanders through groups of 4, 8 and 1 (float: 16) lanes, among neighbours in other states,
-/// is the one that stayed alone.
+/// A specimen that wanders through groups of the fewest lanes, of a full register and of one lane, among
+/// neighbours in other states, is the one that stayed alone.
 void expect_moves_unseen(Precision precision, bool balance) {
   const CrushedBlock block;
   const auto group_of = [&](int lanes) {
@@ -175,10 +175,12 @@ void expect_moves_unseen(Precision precision, bool balance) {
     std::unique_ptr<LaneGroup> group;
     int lane;
   };
-  const Stay stays[3] = {{group_of(4), 2}, {group_of(8), 5}, {group_of(twice ? 1 : 16), 0}};
+  const std::vector<int> lanes = twice ? lanes_of<double>(native_isa()) : lanes_of<float>(native_isa());
+  const int few = lanes[1], full = lanes.back();
+  const Stay stays[3] = {{group_of(few), few - 1}, {group_of(full), full - 1}, {group_of(1), 0}};
   block.start(*stays[0].group, 0, 0.8, balance);
-  block.start(*stays[1].group, 1, 0.1, !balance);
-  block.start(*stays[0].group, 2, 0.5, balance);
+  block.start(*stays[1].group, 0, 0.1, !balance);
+  block.start(*stays[0].group, few - 1, 0.5, balance);
   std::size_t here = 0;
   for (int i = 1; i <= 24; ++i) {
     home->advance();

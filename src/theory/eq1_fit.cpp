@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdio>
-#include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 
 #include "base/exact_math.hpp"
+#include "base/least_squares.hpp"
 #include "base/nan.hpp"
 #include "theory/angles.hpp"
 
@@ -132,26 +132,23 @@ Solution solve_linear(const Setup& p, const Eigen::VectorXd& weight) {
 
 double capped_inverse(double compliance) { return compliance > 0.0 ? 1.0 / compliance : no_modulus; }
 
-/// E_i - 1/c_i of the readings that take part, in the form of Eigen's Levenberg-Marquardt.
+/// E_i - 1/c_i of the readings that take part.
 struct ModulusMisfit {
-  using Scalar = double;
   const Setup& p;
   Eigen::VectorXd c(const Eigen::VectorXd& x) const {
     return p.terms.rightCols(x.size()) * x + (p.free_E ? 0.0 : p.e) * Eigen::VectorXd::Ones(values());
   }
   double weight(Eigen::Index i) const { return p.takes_part[static_cast<std::size_t>(i)] ? 1.0 : 0.0; }
   int values() const { return static_cast<int>(p.compliance.size()); }
-  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
+  void operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
     const Eigen::VectorXd at = c(x);
     for (Eigen::Index i = 0; i < r.size(); ++i)
       r[i] = weight(i) * (1.0 / p.compliance[i] - capped_inverse(at[i]));
-    return 0;
   }
-  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
+  void df(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
     const Eigen::VectorXd at = c(x);
     for (Eigen::Index i = 0; i < J.rows(); ++i)
       J.row(i) = weight(i) / (at[i] * at[i]) * p.terms.row(i).tail(x.size());
-    return 0;
   }
 };
 
@@ -159,11 +156,10 @@ struct ModulusMisfit {
 Solution solve_modulus(const Setup& p) {
   const Eigen::Index m = n_parameters(p);
   Solution s = solve_linear(p, p.compliance.cwiseInverse().array().square());
-  ModulusMisfit misfit{p};
-  Eigen::LevenbergMarquardt<ModulusMisfit> solver(misfit);
-  solver.parameters.ftol = solver.parameters.xtol = 1e-15;
-  Eigen::VectorXd x = s.x.tail(m);
-  solver.minimize(x);
+  const ModulusMisfit misfit{p};
+  LeastSquaresLimits exact;
+  exact.tolerance = 1e-15;
+  const Eigen::VectorXd x = least_squares(misfits_of(misfit), s.x.tail(m), exact);
   s.x.tail(m) = x;
   Eigen::VectorXd r(misfit.values());
   Eigen::MatrixXd J(misfit.values(), m);

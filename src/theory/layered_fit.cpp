@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/check.hpp"
+#include "base/least_squares.hpp"
 #include "base/stats.hpp"
 
 namespace phy::theory {
@@ -44,19 +44,17 @@ VectorXd residuals_of(const PlaneCompliance& body, const std::vector<LayeredRead
   return r;
 }
 
-/// The misfit in the form of Eigen's Levenberg-Marquardt, which asks for at least as many values as unknowns.
+/// At least as many values as unknowns (least_squares.hpp).
 struct Misfit {
-  using Scalar = double;
   const std::vector<LayeredReading>& readings;
   LayeredBody kind;
   double modulus;
   int values() const { return std::max(4, static_cast<int>(readings.size())); }
-  int operator()(const VectorXd& x, VectorXd& r) const {
+  void operator()(const VectorXd& x, VectorXd& r) const {
     r = VectorXd::Zero(values());
     r.head(static_cast<Eigen::Index>(readings.size())) = residuals_of(body_of(x, kind, modulus), readings);
-    return 0;
   }
-  int df(const VectorXd& x, MatrixXd& J) const {
+  void df(const VectorXd& x, MatrixXd& J) const {
     J.resize(values(), 4);
     VectorXd before, after;
     for (Eigen::Index j = 0; j < 4; ++j) {
@@ -64,7 +62,6 @@ struct Misfit {
       (*this)(x - h, before), (*this)(x + h, after);
       J.col(j) = (after - before) / (2.0 * step);
     }
-    return 0;
   }
 };
 
@@ -77,16 +74,16 @@ LayeredFit fit_layered(const std::vector<LayeredReading>& readings, LayeredBody 
   for (const LayeredReading& cell : readings)
     if (cell.is_modulus) modulus = std::max(modulus, cell.value);
   PHY_CHECK(modulus > 0.0, "a modulus among the readings");
-  Misfit misfit{readings, kind, modulus};
+  const Misfit misfit{readings, kind, modulus};
+  LeastSquaresLimits from_near;
+  from_near.first_step = 1.0;
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
   for (const double normal : {-2.0, 0.0, 2.0})
     for (const double shear : {-2.0, 0.0, 2.0}) {
       VectorXd x(4), r;
       x << 0.0, normal, shear, 0.25;
-      Eigen::LevenbergMarquardt<Misfit> solver(misfit);
-      solver.parameters.factor = 1.0;
-      solver.minimize(x);
+      x = least_squares(misfits_of(misfit), x, from_near);
       misfit(x, r);
       if (r.squaredNorm() < least) least = r.squaredNorm(), best = x;
     }

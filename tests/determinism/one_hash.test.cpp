@@ -188,7 +188,7 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
     groups[i] = engine::make_group(specimen->packing, options);
   }
   // In the other group a lane neighbour that is ahead, with contacts and touches of its own.
-  const auto other = lab::make_test(neighbour, r, *groups[1], 5);
+  const auto other = lab::make_test(neighbour, r, *groups[1], 0);
   for (int block = 0; block < 20; ++block) {
     groups[1]->advance();
     if (other->after_block()) break;
