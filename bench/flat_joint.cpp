@@ -23,7 +23,7 @@ namespace {
 using namespace phy;
 
 constexpr int blocks_before = 10, rounds = 31;
-const int lanes = engine::native_lanes<float>(engine::native_isa());
+const int lanes = engine::native_lanes(Precision::single_precision, engine::native_isa());
 
 /// elements = 0: parallel bonds.
 Recipe recipe_of(std::int64_t elements, double slits, std::int64_t bond_seed) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
-#include <utility>
 
 namespace phy {
 namespace {

@@ -19,6 +19,8 @@ Misfits misfits_of(const Problem& problem) {
   return {problem.values(), [&problem](const auto& x, auto& misfits) { problem(x, misfits); },
           [&problem](const auto& x, auto& slopes) { problem.df(x, slopes); }};
 }
+template <class Problem>
+Misfits misfits_of(const Problem&& gone_too_soon) = delete;
 
 /// When to end, and how to begin.
 struct LeastSquaresLimits {

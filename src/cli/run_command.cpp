@@ -122,14 +122,14 @@ struct RecipeRun {
 /// What is wrong with so many lanes for a recipe; 0: as many as fit.
 std::optional<Problem> lanes_problem(const RecipeRun& job, int lanes) {
   const engine::Isa isa = engine::native_isa();
-  const bool in_double = job.recipe.engine.precision == Precision::double_precision;
-  const std::vector<int> some = in_double ? engine::lanes_of<double>(isa) : engine::lanes_of<float>(isa);
+  const Precision precision = job.recipe.engine.precision;
+  const std::vector<int> some = engine::lanes_of(precision, isa);
   if (lanes == 0 || std::find(some.begin(), some.end(), lanes) != some.end()) return std::nullopt;
-  return Problem{
-      "command line", "--lanes", std::to_string(lanes),
-      fmt::format("{}: what {} registers hold in {} precision, which {} asks for", fmt::join(some, ", "),
-                  engine::to_string(isa), in_double ? "double" : "single", job.path),
-      "leave it out: lanes are chosen as they fit"};
+  return Problem{"command line", "--lanes", std::to_string(lanes),
+                 fmt::format("{}: what {} registers hold in {} precision, which {} asks for",
+                             fmt::join(some, ", "), engine::to_string(isa),
+                             precision == Precision::double_precision ? "double" : "single", job.path),
+                 "leave it out: lanes are chosen as they fit"};
 }
 
 /// The recipes, all read and their folders looked at before anything runs. Several have a folder each, named

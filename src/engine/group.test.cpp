@@ -168,14 +168,13 @@ void expect_moves_unseen(Precision precision, bool balance) {
   const auto group_of = [&](int lanes) {
     return small_group(*block.specimen, precision, CrushedBlock::interval, lanes);
   };
-  const bool twice = precision == Precision::double_precision;
-  const auto home = group_of(twice ? 1 : 4);
+  const auto home = group_of(precision == Precision::double_precision ? 1 : 4);
   block.start(*home, 0, 0.5, balance);
   struct Stay {
     std::unique_ptr<LaneGroup> group;
     int lane;
   };
-  const std::vector<int> lanes = twice ? lanes_of<double>(native_isa()) : lanes_of<float>(native_isa());
+  const std::vector<int> lanes = lanes_of(precision, native_isa());
   const int few = lanes[1], full = lanes.back();
   const Stay stays[3] = {{group_of(few), few - 1}, {group_of(full), full - 1}, {group_of(1), 0}};
   block.start(*stays[0].group, 0, 0.8, balance);

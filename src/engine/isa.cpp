@@ -33,20 +33,22 @@ Isa native_isa() {
   throw InputError(Problem{"environment", "PHYLLITE_ISA", wish, "sse2, avx2 or avx512", "or leave it unset"});
 }
 
-template <class T>
-int native_lanes(Isa isa) {
-  return static_cast<int>((isa == Isa::sse2 ? 16 : isa == Isa::avx2 ? 32 : 64) / sizeof(T));
-}
-template int native_lanes<double>(Isa);
-template int native_lanes<float>(Isa);
+namespace {
 
-template <class T>
-std::vector<int> lanes_of(Isa isa) {
+int lanes_in(int bytes, Precision precision) {
+  return bytes / static_cast<int>(precision == Precision::single_precision ? sizeof(float) : sizeof(double));
+}
+
+}  // namespace
+
+int native_lanes(Precision precision, Isa isa) {
+  return lanes_in(isa == Isa::sse2 ? 16 : isa == Isa::avx2 ? 32 : 64, precision);
+}
+
+std::vector<int> lanes_of(Precision precision, Isa isa) {
   std::vector<int> lanes = {1};
-  for (int n = 16 / static_cast<int>(sizeof(T)); n <= native_lanes<T>(isa); n *= 2) lanes.push_back(n);
+  for (int n = lanes_in(16, precision); n <= native_lanes(precision, isa); n *= 2) lanes.push_back(n);
   return lanes;
 }
-template std::vector<int> lanes_of<double>(Isa);
-template std::vector<int> lanes_of<float>(Isa);
 
 }  // namespace phy::engine

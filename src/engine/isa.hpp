@@ -2,6 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "records/recipe.hpp"
+
 namespace phy::engine {
 
 /// Instruction sets in rising order; the hot loop is built for each.
@@ -12,11 +14,9 @@ const char* to_string(Isa isa);
 /// Throws InputError: another word there.
 Isa native_isa();
 /// Lanes that fill a register: 2, 4, 8 doubles or 4, 8, 16 floats.
-template <class T>
-int native_lanes(Isa isa);
-/// Numbers of lanes that a group may have: 1, and from what is worth it to a register full, 2, 4, 8 doubles
-/// or 4, 8, 16 floats. More registers than one would be slower than more groups.
-template <class T>
-std::vector<int> lanes_of(Isa isa);
+int native_lanes(Precision precision, Isa isa);
+/// Numbers of lanes that a group may have: 1, and what is worth it up to native_lanes(), rising. More
+/// registers than one would be slower than more groups.
+std::vector<int> lanes_of(Precision precision, Isa isa);
 
 }  // namespace phy::engine

@@ -15,10 +15,7 @@ namespace phy::engine {
 inline constexpr Precision both_precisions[] = {Precision::double_precision, Precision::single_precision};
 
 /// Of this machine: 4, in double 2 where its registers hold no more.
-inline int some_lanes(Precision precision) {
-  if (precision == Precision::single_precision) return std::min(4, native_lanes<float>(native_isa()));
-  return std::min(4, native_lanes<double>(native_isa()));
-}
+inline int some_lanes(Precision precision) { return std::min(4, native_lanes(precision, native_isa())); }
 
 /// A group of these lanes, 0: some_lanes(), on this machine's instruction set.
 inline std::unique_ptr<LaneGroup> small_group(const Specimen& s, Precision precision, int interval,

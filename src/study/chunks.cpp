@@ -17,13 +17,11 @@ double time_one_by_one(const std::vector<double>& cost, std::size_t n_workers) {
 
 LaneBatchOptions lane_batch_options(std::size_t n_specimens, bool alike, const Recipe& recipe,
                                     const MachineOptions& machine) {
-  const Precision precision = recipe.engine.precision;
   engine::GroupOptions group;
   group.isa = machine.isa;
-  group.precision = precision;
+  group.precision = recipe.engine.precision;
   // A register full of specimens is the best speed per specimen.
-  group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(machine.isa)
-                                                         : engine::native_lanes<double>(machine.isa);
+  group.lanes = engine::native_lanes(group.precision, machine.isa);
   group.lanes = machine.lanes > 0 ? machine.lanes : fitting_lanes(n_specimens, alike, group);
   group.skew = machine.skew;
   group.interval = static_cast<int>(recipe.test.history_interval);

@@ -69,7 +69,7 @@ LaneBatchOptions full_register(bool fixed) {
   LaneBatchOptions o;
   o.group.isa = engine::native_isa();
   o.group.precision = Precision::single_precision;
-  o.group.lanes = engine::native_lanes<float>(o.group.isa);
+  o.group.lanes = engine::native_lanes(o.group.precision, o.group.isa);
   o.group.interval = static_cast<int>(quick().test.history_interval);
   o.fixed = fixed;
   return o;
@@ -87,8 +87,7 @@ std::map<std::size_t, std::string> undisturbed() {
 engine::GroupOptions widest_group(Precision precision, engine::Isa isa) {
   engine::GroupOptions group;
   group.isa = isa, group.precision = precision;
-  group.lanes = precision == Precision::single_precision ? engine::native_lanes<float>(isa)
-                                                         : engine::native_lanes<double>(isa);
+  group.lanes = engine::native_lanes(precision, isa);
   return group;
 }
 

@@ -51,11 +51,6 @@ std::vector<std::string> hashes(const Recipe& r,
   return h;
 }
 
-std::vector<int> all_lanes(Precision precision, engine::Isa isa) {
-  return precision == Precision::single_precision ? engine::lanes_of<float>(isa)
-                                                  : engine::lanes_of<double>(isa);
-}
-
 study::MachineOptions narrowest(Precision precision) {
   study::MachineOptions machine;
   machine.lanes = precision == Precision::single_precision ? 4 : 1, machine.skew = 1;
@@ -64,7 +59,7 @@ study::MachineOptions narrowest(Precision precision) {
 study::MachineOptions widest(Precision precision) {
   study::MachineOptions machine;
   machine.isa = engine::native_isa();
-  machine.lanes = all_lanes(precision, machine.isa).back(), machine.skew = 9, machine.threads = 2;
+  machine.lanes = engine::native_lanes(precision, machine.isa), machine.skew = 9, machine.threads = 2;
   return machine;
 }
 
@@ -145,7 +140,7 @@ TEST_P(OneHash, ForLanesSetsThreadsSkewAndNeighbours) {
   study::MachineOptions machine;
   for (const engine::Isa isa : {engine::Isa::sse2, engine::Isa::avx2, engine::Isa::avx512}) {
     if (isa > engine::native_isa()) continue;
-    for (const int lanes : all_lanes(GetParam(), isa)) {
+    for (const int lanes : engine::lanes_of(GetParam(), isa)) {
       machine = {};
       machine.isa = isa;
       machine.lanes = lanes;
@@ -180,7 +175,7 @@ std::string wanderer(const Recipe& r, const std::shared_ptr<const Specimen>& spe
   options.precision = r.engine.precision;
   options.isa = engine::native_isa();
   options.interval = static_cast<int>(r.test.history_interval);
-  const std::vector<int> lanes = all_lanes(r.engine.precision, options.isa);
+  const std::vector<int> lanes = engine::lanes_of(r.engine.precision, options.isa);
   const std::array<int, 3> widths = {lanes[1], lanes.back(), 1};
   std::array<std::unique_ptr<engine::LaneGroup>, 3> groups;
   for (const std::size_t i : {0U, 1U, 2U}) {
@@ -245,7 +240,7 @@ TEST_P(OneHash, ForASpecimenAlone) {
   const auto specimens = specimens_of(r);
   study::MachineOptions machine;
   machine.isa = engine::native_isa();
-  machine.lanes = all_lanes(GetParam(), machine.isa)[1];
+  machine.lanes = engine::native_lanes(GetParam(), machine.isa);
   const auto together = hashes(r, specimens, machine);
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     EXPECT_EQ(hashes(r, {specimens[i]}, machine).front(), together[i]) << specimens[i]->name;
