@@ -93,6 +93,18 @@ std::string unit_of(double usual, Dimension dimension) {
   return text.substr(text.find(' ') + 1);
 }
 
+/// The unit that a bare number was probably meant in: the one that brings it nearest to the usual value.
+std::string likely_unit(double number, double usual, Dimension dimension) {
+  if (number == 0.0 || usual == 0.0) return unit_of(usual, dimension);
+  const auto farness = [&](const Unit& u) {
+    return std::fabs(std::log10(std::fabs(number / usual)) + u.power);
+  };
+  const Unit* nearest = nullptr;
+  for (const Unit& u : units)
+    if (u.dimension == dimension && (nearest == nullptr || farness(u) < farness(*nearest))) nearest = &u;
+  return nearest->name;
+}
+
 /// "-0" is 0: an angle has one name.
 double unsigned_zero(double value) { return value == 0.0 ? 0.0 : value; }
 
@@ -149,7 +161,7 @@ Quantity parse_quantity(std::string_view text, Dimension dimension, double usual
   if (unit.empty())
     return {false, 0.0,
             "has no unit; write for example \"" + std::string(s.substr(0, length)) + " " +
-                unit_of(usual, dimension) + "\""};
+                likely_unit(number, usual, dimension) + "\""};
   for (const Unit& u : units) {
     if (u.dimension != dimension || unit != u.name) continue;
     double value = 0.0;

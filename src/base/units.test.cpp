@@ -130,7 +130,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"unit_on_pure_number", "0.3 mm", Dimension::none, "write a bare number"}),
     [](const auto& which) { return std::string(which.param.name); });
 
-TEST(Units, TheUnitOfAUsualValueIsProposed) {
+// Whoever leaves the unit out thinks in metres or in millimetres: the number tells.
+TEST(Units, TheUnitThatBringsANumberNearToTheUsualValueIsProposed) {
+  EXPECT_THAT(parse_quantity("0.016", Dimension::length, 0.05).problem, HasSubstr("\"0.016 m\""));
+  EXPECT_THAT(parse_quantity("16", Dimension::length, 0.05).problem, HasSubstr("\"16 mm\""));
+  EXPECT_THAT(parse_quantity("38e9", Dimension::pressure, 38e9).problem, HasSubstr("\"38e9 Pa\""));
+  EXPECT_THAT(parse_quantity("2.7", Dimension::density, 2700.0).problem, HasSubstr("\"2.7 g/cm^3\""));
+  EXPECT_THAT(parse_quantity("0", Dimension::length, 0.05).problem, HasSubstr("\"0 mm\""));
+  EXPECT_THAT(parse_quantity("-40", Dimension::pressure, 65e6).problem, HasSubstr("\"-40 MPa\""));
   EXPECT_THAT(parse_quantity("40", Dimension::pressure, 38e9).problem, HasSubstr("\"40 GPa\""));
   EXPECT_THAT(parse_quantity("40", Dimension::pressure, 65e6).problem, HasSubstr("\"40 MPa\""));
 }
