@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/rng.hpp"
 #include "base/stats.hpp"
@@ -74,29 +75,66 @@ Mixing mixing(const std::vector<Point>& draws, std::size_t n_walkers) {
   return worst;
 }
 
+namespace {
+
+/// Where a walker might go, and what the way there adds to the logarithm of its chance.
+struct Move {
+  Point to;
+  double log_factor = 0.0;
+};
+
+/// Uniform numbers of one move.
+using Uniform = std::function<double(std::uint32_t)>;
+
+/// A walker of a half [from, from + size): the place of a number u in [0, 1).
+std::size_t one_of(std::size_t from, std::size_t size, double u) {
+  return from + static_cast<std::size_t>(u * static_cast<double>(size));
+}
+
+/// `others`: the half from which partners come, so that the two halves leave the density alone.
+Move stretched(const std::vector<Point>& walkers, std::size_t i, std::size_t others, std::size_t n_others,
+               const Uniform& u) {
+  constexpr double stretch = 2.0;  // Goodman & Weare's a
+  const Point& partner = walkers[one_of(others, n_others, u(1))];
+  const double root = 1.0 + (stretch - 1.0) * u(2), z = root * root / stretch;
+  Move move{partner, (static_cast<double>(partner.size()) - 1.0) * std::log(z)};
+  for (std::size_t d = 0; d < partner.size(); ++d) move.to[d] += z * (walkers[i][d] - partner[d]);
+  return move;
+}
+
+Move along_a_difference(const std::vector<Point>& walkers, std::size_t i, std::size_t others,
+                        std::size_t n_others, const Uniform& u) {
+  constexpr double whole = 0.1, wobble = 0.05;  // share of whole steps; of the usual ones, in length
+  const std::size_t a = one_of(others, n_others, u(1));
+  std::size_t b = one_of(others, n_others - 1, u(2));
+  if (b >= a) ++b;
+  Move move{walkers[i]};
+  const double usual = 2.38 / std::sqrt(2.0 * static_cast<double>(move.to.size()));
+  const double gamma = u(3) < whole ? 1.0 : usual * (1.0 + wobble * (2.0 * u(4) - 1.0));
+  for (std::size_t d = 0; d < move.to.size(); ++d) move.to[d] += gamma * (walkers[a][d] - walkers[b][d]);
+  return move;
+}
+
+}  // namespace
+
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
                           std::uint32_t seed) {
-  constexpr double stretch = 2.0;  // Goodman & Weare's a
+  constexpr double stretches = 0.2;  // share of the moves
   const std::size_t n = walkers.size(), half = n / 2;
-  const auto dimensions = static_cast<double>(walkers.front().size());
   std::vector<double> log_p(n);
   for (std::size_t i = 0; i < n; ++i) log_p[i] = density(walkers[i]);
   std::vector<Point> draws;
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
-      const auto u = [&](std::uint32_t k) {
+      const Uniform u = [&](std::uint32_t k) {
         return uniform(seed, Stream::calibration, static_cast<std::uint32_t>(step),
                        static_cast<std::uint32_t>(i), k);
       };
-      // a partner from the other half, so that the two halves leave the density alone
-      const std::size_t other = i < half
-                                    ? half + static_cast<std::size_t>(u(0) * static_cast<double>(n - half))
-                                    : static_cast<std::size_t>(u(0) * static_cast<double>(half));
-      const double root = 1.0 + (stretch - 1.0) * u(1), z = root * root / stretch;
-      Point moved = walkers[other];
-      for (std::size_t d = 0; d < moved.size(); ++d) moved[d] += z * (walkers[i][d] - walkers[other][d]);
-      const double p = density(moved);
-      if (std::log(u(2)) < (dimensions - 1.0) * std::log(z) + p - log_p[i]) walkers[i] = moved, log_p[i] = p;
+      const std::size_t others = i < half ? half : 0, n_others = i < half ? n - half : half;
+      Move move = u(0) < stretches ? stretched(walkers, i, others, n_others, u)
+                                   : along_a_difference(walkers, i, others, n_others, u);
+      const double p = density(move.to);
+      if (std::log(u(5)) < move.log_factor + p - log_p[i]) walkers[i] = std::move(move.to), log_p[i] = p;
     }
     if (step >= steps / 2 && (step + 1) % thin == 0)
       draws.insert(draws.end(), walkers.begin(), walkers.end());

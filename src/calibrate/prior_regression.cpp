@@ -96,19 +96,29 @@ PriorRegression::PriorRegression(std::vector<const StrengthParameter*> ratios, c
 
 PriorRegression::PriorRegression(std::vector<const StrengthParameter*> ratios, const Recipe& recipe,
                                  const ModelFamily& family, ReachRegression regression)
-    : ratios_(std::move(ratios)), family_(&family), regression_(std::move(regression)) {
-  for (std::size_t l = 0; l < family_->levers.size(); ++l) {
-    const Lever& lever = family_->levers[l];
-    places_.push_back(lever.place_of(lever.get(recipe)));
-    for (std::size_t r = 0; r < ratios_.size(); ++r)
-      if (lever.parameter == ratios_[r]) links_.push_back({r, l});
+    : regression_(std::move(regression)) {
+  std::vector<double> places;
+  std::vector<std::size_t> open;
+  for (std::size_t l = 0; l < family.levers.size(); ++l) {
+    const Lever& lever = family.levers[l];
+    places.push_back(lever.place_of(lever.get(recipe)));
+    const auto it = std::find(ratios.begin(), ratios.end(), lever.parameter);
+    if (it == ratios.end()) continue;
+    const auto place_at = [&](double z) { return lever.place_of((*it)->at_place(z)); };
+    links_.push_back({static_cast<std::size_t>(it - ratios.begin()), *it, &lever, place_at(0.0),
+                      0.5 * (place_at(1.0) - place_at(-1.0))});
+    open.push_back(l);
   }
+  regression_ = regression_.over(open, places);
+}
+
+double PriorRegression::Link::place(double z) const {
+  return lever->logarithmic ? at_middle + slope * z : lever->place_of(parameter->at_place(z));
 }
 
 double PriorRegression::at(std::span<const double> z) const {
-  std::vector<double> places = places_;
-  for (const auto& [ratio, lever] : links_)
-    places[lever] = family_->levers[lever].place_of(ratios_[ratio]->at_place(z[ratio]));
+  std::vector<double> places(links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) places[i] = links_[i].place(z[links_[i].ratio]);
   return regression_.at(places);
 }
 

@@ -35,13 +35,14 @@ class PriorRegression {
 
  private:
   struct Link {
-    std::size_t ratio, lever;
+    std::size_t ratio;
+    const StrengthParameter* parameter;
+    const Lever* lever;
+    double at_middle, slope;  // of a logarithmic lever, whose place is linear in that of the ratio
+    double place(double z) const;
   };
-  std::vector<const StrengthParameter*> ratios_;
-  const ModelFamily* family_;
   std::vector<Link> links_;
-  std::vector<double> places_;  // of the recipe
-  ReachRegression regression_;
+  ReachRegression regression_;  // over the levers of the links, the others as in the recipe
 };
 
 /// What is known of log(strength/sigma_c) beforehand, for a rock with the moduli of a recipe, over the inputs

@@ -73,17 +73,23 @@ double number_in(std::string_view cell) {
   return v;
 }
 
+double hold(double place) { return std::clamp(place, -held, held); }
+
 /// 1, the places, and the products of all pairs.
 VectorXd features_of(const std::vector<double>& places) {
   const std::size_t n = places.size();
   VectorXd f(static_cast<Eigen::Index>(1 + n + n * (n + 1) / 2));
   Eigen::Index next = 0;
   f[next++] = 1.0;
-  const auto at = [&](std::size_t i) { return std::clamp(places[i], -held, held); };
-  for (std::size_t i = 0; i < n; ++i) f[next++] = at(i);
+  for (std::size_t i = 0; i < n; ++i) f[next++] = hold(places[i]);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) f[next++] = at(i) * at(j);
+    for (std::size_t j = 0; j <= i; ++j) f[next++] = hold(places[i]) * hold(places[j]);
   return f;
+}
+
+/// Where the product of two of n places stands among the features.
+std::size_t pair_of(std::size_t n, std::size_t i, std::size_t j) {
+  return 1 + n + std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
 }
 
 /// Points of one packing are left out together: those of one remainder.
@@ -195,9 +201,34 @@ ReachRegression::ReachRegression(const ReachTable& table,
   coefficients_.assign(c.begin(), c.end());
 }
 
-double ReachRegression::at(const std::vector<double>& places) const {
-  return features_of(places).dot(
-      Eigen::Map<const VectorXd>(coefficients_.data(), static_cast<Eigen::Index>(coefficients_.size())));
+double ReachRegression::at(std::span<const double> places) const {
+  const std::size_t n = places.size();
+  const double *slopes = coefficients_.data() + 1, *pairs = slopes + n;
+  double sum = coefficients_.front();
+  for (std::size_t i = 0; i < n; ++i) {
+    double slope_here = slopes[i];
+    for (std::size_t j = 0; j <= i; ++j) slope_here += *pairs++ * hold(places[j]);
+    sum += slope_here * hold(places[i]);
+  }
+  return sum;
+}
+
+ReachRegression ReachRegression::over(const std::vector<std::size_t>& open,
+                                      std::span<const double> places) const {
+  const std::size_t n = places.size();
+  std::vector<double> closed(places.begin(), places.end());
+  for (const std::size_t k : open) closed[k] = 0.0;
+  ReachRegression some = *this;
+  some.coefficients_ = {at(closed)};
+  for (const std::size_t k : open) {
+    double slope_there = coefficients_[1 + k];
+    for (std::size_t j = 0; j < n; ++j) slope_there += coefficients_[pair_of(n, k, j)] * hold(closed[j]);
+    some.coefficients_.push_back(slope_there);
+  }
+  for (std::size_t a = 0; a < open.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      some.coefficients_.push_back(coefficients_[pair_of(n, open[a], open[b])]);
+  return some;
 }
 
 double ReachRegression::left_out_error(const ReachTable& table, const std::string& column) {

@@ -6,6 +6,7 @@
 // family may answer; it is the expectation with which a calibration begins (prior_regression.hpp).
 #pragma once
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,12 +64,14 @@ class ReachRegression {
   /// Between two regressions of one family, linear.
   ReachRegression(const ReachRegression& low, const ReachRegression& high, double share);
   /// At places of the levers; held at 1.2 half ranges.
-  double at(const std::vector<double>& places) const;
+  double at(std::span<const double> places) const;
+  /// The same over the `open` levers alone, in rising order; the others stay at their `places`.
+  ReachRegression over(const std::vector<std::size_t>& open, std::span<const double> places) const;
   /// Root mean square of what regressions without a fifth of the points miss there.
   static double left_out_error(const ReachTable& table, const std::string& column);
 
  private:
-  std::vector<double> coefficients_;
+  std::vector<double> coefficients_;  // as features_of() orders them
 };
 
 }  // namespace phy::calibrate

@@ -190,5 +190,20 @@ TEST(Reach, TheRegressionMeetsAQuadraticAndHoldsItsEdges) {
   EXPECT_EQ(fitted.at(z), beyond);
 }
 
+TEST(Reach, ARegressionOverSomeLeversIsTheWholeOneWithTheOthersHeld) {
+  const ModelFamily& family = model_families().front();
+  const ReachRegression whole(reach_of(family), column_at(family, strength_stem(Property::ucs), 30.0));
+  std::vector<double> places(family.levers.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = 1.5 * std::sin(1.0 + 2.3 * static_cast<double>(i));  // some beyond where they are held
+  const std::vector<std::size_t> open = {1, 2, 5};
+  const ReachRegression some = whole.over(open, places);
+  for (const std::vector<double>& at :
+       {std::vector{0.0, 0.0, 0.0}, std::vector{0.3, -0.7, 0.9}, std::vector{-2.0, 0.1, 2.0}}) {
+    for (std::size_t k = 0; k < open.size(); ++k) places[open[k]] = at[k];
+    EXPECT_NEAR(some.at(at), whole.at(places), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace phy::calibrate

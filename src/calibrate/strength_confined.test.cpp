@@ -58,10 +58,10 @@ TEST(ConfinedStrength, StrengthsUnderConfinementAreMetAndTellFriction) {
   }
   EXPECT_EQ(n, 6);
   EXPECT_NE(c.verdict.status, VerdictStatus::out_of_reach) << c.verdict.sentence;
+  EXPECT_TRUE(estimate_of(c, "mu").determined || estimate_of(c, "mu_sj").determined);
   for (const char* symbol : {"mu", "mu_sj"}) {
     const ParameterEstimate& told = estimate_of(c, symbol);
     const double value = told.number(rock);
-    EXPECT_TRUE(told.determined) << symbol;
     EXPECT_TRUE(told.low <= value && value <= told.high) << symbol << ' ' << value;
   }
   EXPECT_EQ(c.n_tension_tests, 0);

@@ -43,7 +43,8 @@ void report_cut(const Budget& budget, std::int64_t most, std::int64_t n_compress
                                     budget.effort.name, paid));
 }
 constexpr std::uint32_t sampler_seed = 20100101;
-constexpr int final_length = 4;  // of the chains behind the intervals, in those of the search
+// Of the chains behind the intervals, in those of the search: as long as their draws are worth too little.
+constexpr int final_length = 4, longest_final = 16;
 constexpr double least_effective = 200.0, most_r_hat = 1.05;  // of draws that pass without a word
 
 struct Batch {
@@ -327,6 +328,16 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
   }
 }
 
+/// Those behind the intervals.
+std::vector<Point> final_draws(StrengthPosterior& posterior, std::uint32_t seed) {
+  std::vector<Point> draws = posterior.settled_draws(seed, final_length);
+  for (int length = 2 * final_length; length <= longest_final; length *= 2) {
+    if (StrengthPosterior::mixing_of(draws).effective >= least_effective) break;
+    draws = posterior.draws(StrengthPosterior::none, seed, length);
+  }
+  return draws;
+}
+
 /// How far the draws behind the intervals can be trusted; said where it is not far.
 void report_mixing(const std::vector<Point>& draws, StrengthFit& fit) {
   fit.mixing = StrengthPosterior::mixing_of(draws);
@@ -446,7 +457,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       fit.notes.emplace_back("the estimate of the strengths had not settled when the search ended");
   }
   posterior.count_errors();
-  draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(batches.size()), final_length);
+  draws = final_draws(posterior, sampler_seed + static_cast<std::uint32_t>(batches.size()));
   report(posterior, draws, estimate, packings.behind(), fit);
   report_mixing(draws, fit);
   report_without_peak(fit);

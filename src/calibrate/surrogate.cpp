@@ -53,12 +53,13 @@ Surrogate::Shared::Shared(const std::vector<SurrogateRun>& runs, const MatrixXd&
     }
 }
 
-ArrayXd Surrogate::response_kernel(const VectorXd& z) const {
-  const ArrayXd dot = (places_ * z).array();
-  const ArrayXd distance = squares_ + z.squaredNorm() - 2.0 * dot;
-  return square(response_) *
-         (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * dot.square() +
-          square(remainder_size) * (distance * (-0.5 / square(length))).exp());
+ArrayXd Surrogate::response_kernel(const Eigen::Ref<const VectorXd>& z) const {
+  ArrayXd dot = (places_ * z).array();
+  const auto distance = squares_ + z.squaredNorm() - 2.0 * dot;
+  dot = square(response_) *
+        (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * dot.square() +
+         square(remainder_size) * (distance * (-0.5 / square(length))).exp());
+  return dot;
 }
 
 double Surrogate::response_variance(double squared_length) const {
@@ -78,7 +79,7 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean
   }
   squares_ = places_.rowwise().squaredNorm();
   MatrixXd response(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) response.col(i) = response_kernel(places_.row(i));
+  for (Eigen::Index i = 0; i < n; ++i) response.col(i) = response_kernel(places_.row(i).transpose());
   const Shared shared(runs, response);
   double best = -std::numeric_limits<double>::infinity();
   std::pair<double, double> chosen{1.0, 1.0};
@@ -90,7 +91,7 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean
         best = density, chosen = {factor, scatter};
     }
   learn(y, shared, chosen.first, chosen.second);
-  whitener_ = factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+  whitener_ = factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n)).transpose();
 }
 
 double Surrogate::learn(const VectorXd& y, const Shared& shared, double response, double scatter) {
@@ -103,11 +104,13 @@ double Surrogate::learn(const VectorXd& y, const Shared& shared, double response
 }
 
 Surrogate::Value Surrogate::at(std::span<const double> z) const {
-  const VectorXd place = vector_of(z);
+  const auto place = vector_of(z);
   const double prior = response_variance(place.squaredNorm());
   if (weights_.size() == 0) return {prior_.value(z), prior};
   const VectorXd k = response_kernel(place);
-  const double known = (whitener_ * k).squaredNorm();
+  double known = 0.0;
+  for (Eigen::Index i = 0; i < k.size(); ++i)
+    known += square(whitener_.col(i).head(i + 1).dot(k.head(i + 1)));
   return {prior_.value(z) + k.dot(weights_), std::max(0.0, prior - known)};
 }
 

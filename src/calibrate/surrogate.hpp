@@ -46,17 +46,18 @@ class Surrogate {
 
  private:
   PriorMean prior_;
-  Eigen::MatrixXd places_;             // of the runs, one per row
-  Eigen::ArrayXd squares_;             // of their lengths
-  double response_ = 1.0;              // factor on the amplitudes
-  Eigen::MatrixXd factor_, whitener_;  // Cholesky factor of the covariance of the runs, its inverse
-  Eigen::VectorXd weights_;            // of the runs
+  Eigen::MatrixXd places_;    // of the runs, one per row
+  Eigen::ArrayXd squares_;    // of their lengths
+  double response_ = 1.0;     // factor on the amplitudes
+  Eigen::MatrixXd factor_;    // Cholesky factor of the covariance of the runs
+  Eigen::MatrixXd whitener_;  // its inverse, a row per column
+  Eigen::VectorXd weights_;   // of the runs
 
   struct Shared;  // parts of that covariance
   /// Returns the log likelihood.
   double learn(const Eigen::VectorXd& y, const Shared& shared, double response, double scatter);
   /// Covariance of the response of fine grains, mean over packings, with every run.
-  Eigen::ArrayXd response_kernel(const Eigen::VectorXd& z) const;
+  Eigen::ArrayXd response_kernel(const Eigen::Ref<const Eigen::VectorXd>& z) const;
   double response_variance(double square) const;
 };
 

@@ -11,6 +11,7 @@
 #include "genesis/cache.hpp"
 #include "jobs/study_folder.hpp"
 #include "study/expected.hpp"
+#include "study/study_in.hpp"
 
 namespace phy::cli {
 namespace {
@@ -57,11 +58,13 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   if (mine < plan.tests.size()) print_wrapped(width, 10, "shard     {} of them are this part's\n", mine);
   if (s.solver == study::Solver::direct)
     print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
-  else
+  else {
     print_wrapped(
         width, 10, "press     {}, {} precision, affine pre-strain {}\n", speed_words(s.base.test),
         s.base.engine.precision == Precision::double_precision ? "double" : "single",
         s.base.test.pre_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.pre_strain) : "off");
+    for (const std::string& line : study::by_angle_lines(s)) print_wrapped(width, 10, "by angle  {}\n", line);
+  }
   if (left == 0) return;
   const std::size_t to_make = n_packings_to_make(plan);
   print_wrapped(width, 10, "expected  {} to run, about {} on {} thread(s){}\n", left,

@@ -1,6 +1,7 @@
 #include "jobs/study_folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -69,6 +70,12 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
+  const auto by_angle = [](const study::Study& s) {
+    return s.by_angle.empty() ? "nothing" : fmt::format("{}", fmt::join(study::by_angle_lines(s), ", "));
+  };
+  if (by_angle(there) != by_angle(study))
+    throw InputError(Problem{folder + "/study.toml", "by_angle", by_angle(there),
+                             by_angle(study) + ", as in the study file", remedy});
 }
 
 void refuse_unmerged(const std::string& folder) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/rng.hpp"
+#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -217,6 +218,14 @@ Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, s
   r.matrix.bond_seed = bond_seed;
   for (std::size_t k = 0; k < study.vary.size(); ++k) study.vary[k].key.put(r, point.values[k]);
   return r;
+}
+
+std::vector<Recipe> specimens_at(const Study& study, const Point& point, std::int64_t packing,
+                                 std::int64_t bond_seed) {
+  std::vector<Recipe> singles = single_recipes(recipe_at(study, point, packing, bond_seed));
+  for (const ByAngle& entry : study.by_angle)
+    for (std::size_t i = 0; i < singles.size(); ++i) entry.key.put(singles[i], entry.values[i]);
+  return singles;
 }
 
 std::string describe(const Study& study, const Point& point) {

@@ -59,12 +59,19 @@ struct Factor {
   double at(double u) const;
 };
 
+/// A key of [test] with a value for each specimen of a point: those of test.angles, then the intact one.
+struct ByAngle {
+  RecipeKey key;
+  std::vector<double> values;
+};
+
 struct Study {
   std::string name;
   Recipe base;
   Solver solver = Solver::dynamic;
   Design design = Design::one_at_a_time;
   std::vector<Factor> vary;
+  std::vector<ByAngle> by_angle;
   std::vector<std::vector<double>> rows;  ///< of the list design
   std::int64_t samples = 64;
   std::int64_t seed = 1;
@@ -91,6 +98,10 @@ inline std::size_t n_replicates(const Study& study) {
 
 /// The base recipe at a point, on one packing and bond seed.
 Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, std::int64_t bond_seed);
+
+/// The recipes of its specimens, each with its values of Study::by_angle.
+std::vector<Recipe> specimens_at(const Study& study, const Point& point, std::int64_t packing,
+                                 std::int64_t bond_seed);
 
 /// "bedding.k_n = 840 GPa/m, bedding.mu = 0.4"; empty if nothing varies.
 std::string describe(const Study& study, const Point& point);

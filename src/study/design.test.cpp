@@ -231,6 +231,43 @@ TEST_F(StudyFile, SeedsAndAnglesHaveKeysOfTheirOwn) {
   EXPECT_THAT(reported, HasSubstr("points.csv:1: column = bedding.theta [deg]"));
 }
 
+// Stiff and strong angles peak later, so each may have a speed of its own.
+TEST_F(StudyFile, EachAngleMayBeLoadedInItsOwnWay) {
+  io::write_file(at("base.toml"), io::read_file(at("base.toml")) +
+                                      "[test]\nangles = [\"0 deg\", \"90 deg\"]\nintact = true\n");
+  const std::string speeds = std::string(three_levels) +
+                             "[by_angle]\n\"test.platen_speed\" = [\"0.1 m/s\", \"50 mm/s\", \"0.2 m/s\"]\n";
+  const Study s = read(speeds);
+  for (const Point& point : points_of(s)) {
+    const std::vector<Recipe> of = specimens_at(s, point, 1, 1);
+    ASSERT_EQ(of.size(), 3u);
+    EXPECT_EQ(of[0].test.platen_speed, 0.1);
+    EXPECT_EQ(of[1].test.platen_speed, 0.05);
+    EXPECT_EQ(of[2].test.platen_speed, 0.2);
+    EXPECT_TRUE(of[2].bedding.empty()) << "the last is the intact specimen";
+    EXPECT_EQ(of[1].bedding[0].theta, 90.0);
+  }
+  EXPECT_EQ(s.base.test.platen_speed, Recipe{}.test.platen_speed) << "of the recipe, as it was";
+}
+
+TEST_F(StudyFile, WhatBelongsToAnAngleIsCheckedLikeTheRest) {
+  const auto with = [&](const std::string& line) {
+    return problems_of(std::string(three_levels) + "[by_angle]\n" + line + "\n");
+  };
+  EXPECT_THAT(with("\"test.platen_speed\" = [\"0.1 m/s\"]"), HasSubstr("use [set] for its one specimen"));
+  io::write_file(at("base.toml"),
+                 io::read_file(at("base.toml")) + "[test]\nangles = [\"0 deg\", \"90 deg\"]\n");
+  EXPECT_THAT(with("\"test.platen_speed\" = [\"0.1 m/s\"]"), HasSubstr("a list of 2 values"));
+  EXPECT_THAT(with("\"test.platen_speed\" = \"0.1 m/s\""), HasSubstr("a list of 2 values"));
+  EXPECT_THAT(with("\"test.platen_speed\" = [\"0.1 m/s\", \"1 mm\"]"), HasSubstr("has the wrong unit"));
+  EXPECT_THAT(with("\"test.platn_speed\" = [1, 2]"), HasSubstr("did you mean \"test.platen_speed\"?"));
+  EXPECT_THAT(with("\"matrix.mu\" = [0.1, 0.2]"), HasSubstr("a key of [test] other than kind and intact"));
+  EXPECT_THAT(with("\"test.pre_strain\" = [1e-4, 0.02]"), HasSubstr(", specimen 2: test.pre_strain"));
+  EXPECT_THAT(problems_of("[[vary]]\nkey = \"test.stop_at\"\nvalues = [0.5, 0.6]\n[by_angle]\n"
+                          "\"test.stop_at\" = [0.6, 0.7]\n"),
+              HasSubstr("a key that does not vary from point to point"));
+}
+
 TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
   const Study s = read(std::string(three_levels) + "[set]\n\"test.jump_strain\" = 1e-4\n");
   EXPECT_EQ(recipe_at(s, points_of(s).front(), 1, 1).test.pre_strain, 1e-4);
@@ -238,12 +275,15 @@ TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
 
 TEST_F(StudyFile, IsCompleteAsFilesOfItsOwn) {
   io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100.1,zone\n200.3,crossing\n");
+  io::write_file(at("base.toml"),
+                 io::read_file(at("base.toml")) + "[test]\nangles = [\"0 deg\", \"90 deg\"]\n");
   std::string many = "packings = [1000001", levels = "[[vary]]\nkey = \"bedding.k_n\"\nvalues = [";
   for (int i = 2; i <= 1000; ++i) many += ",\n" + std::to_string(1000000 + i);
   for (int i = 1; i <= 300; ++i) levels += "\"" + std::to_string(i) + ".123 GPa/m\",\n";
   for (const std::string& text :
        {many + "]\n" + std::string(three_levels), levels + "]\n",
         std::string(three_levels) + "[set]\n\"engine.precision\" = \"float\"\n",
+        std::string(three_levels) + "[by_angle]\n\"test.platen_speed\" = [\"0.1 m/s\", \"70 mm/s\"]\n",
         "design = \"sobol\"\n" + std::string(two_ranges),
         std::string("design = \"list\"\nfile = \"points.csv\"\npackings = [4, 5]\n")}) {
     const Study in = read(text);

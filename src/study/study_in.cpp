@@ -11,6 +11,7 @@
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
 #include "study/direct.hpp"
+#include "study/experiment.hpp"
 
 namespace phy::study {
 namespace {
@@ -72,7 +73,10 @@ Fields study_fields() {
       entry(K::value, "vary", "from", "lower end of a range", ""),
       entry(K::value, "vary", "to", "upper end of a range", ""),
       one_of(entry(K::choice, "vary", "scale", "how a range is divided", "\"linear\""), {"linear", "log"}),
-      entry(K::value, "set", "\"table.key\"", "a key of the recipe and its value for the whole study", "")};
+      entry(K::value, "set", "\"table.key\"", "a key of the recipe and its value for the whole study", ""),
+      entry(K::values, "by_angle", "\"test.key\"",
+            "a key of [test] and its values: one for each of test.angles, then one for the intact specimen",
+            "")};
 }
 
 /// The recipe key of that name, "bedding.k_n" or "bedding[1].k_n"; field = nullptr if there is none.
@@ -125,6 +129,7 @@ class Reader {
     if (base_ok_) {
       read_vary();
       read_list();
+      read_by_angle();
       check_bond_seeds();
       // Points are built from factors: with problems left they would only cause messages about consequences.
       if (problems_.empty()) check_points();
@@ -289,6 +294,46 @@ class Reader {
       report_problem(*from, name + ".from", "above 0 on a logarithmic scale", "");
   }
 
+  /// What belongs to an angle whatever the point: how its specimens are loaded.
+  void read_by_angle() {
+    const TestRecipe& test = study_.base.test;
+    const std::size_t n = single_recipes(study_.base).size();
+    for (const io::TomlValue* table : file_.tables("by_angle"))
+      for (std::size_t i = 0; i < table->keys.size(); ++i) {
+        const std::string& name = table->keys[i].name;
+        const io::TomlValue& list = table->items[i];
+        const RecipeKey key = usable(name, table->keys[i].line, "by_angle");
+        if (key.field == nullptr) continue;
+        const std::string path = "by_angle.\"" + name + "\"";
+        const bool varied = std::any_of(study_.vary.begin(), study_.vary.end(),
+                                        [&](const Factor& f) { return f.key.field == key.field; });
+        if (key.field->table != "test" || name == "test.kind" || name == "test.intact")
+          report_problem(list, path, "a key of [test] other than kind and intact",
+                         "the specimens of a point differ in their angle and in how they are loaded");
+        else if (varied)
+          report_problem(list, path, "a key that does not vary from point to point",
+                         "leave it out here, or out of the parameters");
+        else if (test.angles.empty())
+          report_problem(list, path, "test.angles in the base recipe", "use [set] for its one specimen");
+        else if (list.kind != Kind::list || list.items.size() != n)
+          report_problem(list, path, "a list of " + std::to_string(n) + " values",
+                         "one for each of test.angles" +
+                             std::string(test.intact ? ", then one for the intact specimen" : ""));
+        else
+          read_by_angle(key, list, path);
+      }
+  }
+  void read_by_angle(const RecipeKey& key, const io::TomlValue& list, const std::string& path) {
+    ByAngle entry{key, {}};
+    std::string remedy;
+    for (const io::TomlValue& v : list.items)
+      if (double value = 0.0; io::take_value(*key.field, v, value, remedy))
+        entry.values.push_back(value);
+      else
+        report_problem(v, path, range_text(*key.field), remedy);
+    study_.by_angle.push_back(std::move(entry));
+  }
+
   /// The table of a list design: a header of keys, with units in brackets, then numbers or words.
   void read_list() {
     const std::string name = file_.text("file", "");
@@ -397,6 +442,15 @@ class Reader {
                      "nothing breaks there, and neither joints nor missing bonds are drawn: leave it out");
   }
 
+  /// "study.toml at bedding.mu = 0.4, specimen 2": which of the specimens counts where they have values of
+  /// their own.
+  std::string place_of(const Point& point, std::size_t specimen) const {
+    const std::string at = describe(study_, point);
+    std::string place = path_ + (at.empty() ? "" : " at " + at);
+    if (!study_.by_angle.empty()) place += ", specimen " + std::to_string(specimen + 1);
+    return place;
+  }
+
   void check_points() {
     const std::size_t angles = std::max<std::size_t>(1, study_.base.test.angles.size());
     const double replicates = static_cast<double>(study_.packings.size() * study_.bond_seeds.size());
@@ -405,12 +459,16 @@ class Reader {
           {path_, "vary", "", "at most a million specimens", "use fewer levels, samples or packings"});
       return;
     }
-    // Each point must be a valid recipe by itself; the first replicate stands for all.
+    // Each point must be a valid recipe by itself; the first replicate stands for all. What belongs to an
+    // angle makes a recipe of each specimen.
     for (const Point& point : points_of(study_)) {
-      const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
-      for (Problem& p :
-           cross_checks(r, [&](const std::string&) { return path_ + " at " + describe(study_, point); }))
-        problems_.push_back(std::move(p));
+      const std::int64_t packing = study_.packings.front(), bond_seed = study_.bond_seeds.front();
+      const std::vector<Recipe> recipes =
+          study_.by_angle.empty() ? std::vector<Recipe>{recipe_at(study_, point, packing, bond_seed)}
+                                  : specimens_at(study_, point, packing, bond_seed);
+      for (std::size_t i = 0; i < recipes.size(); ++i)
+        for (Problem& p : cross_checks(recipes[i], [&](const std::string&) { return place_of(point, i); }))
+          problems_.push_back(std::move(p));
       // One slip usually affects all points: enough to see what is wrong.
       if (problems_.size() >= max_problems) return;
     }

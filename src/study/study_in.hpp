@@ -23,4 +23,7 @@ Study study_of(io::TomlValue keys, const std::string& where, const std::optional
 /// and, for a list, points.csv. Pairs of name and content.
 std::vector<std::pair<std::string, std::string>> study_files(const Study& study);
 
+/// Its [by_angle] as lines of such a file: "\"test.platen_speed\" = [\"0.1 m/s\", \"0.05 m/s\"]".
+std::vector<std::string> by_angle_lines(const Study& study);
+
 }  // namespace phy::study

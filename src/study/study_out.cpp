@@ -39,6 +39,14 @@ std::string list_text(const std::vector<T>& values, const Print& print) {
 
 }  // namespace
 
+std::vector<std::string> by_angle_lines(const Study& study) {
+  std::vector<std::string> lines;
+  for (const ByAngle& entry : study.by_angle)
+    lines.push_back(toml_string(entry.key.path()) + " = " +
+                    list_text(entry.values, [&](double v) { return value_text(entry.key, v); }));
+  return lines;
+}
+
 std::vector<std::pair<std::string, std::string>> study_files(const Study& study) {
   const auto whole = [](std::int64_t n) { return std::to_string(n); };
   std::string text = "name = " + toml_string(study.name) + "\n";
@@ -68,6 +76,8 @@ std::vector<std::pair<std::string, std::string>> study_files(const Study& study)
                 (f.logarithmic ? "log" : "linear") + "\"\n";
     }
   }
+  if (!study.by_angle.empty()) text += "\n[by_angle]\n";
+  for (const std::string& line : by_angle_lines(study)) text += line + "\n";
   files.emplace_back("study.toml", text);
   return files;
 }
