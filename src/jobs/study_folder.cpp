@@ -1,7 +1,6 @@
 #include "jobs/study_folder.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -57,6 +56,24 @@ void check_tables(const std::string& folder, const std::string& option) {
                     option);
 }
 
+namespace {
+
+/// The first key in which a specimen that both studies have is loaded differently. Angles may be added.
+std::optional<study::RecipeDifference> difference_by_angle(const study::Study& there,
+                                                           const study::Study& here) {
+  const std::vector<double>&angles = there.base.test.angles, &now = here.base.test.angles;
+  const std::vector<Recipe> old = study::specimens_of(there, there.base),
+                            fresh = study::specimens_of(here, here.base);
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (const auto it = std::find(now.begin(), now.end(), angles[i]); it != now.end())
+      if (auto d = study::first_difference(old[i], fresh[static_cast<std::size_t>(it - now.begin())]))
+        return d;
+  if (there.base.test.intact && here.base.test.intact) return study::first_difference(old.back(), fresh.back());
+  return {};
+}
+
+}  // namespace
+
 void refuse_other_study(const study::Study& study, const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
@@ -70,12 +87,9 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   if (const auto d = study::first_difference(there.base, study.base))
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
-  const auto by_angle = [](const study::Study& s) {
-    return s.by_angle.empty() ? "nothing" : fmt::format("{}", fmt::join(study::by_angle_lines(s), ", "));
-  };
-  if (by_angle(there) != by_angle(study))
-    throw InputError(Problem{folder + "/study.toml", "by_angle", by_angle(there),
-                             by_angle(study) + ", as in the study file", remedy});
+  if (const auto d = difference_by_angle(there, study))
+    throw InputError(Problem{folder + "/study.toml", "by_angle: " + d->key, d->one,
+                             d->other + ", as in the study file", remedy});
 }
 
 void refuse_unmerged(const std::string& folder) {

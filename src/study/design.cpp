@@ -220,9 +220,8 @@ Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, s
   return r;
 }
 
-std::vector<Recipe> specimens_at(const Study& study, const Point& point, std::int64_t packing,
-                                 std::int64_t bond_seed) {
-  std::vector<Recipe> singles = single_recipes(recipe_at(study, point, packing, bond_seed));
+std::vector<Recipe> specimens_of(const Study& study, const Recipe& recipe) {
+  std::vector<Recipe> singles = single_recipes(recipe);
   for (const ByAngle& entry : study.by_angle)
     for (std::size_t i = 0; i < singles.size(); ++i) entry.key.put(singles[i], entry.values[i]);
   return singles;

@@ -99,9 +99,8 @@ inline std::size_t n_replicates(const Study& study) {
 /// The base recipe at a point, on one packing and bond seed.
 Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, std::int64_t bond_seed);
 
-/// The recipes of its specimens, each with its values of Study::by_angle.
-std::vector<Recipe> specimens_at(const Study& study, const Point& point, std::int64_t packing,
-                                 std::int64_t bond_seed);
+/// The specimens of a recipe of the study (single_recipes), each with its values of Study::by_angle.
+std::vector<Recipe> specimens_of(const Study& study, const Recipe& recipe);
 
 /// "bedding.k_n = 840 GPa/m, bedding.mu = 0.4"; empty if nothing varies.
 std::string describe(const Study& study, const Point& point);

@@ -239,7 +239,7 @@ TEST_F(StudyFile, EachAngleMayBeLoadedInItsOwnWay) {
                              "[by_angle]\n\"test.platen_speed\" = [\"0.1 m/s\", \"50 mm/s\", \"0.2 m/s\"]\n";
   const Study s = read(speeds);
   for (const Point& point : points_of(s)) {
-    const std::vector<Recipe> of = specimens_at(s, point, 1, 1);
+    const std::vector<Recipe> of = specimens_of(s, recipe_at(s, point, 1, 1));
     ASSERT_EQ(of.size(), 3u);
     EXPECT_EQ(of[0].test.platen_speed, 0.1);
     EXPECT_EQ(of[1].test.platen_speed, 0.05);

@@ -462,10 +462,9 @@ class Reader {
     // Each point must be a valid recipe by itself; the first replicate stands for all. What belongs to an
     // angle makes a recipe of each specimen.
     for (const Point& point : points_of(study_)) {
-      const std::int64_t packing = study_.packings.front(), bond_seed = study_.bond_seeds.front();
+      const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
       const std::vector<Recipe> recipes =
-          study_.by_angle.empty() ? std::vector<Recipe>{recipe_at(study_, point, packing, bond_seed)}
-                                  : specimens_at(study_, point, packing, bond_seed);
+          study_.by_angle.empty() ? std::vector<Recipe>{r} : specimens_of(study_, r);
       for (std::size_t i = 0; i < recipes.size(); ++i)
         for (Problem& p : cross_checks(recipes[i], [&](const std::string&) { return place_of(point, i); }))
           problems_.push_back(std::move(p));
