@@ -68,7 +68,8 @@ std::optional<study::RecipeDifference> difference_by_angle(const study::Study& t
     if (const auto it = std::find(now.begin(), now.end(), angles[i]); it != now.end())
       if (auto d = study::first_difference(old[i], fresh[static_cast<std::size_t>(it - now.begin())]))
         return d;
-  if (there.base.test.intact && here.base.test.intact) return study::first_difference(old.back(), fresh.back());
+  if (there.base.test.intact && here.base.test.intact)
+    return study::first_difference(old.back(), fresh.back());
   return {};
 }
 
