@@ -17,6 +17,13 @@ struct Functor {
 
 }  // namespace
 
+LinearFit linear_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  return {qr.solve(b), qr.rank()};
+}
+
+Eigen::MatrixXd inverse_of_squares(const Eigen::MatrixXd& A) { return (A.transpose() * A).inverse(); }
+
 Eigen::VectorXd least_squares(const Misfits& misfits, Eigen::VectorXd start,
                               const LeastSquaresLimits& limits) {
   Functor functor{misfits};

@@ -1,10 +1,21 @@
-// Nonlinear least squares by the method of Levenberg and Marquardt, as Eigen has it (after MINPACK). Compiled
-// once for all who fit: its templates take ten seconds of a compiler's time.
+// Least squares: linear ones by QR with pivoted columns, nonlinear ones by the method of Levenberg and
+// Marquardt, as Eigen has both (the latter after MINPACK). Compiled once for all who fit: these templates
+// take ten seconds of a compiler's time in every file that names them.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
 
 namespace phy {
+
+/// The x for which |A x - b| is least.
+struct LinearFit {
+  Eigen::VectorXd x;
+  Eigen::Index rank;  ///< of A; less than it has columns: x is one of many
+};
+LinearFit linear_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
+/// (A^T A)^-1: times the variance of b, the covariance of that x. A has full rank.
+Eigen::MatrixXd inverse_of_squares(const Eigen::MatrixXd& A);
 
 /// The sum of the squares of these is to become least.
 struct Misfits {

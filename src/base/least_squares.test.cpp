@@ -53,5 +53,24 @@ TEST(LeastSquares, OfALineAreThoseOfTheNormalEquations) {
   EXPECT_NEAR(x[1], 2.0, 1e-8);
 }
 
+TEST(LinearLeastSquares, OfALineAreThoseOfTheNormalEquations) {
+  const Eigen::MatrixXd A = Eigen::MatrixXd{{1.0, 0.0}, {1.0, 1.0}, {1.0, 2.0}};
+  const LinearFit fit = linear_least_squares(A, Eigen::Vector3d(0.0, 1.0, 4.0));
+  EXPECT_NEAR(fit.x[0], -1.0 / 3.0, 1e-14);
+  EXPECT_NEAR(fit.x[1], 2.0, 1e-14);
+  EXPECT_EQ(fit.rank, 2);
+  const Eigen::MatrixXd inverse = inverse_of_squares(A);  // of {{3, 3}, {3, 5}}
+  EXPECT_NEAR(inverse(0, 0), 5.0 / 6.0, 1e-14);
+  EXPECT_NEAR(inverse(0, 1), -0.5, 1e-14);
+  EXPECT_NEAR(inverse(1, 1), 0.5, 1e-14);
+}
+
+TEST(LinearLeastSquares, ColumnsAlikeHaveNoFullRank) {
+  const Eigen::MatrixXd A = Eigen::MatrixXd{{1.0, 2.0}, {2.0, 4.0}, {3.0, 6.0}};
+  const LinearFit fit = linear_least_squares(A, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(fit.rank, 1);
+  EXPECT_NEAR((A * fit.x - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 0.0, 1e-13);
+}
+
 }  // namespace
 }  // namespace phy

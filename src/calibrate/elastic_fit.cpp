@@ -73,7 +73,7 @@ MatrixXd covariance_at(ElasticProblem& problem, const Point& x) {
   const VectorXd r = vector_of(at.residuals);
   const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
   const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
-  return (J.transpose() * J).inverse() * std::max(1.0, misfit);
+  return inverse_of_squares(J) * std::max(1.0, misfit);
 }
 
 /// 95 % interval of the rock's own value, known from two sides: its specimens deviate from the mean over

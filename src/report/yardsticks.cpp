@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "base/least_squares.hpp"
 #include "base/nan.hpp"
 #include "theory/jaeger_fit.hpp"
 
@@ -32,7 +33,7 @@ double parabola(const std::vector<Comparison>& rows, const Target& cell) {
     terms.row(i) << 1.0, x, x * x;
     values[i] = t.mean;
   }
-  return terms.colPivHouseholderQr().solve(values)[0];
+  return linear_least_squares(terms, values).x[0];
 }
 
 double jaeger(const std::vector<Comparison>& rows, const Target& cell) {

@@ -1,11 +1,13 @@
 #include "statics/crack_tip.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "base/exact_math.hpp"
+#include "base/least_squares.hpp"
+#include "base/polynomial.hpp"
 
 namespace phy::statics {
 namespace {
@@ -42,7 +44,7 @@ Eigen::Vector3d mean_strain(const Network& net, const Movements& u, const Window
     squares += place * place.transpose();
     right += place * Eigen::RowVector2d(u[3 * i], u[3 * i + 1]);
   }
-  const Eigen::Matrix<double, 3, 2> fit = squares.ldlt().solve(right);
+  const Eigen::Matrix<double, 3, 2> fit = squares.inverse() * right;
   return {fit(1, 0), fit(2, 1), fit(2, 0) + fit(1, 1)};
 }
 
@@ -65,15 +67,12 @@ struct Roots {
 };
 
 Roots roots_of(const Compliance& S) {
-  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
-  companion.diagonal(-1).setOnes();
-  companion.col(3) =
-      Eigen::Vector4d(-S[1][1], 2.0 * S[1][2], -2.0 * S[0][1] - S[2][2], 2.0 * S[0][2]) / S[0][0];
-  const Eigen::Vector4cd all = companion.eigenvalues();
+  const double scale = 1.0 / S[0][0];
   Roots r;
   std::size_t n = 0;
-  for (int i = 0; i < 4; ++i)
-    if (all[i].imag() > 0.0 && n < 2) r.mu[n++] = all[i];
+  for (const Complex& root : roots_of_monic({S[1][1] * scale, -2.0 * S[1][2] * scale,
+                                             (2.0 * S[0][1] + S[2][2]) * scale, -2.0 * S[0][2] * scale}))
+    if (root.imag() > 0.0 && n < 2) r.mu[n++] = root;
   if (std::abs(r.mu[0] - r.mu[1]) < apart) r.mu[0] *= 1.0 - apart, r.mu[1] *= 1.0 + apart;
   for (std::size_t k = 0; k < 2; ++k) {
     const Complex m = r.mu[k];
@@ -151,7 +150,7 @@ StressIntensity stress_intensity(const Network& net, const Movements& u, const C
     b.segment<2>(row) = Eigen::Vector2d(dot(v, tip.ahead), dot(v, across));
   }
   const Eigen::VectorXd size = A.colwise().norm();
-  const Eigen::VectorXd fit = (A * size.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd fit = linear_least_squares(A * size.cwiseInverse().asDiagonal(), b).x;
   const Eigen::VectorXd c = fit.cwiseQuotient(size);
   const double scale = std::sqrt(2.0 * pi / tip.farthest);
   const Eigen::VectorXd moved = b - A.leftCols(2) * c.head(2);

@@ -1,6 +1,6 @@
 #include "study/effects.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/analyse.hpp"
+#include "base/least_squares.hpp"
 #include "base/nan.hpp"
 #include "records/jointed.hpp"
 #include "records/specimen_record.hpp"
@@ -270,14 +271,14 @@ PlaneFit fit_plane(const std::vector<Point>& points, const std::vector<double>& 
   const Eigen::VectorXd scale = X.colwise().norm();  // keys differ by twelve orders of magnitude
   if (!(scale.minCoeff() > 0.0)) return fit;
   X = X * scale.cwiseInverse().asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
+  const auto [b, rank] = linear_least_squares(X, Y);
   // Parameters that move together cannot be separated: no slopes rather than arbitrary ones.
-  if (qr.rank() < m) return fit;
-  const Eigen::VectorXd b = qr.solve(Y), residual = Y - X * b;
+  if (rank < m) return fit;
+  const Eigen::VectorXd residual = Y - X * b;
   fit.R2 = Y.squaredNorm() > 0.0 ? 1.0 - residual.squaredNorm() / Y.squaredNorm() : 1.0;
   // Standard errors of least squares: s^2 (X^T X)^-1, scaled back to the units of the keys.
   const double s2 = residual.squaredNorm() / static_cast<double>(n - m - 1);
-  const Eigen::MatrixXd inverse = (X.transpose() * X).inverse();
+  const Eigen::MatrixXd inverse = inverse_of_squares(X);
   for (Eigen::Index j = 0; j < m; ++j) {
     fit.slope[static_cast<std::size_t>(j)] = b(j) / scale(j);
     fit.se[static_cast<std::size_t>(j)] = std::sqrt(s2 * inverse(j, j)) / scale(j);

@@ -1,10 +1,11 @@
 #include "theory/anisotropic_disc.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "base/check.hpp"
 #include "base/exact_math.hpp"
+#include "base/polynomial.hpp"
 #include "theory/angles.hpp"
 
 namespace phy::theory {
@@ -18,13 +19,11 @@ constexpr double apart = 1e-4;
 constexpr int last_harmonic = 199;
 
 std::array<Complex, 2> roots_of(const PlaneCompliance& S) {
-  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
-  companion.diagonal(-1).setOnes();
-  companion.col(3) = Eigen::Vector4d(-S.S_yy, 2.0 * S.S_ys, -2.0 * S.S_xy - S.S_ss, 2.0 * S.S_xs) / S.S_xx;
-  const Eigen::Vector4cd all = companion.eigenvalues();
+  const double scale = 1.0 / S.S_xx;
   std::array<Complex, 2> mu;
   std::size_t n = 0;
-  for (const Complex& root : all)
+  for (const Complex& root : roots_of_monic(
+           {S.S_yy * scale, -2.0 * S.S_ys * scale, (2.0 * S.S_xy + S.S_ss) * scale, -2.0 * S.S_xs * scale}))
     if (root.imag() > 0.0 && n < 2) mu[n++] = root;
   PHY_CHECK(n == 2, "an elastic body has two roots above the real axis");
   if (std::abs(mu[0] - mu[1]) < apart) mu[0] *= 1.0 - apart, mu[1] *= 1.0 + apart;
@@ -50,7 +49,7 @@ Eigen::Vector2cd harmonic(const std::array<Complex, 2>& mu, const std::array<Com
   B << std::conj(t_n[0]), std::conj(t_n[1]), std::conj(mu[0] * t_n[0]), std::conj(mu[1] * t_n[1]);
   const Eigen::Matrix2cd back = B * A.conjugate().inverse();
   const Eigen::Vector2cd right(f, g);
-  return (A - back * B.conjugate()).fullPivLu().solve(right - back * right.conjugate());
+  return (A - back * B.conjugate()).inverse() * (right - back * right.conjugate());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "theory/eq1_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -124,8 +124,8 @@ Solution solve_linear(const Setup& p, const Eigen::VectorXd& weight) {
   }
   Solution s;
   s.x[0] = p.e;
-  s.x.tail(m) = J.colPivHouseholderQr().solve(rhs);
-  s.covariance.bottomRightCorner(m, m) = (J.transpose() * J).inverse();
+  s.x.tail(m) = linear_least_squares(J, rhs).x;
+  s.covariance.bottomRightCorner(m, m) = inverse_of_squares(J);
   s.sum_of_squares = (rhs - J * s.x.tail(m)).squaredNorm();
   return s;
 }
@@ -165,7 +165,7 @@ Solution solve_modulus(const Setup& p) {
   Eigen::MatrixXd J(misfit.values(), m);
   misfit(x, r), misfit.df(x, J);
   s.sum_of_squares = r.squaredNorm();
-  s.covariance.bottomRightCorner(m, m) = (J.transpose() * J).inverse();
+  s.covariance.bottomRightCorner(m, m) = inverse_of_squares(J);
   s.converged = (misfit.c(x).array() > 0.0).all() && (J.transpose() * r).norm() <= 1e-6 * J.norm();
   return s;
 }
