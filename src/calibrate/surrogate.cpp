@@ -54,12 +54,11 @@ Surrogate::Shared::Shared(const std::vector<SurrogateRun>& runs, const MatrixXd&
 }
 
 ArrayXd Surrogate::response_kernel(const Eigen::Ref<const VectorXd>& z) const {
-  ArrayXd dot = (places_ * z).array();
+  const ArrayXd dot = (places_ * z).array();
   const auto distance = squares_ + z.squaredNorm() - 2.0 * dot;
-  dot = square(response_) *
-        (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * dot.square() +
-         square(remainder_size) * (distance * (-0.5 / square(length))).exp());
-  return dot;
+  return square(response_) *
+         (square(prior_.constant) + square(prior_.slope) * dot + square(prior_.curvature) * dot.square() +
+          square(remainder_size) * (distance * (-0.5 / square(length))).exp());
 }
 
 double Surrogate::response_variance(double squared_length) const {
