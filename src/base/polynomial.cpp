@@ -2,9 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/check.hpp"
+
 namespace phy {
 
 std::vector<std::complex<double>> roots_of_monic(const std::vector<double>& c) {
+  PHY_CHECK(!c.empty(), "a polynomial of at least the first degree");
   const auto n = static_cast<Eigen::Index>(c.size());
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(n, n);
   companion.diagonal(-1).setOnes();

@@ -93,15 +93,21 @@ std::string unit_of(double usual, Dimension dimension) {
   return text.substr(text.find(' ') + 1);
 }
 
-/// The unit that a bare number was probably meant in: the one that brings it nearest to the usual value.
+/// The unit that a bare number was probably meant in: that of the usual value, or, where it would be far from
+/// that, the one that brings it nearest.
 std::string likely_unit(double number, double usual, Dimension dimension) {
-  if (number == 0.0 || usual == 0.0) return unit_of(usual, dimension);
+  constexpr double far = 2.0;  // orders of magnitude
+  const std::string plain = unit_of(usual, dimension);
+  if (number == 0.0 || usual == 0.0) return plain;
   const auto farness = [&](const Unit& u) {
     return std::fabs(std::log10(std::fabs(number / usual)) + u.power);
   };
   const Unit* nearest = nullptr;
-  for (const Unit& u : units)
-    if (u.dimension == dimension && (nearest == nullptr || farness(u) < farness(*nearest))) nearest = &u;
+  for (const Unit& u : units) {
+    if (u.dimension != dimension) continue;
+    if (u.name == plain && farness(u) <= far) return plain;
+    if (nearest == nullptr || farness(u) < farness(*nearest)) nearest = &u;
+  }
   return nearest->name;
 }
 

@@ -21,7 +21,7 @@ struct Quantity {
 };
 
 /// Reads a number with a unit of the dimension. A bare number is refused, naming the unit that it should
-/// probably have: that which brings it nearest to a `usual` value, where one is given.
+/// probably have: that of a `usual` value, where one is given, or a likelier one where that is far off.
 Quantity parse_quantity(std::string_view text, Dimension dimension, double usual = 0.0);
 /// Writes a value with the friendliest unit; reads back to the same bits (finite values).
 std::string print_quantity(double value, Dimension dimension);

@@ -131,9 +131,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& which) { return std::string(which.param.name); });
 
 // Whoever leaves the unit out thinks in metres or in millimetres: the number tells.
-TEST(Units, TheUnitThatBringsANumberNearToTheUsualValueIsProposed) {
+TEST(Units, ABareNumberIsTakenToBeNearTheUsualValue) {
   EXPECT_THAT(parse_quantity("0.016", Dimension::length, 0.05).problem, HasSubstr("\"0.016 m\""));
   EXPECT_THAT(parse_quantity("16", Dimension::length, 0.05).problem, HasSubstr("\"16 mm\""));
+  for (const char* size : {"5", "8", "10", "12", "24", "0.5"})
+    EXPECT_THAT(parse_quantity(size, Dimension::length, 0.038).problem,
+                HasSubstr("\"" + std::string(size) + " mm\""));
+  for (const char* speed : {"0.05", "1", "2"})
+    EXPECT_THAT(parse_quantity(speed, Dimension::speed, 0.05).problem,
+                HasSubstr("\"" + std::string(speed) + " m/s\""));
+  for (const char* stress : {"0.1", "0.5", "30", "900"})
+    EXPECT_THAT(parse_quantity(stress, Dimension::pressure, 10e6).problem,
+                HasSubstr("\"" + std::string(stress) + " MPa\""));
   EXPECT_THAT(parse_quantity("38e9", Dimension::pressure, 38e9).problem, HasSubstr("\"38e9 Pa\""));
   EXPECT_THAT(parse_quantity("2.7", Dimension::density, 2700.0).problem, HasSubstr("\"2.7 g/cm^3\""));
   EXPECT_THAT(parse_quantity("0", Dimension::length, 0.05).problem, HasSubstr("\"0 mm\""));

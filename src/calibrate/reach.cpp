@@ -216,6 +216,7 @@ double ReachRegression::at(std::span<const double> places) const {
 ReachRegression ReachRegression::over(const std::vector<std::size_t>& open,
                                       std::span<const double> places) const {
   const std::size_t n = places.size();
+  PHY_CHECK(coefficients_.size() == pair_of(n, n, 0), "a place for each lever");
   std::vector<double> closed(places.begin(), places.end());
   for (const std::size_t k : open) closed[k] = 0.0;
   ReachRegression some = *this;

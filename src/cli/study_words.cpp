@@ -59,8 +59,12 @@ void print_plan(const study::Plan& plan, const study::StudyRows& rows, const Ses
   if (s.solver == study::Solver::direct)
     print_wrapped(width, 10, "solver    direct elastic solution, no time steps\n");
   else {
+    const bool has_speeds = std::any_of(s.by_angle.begin(), s.by_angle.end(), [](const study::ByAngle& b) {
+      return b.key.path() == "test.platen_speed";
+    });
     print_wrapped(
-        width, 10, "press     {}, {} precision, affine pre-strain {}\n", speed_words(s.base.test),
+        width, 10, "press     {}, {} precision, affine pre-strain {}\n",
+        has_speeds ? "each angle at its own speed" : speed_words(s.base.test),
         s.base.engine.precision == Precision::double_precision ? "double" : "single",
         s.base.test.pre_strain > 0.0 ? fmt::format("to strain {:g}", s.base.test.pre_strain) : "off");
     for (const std::string& line : study::by_angle_lines(s)) print_wrapped(width, 10, "by angle  {}\n", line);

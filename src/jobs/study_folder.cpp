@@ -9,6 +9,7 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
+#include "records/specimen_record.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
 #include "study/table.hpp"
@@ -58,18 +59,21 @@ void check_tables(const std::string& folder, const std::string& option) {
 
 namespace {
 
-/// The first key in which a specimen that both studies have is loaded differently. Angles may be added.
+/// The first key in which a specimen that both studies have is loaded differently: "test.platen_speed at
+/// theta = 45 deg". Angles may be added.
 std::optional<study::RecipeDifference> difference_by_angle(const study::Study& there,
                                                            const study::Study& here) {
-  const std::vector<double>&angles = there.base.test.angles, &now = here.base.test.angles;
-  const std::vector<Recipe> old = study::specimens_of(there, there.base),
-                            fresh = study::specimens_of(here, here.base);
-  for (std::size_t i = 0; i < angles.size(); ++i)
-    if (const auto it = std::find(now.begin(), now.end(), angles[i]); it != now.end())
-      if (auto d = study::first_difference(old[i], fresh[static_cast<std::size_t>(it - now.begin())]))
-        return d;
-  if (there.base.test.intact && here.base.test.intact)
-    return study::first_difference(old.back(), fresh.back());
+  const std::vector<std::string> old = specimen_names(there.base), now = specimen_names(here.base);
+  const std::vector<Recipe> as_old = study::specimens_of(there, there.base),
+                            as_now = study::specimens_of(here, here.base);
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const auto k = static_cast<std::size_t>(std::find(now.begin(), now.end(), old[i]) - now.begin());
+    if (k == now.size()) continue;
+    if (auto d = study::first_difference(as_old[i], as_now[k])) {
+      d->key += " at " + old[i];
+      return d;
+    }
+  }
   return {};
 }
 
@@ -89,8 +93,8 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
     throw InputError(
         Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
   if (const auto d = difference_by_angle(there, study))
-    throw InputError(Problem{folder + "/study.toml", "by_angle: " + d->key, d->one,
-                             d->other + ", as in the study file", remedy});
+    throw InputError(
+        Problem{folder + "/study.toml", d->key, d->one, d->other + ", as asked for now", remedy});
 }
 
 void refuse_unmerged(const std::string& folder) {

@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/exact_math.hpp"
 #include "base/least_squares.hpp"
 #include "base/polynomial.hpp"
@@ -36,14 +37,16 @@ Eigen::Vector3d mean_stress(const Network& net, const std::vector<laws::Tangent<
 
 /// Least squares over the grains in the window: strain xx, yy, 2 xy.
 Eigen::Vector3d mean_strain(const Network& net, const Movements& u, const Window& w) {
+  std::size_t n = 0;
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
   for (std::size_t i = 0; i < net.n_grains; ++i) {
     if (!within(w, net.x[i])) continue;
     const Eigen::Vector3d place(1.0, net.x[i].x - w.lo.x, net.x[i].y - w.lo.y);
-    squares += place * place.transpose();
+    ++n, squares += place * place.transpose();
     right += place * Eigen::RowVector2d(u[3 * i], u[3 * i + 1]);
   }
+  PHY_CHECK(n >= 3, "three grains in a window");
   const Eigen::Matrix<double, 3, 2> fit = squares.inverse() * right;
   return {fit(1, 0), fit(2, 1), fit(2, 0) + fit(1, 1)};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/check.hpp"
 #include "base/rng.hpp"
 #include "study/experiment.hpp"
 
@@ -222,8 +223,10 @@ Recipe recipe_at(const Study& study, const Point& point, std::int64_t packing, s
 
 std::vector<Recipe> specimens_of(const Study& study, const Recipe& recipe) {
   std::vector<Recipe> singles = single_recipes(recipe);
-  for (const ByAngle& entry : study.by_angle)
+  for (const ByAngle& entry : study.by_angle) {
+    PHY_CHECK(entry.values.size() == singles.size(), "a value for each specimen");
     for (std::size_t i = 0; i < singles.size(); ++i) entry.key.put(singles[i], entry.values[i]);
+  }
   return singles;
 }
 

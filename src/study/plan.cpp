@@ -105,11 +105,11 @@ Plan make_plan(const Study& study, const Shard& shard) {
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     for (const std::int64_t packing : study.packings)
       for (const std::int64_t bond_seed : study.bond_seeds) {
-        Recipe recipe = recipe_at(study, plan.points[p], packing, bond_seed);
-        recipe.test.n_snapshots = recipe.test.n_frames = 0;  // the store keeps no pictures
         std::size_t place = 0;
-        for (Recipe& single : specimens_of(study, recipe))
+        for (Recipe& single : specimens_of(study, recipe_at(study, plan.points[p], packing, bond_seed))) {
+          single.test.n_snapshots = single.test.n_frames = 0;  // the store keeps no pictures
           maker.add(std::move(single), {p, packing, bond_seed, place++});
+        }
       }
   make_batches(plan, shard);
   return plan;

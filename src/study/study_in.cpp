@@ -10,6 +10,7 @@
 #include "io/regressions.hpp"
 #include "io/table.hpp"
 #include "io/toml_in.hpp"
+#include "records/specimen_record.hpp"
 #include "study/direct.hpp"
 #include "study/experiment.hpp"
 
@@ -104,6 +105,13 @@ std::string instead_of_varying(const RecipeKey& key, const Recipe& base) {
   return "";
 }
 
+/// What to do about a name that is no key of the recipe: test.stop_at without quotes is a table in a table.
+std::string hint_of(const std::string& name) {
+  const bool is_table = std::any_of(recipe_fields().begin(), recipe_fields().end(),
+                                    [&](const Field& f) { return f.table == name; });
+  return is_table ? "put table and key into quotes: \"" + name + ".key\"" : io::recipe_key_hint(name);
+}
+
 bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != FieldKind::quantities; }
 
 class Reader {
@@ -190,7 +198,7 @@ class Reader {
     RecipeKey key = find_key(name);
     std::string expected, remedy;
     if (key.field == nullptr)
-      expected = "a key of the recipe", remedy = io::recipe_key_hint(name);
+      expected = "a key of the recipe", remedy = hint_of(name);
     else if (!is_scalar(*key.field))
       expected = "a key with one number, choice or switch", remedy = "give it in the base recipe";
     else if (key.field->table == "bedding" &&
@@ -296,32 +304,43 @@ class Reader {
 
   /// What belongs to an angle whatever the point: how its specimens are loaded.
   void read_by_angle() {
-    const TestRecipe& test = study_.base.test;
-    const std::size_t n = single_recipes(study_.base).size();
-    for (const io::TomlValue* table : file_.tables("by_angle"))
+    for (const io::TomlValue* table : file_.tables("by_angle")) {
+      if (study_.solver == Solver::direct)
+        report_problem(*table, "by_angle", "no [by_angle] with solver = \"direct\"",
+                       "a direct solution knows no loading: leave the table out");
       for (std::size_t i = 0; i < table->keys.size(); ++i) {
         const std::string& name = table->keys[i].name;
         const io::TomlValue& list = table->items[i];
         const RecipeKey key = usable(name, table->keys[i].line, "by_angle");
         if (key.field == nullptr) continue;
         const std::string path = "by_angle.\"" + name + "\"";
-        const bool varied = std::any_of(study_.vary.begin(), study_.vary.end(),
-                                        [&](const Factor& f) { return f.key.field == key.field; });
-        if (key.field->table != "test" || name == "test.kind" || name == "test.intact")
-          report_problem(list, path, "a key of [test] other than kind and intact",
-                         "the specimens of a point differ in their angle and in how they are loaded");
-        else if (varied)
-          report_problem(list, path, "a key that does not vary from point to point",
-                         "leave it out here, or out of the parameters");
-        else if (test.angles.empty())
-          report_problem(list, path, "test.angles in the base recipe", "use [set] for its one specimen");
-        else if (list.kind != Kind::list || list.items.size() != n)
-          report_problem(list, path, "a list of " + std::to_string(n) + " values",
-                         "one for each of test.angles" +
-                             std::string(test.intact ? ", then one for the intact specimen" : ""));
+        if (const auto [expected, remedy] = instead_by_angle(key, list); !expected.empty())
+          report_problem(list, path, expected, remedy);
         else
           read_by_angle(key, list, path);
       }
+    }
+  }
+  /// What is expected of a key of [by_angle] and its list, and what to do; empty where all is well.
+  std::pair<std::string, std::string> instead_by_angle(const RecipeKey& key,
+                                                       const io::TomlValue& list) const {
+    const auto is_this = [&](const auto& other) { return other.key.field == key.field; };
+    const std::string path = key.path();
+    const TestRecipe& test = study_.base.test;
+    if (key.field->table != "test" || path == "test.kind" || path == "test.intact")
+      return {"a key of [test] other than kind and intact",
+              "the specimens of a point differ in their angle and in how they are loaded"};
+    if (std::any_of(study_.by_angle.begin(), study_.by_angle.end(), is_this))
+      return {"every key once", "it stands above, perhaps by a former name: remove one"};
+    if (std::any_of(study_.vary.begin(), study_.vary.end(), is_this))
+      return {"a key that does not vary from point to point", "leave it out here, or out of the parameters"};
+    if (test.angles.empty()) return {"test.angles in the base recipe", "use [set] for its one specimen"};
+    const std::size_t n = single_recipes(study_.base).size();
+    if (list.kind == Kind::list && list.items.size() == n) return {};
+    return {"a list of " + std::to_string(n) + " values",
+            std::string("one for each of test.angles") +
+                (test.intact ? ", then one for the intact specimen" : "") +
+                (list.kind == Kind::list ? "; these are " + std::to_string(list.items.size()) : "")};
   }
   void read_by_angle(const RecipeKey& key, const io::TomlValue& list, const std::string& path) {
     ByAngle entry{key, {}};
@@ -442,13 +461,22 @@ class Reader {
                      "nothing breaks there, and neither joints nor missing bonds are drawn: leave it out");
   }
 
-  /// "study.toml at bedding.mu = 0.4, specimen 2": which of the specimens counts where they have values of
-  /// their own.
-  std::string place_of(const Point& point, std::size_t specimen) const {
+  std::string place_of(const Point& point) const {
     const std::string at = describe(study_, point);
-    std::string place = path_ + (at.empty() ? "" : " at " + at);
-    if (!study_.by_angle.empty()) place += ", specimen " + std::to_string(specimen + 1);
-    return place;
+    return path_ + (at.empty() ? "" : " at " + at);
+  }
+  /// Those of the recipe of a point, then, where its specimens have values of their own, those of each.
+  std::vector<Problem> problems_at(const Point& point) const {
+    const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
+    std::vector<Problem> all = cross_checks(r, [&](const std::string&) { return place_of(point); });
+    if (study_.by_angle.empty() || !all.empty()) return all;
+    const std::vector<Recipe> specimens = specimens_of(study_, r);
+    const std::vector<std::string> names = specimen_names(r);
+    for (std::size_t i = 0; i < specimens.size(); ++i)
+      for (Problem& p :
+           cross_checks(specimens[i], [&](const std::string&) { return place_of(point) + ", " + names[i]; }))
+        all.push_back(std::move(p));
+    return all;
   }
 
   void check_points() {
@@ -459,15 +487,9 @@ class Reader {
           {path_, "vary", "", "at most a million specimens", "use fewer levels, samples or packings"});
       return;
     }
-    // Each point must be a valid recipe by itself; the first replicate stands for all. What belongs to an
-    // angle makes a recipe of each specimen.
+    // Each point must be a valid recipe by itself; the first replicate stands for all.
     for (const Point& point : points_of(study_)) {
-      const Recipe r = recipe_at(study_, point, study_.packings.front(), study_.bond_seeds.front());
-      const std::vector<Recipe> recipes =
-          study_.by_angle.empty() ? std::vector<Recipe>{r} : specimens_of(study_, r);
-      for (std::size_t i = 0; i < recipes.size(); ++i)
-        for (Problem& p : cross_checks(recipes[i], [&](const std::string&) { return place_of(point, i); }))
-          problems_.push_back(std::move(p));
+      for (Problem& p : problems_at(point)) problems_.push_back(std::move(p));
       // One slip usually affects all points: enough to see what is wrong.
       if (problems_.size() >= max_problems) return;
     }

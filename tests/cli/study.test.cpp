@@ -156,12 +156,27 @@ TEST_F(StudyCli, AFolderHoldsOneStudyWhichMayGrow) {
   EXPECT_THAT(output, HasSubstr("recipe.toml: matrix.mu = 0.8: expected 0.5"));
   const std::string speeds = "[by_angle]\n\"test.platen_speed\" = [\"0.1 m/s\", \"0.2 m/s\", \"0.3 m/s\"]\n";
   EXPECT_EQ(run("study " + with("A", "[2]", speeds) + line), 2);
-  EXPECT_THAT(output, HasSubstr("study.toml: by_angle: test.platen_speed = "));
+  EXPECT_THAT(output, HasSubstr("study.toml: test.platen_speed at theta = 45 deg = "));
   ASSERT_EQ(run("study status " + out()), 0) << output;
   EXPECT_EQ(hash(), both) << "a study that is refused changes nothing";
   ASSERT_EQ(run("study " + with("A", "[0.5, 1]") + line), 0) << output;
   EXPECT_THAT(output, HasSubstr("0 run in"));
   EXPECT_EQ(hash(), first) << "of this plan, whatever else the store holds";
+}
+
+TEST_F(StudyCli, GrowsByAnglesThatHaveTheirOwnSpeeds) {
+  const auto with = [&](const std::string& speeds) {
+    return "study " + study("packings = [1]\n[by_angle]\n\"test.platen_speed\" = [" + speeds + "]\n") +
+           " --out " + out();
+  };
+  ASSERT_EQ(run(with("\"0.2 m/s\", \"0.25 m/s\", \"0.3 m/s\"")), 0) << output;
+  EXPECT_THAT(output, HasSubstr("7 run in"));
+  const std::string line = with("\"0.2 m/s\", \"0.25 m/s\", \"0.1 m/s\", \"0.3 m/s\"");
+  std::string base = read(at("small.toml"));
+  base.insert(base.find("\"60 deg\"") + 8, ", \"90 deg\"");
+  write("small.toml", base);
+  ASSERT_EQ(run(line), 0) << output;
+  EXPECT_THAT(output, HasSubstr("3 run in"));
 }
 
 TEST_F(StudyCli, PartsAreMergedBeforeTheWholeIsRun) {
