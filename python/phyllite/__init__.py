@@ -189,6 +189,12 @@ class Study:
     text: str  #: the tables that the program prints
     hash: str  #: over all results, that of the program
 
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<Study of {len(self.table)} specimens in {self.folder}, hash {self.hash}>"
+
 
 def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress: ProgressFunction = None,
           **keys: Any) -> Study:

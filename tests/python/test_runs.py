@@ -181,6 +181,8 @@ class Studies(InFolder):
         code, text = program("study", path, "--out", self.at("its"))
         self.assertIn(code, (0, 1), text)
         self.assertIn("hash " + found.hash, text)
+        self.assertEqual(str(found), found.text)
+        self.assertIn(f"{len(found.table)} specimens", repr(found))
         for name in ("effects.csv", "responses.csv"):
             self.assertEqual(*(pathlib.Path(self.at(f), name).read_text() for f in ("mine", "its")))
         mine, its = rows_of(self.at("mine/results.csv")), rows_of(self.at("its/results.csv"))
