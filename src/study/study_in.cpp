@@ -344,12 +344,14 @@ class Reader {
   }
   void read_by_angle(const RecipeKey& key, const io::TomlValue& list, const std::string& path) {
     ByAngle entry{key, {}};
-    std::string remedy;
-    for (const io::TomlValue& v : list.items)
-      if (double value = 0.0; io::take_value(*key.field, v, value, remedy))
+    for (const io::TomlValue& v : list.items) {
+      double value = 0.0;
+      std::string remedy;
+      if (io::take_value(*key.field, v, value, remedy))
         entry.values.push_back(value);
       else
         report_problem(v, path, range_text(*key.field), remedy);
+    }
     study_.by_angle.push_back(std::move(entry));
   }
 
