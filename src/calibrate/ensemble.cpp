@@ -83,8 +83,13 @@ struct Move {
   double log_factor = 0.0;
 };
 
-/// Uniform numbers of one move.
-using Uniform = std::function<double(std::uint32_t)>;
+/// Uniform numbers of one move, by what each is for.
+struct Uniforms {
+  std::uint32_t seed, step, walker;
+  double operator()(std::uint32_t purpose) const {
+    return uniform(seed, Stream::calibration, step, walker, purpose);
+  }
+};
 
 /// A walker of a half [from, from + size): the place of a number u in [0, 1).
 std::size_t one_of(std::size_t from, std::size_t size, double u) {
@@ -93,7 +98,7 @@ std::size_t one_of(std::size_t from, std::size_t size, double u) {
 
 /// `others`: the half from which partners come, so that the two halves leave the density alone.
 Move stretched(const std::vector<Point>& walkers, std::size_t i, std::size_t others, std::size_t n_others,
-               const Uniform& u) {
+               const Uniforms& u) {
   constexpr double stretch = 2.0;  // Goodman & Weare's a
   const Point& partner = walkers[one_of(others, n_others, u(1))];
   const double root = 1.0 + (stretch - 1.0) * u(2), z = root * root / stretch;
@@ -103,7 +108,7 @@ Move stretched(const std::vector<Point>& walkers, std::size_t i, std::size_t oth
 }
 
 Move along_a_difference(const std::vector<Point>& walkers, std::size_t i, std::size_t others,
-                        std::size_t n_others, const Uniform& u) {
+                        std::size_t n_others, const Uniforms& u) {
   constexpr double whole = 0.1, wobble = 0.05;  // share of whole steps; of the usual ones, in length
   const std::size_t a = one_of(others, n_others, u(1));
   std::size_t b = one_of(others, n_others - 1, u(2));
@@ -126,10 +131,7 @@ std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers,
   std::vector<Point> draws;
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
-      const Uniform u = [&](std::uint32_t k) {
-        return uniform(seed, Stream::calibration, static_cast<std::uint32_t>(step),
-                       static_cast<std::uint32_t>(i), k);
-      };
+      const Uniforms u{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(i)};
       const std::size_t others = i < half ? half : 0, n_others = i < half ? n - half : half;
       Move move = u(0) < stretches ? stretched(walkers, i, others, n_others, u)
                                    : along_a_difference(walkers, i, others, n_others, u);

@@ -265,7 +265,7 @@ TEST_F(StudyFile, WhatBelongsToAnAngleIsCheckedLikeTheRest) {
   EXPECT_THAT(with("\"matrix.mu\" = [0.1, 0.2]"), HasSubstr("a key of [test] other than kind and intact"));
   EXPECT_THAT(with("\"test.pre_strain\" = [1e-4, 0.02]"), HasSubstr(", theta = 90 deg: test.pre_strain"));
   EXPECT_THAT(with("\"test.platen_speed\" = [\"1 m/s\", \"1 m/s\", \"1 m/s\"]"), HasSubstr("these are 3"));
-  EXPECT_THAT(with("test.platen_speed = [\"1 m/s\", \"1 m/s\"]"), HasSubstr("put table and key into quotes"));
+  EXPECT_THAT(with("test.platen_speed = [\"1 m/s\", \"1 m/s\"]"), HasSubstr("both inside the quotes"));
   EXPECT_THAT(with("\"test.jump_strain\" = [1e-4, 2e-4]\n\"test.pre_strain\" = [1e-4, 2e-4]"),
               HasSubstr("every key once"));
   EXPECT_THAT(problems_of("solver = \"direct\"\n" + std::string(three_levels) +

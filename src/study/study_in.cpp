@@ -105,11 +105,12 @@ std::string instead_of_varying(const RecipeKey& key, const Recipe& base) {
   return "";
 }
 
-/// What to do about a name that is no key of the recipe: test.stop_at without quotes is a table in a table.
+/// What to do about a name that is no key of the recipe; test.stop_at without quotes is a table in a table.
 std::string hint_of(const std::string& name) {
   const bool is_table = std::any_of(recipe_fields().begin(), recipe_fields().end(),
                                     [&](const Field& f) { return f.table == name; });
-  return is_table ? "put table and key into quotes: \"" + name + ".key\"" : io::recipe_key_hint(name);
+  return is_table ? "name the key too, both inside the quotes: \"" + name + ".key\""
+                  : io::recipe_key_hint(name);
 }
 
 bool is_scalar(const Field& f) { return f.kind != FieldKind::text && f.kind != FieldKind::quantities; }
