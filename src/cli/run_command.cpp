@@ -199,7 +199,7 @@ int run_one(const RecipeRun& job, const RunArguments& args, const Session& sessi
   const study::MachineOptions machine = chosen_machine(job.recipe, args, session, made.specimens.size());
   flush_out();
   if (args.replace)
-    for (const auto& [other, difference] : jobs::results_of_others(job.folder, job.recipe))
+    for (const auto& [other, differences] : jobs::results_of_others(job.folder, job.recipe))
       io::remove_folder(other);
   return finish(job, press(job.recipe, made.specimens, job.folder, machine), start, width);
 }

@@ -210,7 +210,12 @@ Recipe recipe_of(TomlValue keys, const std::string& where) {
 
 std::string recipe_key_hint(const std::string& word) {
   std::vector<std::string> known;
-  for (const Field& f : recipe_fields()) known.push_back(f.path());
+  std::string with_table;
+  for (const Field& f : recipe_fields()) {
+    known.push_back(f.path());
+    if (f.key == word) with_table += (with_table.empty() ? "\"" : " or \"") + f.path() + "\"";
+  }
+  if (!with_table.empty()) return "name its table too: " + with_table;
   const std::string near = nearest(word, known);
   return near.empty() ? "`phyllite recipe --reference` lists all keys" : "did you mean \"" + near + "\"?";
 }

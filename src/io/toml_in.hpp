@@ -18,7 +18,8 @@ Recipe read_recipe(const std::string& path);
 Recipe parse_recipe(std::string_view text, const std::string& where);
 /// As read_recipe, from keys that stand in no file; packing.file counts from the working directory.
 Recipe recipe_of(TomlValue keys, const std::string& where);
-/// What to do about a word that is no key of the recipe: the nearest key, or where all are listed.
+/// What to do about a word that is no key of the recipe: the table it lacks, the nearest key, or where all
+/// are listed.
 std::string recipe_key_hint(const std::string& word);
 /// The completed recipe: every key with its value, in units that read back to the same bits.
 std::string write_recipe(const Recipe& recipe);

@@ -16,6 +16,7 @@
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "io/toml_in.hpp"
+#include "jobs/another_recipe.hpp"
 #include "jobs/run_folder.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/specimen_record.hpp"
@@ -212,9 +213,9 @@ bool SpecimenFolder::holds(const Recipe& recipe) {
   if (!fs::exists(place)) return false;
   try {
     io::read_result(place);
-    if (const auto d = study::first_difference(io::read_result_recipe(place), recipe))
-      throw InputError(Problem{place, d->key, d->one, d->other + ", as in the calibrated rock",
-                               "a result of another recipe lies there: move it away, and --resume"});
+    if (const auto d = study::differences(io::read_result_recipe(place), recipe); !d.empty())
+      throw InputError(problems_of(place, d, "as in the calibrated rock",
+                                   "a result of another recipe lies there: move it away, and --resume"));
   } catch (const std::exception&) {
     if (!problem_) problem_ = std::current_exception();
   }

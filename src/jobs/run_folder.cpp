@@ -6,19 +6,20 @@
 #include "io/load.hpp"
 #include "io/output.hpp"
 #include "io/store.hpp"
+#include "jobs/another_recipe.hpp"
 #include "report/page.hpp"
 
 namespace phy::jobs {
 
-std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(const std::string& folder,
-                                                                               const Recipe& recipe) {
-  std::vector<std::pair<std::string, study::RecipeDifference>> others;
+std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> results_of_others(
+    const std::string& folder, const Recipe& recipe) {
+  std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> others;
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none)) return others;
   for (const std::string& result : io::result_folders(folder)) {
     try {
-      if (const auto d = study::first_difference(io::read_result_recipe(result), recipe))
-        others.emplace_back(result, *d);
+      if (auto d = study::differences(io::read_result_recipe(result), recipe); !d.empty())
+        others.emplace_back(result, std::move(d));
     } catch (const InputError&) {  // unreadable: `show` and `report` tell it, and a run mends it
     } catch (const IoError&) {
     }
@@ -29,15 +30,21 @@ std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(c
 std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,
                                         const std::string& path, const std::string& remedy) {
   std::vector<Problem> problems;
-  std::map<std::string, int> n_alike;  // results that differ alike are one problem
+  const auto alike = [](const std::vector<study::RecipeDifference>& differences) {
+    std::string text;
+    for (const study::RecipeDifference& d : differences) text += d.key + " " + d.one + "\n";
+    return text;
+  };
+  std::map<std::string, int> n_alike;  // results that differ alike are told together
   const auto others = results_of_others(folder, recipe);
-  for (const auto& [result, d] : others) ++n_alike[d.key + " " + d.one];
-  for (const auto& [result, d] : others) {
-    const int n = std::exchange(n_alike[d.key + " " + d.one], 0);
+  for (const auto& [result, differences] : others) ++n_alike[alike(differences)];
+  for (const auto& [result, differences] : others) {
+    const int n = std::exchange(n_alike[alike(differences)], 0);
     if (n == 0) continue;
     const std::string where = n == 1 ? result : folder + " (" + std::to_string(n) + " results)";
-    problems.push_back({where, d.key, d.one, d.other + ", as in " + path,
-                        "the folder holds results of another recipe: " + remedy});
+    for (Problem& p : problems_of(where, differences, "as in " + path,
+                                  "the folder holds results of another recipe: " + remedy))
+      problems.push_back(std::move(p));
   }
   return problems;
 }
@@ -49,7 +56,7 @@ std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe
   if (!replace)
     return problems_of_others(folder, recipe, path,
                               "use another --out, or --replace to remove them when the run begins");
-  for (const auto& [other, difference] : results_of_others(folder, recipe)) io::check_result_place(other);
+  for (const auto& [other, differences] : results_of_others(folder, recipe)) io::check_result_place(other);
   return {};
 }
 

@@ -11,10 +11,10 @@
 
 namespace phy::jobs {
 
-/// Results of another recipe that already lie in a folder, each with the first key that tells: nothing may be
-/// put beside them. What cannot be read is passed over.
-std::vector<std::pair<std::string, study::RecipeDifference>> results_of_others(const std::string& folder,
-                                                                               const Recipe& recipe);
+/// Results of another recipe that already lie in a folder, each with the keys that tell: nothing may be put
+/// beside them. What cannot be read is passed over.
+std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> results_of_others(
+    const std::string& folder, const Recipe& recipe);
 
 /// A problem for all of them that differ alike. `path`: file of the recipe.
 std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,

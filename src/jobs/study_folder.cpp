@@ -9,6 +9,7 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
+#include "jobs/another_recipe.hpp"
 #include "records/specimen_record.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
@@ -59,22 +60,23 @@ void check_tables(const std::string& folder, const std::string& option) {
 
 namespace {
 
-/// The first key in which a specimen that both studies have is loaded differently: "test.platen_speed at
+/// The keys in which specimens that both studies have are loaded differently: "test.platen_speed at
 /// theta = 45 deg". Angles may be added.
-std::optional<study::RecipeDifference> difference_by_angle(const study::Study& there,
-                                                           const study::Study& here) {
+std::vector<study::RecipeDifference> differences_by_angle(const study::Study& there,
+                                                          const study::Study& here) {
+  std::vector<study::RecipeDifference> all;
   const std::vector<std::string> old = specimen_names(there.base), now = specimen_names(here.base);
   const std::vector<Recipe> as_old = study::specimens_of(there, there.base),
                             as_now = study::specimens_of(here, here.base);
   for (std::size_t i = 0; i < old.size(); ++i) {
     const auto k = static_cast<std::size_t>(std::find(now.begin(), now.end(), old[i]) - now.begin());
     if (k == now.size()) continue;
-    if (auto d = study::first_difference(as_old[i], as_now[k])) {
-      d->key += " at " + old[i];
-      return d;
+    for (study::RecipeDifference& d : study::differences(as_old[i], as_now[k])) {
+      d.key += " at " + old[i];
+      all.push_back(std::move(d));
     }
   }
-  return {};
+  return all;
 }
 
 }  // namespace
@@ -84,17 +86,19 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
   const study::Study there = study_in(folder);
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
-  if (there.name != study.name)
-    throw InputError(Problem{folder, "name", there.name, study.name + ", as in the study file", remedy});
+  std::vector<study::RecipeDifference> heads;
+  if (there.name != study.name) heads.push_back({"name", there.name, study.name});
   if (there.solver != study.solver)
-    throw InputError(Problem{folder, "solver", study::to_string(there.solver),
-                             std::string(study::to_string(study.solver)) + ", as in the study file", remedy});
-  if (const auto d = study::first_difference(there.base, study.base))
-    throw InputError(
-        Problem{folder + "/recipe.toml", d->key, d->one, d->other + ", as in the base recipe", remedy});
-  if (const auto d = difference_by_angle(there, study))
-    throw InputError(
-        Problem{folder + "/study.toml", d->key, d->one, d->other + ", as asked for now", remedy});
+    heads.push_back({"solver", study::to_string(there.solver), study::to_string(study.solver)});
+  std::vector<Problem> problems = problems_of(folder, heads, "as in the study file", remedy);
+  const std::vector<study::RecipeDifference> bases = study::differences(there.base, study.base);
+  for (Problem& p : problems_of(folder + "/recipe.toml", bases, "as in the base recipe", remedy))
+    problems.push_back(std::move(p));
+  if (bases.empty())  // else they would be told again at every angle
+    for (Problem& p :
+         problems_of(folder + "/study.toml", differences_by_angle(there, study), "as asked for now", remedy))
+      problems.push_back(std::move(p));
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 void refuse_unmerged(const std::string& folder) {

@@ -136,7 +136,7 @@ std::vector<std::shared_ptr<Test>> run(const Recipe& recipe, const std::string& 
     lab::check_load_path(*specimens.front(), recipe);
     lab::check_scene_room(*specimens.front(), recipe);
     if (place && replace)
-      for (const auto& [other, difference] : jobs::results_of_others(folder, recipe))
+      for (const auto& [other, differences] : jobs::results_of_others(folder, recipe))
         io::remove_folder(other);
     results = press(recipe, specimens, folder, threads, watch);
     const bool any = std::any_of(results.begin(), results.end(),

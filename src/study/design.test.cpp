@@ -281,6 +281,13 @@ TEST_F(StudyFile, WhatBelongsToAnAngleIsCheckedLikeTheRest) {
               HasSubstr("a key that does not vary from point to point"));
 }
 
+TEST_F(StudyFile, AKeyWithoutItsTableIsToldWhereItBelongs) {
+  EXPECT_THAT(problems_of(std::string(three_levels) + "[set]\n\"platen_speed\" = \"1 m/s\"\n"),
+              HasSubstr("name its table too: \"test.platen_speed\""));
+  EXPECT_THAT(problems_of(std::string(three_levels) + "[set]\n\"mu\" = 0.3\n"),
+              HasSubstr("\"matrix.mu\" or \"bedding.mu\""));
+}
+
 TEST_F(StudyFile, FormerNamesOfKeysAreTaken) {
   const Study s = read(std::string(three_levels) + "[set]\n\"test.jump_strain\" = 1e-4\n");
   EXPECT_EQ(recipe_at(s, points_of(s).front(), 1, 1).test.pre_strain, 1e-4);

@@ -77,20 +77,21 @@ std::string specimen_key(const Recipe& single) {
   return fingerprint_of(text + keys_not_by_default(r));
 }
 
-std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other) {
+std::vector<RecipeDifference> differences(const Recipe& one, const Recipe& other) {
   const Recipe a = without_angles(one), b = without_angles(other);
   if (a.bedding.size() != b.bedding.size())
-    return RecipeDifference{"number of [[bedding]] tables", std::to_string(a.bedding.size()),
-                            std::to_string(b.bedding.size())};
+    return {
+        {"number of [[bedding]] tables", std::to_string(a.bedding.size()), std::to_string(b.bedding.size())}};
+  std::vector<RecipeDifference> all;
   for (const Field& f : recipe_fields()) {
     const bool of_set = f.table == "bedding";
     for (std::size_t i = 0; i < (of_set ? a.bedding.size() : 1); ++i) {
       const std::string in_a = print_field(f, a, i), in_b = print_field(f, b, i);
       if (in_a == in_b) continue;
-      return RecipeDifference{of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path(), in_a, in_b};
+      all.push_back({of_set ? "bedding[" + std::to_string(i) + "]." + f.key : f.path(), in_a, in_b});
     }
   }
-  return {};
+  return all;
 }
 
 std::shared_ptr<const Packing> packing_of(const Recipe& r, const std::function<bool()>& stop) {

@@ -33,9 +33,9 @@ std::string specimen_key(const Recipe& single);
 struct RecipeDifference {
   std::string key, one, other;
 };
-/// The first key by which specimens of two recipes differ in more than their angle; nothing where there is
-/// none. The angles and the intact specimen do not count.
-std::optional<RecipeDifference> first_difference(const Recipe& one, const Recipe& other);
+/// The keys by which specimens of two recipes differ in more than their angle, in the order of the reference;
+/// of another number of beddings that alone. The angles and the intact specimen do not count.
+std::vector<RecipeDifference> differences(const Recipe& one, const Recipe& other);
 
 /// The packing of a recipe: imported, from the cache, or made; `stop` as of genesis::make_packing.
 std::shared_ptr<const Packing> packing_of(const Recipe& recipe, const std::function<bool()>& stop = {});

@@ -111,22 +111,22 @@ TEST(SpecimenKey, IsTakenOfWhatIsNotByDefault) {
   EXPECT_EQ(keys_not_by_default(r), "2 sets of bedding\nmatrix.mu = 0.25\nbedding[1].k_n = \"1000 GPa/m\"\n");
 }
 
-TEST(RecipeDifference, IsTheFirstKeyThatIsNoAngle) {
+TEST(RecipeDifferences, AreAllKeysButTheAngles) {
   const Recipe a = seven_angles();
   Recipe b = a;
   b.test.angles = {5, 10};
   b.test.intact = false;
   genesis::turn_layers(b.matrix, b.bedding, 30.0);
-  EXPECT_FALSE(first_difference(a, b));
+  EXPECT_THAT(differences(a, b), testing::IsEmpty());
   b.matrix.mu = 0.25;
   b.bedding[1].k_s *= 2.0;
-  const auto d = first_difference(a, b);
-  ASSERT_TRUE(d);
-  EXPECT_EQ(d->key + " " + d->one + " " + d->other, "matrix.mu 0.8 0.25");
-  b.matrix.mu = a.matrix.mu;
-  EXPECT_EQ(first_difference(a, b)->key, "bedding[1].k_s");
+  const std::vector<RecipeDifference> d = differences(a, b);
+  ASSERT_EQ(d.size(), 2u);
+  EXPECT_EQ(d[0].key + " " + d[0].one + " " + d[0].other, "matrix.mu 0.8 0.25");
+  EXPECT_EQ(d[1].key, "bedding[1].k_s");
   b.bedding.pop_back();
-  EXPECT_EQ(first_difference(a, b)->other, "1");
+  ASSERT_EQ(differences(a, b).size(), 1u);
+  EXPECT_EQ(differences(a, b)[0].other, "1");
 }
 
 class SpecimenKeyOfFiles : public InFolder {};

@@ -246,5 +246,15 @@ TEST_F(Runner, TheTableHasARowPerSpecimenOfTheDesign) {
     EXPECT_NE(text.find(part), text.npos) << part;
 }
 
+TEST_F(Runner, TheTableHasWhatEachAngleWasLoadedWith) {
+  const Plan p = plan(
+      "[[vary]]\nkey = \"bedding.rule\"\nvalues = [\"zone\"]\n"
+      "[by_angle]\n\"test.stop_at\" = [0.5, 0.6, 0.7]\n");
+  const std::string text = study_csv(p, std::vector<std::optional<StoredResult>>(p.tests.size()));
+  for (const char* part : {"theta [deg],test.stop_at,intact,bedding.rule,n_cracks", ",0.5,0,zone,",
+                           ",0.6,0,zone,", ",,0.7,1,zone,"})
+    EXPECT_NE(text.find(part), text.npos) << part << "\n" << text;
+}
+
 }  // namespace
 }  // namespace phy::study

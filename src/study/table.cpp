@@ -44,7 +44,9 @@ std::string csv_cell(const RecipeKey& key, double value) {
 
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows) {
   const auto numbers = numbers_in(rows);
-  std::string text = "point,packing,bond_seed,theta [deg],intact";
+  std::string text = "point,packing,bond_seed,theta [deg]";
+  for (const ByAngle& b : plan.study.by_angle) text.append(",").append(csv_head(b.key));
+  text += ",intact";
   for (const Factor& f : plan.study.vary) text.append(",").append(csv_head(f.key));
   for (const auto& [name, unit] : numbers)
     text.append(",").append(name).append(" [").append(unit).append("]");
@@ -53,8 +55,9 @@ std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredRe
     const PlannedTest& test = plan.tests[run.test];
     const bool intact = !layered(test.recipe);
     text += std::to_string(run.point) + "," + std::to_string(run.packing) + "," +
-            std::to_string(run.bond_seed) + "," + (intact ? "" : print_number(inclination(test.recipe))) +
-            (intact ? ",1" : ",0");
+            std::to_string(run.bond_seed) + "," + (intact ? "" : print_number(inclination(test.recipe)));
+    for (const ByAngle& b : plan.study.by_angle) text += "," + csv_cell(b.key, b.key.get(test.recipe));
+    text += intact ? ",1" : ",0";
     for (std::size_t k = 0; k < plan.study.vary.size(); ++k)
       text += "," + csv_cell(plan.study.vary[k].key, plan.points[run.point].values[k]);
     // A row for every run of the design, also where several runs share one test.

@@ -10,8 +10,9 @@
 
 namespace phy::study {
 
-/// CSV with the point, the seeds, the specimen, every varied key, the outcome and every number that any
-/// specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows` belong to plan.tests.
+/// CSV with the point, the seeds, the specimen (with the keys by angle), every varied key, the outcome and
+/// every number that any specimen has ("ucs [Pa]"). Empty cells: not finished, or not determined. `rows`
+/// belong to plan.tests.
 std::string study_csv(const Plan& plan, const std::vector<std::optional<StoredResult>>& rows);
 
 /// Cells of such tables, as csv_cell() of a text; NaN is an empty cell.
