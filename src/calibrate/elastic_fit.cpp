@@ -25,6 +25,7 @@ constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
 constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
+constexpr std::size_t least_degrees = 4;       // of freedom that the scatter of packings is taken to have
 constexpr std::uint32_t draws_seed = 20100102;
 
 Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
@@ -65,15 +66,28 @@ void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
   minimise(problem, x, 4, 1e-3);
 }
 
-/// (J^T J)^-1. A model that misses the table by more than the scatter of laboratory and packings is known no
-/// better than it fits: the covariance grows with the misfit per degree of freedom.
+/// Errors of the laboratory are independent; a packing's are not, for it serves every angle. So they come in
+/// as the packings have them: each moves the answer by G times its deviations, G = (J^T J)^-1 J^T, and the
+/// scatter of these moves is the error of their mean, widened by Student's t for few packings. A model that
+/// misses the table by more than both is known no better than it fits: the covariance grows with the misfit
+/// per degree of freedom.
 MatrixXd covariance_at(ElasticProblem& problem, const Point& x) {
   const Linearised at = problem.linearised(x);
   const auto n = static_cast<Eigen::Index>(problem.n_targets()), m = static_cast<Eigen::Index>(x.size());
   const VectorXd r = vector_of(at.residuals);
   const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
   const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
-  return inverse_of_squares(J) * std::max(1.0, misfit);
+  const MatrixXd whole = inverse_of_squares(J), G = whole * J.topRows(n).transpose();
+  const Eigen::ArrayXd shares = vector_of(problem.laboratory_shares()).array();
+  MatrixXd covariance = whole - G * (1.0 - shares.square()).matrix().asDiagonal() * G.transpose();
+  const std::vector<std::vector<double>> deviations = problem.deviations(x);
+  const std::size_t degrees = std::max(least_degrees, deviations.size() - 1);
+  const double widened = student_t_95(degrees) / z_95, p = static_cast<double>(deviations.size());
+  for (const std::vector<double>& d : deviations) {
+    const VectorXd move = widened * (G * vector_of(d));
+    covariance += move * move.transpose() / std::max(1.0, p * (p - 1.0));
+  }
+  return covariance * std::max(1.0, misfit);
 }
 
 /// 95 % interval of the rock's own value, known from two sides: its specimens deviate from the mean over

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/stats.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/elastic_verdict.hpp"
@@ -80,6 +81,25 @@ TEST_F(ElasticStage, FindsTheFourParametersOfExactData) {
   }
   EXPECT_THAT(said_of(f).findings, IsEmpty());
   EXPECT_EQ(f.recipe.matrix.E_b, f.recipe.matrix.E_c);
+}
+
+// A packing serves every angle, so that its errors at all of them move E_c together. Five fits, each on one
+// packing alone, tell how far; the fit on all five has to know it from its own least squares.
+TEST_F(ElasticStage, IntervalsKnowThatOnePackingServesAllAngles) {
+  rock.model.bedding[0].rule = BeddingRule::crossing;
+  const std::vector<std::int64_t> five = {1, 2, 3, 4, 5};
+  std::vector<Target> targets = exact_targets(truth_of(rock), *simulator, true);
+  const auto values = elastic_response(truth_of(rock), targets, five, *simulator);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    targets[i].mean = values[i].mean, targets[i].sd = 1e-6, targets[i].n = 100;
+  const auto fit_on = [&](const std::vector<std::int64_t>& packings) {
+    return fit_elastic(Evidence(rock, targets), packings, {}, *simulator, [](const std::string&) {});
+  };
+  std::vector<double> alone;
+  for (const std::int64_t seed : five) alone.push_back(std::log(fit_on({seed}).parameters[0].value));
+  const Estimate together = fit_on(five).parameters[0];
+  const double half = 0.5 * std::log(together.high / together.low);
+  EXPECT_NEAR(half / summarise(alone).half_width, 1.0, 0.2);
 }
 
 TEST_F(ElasticStage, WithoutPoissonsRatioTheStiffnessRatioStaysOpen) {

@@ -128,6 +128,26 @@ void ElasticProblem::weigh_packings(const Point& x) {
   }
 }
 
+std::vector<double> ElasticProblem::laboratory_shares() const {
+  std::vector<double> shares;
+  for (const Row& row : rows_) {
+    const double error = counted_error(row.target) / (row.is_modulus() ? row.target.mean : 1.0);
+    shares.push_back(error / std::hypot(error, row.packing_error));
+  }
+  return shares;
+}
+
+std::vector<std::vector<double>> ElasticProblem::deviations(const Point& x) {
+  const std::vector<ElasticAnswer>& a = answers(x);
+  std::vector<std::vector<double>> all(seeds_.size(), std::vector<double>(n_targets()));
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    const double mean = summarise(a[i].values).mean, unit = rows_[i].is_modulus() ? mean : 1.0;
+    for (std::size_t p = 0; p < seeds_.size(); ++p)
+      all[p][i] = std::isfinite(mean) ? (a[i].values[p] - mean) / unit / unit_of_misfit(rows_[i]) : 0.0;
+  }
+  return all;
+}
+
 double ElasticProblem::worst_scatter(const Point& x) {
   double worst = 0.0;
   const std::vector<ElasticAnswer>& a = answers(x);
