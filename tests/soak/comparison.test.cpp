@@ -5,8 +5,8 @@
 // for nothing and the same draws of bonds in every evaluation, on one packing and on the mean of three. What
 // counts is the error of UCS(theta) on five packings that none has used; beside it that of the truth itself
 // on the packings of the table. Rocks 100 ... 109 of the box of the twin trials (299 discs) and 110 ... 119
-// (1,197 discs), each ten chosen before the first was run; PHY_TWIN_MAGNIFICATION (5: 299 discs; 2.5: 1,197), PHY_TWIN_FIRST and PHY_TWIN_ROCKS as in twin_trials.test.cpp;
-// docs/calibration.md, "Compared".
+// (1,197 discs), each ten chosen before the first was run; PHY_TWIN_MAGNIFICATION (5: 299 discs; 2.5: 1,197),
+// PHY_TWIN_FIRST and PHY_TWIN_ROCKS as in twin_trials.test.cpp; docs/calibration.md, "Compared".
 #ifdef PHY_NLOPT
 #include <gtest/gtest.h>
 
