@@ -25,7 +25,7 @@ constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
 constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
-constexpr std::size_t least_degrees = 4;       // of freedom that the scatter of packings is taken to have
+constexpr std::size_t least_degrees = 4;  // of the scatter of packings: fits have five, those of tests fewer
 constexpr std::uint32_t draws_seed = 20100102;
 
 Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
@@ -66,28 +66,49 @@ void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
   minimise(problem, x, 4, 1e-3);
 }
 
-/// Errors of the laboratory are independent; a packing's are not, for it serves every angle. So they come in
-/// as the packings have them: each moves the answer by G times its deviations, G = (J^T J)^-1 J^T, and the
-/// scatter of these moves is the error of their mean, widened by Student's t for few packings. A model that
-/// misses the table by more than both is known no better than it fits: the covariance grows with the misfit
-/// per degree of freedom.
-MatrixXd covariance_at(ElasticProblem& problem, const Point& x) {
+/// What is known at the answer. Errors of the laboratory are independent; a packing's are not, for it serves
+/// every angle. So they come in as the packings have them: each moves the answer by G = (J^T J)^-1 J^T times
+/// its deviations, and the scatter of these moves over the root of their number is the error of the mean,
+/// widened by Student's t. What a packing has in common at all angles moves the parameters, and so is made
+/// good where the table has its values: there the model's mean is off by the deviation less what the move
+/// takes of it.
+struct Spread {
+  MatrixXd of_table;    ///< covariance of the parameters by laboratory and prior
+  MatrixXd moves;       ///< of the parameters, a column per packing
+  MatrixXd deviations;  ///< of the targets, SI, likewise
+  MatrixXd covariance() const { return of_table + moves * moves.transpose(); }
+  /// Of the model's mean of target i, whose derivatives are `slope`.
+  double variance(Eigen::Index i, const VectorXd& slope) const {
+    return slope.dot(of_table * slope) + (deviations.row(i) - slope.transpose() * moves).squaredNorm();
+  }
+};
+
+/// A model that misses the table by more than the scatter of laboratory and packings is known no better than
+/// it fits: all variances grow with the misfit per degree of freedom.
+Spread spread_at(ElasticProblem& problem, const Point& x) {
   const Linearised at = problem.linearised(x);
   const auto n = static_cast<Eigen::Index>(problem.n_targets()), m = static_cast<Eigen::Index>(x.size());
   const VectorXd r = vector_of(at.residuals);
   const MatrixXd J = vector_of(at.jacobian).reshaped(r.size(), m);
-  const double misfit = r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m));
+  const double misfit = std::max(1.0, r.head(n).squaredNorm() / std::max(1.0, static_cast<double>(n - m)));
   const MatrixXd whole = inverse_of_squares(J), G = whole * J.topRows(n).transpose();
-  const Eigen::ArrayXd shares = vector_of(problem.laboratory_shares()).array();
-  MatrixXd covariance = whole - G * (1.0 - shares.square()).matrix().asDiagonal() * G.transpose();
+  VectorXd sizes(n), by_packings(n);
+  const std::vector<ElasticProblem::Unit> units = problem.units(x);
+  for (Eigen::Index i = 0; i < n; ++i)
+    sizes[i] = units[static_cast<std::size_t>(i)].size,
+    by_packings[i] = std::pow(units[static_cast<std::size_t>(i)].packings, 2.0);
   const std::vector<std::vector<double>> deviations = problem.deviations(x);
-  const std::size_t degrees = std::max(least_degrees, deviations.size() - 1);
-  const double widened = student_t_95(degrees) / z_95, p = static_cast<double>(deviations.size());
-  for (const std::vector<double>& d : deviations) {
-    const VectorXd move = widened * (G * vector_of(d));
-    covariance += move * move.transpose() / std::max(1.0, p * (p - 1.0));
-  }
-  return covariance * std::max(1.0, misfit);
+  const std::size_t p = deviations.size(), degrees = std::max(least_degrees, p - 1);
+  const double of_mean =
+      student_t_95(degrees) / z_95 *
+      std::sqrt(misfit / std::max(1.0, static_cast<double>(p) * (static_cast<double>(p) - 1.0)));
+  Spread s;
+  s.of_table = misfit * (whole - G * by_packings.asDiagonal() * G.transpose());
+  s.deviations.resize(n, static_cast<Eigen::Index>(p));
+  for (std::size_t k = 0; k < p; ++k)
+    s.deviations.col(static_cast<Eigen::Index>(k)) = of_mean * vector_of(deviations[k]);
+  s.moves = G * sizes.cwiseInverse().asDiagonal() * s.deviations;
+  return s;
 }
 
 /// 95 % interval of the rock's own value, known from two sides: its specimens deviate from the mean over
@@ -122,7 +143,8 @@ std::vector<Recipe> draws_of(const ElasticProblem& problem, const Point& x, cons
 }
 
 void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
-  const MatrixXd covariance = covariance_at(problem, x);
+  const Spread spread = spread_at(problem, x);
+  const MatrixXd covariance = spread.covariance();
   fit.recipe = problem.recipe_at(x);
   for (std::size_t j = 0; j < problem.n_parameters(); ++j) {
     const auto d = static_cast<Eigen::Index>(j);
@@ -134,8 +156,8 @@ void report(ElasticFit& fit, ElasticProblem& problem, const Point& x) {
   const std::vector<ElasticAnswer>& answers = problem.answers(x);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     Comparison& c = fit.comparisons[i];
-    const auto slope = vector_of(answers[i].slope);
-    std::tie(c.low, c.high) = interval_of(c, slope.dot(covariance * slope));
+    const double variance = spread.variance(static_cast<Eigen::Index>(i), vector_of(answers[i].slope));
+    std::tie(c.low, c.high) = interval_of(c, variance);
   }
 }
 

@@ -128,22 +128,25 @@ void ElasticProblem::weigh_packings(const Point& x) {
   }
 }
 
-std::vector<double> ElasticProblem::laboratory_shares() const {
-  std::vector<double> shares;
-  for (const Row& row : rows_) {
-    const double error = counted_error(row.target) / (row.is_modulus() ? row.target.mean : 1.0);
-    shares.push_back(error / std::hypot(error, row.packing_error));
+std::vector<ElasticProblem::Unit> ElasticProblem::units(const Point& x) {
+  const std::vector<ElasticAnswer>& a = answers(x);
+  std::vector<Unit> all;
+  for (std::size_t i = 0; i < n_targets(); ++i) {
+    const double unit = unit_of_misfit(rows_[i]);
+    all.push_back({unit * (rows_[i].is_modulus() ? a[i].mean : 1.0), rows_[i].packing_error / unit});
   }
-  return shares;
+  return all;
 }
 
 std::vector<std::vector<double>> ElasticProblem::deviations(const Point& x) {
   const std::vector<ElasticAnswer>& a = answers(x);
   std::vector<std::vector<double>> all(seeds_.size(), std::vector<double>(n_targets()));
   for (std::size_t i = 0; i < n_targets(); ++i) {
-    const double mean = summarise(a[i].values).mean, unit = rows_[i].is_modulus() ? mean : 1.0;
-    for (std::size_t p = 0; p < seeds_.size(); ++p)
-      all[p][i] = std::isfinite(mean) ? (a[i].values[p] - mean) / unit / unit_of_misfit(rows_[i]) : 0.0;
+    const double mean = summarise(a[i].values).mean;
+    for (std::size_t p = 0; p < seeds_.size(); ++p) {
+      const double deviation = (a[i].values[p] - mean) * rows_[i].factor;
+      all[p][i] = std::isfinite(deviation) ? deviation : 0.0;
+    }
   }
   return all;
 }

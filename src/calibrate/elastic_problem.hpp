@@ -66,9 +66,12 @@ class ElasticProblem {
   void correct(const Point& x, std::size_t n);
   /// Scatter of the mean over packings at x becomes part of every unit of misfit.
   void weigh_packings(const Point& x);
-  /// The laboratory's part of each target's unit of misfit, 0 ... 1.
-  std::vector<double> laboratory_shares() const;
-  /// Of each packing, what its answers at x deviate from their mean in units of misfit.
+  /// Of each target its unit of misfit at x, SI, and the share of it that packings make.
+  struct Unit {
+    double size, packings;
+  };
+  std::vector<Unit> units(const Point& x);
+  /// Of each packing, what its answers at x deviate from their mean, SI.
   std::vector<std::vector<double>> deviations(const Point& x);
   /// Largest relative scatter of E between packings.
   double worst_scatter(const Point& x);

@@ -213,7 +213,8 @@ std::string recipe_key_hint(const std::string& word) {
   std::string with_table;
   for (const Field& f : recipe_fields()) {
     known.push_back(f.path());
-    if (f.key == word) with_table += (with_table.empty() ? "\"" : " or \"") + f.path() + "\"";
+    if (f.key == word && !f.table.empty())
+      with_table += (with_table.empty() ? "\"" : " or \"") + f.path() + "\"";
   }
   if (!with_table.empty()) return "name its table too: " + with_table;
   const std::string near = nearest(word, known);

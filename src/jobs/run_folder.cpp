@@ -35,14 +35,17 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
     for (const study::RecipeDifference& d : differences) text += d.key + " " + d.one + "\n";
     return text;
   };
-  std::map<std::string, int> n_alike;  // results that differ alike are told together
+  std::map<std::string, int>
+      n_alike;  // those that differ alike are told together, of several recipes a key each
   const auto others = results_of_others(folder, recipe);
   for (const auto& [result, differences] : others) ++n_alike[alike(differences)];
+  const bool of_one_recipe = n_alike.size() == 1;
   for (const auto& [result, differences] : others) {
     const int n = std::exchange(n_alike[alike(differences)], 0);
     if (n == 0) continue;
     const std::string where = n == 1 ? result : folder + " (" + std::to_string(n) + " results)";
-    for (Problem& p : problems_of(where, differences, "as in " + path,
+    const std::vector<study::RecipeDifference> first = {differences.front()};
+    for (Problem& p : problems_of(where, of_one_recipe ? differences : first, "as in " + path,
                                   "the folder holds results of another recipe: " + remedy))
       problems.push_back(std::move(p));
   }

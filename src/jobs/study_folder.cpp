@@ -60,11 +60,16 @@ void check_tables(const std::string& folder, const std::string& option) {
 
 namespace {
 
-/// The keys in which specimens that both studies have are loaded differently: "test.platen_speed at
-/// theta = 45 deg". Angles may be added.
-std::vector<study::RecipeDifference> differences_by_angle(const study::Study& there,
-                                                          const study::Study& here) {
-  std::vector<study::RecipeDifference> all;
+/// The keys in which specimens that both studies have are loaded differently, without those of `told`:
+/// "test.platen_speed at theta = 45 deg and 2 other specimen(s)". Angles may be added.
+std::vector<study::RecipeDifference> differences_by_angle(const study::Study& there, const study::Study& here,
+                                                          const std::vector<study::RecipeDifference>& told) {
+  struct OfKey {
+    study::RecipeDifference first;
+    std::string specimen;
+    int n_others = 0;
+  };
+  std::vector<OfKey> keys;
   const std::vector<std::string> old = specimen_names(there.base), now = specimen_names(here.base);
   const std::vector<Recipe> as_old = study::specimens_of(there, there.base),
                             as_now = study::specimens_of(here, here.base);
@@ -72,9 +77,20 @@ std::vector<study::RecipeDifference> differences_by_angle(const study::Study& th
     const auto k = static_cast<std::size_t>(std::find(now.begin(), now.end(), old[i]) - now.begin());
     if (k == now.size()) continue;
     for (study::RecipeDifference& d : study::differences(as_old[i], as_now[k])) {
-      d.key += " at " + old[i];
-      all.push_back(std::move(d));
+      if (std::any_of(told.begin(), told.end(), [&](const auto& t) { return t.key == d.key; })) continue;
+      const auto known =
+          std::find_if(keys.begin(), keys.end(), [&](const OfKey& o) { return o.first.key == d.key; });
+      if (known != keys.end())
+        ++known->n_others;
+      else
+        keys.push_back({std::move(d), old[i]});
     }
+  }
+  std::vector<study::RecipeDifference> all;
+  for (OfKey& o : keys) {
+    o.first.key += " at " + o.specimen;
+    if (o.n_others > 0) o.first.key += fmt::format(" and {} other specimen(s)", o.n_others);
+    all.push_back(std::move(o.first));
   }
   return all;
 }
@@ -94,10 +110,9 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
   const std::vector<study::RecipeDifference> bases = study::differences(there.base, study.base);
   for (Problem& p : problems_of(folder + "/recipe.toml", bases, "as in the base recipe", remedy))
     problems.push_back(std::move(p));
-  if (bases.empty())  // else they would be told again at every angle
-    for (Problem& p :
-         problems_of(folder + "/study.toml", differences_by_angle(there, study), "as asked for now", remedy))
-      problems.push_back(std::move(p));
+  for (Problem& p : problems_of(folder + "/study.toml", differences_by_angle(there, study, bases),
+                                "as asked for now", remedy))
+    problems.push_back(std::move(p));
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
