@@ -35,8 +35,8 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
     for (const study::RecipeDifference& d : differences) text += d.key + " " + d.one + "\n";
     return text;
   };
-  std::map<std::string, int>
-      n_alike;  // those that differ alike are told together, of several recipes a key each
+  // Those that differ alike are told together, of several recipes a key each.
+  std::map<std::string, int> n_alike;
   const auto others = results_of_others(folder, recipe);
   for (const auto& [result, differences] : others) ++n_alike[alike(differences)];
   const bool of_one_recipe = n_alike.size() == 1;

@@ -1,6 +1,6 @@
 // How often the elastic stage's 95 % intervals hold parameters that are known: a rock's own moduli, mean over
 // four hundred packings, are its table, with specimens of 1 %, so that packings make most of the error;
-// twenty fits see twenty packings each, none of them twice. docs/theory/inference.md, "Moduli".
+// twenty fits see up to twenty packings each, none of them twice. docs/theory/inference.md, "Moduli".
 #include <gtest/gtest.h>
 
 #include <cstdio>
