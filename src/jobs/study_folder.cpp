@@ -61,7 +61,7 @@ void check_tables(const std::string& folder, const std::string& option) {
 namespace {
 
 /// The keys in which specimens that both studies have are loaded differently, without those of `told`:
-/// "test.platen_speed at theta = 45 deg and 2 other specimen(s)". Angles may be added.
+/// "test.platen_speed at theta = 45 deg", with how many more differ. Angles may be added.
 std::vector<study::RecipeDifference> differences_by_angle(const study::Study& there, const study::Study& here,
                                                           const std::vector<study::RecipeDifference>& told) {
   struct OfKey {
@@ -89,7 +89,7 @@ std::vector<study::RecipeDifference> differences_by_angle(const study::Study& th
   std::vector<study::RecipeDifference> all;
   for (OfKey& o : keys) {
     o.first.key += " at " + o.specimen;
-    if (o.n_others > 0) o.first.key += fmt::format(" and {} other specimen(s)", o.n_others);
+    if (o.n_others > 0) o.first.other += fmt::format(" ({} more specimen(s) differ)", o.n_others);
     all.push_back(std::move(o.first));
   }
   return all;
