@@ -119,12 +119,12 @@ bool fits_strength(Calibration& result, const Evidence& evidence, const Calibrat
                              elastic_only ? "values of E" : "values of E, or of a strength in compression",
                              "there is nothing to fit; `phyllite rock check` tells what the table holds"});
   if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
-  if (moduli && !(strength && evidence.has(Property::ucs)) &&
+  if (moduli && !(strength && !tests_to_read(evidence).empty()) &&
       evidence.rock.E_is != ModulusReading::small_strain)
-    result.notes.push_back(
-        fmt::format("E_is = \"{}\": without {} nothing tells how far a test softens until then; E and nu "
-                    "are compared at small strain",
-                    to_string(evidence.rock.E_is), strength ? "UCS" : "strengths"));
+    result.notes.push_back(fmt::format(
+        "E_is = \"{}\": without {} nothing tells how far a test softens until then; E and nu "
+        "are compared at small strain",
+        to_string(evidence.rock.E_is), strength ? "UCS, or sigma_1 in the tests that have E," : "strengths"));
   if (!strength)
     result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
                                        elastic_only ? "the elastic part only"
@@ -133,10 +133,11 @@ bool fits_strength(Calibration& result, const Evidence& evidence, const Calibrat
   return strength;
 }
 
-/// Are the table's moduli those of tests, softened by what breaks and slips until they are read?
+/// Are the table's moduli those of tests, softened by what breaks and slips until they are read? A table that
+/// has neither UCS nor a strength under the stress of its moduli holds no test to tell it by.
 bool softened(const Evidence& evidence, const CalibrationOptions& options) {
   return evidence.rock.E_is != ModulusReading::small_strain && evidence.has(Property::E) &&
-         !options.elastic_only && evidence.has(Property::ucs);
+         !options.elastic_only && !tests_to_read(evidence).empty();
 }
 
 /// Throws InputError where the budget is too small for any search. `n`: strengths in compression, each tested
@@ -219,21 +220,22 @@ void take_as_measured(Calibration& result, const Work& work, const std::vector<C
   for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
     Comparison& c = result.fitted[i];
     c = work.elastic.comparisons[i], c.target = work.evidence.moduli[i];
-    soften(c, softening_at(work.strength.softenings, c.target.theta));
+    soften(c, softening_at(work.strength.softenings, test_of_cell(c.target)));
   }
   std::vector<std::string> without;  // a test of their own
   for (Comparison& c : result.verification) {
     const Target target = c.target;
     const Comparison* p = row_of(from_test, target);
     if (p == nullptr || !p->answered())
-      soften(c, softening_at(work.strength.softenings, target.theta)), without.push_back(cell_name(target));
+      soften(c, softening_at(work.strength.softenings, test_of_cell(target))),
+          without.push_back(cell_name(target));
     else
       c = *p, c.target = target;
   }
   if (!without.empty())
     result.notes.push_back(fmt::format(
-        "{}: no test of UCS to read them from; the direct solution with what tests at other angles "
-        "have shown",
+        "{}: no strength of the same test to read them with; the direct solution with what the nearest tests "
+        "of the table have shown",
         fmt::join(without, ", ")));
 }
 
@@ -244,7 +246,7 @@ double misfit_as_read(const Work& work, const Softenings& measured) {
   for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
     const Target& t = work.evidence.moduli[i];
     if (t.property != Property::E) continue;
-    const double E = work.elastic.comparisons[i].mean * softening_at(measured, t.theta).factor;
+    const double E = work.elastic.comparisons[i].mean * softening_at(measured, test_of_cell(t)).factor;
     squares += std::pow(E / t.mean - 1.0, 2), ++n;
   }
   return std::sqrt(squares / n);
@@ -266,13 +268,13 @@ struct Pass {
 bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
   constexpr int most_passes = 4;
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
-  const std::vector<Target>& strengths = work.evidence.strengths;
-  const auto n = static_cast<std::int64_t>(of_property(strengths, Property::ucs).size() * some.size());
+  const std::vector<Target> tests = tests_to_read(work.evidence);
+  const auto n = static_cast<std::int64_t>(tests.size() * some.size());
   const std::int64_t reserved = work.evidence.n_compressive() * n_unseen;
   Pass nearest;
   for (int pass = 1; pass <= most_passes; ++pass) {
     work.options.listener.say("moduli as the laboratory reads them, at the estimate");
-    const Softenings measured = softenings_of(result.recipe, work.evidence.rock.model, strengths, some,
+    const Softenings measured = softenings_of(result.recipe, work.evidence.rock.model, tests, some,
                                               work.evidence.rock.E_is, work.simulator);
     if (work.simulator.stopped()) return false;
     result.n_strength_tests += n, result.n_elastic += n;

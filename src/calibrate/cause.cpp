@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -15,6 +16,7 @@
 namespace phy::calibrate {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double beyond_chance = 1.64;        // standard errors, 5 % to one side
 constexpr double surely = 2.58;               // the same, 1 % to both sides
 constexpr double other_strength = 0.10;       // ratios of strengths that differ by as much differ
@@ -158,6 +160,43 @@ std::optional<Cause> moduli_as_a_whole(const View& v) {
                v.of.method == CalibrationMethod::sequence
                    ? "the same table without --method sequence, which fits all moduli together"
                    : "check E_is, the part of the curve that the table's E is read from"};
+}
+
+/// Logarithms of E under the largest over E under the least confining stress, in the mean over the angles
+/// that have both.
+struct Stiffening {
+  double table = 0.0, model = 0.0, variance = 0.0;
+  double least = infinity, most = 0.0;  // [Pa]
+  int n = 0;
+  void add(const Comparison& low, const Comparison& high) {
+    table += std::log(high.target.mean / low.target.mean), model += std::log(high.mean / low.mean), ++n;
+    for (const Comparison* c : {&low, &high})
+      variance += std::pow(of_laboratory(*c), 2.0) + std::pow(of_model(*c), 2.0);
+    least = std::min(least, low.target.confining), most = std::max(most, high.target.confining);
+  }
+  double difference() const { return (table - model) / n; }
+  double noise() const { return std::sqrt(variance) / n; }
+  static std::string percent(double sum_of_logs, int n) {
+    return fmt::format("{:+.0f} %", 100.0 * (std::exp(sum_of_logs / n) - 1.0));
+  }
+};
+
+/// What confinement makes of E: in rock it closes cracks as well; bonds are as stiff under any stress.
+std::optional<Cause> stiffening(const View& v) {
+  Stiffening s;
+  const std::vector<Comparison> E = v.answered(Property::E);  // by angle, then by stress
+  for (std::size_t from = 0, to = 0; from < E.size(); from = to) {
+    while (to < E.size() && E[to].target.theta == E[from].target.theta) ++to;
+    if (to > from + 1) s.add(E[from], E[to - 1]);
+  }
+  if (s.n == 0 || std::fabs(s.difference()) <= std::max(2.0 * tolerance(Property::E), surely * s.noise()))
+    return {};
+  return Cause{fmt::format("from {:.3g} to {:.3g} MPa of confining stress E changes by {} in the table, by "
+                           "{} in the model, whose bonds are as stiff under any stress",
+                           s.least * 1e-6, s.most * 1e-6, Stiffening::percent(s.table, s.n),
+                           Stiffening::percent(s.model, s.n)),
+               "in the rock file `confining` with the stress that matters: E and nu under others are left "
+               "out then"};
 }
 
 std::optional<Cause> modulus_ratio(const View& v) {
@@ -308,10 +347,11 @@ Cause farthest_cell(const View& v, Part part) {
 }
 
 Cause cause_of(const View& v, Part part) {
-  const std::array<std::vector<Rule*>, n_parts> rules = {{{nu_of_no_body, moduli_as_a_whole, modulus_ratio},
-                                                          {weakest_angle, strength_ratio},
-                                                          {ratio_to_tension},
-                                                          {cracks_begin}}};
+  const std::array<std::vector<Rule*>, n_parts> rules = {
+      {{nu_of_no_body, stiffening, moduli_as_a_whole, modulus_ratio},
+       {weakest_angle, strength_ratio},
+       {ratio_to_tension},
+       {cracks_begin}}};
   for (Rule* rule : rules[part])
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;

@@ -70,6 +70,25 @@ TEST(Cause, ThePlaceOfTheLeastStrength) {
               Not(HasSubstr("is weakest")));
 }
 
+// E of the table under 0 and 20 MPa at three angles: `table` and `model` by how much it changes there.
+std::string confined_E(double table, double model) {
+  std::vector<Comparison> E;
+  for (const double theta : {0.0, 45.0, 90.0}) {
+    E.push_back(cell(Property::E, theta, 40e9, 40e9));
+    E.push_back(cell(Property::E, theta, table * 40e9, model * 40e9));
+    E.back().target.confining = 20e6;
+  }
+  return sentence({E});
+}
+
+TEST(Cause, ModuliThatGrowWithConfinement) {
+  EXPECT_THAT(confined_E(1.25, 1.02), HasSubstr("from 0 to 20 MPa of confining stress E changes by +25 % in "
+                                                "the table, by +2 % in the model"));
+  EXPECT_THAT(confined_E(1.25, 1.02), HasSubstr("next: in the rock file `confining`"));
+  EXPECT_THAT(confined_E(1.04, 1.02), Not(HasSubstr("confining stress E changes")));
+  EXPECT_THAT(confined_E(1.0, 1.0), Not(HasSubstr("confining stress E changes")));
+}
+
 TEST(Cause, AWeakPlaneIsExcludedOnlyByAnglesThatItCannotHave) {
   // weakest at 60 in the rock: a plane of 30 degrees friction does that
   EXPECT_THAT(sentence({cells(Property::ucs, weakest_at_60, weakest_at_30)}),

@@ -38,7 +38,7 @@ Ends ends_of(const std::vector<Target>& targets) {
 }  // namespace
 
 std::string eq1_line(const Evidence& evidence) {
-  const std::vector<Target> moduli = of_property(evidence.moduli, Property::E);
+  const std::vector<Target> moduli = of_property(least_confined(evidence.moduli), Property::E);
   if (n_angles(moduli) < 3) return "";
   const theory::Eq1Fit fit = eq1_through(evidence);
   if (!fit.ok()) return "Eq. 1 through E: none, " + fit.reason;
@@ -88,7 +88,7 @@ std::string jaeger_line(const Evidence& evidence) {
 std::string anisotropy_line(const Evidence& evidence) {
   std::string text;
   for (const Property p : {Property::E, Property::ucs, Property::direct_tension, Property::brazilian}) {
-    const std::vector<Target> targets = of_property(evidence.targets, p);
+    const std::vector<Target> targets = of_property(least_confined(evidence.targets), p);
     if (n_angles(targets) < 2) continue;
     const auto [least, most] = ends_of(targets);
     text += fmt::format("{}{} {:.2f} ({:g} over {:g} degrees)", text.empty() ? "largest over least: " : ", ",

@@ -21,7 +21,7 @@ constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple fo
 /// E and nu; angles as they are or their complements.
 std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
   std::vector<theory::LayeredReading> readings;
-  for (const Target& t : targets) {
+  for (const Target& t : least_confined(targets)) {
     if (is_strength(t.property)) continue;
     const bool modulus = t.property == Property::E;
     readings.push_back({exchanged ? 90.0 - t.theta : t.theta, modulus, t.mean, counted_error(t)});

@@ -51,11 +51,11 @@ ElasticVerdict judge_elastic(const ElasticFit& fit, const Evidence& evidence, bo
                "the model has no answer (`phyllite elastic` with calibrated.toml tells why)");
     } else if (misses(c) && t.property == Property::E) {
       worst = std::max(worst, std::fabs(c.error()));
-      verdict.findings.push_back(fmt::format("E({:g}) = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}",
-                                             t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9));
+      verdict.findings.push_back(fmt::format("{} = {:.2f} GPa, {:+.1f} % from the laboratory's {:.2f}",
+                                             cell_name(t), c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9));
     } else if (misses(c)) {
       nu_missed = true;
-      verdict.findings.push_back(fmt::format("nu({:g}) = {:.3f} instead of {:.3f}", t.theta, c.mean, t.mean));
+      verdict.findings.push_back(fmt::format("{} = {:.3f} instead of {:.3f}", cell_name(t), c.mean, t.mean));
     }
   }
   if (worst > 0.0 || nu_missed) report_limit(verdict, fit, evidence, softened, nu_missed);

@@ -62,7 +62,8 @@ std::string compression_in_words(const Evidence& e, double from, double to) {
 
 theory::Eq1Fit eq1_through(const Evidence& evidence) {
   std::vector<theory::ModulusReading> readings;
-  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
+  for (const Target& t : of_property(least_confined(evidence.moduli), Property::E))
+    readings.push_back({t.theta, t.mean});
   theory::Eq1Options options;
   options.reference = theory::Eq1Reference::free;
   return theory::fit_eq1(readings, options);

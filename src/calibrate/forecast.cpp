@@ -36,10 +36,19 @@ struct Answer {
 /// Strengths are fitted where one in compression is among them.
 bool is_fitted(const Evidence& evidence, Property p) { return !is_strength(p) || evidence.fits_strength(); }
 
-bool is_mapped(const Evidence& evidence, const ModelFamily& family, Property p) {
+/// No test under a confining stress was.
+bool is_mapped(const Evidence& evidence, const ModelFamily& family, const Target& t) {
+  const Property p = t.property;
+  if (t.confining > 0.0) return false;
   if (p == Property::nu) return evidence.rock.E_is != ModulusReading::small_strain;
   return p == Property::E || p == Property::ucs || p == Property::brazilian ||
          (p == Property::direct_tension && !family.layered);
+}
+
+/// What is told of a value that is not foretold.
+std::string silent_name(const Target& t) {
+  const bool moduli = t.confining > 0.0 && !is_strength(t.property);
+  return to_string(t.property) + std::string(moduli ? " under confinement" : "");
 }
 
 std::string stem_of(Property p, ModulusReading reading) {
@@ -58,7 +67,7 @@ std::vector<Answer> answers_of(const Evidence& evidence, const ModelFamily& fami
   };
   std::vector<Answer> answers;
   for (const Target& t : evidence.targets) {
-    if (!is_fitted(evidence, t.property) || !is_mapped(evidence, family, t.property)) continue;
+    if (!is_fitted(evidence, t.property) || !is_mapped(evidence, family, t)) continue;
     const std::string stem = stem_of(t.property, evidence.rock.E_is);
     const Bracket b = bracket_of(t.property, t.theta);
     answers.push_back({t, ReachRegression(of(stem, b.low), of(stem, b.high), b.share)});
@@ -230,9 +239,9 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
     f.rows.push_back(c);
   }
   for (const Target& t : evidence.targets)
-    if (is_fitted(evidence, t.property) && !is_mapped(evidence, *family, t.property) &&
-        (f.silent.empty() || f.silent.back() != t.property))
-      f.silent.push_back(t.property);
+    if (is_fitted(evidence, t.property) && !is_mapped(evidence, *family, t))
+      if (const std::string name = silent_name(t); f.silent.empty() || f.silent.back() != name)
+        f.silent.push_back(name);
   bool at_edge = false;
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
     at_edge = at_edge || (problem.elastic[j] && std::fabs(x[Problem::place(j)]) > edge);
@@ -351,9 +360,8 @@ std::string forecast_text(const Forecast& f) {
       fmt::format("foretold: a calibration will probably end {}. Expected misses by {}, root mean square: {}",
                   outcome(f), f.family->label, all_misses(f));
   if (f.beyond_map) text += "; E lies where nothing was mapped, though planes in an isotropic rock have it";
-  std::string silent;
-  for (const Property p : f.silent) silent += std::string(silent.empty() ? "" : ", ") + to_string(p);
-  if (!silent.empty()) text += ". Not foretold, because not mapped: " + silent;
+  if (!f.silent.empty())
+    text += fmt::format(". Not foretold, because not mapped: {}", fmt::join(f.silent, ", "));
   std::vector<std::string> missed;
   for (const auto& [property, name] : {std::pair{Property::ucs, "UCS"}, std::pair{Property::brazilian, "BTS"},
                                        std::pair{Property::direct_tension, "DTS"},

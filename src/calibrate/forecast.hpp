@@ -22,9 +22,9 @@ namespace phy::calibrate {
 struct Forecast {
   const ModelFamily* family = nullptr;  ///< of several that may model the rock the one that comes nearest
   VerdictStatus status = VerdictStatus::calibrated;
-  std::vector<Comparison> rows;  ///< `mean` as foretold; those that the map has
-  std::vector<Property> silent;  ///< of the table, but not of the map
-  double distance = 0.0;         ///< sum of squares of what is minimised
+  std::vector<Comparison> rows;     ///< `mean` as foretold; those that the map has
+  std::vector<std::string> silent;  ///< of the table, but not of the map
+  double distance = 0.0;            ///< sum of squares of what is minimised
   bool beyond_map = false;  ///< E lies where nothing was mapped, though planes in an isotropic rock have it
   /// Is every property met within its tolerance, root mean square?
   bool meets() const;

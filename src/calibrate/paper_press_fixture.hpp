@@ -22,6 +22,7 @@ class PaperPress : public Simulator {
   std::function<bool(const Recipe&)> peaks = [](const Recipe&) { return true; };
   bool carries_load = true;      ///< false: the direct solution has no answer
   double tangent = 1.0;          ///< E of the press at half of the strength over that at small strain
+  double closing = 0.0;          ///< what a stress of 10 MPa on the sides adds to that ratio
   bool stops_statics = false;    ///< the user stops in the middle of the direct solutions
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
   std::int64_t n_tests = 0, n_announced = 0;
@@ -55,13 +56,14 @@ class PaperPress : public Simulator {
                               {"first_crack_x", first_crack, "1", "", ""},
                               {"first_crack_y", 0.0, "1", "", ""}};
       else if (r.test.kind == TestKind("biaxial"))
-        results[i].numbers.push_back({"sigma_1", confined(r) * std::exp(noise + bias), "Pa", "", ""});
+        results[i].numbers = {{"sigma_1", confined(r) * std::exp(noise + bias), "Pa", "", ""},
+                              {"E_tangent", tangent_modulus(r), "Pa", "", ""},
+                              {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
       else
-        results[i].numbers = {
-            {"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
-            {"sigma_ci_strain", initiation(r) * std::exp(noise + bias), "Pa", "", ""},
-            {"E_tangent", tangent * theory::goodman_E(rock_of(r), theta_of(r)), "Pa", "", ""},
-            {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
+        results[i].numbers = {{"ucs", ucs(r) * std::exp(noise + bias), "Pa", "", ""},
+                              {"sigma_ci_strain", initiation(r) * std::exp(noise + bias), "Pa", "", ""},
+                              {"E_tangent", tangent_modulus(r), "Pa", "", ""},
+                              {"nu", theory::goodman_nu(rock_of(r), theta_of(r)), "1", "", ""}};
     }
     return results;
   }
@@ -74,6 +76,12 @@ class PaperPress : public Simulator {
   static double ucs(Recipe r) {
     r.test.confining_stress = 0.0;
     return confined(r);
+  }
+
+  /// At half of the strength.
+  double tangent_modulus(const Recipe& r) const {
+    const double ratio = tangent + closing * r.test.confining_stress / 10e6;
+    return ratio * theory::goodman_E(rock_of(r), theta_of(r));
   }
 
   /// Cracks begin at a share of the strength that slits take most of.

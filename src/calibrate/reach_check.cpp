@@ -24,16 +24,16 @@ double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
   return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
 
-/// Not every test was done for every family.
-bool was_mapped(const ReachTable& table, Property p) {
-  return p != Property::nu && p != Property::confined && p != Property::crack_initiation &&
-         !(p == Property::direct_tension && table.family().layered);
+/// Not every test was done for every family, and none under a confining stress.
+bool was_mapped(const ReachTable& table, const Target& t) {
+  return t.confining == 0.0 && t.property != Property::nu && t.property != Property::crack_initiation &&
+         !(t.property == Property::direct_tension && table.family().layered);
 }
 
 /// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
   const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
-  if (!was_mapped(table, t.property)) return nan;
+  if (!was_mapped(table, t)) return nan;
   const char* modulus = small_strain ? "E_small/E_c" : "E50/E_c";
   return log_at(table, row, t.property == Property::E ? modulus : strength_stem(t.property), t.property,
                 t.theta);
@@ -61,7 +61,7 @@ template <class Answer>
 double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& log_answer) {
   Spread moduli, strengths;
   for (const Target& t : evidence.targets) {
-    if (!was_mapped(table, t.property)) continue;
+    if (!was_mapped(table, t)) continue;
     (is_strength(t.property) ? strengths : moduli)
         .add(std::log(t.mean) - log_answer(t), 1.0 / (unit(t.property) * unit(t.property)));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/exact_math.hpp"
 #include "calibrate/parameters.hpp"
@@ -18,25 +19,35 @@ Eigen::Index n_stiffnesses(const Recipe& model) {
   return static_cast<Eigen::Index>(elastic_parameters(model).size()) - 1;
 }
 
+/// Without a stress on the sides all stresses are proportional to sigma_c, and its place tells nothing.
+std::span<const double> inputs_of(const TestRead& test, std::span<const double> z) {
+  return test.confining > 0.0 ? z : z.first(z.size() - 1);
+}
+
 }  // namespace
 
 ReadModuli::ReadModuli(const Evidence& evidence)
     : reading_(evidence.rock.E_is),
       moduli_(evidence.moduli),
+      read_(tests_to_read(evidence)),
       n_harmonics_(n_stiffnesses(evidence.rock.model)) {}
 
-void ReadModuli::add(double theta, const SurrogateRun& where, const TestResult& test,
+bool ReadModuli::reads(const Target& strength) const {
+  return std::any_of(read_.begin(), read_.end(), [&](const Target& t) { return same_cell(t, strength); });
+}
+
+void ReadModuli::add(const Target& strength, const SurrogateRun& where, const TestResult& test,
                      const ElasticResult& solution) {
-  const std::optional<Softening> s = softening_of(test, solution, reading_);
+  const std::optional<Softening> s = softening_of(test, strength.property, solution, reading_);
   if (!s) return;
   SurrogateRun factor = where, addition = where;
   factor.y = std::log(s->factor), addition.y = s->addition;
-  angles_[theta].factors.push_back(std::move(factor)),
-      angles_[theta].additions.push_back(std::move(addition));
+  Answers& answers = tests_[test_of_cell(strength)];
+  answers.factors.push_back(std::move(factor)), answers.additions.push_back(std::move(addition));
 }
 
 void ReadModuli::learn() {
-  for (auto& [theta, a] : angles_)
+  for (auto& [test, a] : tests_)
     a.learnt = {Surrogate(a.factors, nothing_known), Surrogate(a.additions, nothing_known)};
 }
 
@@ -44,7 +55,7 @@ void ReadModuli::take_solution(const std::vector<Comparison>& moduli) {
   E_.clear(), nu_.clear();
   for (std::size_t i = 0; i < moduli_.size(); ++i) {
     const Target& t = moduli_[i];
-    if (!angles_.contains(t.theta) || !moduli[i].answered()) continue;
+    if (!tests_.contains(test_of_cell(t)) || !moduli[i].answered()) continue;
     const double error = t.normal_error();
     if (t.property == Property::E) E_.push_back({t, std::log(moduli[i].mean), std::pow(error / t.mean, 2.0)});
     if (t.property == Property::nu) nu_.push_back({t, moduli[i].mean, error * error});
@@ -52,13 +63,20 @@ void ReadModuli::take_solution(const std::vector<Comparison>& moduli) {
   find_left();
 }
 
+/// Harmonics that the values tell apart: those of the stiffnesses, but no more than there are inclinations.
+Eigen::Index ReadModuli::n_followed() const {
+  std::set<double> inclinations;
+  for (const Value& v : E_) inclinations.insert(v.target.theta);
+  return std::min(n_harmonics_, static_cast<Eigen::Index>(inclinations.size()));
+}
+
 /// Projects out what stiffnesses can follow: least squares of the harmonics through the values.
 void ReadModuli::find_left() {
-  const auto n = static_cast<Eigen::Index>(E_.size());
-  if (n <= n_harmonics_) return E_.clear();
-  Eigen::MatrixXd harmonics(n, n_harmonics_);
+  const auto n = static_cast<Eigen::Index>(E_.size()), n_harmonics = n_followed();
+  if (n <= n_harmonics) return E_.clear();
+  Eigen::MatrixXd harmonics(n, n_harmonics);
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < n_harmonics_; ++k)
+    for (Eigen::Index k = 0; k < n_harmonics; ++k)
       harmonics(i, k) =
           sin_cos_degrees(2.0 * static_cast<double>(k) * E_[static_cast<std::size_t>(i)].target.theta).cos;
   left_ = Eigen::MatrixXd::Identity(n, n) -
@@ -68,8 +86,10 @@ void ReadModuli::find_left() {
 
 Softenings ReadModuli::at(std::span<const double> z) const {
   Softenings all;
-  for (const auto& [theta, a] : angles_)
-    all[theta] = {std::exp(a.learnt.front().at(z).mean), a.learnt.back().at(z).mean};
+  for (const auto& [test, a] : tests_) {
+    const std::span<const double> own = inputs_of(test, z);
+    all[test] = {std::exp(a.learnt.front().at(own).mean), a.learnt.back().at(own).mean};
+  }
   return all;
 }
 
@@ -79,14 +99,16 @@ std::vector<ReadModuli::Miss> ReadModuli::misses(std::span<const double> z) cons
   Eigen::VectorXd error(n), variance(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Value& v = E_[static_cast<std::size_t>(i)];
-    const Surrogate::Value s = angles_.at(v.target.theta).learnt.front().at(z);
+    const TestRead test = test_of_cell(v.target);
+    const Surrogate::Value s = tests_.at(test).learnt.front().at(inputs_of(test, z));
     error[i] = std::log(v.target.mean) - v.solution - s.mean, variance[i] = s.variance;
   }
   if (n > 0) error = left_ * error, variance = known_ * variance;
   for (Eigen::Index i = 0; i < n; ++i)
     all.push_back({Property::E, error[i], variance[i], E_[static_cast<std::size_t>(i)].scatter});
   for (const Value& v : nu_) {
-    const double d = angles_.at(v.target.theta).learnt.back().at(z).mean;
+    const TestRead test = test_of_cell(v.target);
+    const double d = tests_.at(test).learnt.back().at(inputs_of(test, z)).mean;
     const double beyond = std::max(0.0, d - (1.0 - least_nu) * v.target.mean);
     all.push_back({Property::nu, -beyond, 0.0, v.scatter});
   }

@@ -7,7 +7,8 @@
 //   those of layers) log E(theta) takes the shape of h harmonics of 2 theta; what is left of
 //   log E_lab - log E_read beside these is missed for good.
 // - cracks that spread a specimen to more than half of nu: no elastic solution with that little is left.
-// Surrogates learn both from the search's own tests of UCS, per inclination, as they learn strengths.
+// Surrogates learn both from the search's own tests, per inclination and confining stress, as they learn
+// strengths: over the places of the ratios and, under a confining stress, that of sigma_c beside them.
 #pragma once
 #include <Eigen/Dense>
 #include <map>
@@ -31,21 +32,25 @@ class ReadModuli {
   };
 
   explicit ReadModuli(const Evidence& evidence);
-  /// A test of UCS at an inclination and the solution of the same specimen. `where`: place in the box and
-  /// packing; its answer is found here.
-  void add(double theta, const SurrogateRun& where, const TestResult& test, const ElasticResult& solution);
+  /// Are moduli read from the tests of a strength?
+  bool reads(const Target& strength) const;
+  /// A test of a strength in compression and the solution of the same specimen. `where`: inputs of that
+  /// strength's surrogate and packing; its answer is found here.
+  void add(const Target& strength, const SurrogateRun& where, const TestResult& test,
+           const ElasticResult& solution);
   /// From all tests so far; to be called before what follows.
   void learn();
   /// What the direct solution has for the moduli of the table, in its order, with the stiffnesses of the
   /// hour.
   void take_solution(const std::vector<Comparison>& moduli);
-  /// Where the search has come to. No entry where no test has said anything.
+  /// Where the search has come to. No entry where no test has said anything. `z`, here and below: places of
+  /// the ratios, then that of sigma_c.
   Softenings at(std::span<const double> z) const;
   /// Empty before the first solution; as many at every place.
   std::vector<Miss> misses(std::span<const double> z) const;
 
  private:
-  struct Angle {
+  struct Answers {
     std::vector<SurrogateRun> factors, additions;  // logarithms; of nu
     std::vector<Surrogate> learnt;                 // of both
   };
@@ -55,13 +60,14 @@ class ReadModuli {
     double scatter;   // squared, of the laboratory's mean
   };
   ModulusReading reading_;
-  std::vector<Target> moduli_;
+  std::vector<Target> moduli_, read_;  // and the strengths in whose tests they are read
   Eigen::Index n_harmonics_;
-  std::map<double, Angle> angles_;
-  std::vector<Value> E_, nu_;     // at inclinations that tests have answered
+  std::map<TestRead, Answers> tests_;
+  std::vector<Value> E_, nu_;     // where tests have answered
   Eigen::MatrixXd left_, known_;  // what harmonics leave of values of E; and its squares
 
   void find_left();
+  Eigen::Index n_followed() const;
 };
 
 }  // namespace phy::calibrate

@@ -49,13 +49,14 @@ Macro macro_of(const Evidence& evidence, const std::vector<theory::ModulusReadin
 
 std::vector<theory::ModulusReading> readings_of(const Evidence& evidence) {
   std::vector<theory::ModulusReading> readings;
-  for (const Target& t : of_property(evidence.moduli, Property::E)) readings.push_back({t.theta, t.mean});
+  for (const Target& t : of_property(least_confined(evidence.moduli), Property::E))
+    readings.push_back({t.theta, t.mean});
   return readings;
 }
 
 /// nu along the layers, by the table; NaN without.
 double nu_of(const Evidence& evidence, double E) {
-  const std::vector<Target> all = of_property(evidence.moduli, Property::nu);
+  const std::vector<Target> all = of_property(least_confined(evidence.moduli), Property::nu);
   const auto at = [&](double from, double to) {
     return std::find_if(all.rbegin(), all.rend(),
                         [&](const Target& t) { return t.theta >= from && t.theta <= to; });
@@ -65,7 +66,7 @@ double nu_of(const Evidence& evidence, double E) {
   const auto across = at(0.0, 15.0);
   if (across == all.rend()) return std::nan("");
   for (const Target& t : of_property(evidence.moduli, Property::E))
-    if (t.theta == across->theta) return across->mean * E / t.mean;
+    if (t.theta == across->theta && t.confining == across->confining) return across->mean * E / t.mean;
   return std::nan("");
 }
 
@@ -151,7 +152,7 @@ class Moduli {
   }
 
   Macro macro_at(const Recipe& recipe) {
-    const std::vector<Target> moduli = of_property(evidence_.moduli, Property::E);
+    const std::vector<Target> moduli = of_property(least_confined(evidence_.moduli), Property::E);
     std::vector<theory::ModulusReading> readings;
     for (const Comparison& c : elastic_response(recipe, moduli, seeds_, simulator_))
       readings.push_back({c.target.theta, c.mean});

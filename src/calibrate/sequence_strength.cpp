@@ -156,11 +156,12 @@ class Sequence {
 
   /// What tests have made of the moduli by where the table reads them, at the present strengths.
   void read_moduli_anew(const Remodel& remodel) {
-    const std::int64_t n = static_cast<std::int64_t>(places_of_ucs(evidence_.strengths).size());
+    const std::vector<Target> tests = tests_to_read(evidence_);
+    const auto n = static_cast<std::int64_t>(tests.size());
     if (left_ < n) return;
     left_ -= n, fit_.n_tests += n, fit_.n_solutions += n;
-    fit_.softenings = softenings_of(fit_.recipe, fit_.recipe, evidence_.strengths, {seed_},
-                                    evidence_.rock.E_is, simulator_);
+    fit_.softenings =
+        softenings_of(fit_.recipe, fit_.recipe, tests, {seed_}, evidence_.rock.E_is, simulator_);
     if (simulator_.stopped()) throw Stopped{};
     fit_.recipe = with_moduli(fit_.recipe, remodel(fit_.softenings).recipe);
   }

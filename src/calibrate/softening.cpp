@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "analysis/analyse.hpp"
@@ -14,6 +15,7 @@ namespace phy::calibrate {
 namespace {
 
 constexpr double least_change = 0.01;  // of E, and to nu, that is none
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double step = 0.65;
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
 
@@ -24,9 +26,22 @@ double number(const TestResult& result, const char* name) {
 
 }  // namespace
 
-std::optional<Softening> softening_of(const TestResult& test, const ElasticResult& solution,
-                                      ModulusReading reading) {
-  const Softening s = {modulus_of(test, reading) / reading_of(solution, Property::E),
+TestRead test_of_cell(const Target& t) { return {t.confining, t.theta}; }
+
+std::vector<Target> tests_to_read(const Evidence& evidence) {
+  std::vector<Target> tests;
+  for (const Target& t : evidence.strengths) {
+    const auto is_read = [&](const Target& m) { return test_of_cell(m) == test_of_cell(t); };
+    if (t.property == Property::ucs || (t.property == Property::confined &&
+                                        std::any_of(evidence.moduli.begin(), evidence.moduli.end(), is_read)))
+      tests.push_back(t);
+  }
+  return tests;
+}
+
+std::optional<Softening> softening_of(const TestResult& test, Property property,
+                                      const ElasticResult& solution, ModulusReading reading) {
+  const Softening s = {modulus_of(test, property, reading) / reading_of(solution, Property::E),
                        number(test, "nu") - reading_of(solution, Property::nu)};
   if (!(s.factor > 0.0) || !std::isfinite(s.factor) || !std::isfinite(s.addition)) return {};
   return s;
@@ -37,27 +52,26 @@ Recipe as_for_moduli(Recipe specimen, const Recipe& model) {
   return specimen;
 }
 
-Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& strengths,
+Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& tests,
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator) {
-  const std::vector<Target> ucs = of_property(strengths, Property::ucs);
-  const StrengthTests tests(recipe, ucs, seeds.front(), simulator);
+  const StrengthTests settings(recipe, tests, seeds.front(), simulator);
   std::vector<Recipe> recipes, unbroken;
-  for (std::size_t i = 0; i < ucs.size(); ++i)
+  for (std::size_t i = 0; i < tests.size(); ++i)
     for (const std::int64_t seed : seeds) {
-      recipes.push_back(tests.of(recipe, i, seed, as_measured));
+      recipes.push_back(settings.of(recipe, i, seed, as_measured));
       unbroken.push_back(as_for_moduli(recipes.back(), model));
     }
   const std::vector<TestResult> results = simulator.test(recipes);
   const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, false);
   Softenings mean;  // over packings: of the factor the geometric one
-  for (std::size_t i = 0; i < ucs.size(); ++i) {
+  for (std::size_t i = 0; i < tests.size(); ++i) {
     double log_factor = 0.0, addition = 0.0;
     int n = 0;
     for (std::size_t k = i * seeds.size(); k < (i + 1) * seeds.size(); ++k)
-      if (const auto s = softening_of(results[k], solutions[k], reading))
+      if (const auto s = softening_of(results[k], tests[i].property, solutions[k], reading))
         log_factor += std::log(s->factor), addition += s->addition, ++n;
-    if (n > 0) mean[ucs[i].theta] = {std::exp(log_factor / n), addition / n};
+    if (n > 0) mean[test_of_cell(tests[i])] = {std::exp(log_factor / n), addition / n};
   }
   return mean;
 }
@@ -72,21 +86,27 @@ bool settled(const Softenings& used, const Softenings& measured) {
 
 Softenings stepped(const Softenings& used, const Softenings& measured) {
   Softenings next = measured;
-  for (auto& [theta, s] : next) {
-    const Softening before = softening_at(used, theta);
+  for (auto& [test, s] : next) {
+    const Softening before = softening_at(used, test);
     s.factor = before.factor * std::pow(s.factor / before.factor, step);
     s.addition = std::lerp(before.addition, s.addition, step);
   }
   return next;
 }
 
-Softening softening_at(const Softenings& softenings, double theta) {
+Softening softening_at(const Softenings& softenings, const TestRead& test) {
   if (softenings.empty()) return {};
-  const auto above = softenings.lower_bound(theta);
-  if (above == softenings.end()) return std::prev(above)->second;
-  if (above == softenings.begin() || above->first == theta) return above->second;
+  const auto nearer = [&](const auto& a, const auto& b) {
+    return std::fabs(a.first.confining - test.confining) < std::fabs(b.first.confining - test.confining);
+  };
+  const double nearest = std::min_element(softenings.begin(), softenings.end(), nearer)->first.confining;
+  const auto first = softenings.lower_bound({nearest, -infinity}),
+             last = softenings.upper_bound({nearest, infinity});
+  const auto above = softenings.lower_bound({nearest, test.theta});
+  if (above == last) return std::prev(above)->second;
+  if (above == first || above->first.theta == test.theta) return above->second;
   const auto below = std::prev(above);
-  const double share = (theta - below->first) / (above->first - below->first);
+  const double share = (test.theta - below->first.theta) / (above->first.theta - below->first.theta);
   return {std::lerp(below->second.factor, above->second.factor, share),
           std::lerp(below->second.addition, above->second.addition, share)};
 }
@@ -94,7 +114,7 @@ Softening softening_at(const Softenings& softenings, double theta) {
 Evidence at_small_strain(const Evidence& evidence, const Softenings& softenings) {
   std::vector<Target> targets = evidence.targets;
   for (Target& t : targets) {
-    const Softening s = softening_at(softenings, t.theta);
+    const Softening s = softening_at(softenings, test_of_cell(t));
     if (t.property == Property::E) t.mean /= s.factor, t.sd /= s.factor;
     if (t.property == Property::nu) t.mean -= std::min(s.addition, most_nu * t.mean);
   }

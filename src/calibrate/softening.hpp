@@ -3,8 +3,10 @@
 // The direct solution gives E and nu of unbroken rock. A tangent or a secant of a test is another number:
 // bonds, bridges and joints have broken or slipped by then. Both are taken on the same packing, so that what
 // packings differ by drops out: s = E of the press / E of the direct solution, d = nu of the press - nu of
-// the direct solution, one of each per inclination. They depend on the strengths, too (read_moduli.hpp).
+// the direct solution, one of each per inclination and confining stress: a stress on the sides closes what
+// would open and holds what would slip. They depend on the strengths, too (read_moduli.hpp).
 #pragma once
+#include <compare>
 #include <map>
 #include <optional>
 #include <vector>
@@ -17,21 +19,35 @@ namespace phy::calibrate {
 struct Softening {
   double factor = 1.0, addition = 0.0;  ///< of E, to nu
 };
-using Softenings = std::map<double, Softening>;  ///< by the inclination [deg]
-/// Between the inclinations that have one linear, beyond them as at the last; none at all: 1 and 0.
-Softening softening_at(const Softenings& softenings, double theta);
+/// A test in compression that moduli are read from.
+struct TestRead {
+  double confining = 0.0;  ///< [Pa]
+  double theta = 0.0;      ///< [deg]
+  auto operator<=>(const TestRead&) const = default;
+};
+/// The one that a modulus, or a strength in compression, belongs to.
+TestRead test_of_cell(const Target& t);
 
-/// A test of UCS and the solution of the same specimen. Nothing: the test was not read there.
-std::optional<Softening> softening_of(const TestResult& test, const ElasticResult& solution,
-                                      ModulusReading reading);
+using Softenings = std::map<TestRead, Softening>;
+/// Of the tests under the nearest confining stress: between their inclinations linear, beyond them as at the
+/// last. None at all: 1 and 0.
+Softening softening_at(const Softenings& softenings, const TestRead& test);
+
+/// The strengths of a table in whose tests moduli are read: UCS, and those under a confining stress under
+/// which the table has moduli at the same inclination.
+std::vector<Target> tests_to_read(const Evidence& evidence);
+
+/// A test of `property` and the solution of the same specimen. Nothing: the test was not read there.
+std::optional<Softening> softening_of(const TestResult& test, Property property,
+                                      const ElasticResult& solution, ModulusReading reading);
 
 /// The specimen as the elastic stage has it: `model` before strengths were sought. Slits that these have
 /// sought are part of what tests make of the moduli.
 Recipe as_for_moduli(Recipe specimen, const Recipe& model);
 
-/// Measured: tests of UCS of a recipe at the speed of a verification, on each of the packings. `model`: of
-/// the elastic stage.
-Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& strengths,
+/// Measured: tests of a recipe at the speed of a verification, on each of the packings. `model`: of the
+/// elastic stage; `tests`: strengths in compression.
+Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::vector<Target>& tests,
                          const std::vector<std::int64_t>& seeds, ModulusReading reading,
                          Simulator& simulator);
 

@@ -14,7 +14,9 @@
 // beyond both, of each property by itself: zero where the table can be met; where it cannot, the posterior
 // would otherwise flee to the rocks of which least is known, and a tension that cannot be met would take UCS
 // along. What is missed is still wanted as near as it can be had: a property with a discrepancy adds
-// -|log lab - log model|/se to log p, a pull that grows no further with the distance. E and nu as a
+// -|log lab - log model|/se to log p, a pull that grows no further with the distance. One packing serves all
+// angles: of var f_i what it does to every strength in compression is one error and not many, so that all of
+// them together tell sigma_c less well (intervals; the search leaves it out). E and nu as a
 // laboratory reads them join the sum as far as moduli cannot follow what strengths make of them
 // (read_moduli.hpp).
 #pragma once
@@ -65,6 +67,8 @@ class StrengthPosterior {
   /// From all runs so far; to be called before what follows.
   void learn();
   Surrogate::Value predict(const Point& x, std::size_t target) const;
+  /// Places of the ratios, then that of sigma_c.
+  std::vector<double> places(const Point& x) const;
   /// A value of the table against the model: of the targets, in their order, then of moduli as they are read.
   using Miss = ReadModuli::Miss;
   std::vector<Miss> misses(const Point& x) const;
@@ -110,6 +114,9 @@ class StrengthPosterior {
     return counted(targets_[target].property, variances_[target]);
   }
   double discrepancy_of(Property property) const;
+  /// Of a model's variance, what all strengths in compression have in common because the same packings
+  /// answered for them; none during the search, which asks where to look and not how much is known.
+  double common_variance(std::size_t target, double variance) const;
   /// What a miss costs of a property that has a discrepancy, in units of log p.
   double pull(const Miss& miss) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was

@@ -122,33 +122,29 @@ std::vector<Recipe> tests_at(const StrengthPosterior& posterior, const StrengthT
   return recipes;
 }
 
-/// Solutions of the specimens behind tests of UCS, one of those that lie on the same packing at the same
-/// inclination: they differ in strengths alone. `model`: of the elastic stage.
+/// Solutions of the specimens behind tests that moduli are read from, one of those that lie on the same
+/// packing at the same inclination: they differ in strengths alone. `model`: of the elastic stage.
 void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const Design& design,
                      const Recipe& model, const std::vector<Recipe>& recipes,
                      const std::vector<TestResult>& results, Simulator& simulator,
                      std::int64_t& n_solutions) {
   std::map<std::pair<std::int64_t, double>, std::size_t> solved;
   std::vector<Recipe> specimens;
-  const auto name_of = [&](std::size_t k) {
-    return std::pair{recipes[k].packing.seed, posterior.targets()[k % posterior.n_targets()].theta};
-  };
-  const auto is_ucs = [&](std::size_t k) {
-    return posterior.targets()[k % posterior.n_targets()].property == Property::ucs;
-  };
+  const auto target_of = [&](std::size_t k) { return posterior.targets()[k % posterior.n_targets()]; };
+  const auto name_of = [&](std::size_t k) { return std::pair{recipes[k].packing.seed, target_of(k).theta}; };
   for (std::size_t k = 0; k < recipes.size(); ++k)
-    if (is_ucs(k) && solved.emplace(name_of(k), specimens.size()).second)
+    if (read.reads(target_of(k)) && solved.emplace(name_of(k), specimens.size()).second)
       specimens.push_back(as_for_moduli(recipes[k], model));
   const std::vector<ElasticResult> solutions = simulator.elastic(specimens, false);
   n_solutions += static_cast<std::int64_t>(specimens.size());
   for (std::size_t k = 0; k < recipes.size(); ++k) {
-    if (!is_ucs(k)) continue;
+    if (!read.reads(target_of(k))) continue;
     const std::size_t p = k / posterior.n_targets();
-    const std::span<const double> z = StrengthPosterior::ratios(design.points[p]);
     // coarse grains soften alike, on packings of their own
     const std::size_t packing = design.packings[p] + (design.coarse ? 1000 : 0);
-    read.add(name_of(k).second, {{z.begin(), z.end()}, static_cast<int>(packing)}, results[k],
-             solutions[solved.at(name_of(k))]);
+    read.add(target_of(k),
+             {posterior.inputs(design.points[p], k % posterior.n_targets()), static_cast<int>(packing)},
+             results[k], solutions[solved.at(name_of(k))]);
   }
   read.learn();
 }
@@ -440,7 +436,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     if (remodel) {  // for where the new tests put the estimate among the draws of before
       posterior.learn();
       estimate = nearest_point(posterior, draws);
-      fit.softenings = read.at(StrengthPosterior::ratios(estimate));
+      fit.softenings = read.at(posterior.places(estimate));
       const Remodelled anew = remodel(fit.softenings);
       fit.recipe = with_moduli(fit.recipe, anew.recipe);
       read.take_solution(anew.solution);

@@ -169,12 +169,13 @@ double strength_of(const TestResult& result, Property property) {
   return number_of(result, test_of(property).number);
 }
 
-double modulus_of(const TestResult& result, ModulusReading reading) {
+double modulus_of(const TestResult& result, Property property, ModulusReading reading) {
   switch (reading) {
     case ModulusReading::tangent_50:
     case ModulusReading::average: return number_of(result, "E_tangent");
     case ModulusReading::secant_50: return number_of(result, "E_secant");
-    case ModulusReading::secant_at_peak: return number_of(result, "ucs") / number_of(result, "peak_strain");
+    case ModulusReading::secant_at_peak:
+      return number_of(result, test_of(property).test->curve.strength) / number_of(result, "peak_strain");
     case ModulusReading::small_strain: return number_of(result, "E_small");
   }
   return std::nan("");
@@ -241,12 +242,14 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
     const Property property = targets[i].property;
     rows.push_back(
         over_packings(targets[i], some, [&](const TestResult& r) { return strength_of(r, property); }));
-    if (moduli == nullptr || property != Property::ucs) continue;
+    if (moduli == nullptr || !is_compressive(property)) continue;
     const auto without_value = [&](Property p) {
-      return Target{p, targets[i].theta, std::nan(""), std::nan("")};
+      Target t{p, targets[i].theta, std::nan(""), std::nan("")};
+      t.confining = targets[i].confining;
+      return t;
     };
     moduli->push_back(over_packings(without_value(Property::E), some,
-                                    [&](const TestResult& r) { return modulus_of(r, reading); }));
+                                    [&](const TestResult& r) { return modulus_of(r, property, reading); }));
     moduli->push_back(over_packings(without_value(Property::nu), some,
                                     [](const TestResult& r) { return number_of(r, "nu"); }));
   }

@@ -48,12 +48,13 @@ class StrengthTests {
 /// Strength of a test [Pa]; NaN if it has none.
 double strength_of(const TestResult& result, Property property);
 
-/// E [Pa] of a test of UCS as the laboratory reads it; NaN without a strength.
-double modulus_of(const TestResult& result, ModulusReading reading);
+/// E [Pa] of a test of a strength in compression as the laboratory reads it, over the stress that the platens
+/// bring on, q = sigma_1 - sigma_3 under confinement; NaN without a strength.
+double modulus_of(const TestResult& result, Property property, ModulusReading reading);
 
 /// Mean strengths of a recipe at the targets over packings, by the tests themselves. `moduli` gains E as
-/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests of UCS; their targets have no
-/// values. A recipe that keeps pictures has them of the tests of UCS on the first packing, and no others.
+/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests in compression; their targets have
+/// no values. A recipe that keeps pictures has them of the tests of UCS on the first packing, and no others.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
                                           const std::vector<std::int64_t>& seeds, const Loading& loading,
                                           Simulator& simulator,

@@ -46,6 +46,17 @@ TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {
       << "stress grows from the confinement on";
 }
 
+// E is that of the stress which the platens bring on.
+TEST(ModulusOf, AtThePeakIsTheSecantOfTheDeviatoricStress) {
+  TestResult free, confined;
+  free.outcome.status = confined.outcome.status = Status::peaked;
+  free.numbers = {{"ucs", 100e6, "Pa", "", ""}, {"peak_strain", 0.002, "1", "", ""}};
+  confined.numbers = {
+      {"q_max", 150e6, "Pa", "", ""}, {"sigma_1", 200e6, "Pa", "", ""}, {"peak_strain", 0.0025, "1", "", ""}};
+  EXPECT_NEAR(modulus_of(free, Property::ucs, ModulusReading::secant_at_peak), 50e9, 1.0);
+  EXPECT_NEAR(modulus_of(confined, Property::confined, ModulusReading::secant_at_peak), 60e9, 1.0);
+}
+
 // The tests of a rock are loaded as the calibration has it, whatever the recipe of the model says.
 TEST_F(Loaded, SettingsKeepNoPreStrainAndNoApproachOfTheModel) {
   Recipe model;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace phy::calibrate {
@@ -90,6 +91,11 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean
         best = density, chosen = {factor, scatter};
     }
   learn(y, shared, chosen.first, chosen.second);
+  std::set<int> packings;
+  for (const SurrogateRun& run : runs)
+    if (!run.coarse) packings.insert(run.packing);
+  if (!packings.empty())
+    packing_variance_ = square(chosen.second * packing_fine) / static_cast<double>(packings.size());
   whitener_ = factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n)).transpose();
 }
 

@@ -43,12 +43,15 @@ class Surrogate {
   /// Without runs it knows what is predicted.
   explicit Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean = {});
   Value at(std::span<const double> z) const;
+  /// Of that variance, what rests on the packings of fine grains that there were: all runs of one share it.
+  double packing_variance() const { return packing_variance_; }
 
  private:
   PriorMean prior_;
-  Eigen::MatrixXd places_;    // of the runs, one per row
-  Eigen::ArrayXd squares_;    // of their lengths
-  double response_ = 1.0;     // factor on the amplitudes
+  Eigen::MatrixXd places_;  // of the runs, one per row
+  Eigen::ArrayXd squares_;  // of their lengths
+  double response_ = 1.0;   // factor on the amplitudes
+  double packing_variance_ = 0.0;
   Eigen::MatrixXd factor_;    // Cholesky factor of the covariance of the runs
   Eigen::MatrixXd whitener_;  // its inverse, a row per column
   Eigen::VectorXd weights_;   // of the runs

@@ -54,6 +54,19 @@ TEST(Surrogate, LearnsACurvedResponseThroughScatterAndKnowsHowWell) {
   EXPECT_LT(chi, 2.0);
 }
 
+// Runs of one packing share its scatter, so that more packings of as many runs tell the mean better.
+TEST(Surrogate, PackingsThatAreMoreLeaveLessToChance) {
+  const auto left = [](int n_packings, std::uint32_t n_coarse) {
+    std::vector<SurrogateRun> list = runs(48, 0.03, 0.0, n_coarse);
+    for (int i = 0; i < 48; ++i) list[static_cast<std::size_t>(i)].packing = i % n_packings;
+    const Surrogate s(list);
+    EXPECT_LT(s.packing_variance(), s.at(point(7, 3)).variance);
+    return std::sqrt(s.packing_variance());
+  };
+  EXPECT_NEAR(left(4, 0) / left(16, 0), 2.0, 0.9);  // scatter itself is learnt anew
+  EXPECT_EQ(left(4, 48), 0.0) << "coarse packings are others";
+}
+
 TEST(Surrogate, FineRunsSetTheLevelThatCoarseOnesMiss) {
   EXPECT_LT(rms(Surrogate(runs(48, 0.02, 0.15, 36))), 0.05);  // 12 fine runs
   EXPECT_GT(rms(Surrogate(runs(48, 0.02, 0.15, 48))), 0.05);  // none: the offset cannot be known

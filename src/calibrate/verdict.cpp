@@ -73,15 +73,14 @@ void judge_moduli(Calibration& result, const ElasticFit& elastic) {
     const double mean_sd = c.sd / std::sqrt(static_cast<double>(c.n_packings));
     result.verdict.findings.push_back(
         t.property == Property::E
-            ? fmt::format("E({:g}) = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} "
+            ? fmt::format("{} = {:.2f} GPa on unseen packings, {:+.1f} % from the laboratory's {:.2f} "
                           "(tolerated: {:.1f} %): packings of this size differ by {:.1f} %, the mean of {} "
                           "by {:.1f} %",
-                          t.theta, c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * margin(c),
+                          cell_name(t), c.mean * 1e-9, 100.0 * c.error(), t.mean * 1e-9, 100.0 * margin(c),
                           100.0 * c.sd / c.mean, c.n_packings, 100.0 * mean_sd / c.mean)
-            : fmt::format(
-                  "nu({:g}) = {:.3f} on unseen packings instead of {:.3f}: packings of this size differ "
-                  "by {:.3f}, the mean of {} by {:.3f}",
-                  t.theta, c.mean, t.mean, c.sd, c.n_packings, mean_sd));
+            : fmt::format("{} = {:.3f} on unseen packings instead of {:.3f}: packings of this size differ "
+                          "by {:.3f}, the mean of {} by {:.3f}",
+                          cell_name(t), c.mean, t.mean, c.sd, c.n_packings, mean_sd));
   }
 }
 

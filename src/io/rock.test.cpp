@@ -157,10 +157,17 @@ TEST_F(RockFile, EmptyFilesAndDoubtfulDelimitersAreRefused) {
   EXPECT_THROW(read_rock(empty), InputError);
 }
 
-TEST_F(RockFile, SeveralConfiningPressuresAskForOne) {
+TEST_F(RockFile, ModuliUnderSeveralPressuresAreTargetsOfTheirOwn) {
   const std::string csv =
       "theta [deg],confining [MPa],E [GPa]\n0,10,18\n45,10,21\n90,10,33\n0,50,20\n45,50,23\n90,50,34\n";
-  EXPECT_THAT(problems(csv), Contains(HasSubstr("at one confining pressure")));
+  const std::vector<Target> E = of_property(targets_of(rock(csv)), Property::E);
+  ASSERT_THAT(E, SizeIs(6));
+  EXPECT_EQ(E[0].confining, 10e6);
+  EXPECT_EQ(E[1].confining, 50e6);
+  EXPECT_EQ(E[1].mean, 20e9);
+  const std::vector<Target> least = least_confined(E);
+  ASSERT_THAT(least, SizeIs(3));
+  EXPECT_EQ(least[2].mean, 33e9);
   EXPECT_THAT(rock(csv, "confining = \"50 MPa\"\n").readings, SizeIs(3));
 }
 

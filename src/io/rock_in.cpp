@@ -63,8 +63,9 @@ const Fields& rock_fields() {
                          "strength, or what predicts best; with a recipe what that has");
     matrix.choices = {"choose", "parallel_bond", "flat_joint"};
     matrix.otherwise = "\"choose\"";
-    Field confining = as_in_recipe("test.confining_stress", "", "confining",
-                                   "pressure of E and nu, of a table that has them at several");
+    Field confining =
+        as_in_recipe("test.confining_stress", "", "confining",
+                     "takes E and nu under this confining pressure alone; default: under all of the table");
     confining.otherwise.clear();
     Field column = entry(K::choice, "\"header\"",
                          "what a column of the table holds, by its header; \"-\" passes it over");
@@ -396,11 +397,10 @@ class RockReader {
     }
   }
   void check_content(const std::string& where) {
-    std::set<double> angles, pressures;  // these of E and nu
+    std::set<double> angles;
     bool nu = false, E = false, tension = false, initiation = false;
     for (const RockReading& r : rock_.readings) {
       angles.insert(r.theta);
-      if (!is_strength(r.property)) pressures.insert(r.confining);
       tension = tension || (is_tensile(r.property) && r.confining > 0.0);
       initiation = initiation || (is_read_before_ucs(r.property) && r.confining > 0.0);
       nu = nu || r.property == Property::nu, E = E || r.property == Property::E;
@@ -415,9 +415,6 @@ class RockReader {
                            "test 0, 45 and 90 degrees; or write bedded = false"});
     if (initiation) rock_.notes.emplace_back("sigma_ci under confining pressure is kept, not fitted");
     if (tension) rock_.notes.emplace_back("tensile strengths under confining pressure are kept, not fitted");
-    if (pressures.size() > 1)
-      problems_.push_back({where, "confining", fmt::format("{} pressures", pressures.size()),
-                           "E and nu at one confining pressure", "choose one: confining = \"10 MPa\""});
     if (rock_.reading == ElasticReading::plane_strain && E && !nu)
       problems_.push_back({path_, "elastic_reading", "plane strain", "a column nu",
                            "plane strain cannot be converted without it"});
@@ -480,7 +477,8 @@ std::string rock_template(const std::string& name, const std::string& table) {
          "# Moduli of cylinders are read as plane stress; \"plane strain\" converts them (needs nu).\n"
          "elastic_reading = \"plane stress\"\n"
          "\n"
-         "# confining = \"10 MPa\"          # of a table with several confining pressures, the one to use\n"
+         "# confining = \"10 MPa\"          # E and nu under this pressure alone; default: under all of the "
+         "table\n"
          "# bedded = false                # a rock without bedding needs no column of angles\n"
          "# recipe = \"model.toml\"         # grain size, bedding rule, press (`phyllite recipe "
          "--template`); "
@@ -521,7 +519,9 @@ std::string rock_table_template() {
          "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), each "
          "with "
          "_sd;\n"
-         "# confining [MPa], under which UCS is sigma_1 at the peak; or c [MPa], phi [deg], confining_min "
+         "# confining [MPa], under which UCS is sigma_1 at the peak, E and nu those of q over strain; or c "
+         "[MPa], "
+         "phi [deg], confining_min "
          "[MPa],\n"
          "# confining_max [MPa] of an envelope. The load, or the pull of DTS, is along y in every test.\n"
          "# E and nu are what E_is of the rock file says.\n"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -58,7 +59,8 @@ Pool variance_of(const Pool& own, const Pool& others, double prior) {
   return {(own.squares + lent * common) / degrees, degrees};
 }
 
-/// The target whose load runs most nearly along the bedding; nullptr without any.
+/// The target whose load runs most nearly along the bedding, under the least confining stress; nullptr
+/// without any.
 const Target* along_bedding(const std::vector<Target>& targets, Property p) {
   const Target* best = nullptr;
   for (const Target& t : targets)
@@ -76,11 +78,11 @@ void to_plane_stress(std::vector<Target>& targets) {
   if (E_found == nullptr || nu_found == nullptr) return;
   const Target E = *E_found, nu = *nu_found;
   const double held = nu.mean * nu.mean / E.mean;
-  std::map<double, double> E_lab;
+  std::map<std::pair<double, double>, double> E_lab;  // by angle and confining stress
   for (const Target& t : targets)
-    if (t.property == Property::E) E_lab[t.theta] = t.mean;
+    if (t.property == Property::E) E_lab[{t.theta, t.confining}] = t.mean;
   for (Target& t : targets) {
-    const auto at = E_lab.find(t.theta);
+    const auto at = E_lab.find({t.theta, t.confining});
     if (at == E_lab.end()) continue;
     const double E_2D = 1.0 / (1.0 / at->second - held);
     if (t.property == Property::E)
@@ -91,7 +93,7 @@ void to_plane_stress(std::vector<Target>& targets) {
       t.sd *= E_2D / t.mean, t.mean = E_2D;
     } else if (t.property == Property::nu) {
       const double nu_2D = E_2D * (t.mean / at->second + held);
-      const double by_held = t.theta == nu.theta ? E_2D * (1.0 + nu_2D) * 2.0 * nu.mean / E.mean : 0.0;
+      const double by_held = same_cell(t, nu) ? E_2D * (1.0 + nu_2D) * 2.0 * nu.mean / E.mean : 0.0;
       t.sd *= E_2D / at->second + by_held, t.mean = nu_2D;
     }
   }
@@ -102,22 +104,26 @@ class ConfiningStresses {
  public:
   explicit ConfiningStresses(const std::vector<RockReading>& readings) {
     constexpr double alike = 1.05;
-    std::vector<double> all;
+    std::set<std::pair<double, int>> rows;  // a specimen's stress counts once, whatever was read of it
     for (const RockReading& r : readings)
-      if (r.property == Property::confined) all.push_back(r.confining);
-    std::sort(all.begin(), all.end());
-    for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
-      double sum = 0.0;
-      while (to < all.size() && all[to] <= alike * all[from]) sum += all[to++];
-      classes_[all[to - 1]] = sum / static_cast<double>(to - from);
+      if (counts(r)) rows.emplace(r.confining, r.line);
+    for (auto from = rows.begin(); from != rows.end();) {
+      double sum = 0.0, largest = 0.0, n = 0.0;
+      for (const double least = from->first; from != rows.end() && from->first <= alike * least; ++from)
+        largest = from->first, sum += largest, ++n;
+      classes_[largest] = sum / n;
     }
   }
   double of(const RockReading& r) const {
-    return r.property == Property::confined ? classes_.lower_bound(r.confining)->second : 0.0;
+    return counts(r) ? classes_.lower_bound(r.confining)->second : 0.0;
   }
 
  private:
   std::map<double, double> classes_;  // mean by the largest
+
+  static bool counts(const RockReading& r) {
+    return r.confining > 0.0 && (r.property == Property::confined || !is_strength(r.property));
+  }
 };
 
 }  // namespace
@@ -227,6 +233,18 @@ std::vector<Target> of_property(const std::vector<Target>& targets, Property pro
   std::vector<Target> some;
   for (const Target& t : targets)
     if (t.property == property) some.push_back(t);
+  return some;
+}
+
+std::vector<Target> least_confined(const std::vector<Target>& targets) {
+  const auto is_lower = [](const Target& t, const Target& than) {
+    return t.property == than.property && t.theta == than.theta && t.confining < than.confining;
+  };
+  std::vector<Target> some;
+  for (const Target& t : targets)
+    if (is_strength(t.property) ||
+        std::none_of(targets.begin(), targets.end(), [&](const Target& other) { return is_lower(other, t); }))
+      some.push_back(t);
   return some;
 }
 

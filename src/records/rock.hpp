@@ -68,7 +68,7 @@ struct Target {
   int n = 1;                           ///< specimens
   bool sd_assumed = false;             ///< `sd` rests on what is usual more than on the table
   double diameter = 0.0;               ///< [m] of the disc of a Brazilian test; 0: the model's
-  double confining = 0.0;              ///< [Pa] of a strength under confinement
+  double confining = 0.0;              ///< [Pa] of a strength or of moduli under confinement
   int degrees = 0;                     ///< degrees of freedom behind `sd`; 0: it is known
   std::vector<double> specimens = {};  ///< single ones of the table, SI; rows that stand for several are not
   double standard_error() const;       ///< sd/sqrt(n)
@@ -110,5 +110,9 @@ std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.
 std::vector<Target> of_property(const std::vector<Target>& targets, Property property);
+
+/// E and nu once for each angle, those under the least confining stress, and all else: what theories of
+/// E(theta) without a stress on the sides are held against.
+std::vector<Target> least_confined(const std::vector<Target>& targets);
 
 }  // namespace phy

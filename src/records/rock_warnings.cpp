@@ -41,7 +41,7 @@ void warn(std::vector<std::string>& warnings, const std::vector<std::string>& wh
 
 void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {
   std::vector<std::string> moduli, strengths;
-  for (const Target& t : targets) {
+  for (const Target& t : least_confined(targets)) {
     if (t.property == Property::E && (t.mean < least_E || t.mean > most_E))
       moduli.push_back(fmt::format("{} = {:.3g} GPa", name_at(rock, "E", t.theta), t.mean * 1e-9));
     if (t.property == Property::ucs && (t.mean < least_ucs || t.mean > most_ucs))
@@ -53,7 +53,7 @@ void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vec
 
 void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {
   std::vector<std::string> moduli, tension;
-  for (const Target& t : targets) {
+  for (const Target& t : least_confined(targets)) {
     const Target* ucs = at_angle(targets, Property::ucs, t.theta);
     if (ucs == nullptr || t.property == Property::nu || t.property == Property::ucs) continue;
     const double ratio = t.mean / ucs->mean;
@@ -152,7 +152,10 @@ void report_conversion(const Rock& rock, const std::vector<Target>& targets,
     if (rock.bedded && nearest < along) stand_ins.push_back(name_at(rock, to_string(p), nearest));
   }
   for (const Target& t : of_property(targets, Property::nu))
-    if (at_angle(targets, Property::E, t.theta) == nullptr) left.push_back(name_at(rock, "nu", t.theta));
+    if (std::none_of(targets.begin(), targets.end(), [&](const Target& other) {
+          return other.property == Property::E && other.theta == t.theta && other.confining == t.confining;
+        }))
+      left.push_back(name_at(rock, "nu", t.theta));
   warn(
       warnings, stand_ins,
       "taken for the value along the bedding, which the conversion of plane strain needs; the table has none "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <set>
 #include <utility>
@@ -50,39 +51,48 @@ std::vector<std::string> cells_of(const Comparison& row) {
                               : fmt::format("{:+.1f}", 100.0 * row.error())};
 }
 
+/// Of the table as it was read: an inclination and a stress on the sides; discs of another size have a line
+/// more.
+struct Line {
+  double theta = 0.0, confining = 0.0;
+  int more = 0;
+  auto operator<=>(const Line&) const = default;
+  std::string name() const {
+    return fmt::format("{:g}", theta) +
+           (confining > 0.0 ? fmt::format(", {:.3g} MPa", confining * 1e-6) : "");
+  }
+};
+
 }  // namespace
 
 std::string target_table(const std::vector<Target>& targets, int terminal_width) {
-  std::map<std::pair<double, int>, std::map<Property, const Target*>>
-      rows;  // discs of another size: a row more
+  std::map<Line, std::map<Property, const Target*>> lines;
   std::set<Property> properties;
   bool assumed = false, sizes = false;  // discs of sizes of their own
   for (const Target& t : targets) {
-    int row = 0;
-    while (rows[{t.theta, row}].contains(t.property)) ++row;
-    rows[{t.theta, row}][t.property] = &t;
+    Line line{t.theta, t.confining, 0};
+    while (lines[line].contains(t.property)) ++line.more;
+    lines[line][t.property] = &t;
     properties.insert(t.property);
     assumed = assumed || t.sd_assumed, sizes = sizes || t.diameter > 0.0;
   }
   Column theta{"theta", "deg", {}};
-  for (const auto& [place, cells] : rows) theta.cells.push_back(fmt::format("{:g}", place.first));
+  for (const auto& [line, cells] : lines) theta.cells.push_back(line.name());
   std::vector<Columns> groups;
   for (const Property p : properties) {
     Column value{to_string(p), unit_head(p), {}}, scatter{"+- SD", unit_head(p), {}}, n{"n", "", {}},
-        disc{"disc", "mm", {}}, sides{"sigma_3", "MPa", {}};
-    for (const auto& [place, cells] : rows) {
+        disc{"disc", "mm", {}};
+    for (const auto& [line, cells] : lines) {
       const auto it = cells.find(p);
       const Target* t = it == cells.end() ? nullptr : it->second;
       value.cells.push_back(t == nullptr ? "-" : fmt::format("{:.4g}", t->mean * shown(p)));
       scatter.cells.push_back(
           t == nullptr ? "-" : fmt::format("{:.2g}{}", t->sd * shown(p), t->sd_assumed ? "*" : ""));
       n.cells.push_back(t == nullptr ? "-" : fmt::format("{}", t->n));
-      sides.cells.push_back(t == nullptr ? "-" : fmt::format("{:.3g}", t->confining * 1e-6));
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
     if (p == Property::brazilian && sizes) groups.back().push_back(disc);
-    if (p == Property::confined) groups.back().push_back(sides);
   }
   return text_table(theta, groups, terminal_width) +
          (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");

@@ -45,6 +45,23 @@ TEST(CalibrationTables, AnAngleLeftOutStandsBesideAStraightLineBetweenItsNeighbo
 }
 
 // Neighbours in theta need not lie at equal distances, nor be of the same test or disc.
+TEST(TargetTable, ATestUnderAStressOnTheSidesHasALineOfItsOwn) {
+  std::vector<Target> targets = {{Property::E, 45.0, 20e9, 1e9, 3},
+                                 {Property::E, 45.0, 24e9, 1e9, 3},
+                                 {Property::ucs, 45.0, 80e6, 4e6, 3},
+                                 {Property::confined, 45.0, 120e6, 6e6, 3}};
+  targets[1].confining = targets[3].confining = 10e6;
+  const std::string table = target_table(targets, 100);
+  const auto line = [&](const std::string& begin) {
+    const std::size_t at = table.find(begin);
+    EXPECT_NE(at, std::string::npos) << table;
+    return table.substr(at, table.find('\n', at) - at);
+  };
+  EXPECT_THAT(line("45, 10 MPa"), testing::AllOf(testing::HasSubstr(" 24 "), testing::HasSubstr(" 120 ")));
+  EXPECT_THAT(line("45  "), testing::AllOf(testing::HasSubstr(" 20 "), testing::HasSubstr(" 80 "),
+                                           testing::Not(testing::HasSubstr(" 120 "))));
+}
+
 TEST(CalibrationTables, NeighboursAreOfTheSameTest) {
   std::vector<Comparison> rows = {ucs(0, 100e6, 1.0), ucs(30, 60e6, 1.0), ucs(90, 40e6, 1.0)};
   rows.push_back(ucs(45, 1e6, 1.0));

@@ -139,7 +139,7 @@ TheoryCurves theory_curves(const std::vector<Target>& table) {
   TheoryCurves curves;
   std::vector<AngleValue> moduli;
   std::vector<theory::StrengthReading> strengths;
-  for (const Target& t : table) {
+  for (const Target& t : least_confined(table)) {
     AngleValue E;
     E.theta = t.theta, E.value.n = static_cast<std::size_t>(std::max(t.n, 0)), E.value.mean = t.mean;
     if (t.property == Property::E) moduli.push_back(E);

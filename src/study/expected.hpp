@@ -22,7 +22,7 @@ double expected_direct_cost(const Recipe& r);
 /// decides no result.
 double expected_peak_strain(const Recipe& r);
 
-/// Seconds of CPU per unit of cost when nothing has been measured.
+/// Seconds of CPU per unit of cost on this processor when nothing has been measured.
 double usual_seconds_per_cost(Precision precision);
 
 }  // namespace phy::study

@@ -90,8 +90,8 @@ struct Effect {
     for (std::size_t k = 0; k < tests.size(); ++k) {
       ucs.add(calibrate::strength_of(tests[k], Property::ucs),
               calibrate::strength_of(from_rest[k], Property::ucs));
-      E.add(calibrate::modulus_of(tests[k], ModulusReading::tangent_50),
-            calibrate::modulus_of(from_rest[k], ModulusReading::tangent_50));
+      E.add(calibrate::modulus_of(tests[k], Property::ucs, ModulusReading::tangent_50),
+            calibrate::modulus_of(from_rest[k], Property::ucs, ModulusReading::tangent_50));
       steps += static_cast<double>(tests[k].n_steps);
       steps_from_rest += static_cast<double>(from_rest[k].n_steps);
     }

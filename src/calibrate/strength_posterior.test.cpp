@@ -1,0 +1,97 @@
+// The posterior of the strengths against a dense normal distribution of all that it compares.
+#include "calibrate/strength_posterior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdint>
+
+#include "base/rng.hpp"
+#include "calibrate/prior_regression.hpp"
+#include "calibrate/reading_fixture.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+constexpr double correlation = 0.4;  // of what a packing does to two strengths in compression
+
+/// UCS at three angles and a tension, answered by twelve runs on six packings.
+class Answered : public testing::Test {
+ protected:
+  Answered()
+      : evidence_(rock()), posterior_(evidence_, evidence_.rock.model), middle_(posterior_.middle_of_box()) {
+    for (std::uint32_t k = 0; k < 12; ++k) {
+      Point x = middle_;
+      for (std::size_t j = 1; j < x.size(); ++j)
+        x[j] = 2.0 * uniform(3, Stream::test, k, static_cast<std::uint32_t>(j)) - 1.0;
+      for (std::size_t i = 0; i < posterior_.n_targets(); ++i) {
+        const double y = 0.7 + 0.2 * x[1] + 0.05 * normal(4, Stream::test, k, static_cast<std::uint32_t>(i));
+        runs_[i].push_back({posterior_.inputs(x, i), static_cast<int>(k / 2), false, y});
+        posterior_.add_run(i, runs_[i].back());
+      }
+    }
+    posterior_.learn();
+  }
+  static Rock rock() {
+    Rock r;
+    r.model.bedding.resize(1);
+    for (const double theta : {0.0, 45.0, 90.0}) r.readings.push_back(reading(Property::ucs, theta, 100e6));
+    r.readings.push_back(reading(Property::direct_tension, 90.0, 10e6));
+    return r;
+  }
+  /// Of the errors at a point, by factorising their whole covariance.
+  double dense_log_density(const Point& x) const {
+    const std::vector<StrengthPosterior::Miss> misses = posterior_.misses(x);
+    const auto n = static_cast<Eigen::Index>(misses.size());
+    Eigen::VectorXd error(n), by_packings(n);
+    Eigen::MatrixXd covariance(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const Surrogate alone(runs_[k],
+                            prior_strength(evidence_, evidence_.rock.model, posterior_.targets()[k]));
+      error[i] = misses[k].error;
+      by_packings[i] = is_compressive(misses[k].property) ? std::sqrt(alone.packing_variance()) : 0.0;
+    }
+    covariance = correlation * by_packings * by_packings.transpose();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const StrengthPosterior::Miss& m = misses[static_cast<std::size_t>(i)];
+      covariance(i, i) = m.variance + m.scatter;
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    const Eigen::MatrixXd L = factor.matrixL();
+    return -0.5 * error.dot(factor.solve(error)) - L.diagonal().array().log().sum();
+  }
+  Evidence evidence_;
+  StrengthPosterior posterior_;
+  Point middle_;
+  std::vector<SurrogateRun> runs_[4];
+};
+
+TEST_F(Answered, IntervalsKnowThatOnePackingServesAllAngles) {
+  posterior_.count_errors();
+  for (std::uint32_t k = 0; k < 20; ++k) {
+    Point x = middle_;
+    for (std::size_t j = 0; j < x.size(); ++j)
+      x[j] += 0.3 * (uniform(5, Stream::test, k, static_cast<std::uint32_t>(j)) - 0.5);
+    EXPECT_NEAR(posterior_.log_density(x, StrengthPosterior::none), dense_log_density(x), 1e-9);
+  }
+}
+
+// With all else as it is: the scale, which every strength tells, is known less well than from as many
+// strengths that err each for itself.
+TEST_F(Answered, TheScaleIsKnownLessWell) {
+  const auto curvature = [&] {
+    constexpr double h = 1e-3;
+    Point less = middle_, more = middle_;
+    less.front() -= h, more.front() += h;
+    const auto at = [&](const Point& x) { return posterior_.log_density(x, StrengthPosterior::none); };
+    return -(at(more) - 2.0 * at(middle_) + at(less)) / (h * h);
+  };
+  const double searching = curvature();
+  posterior_.count_errors();
+  EXPECT_LT(curvature(), 0.99 * searching);
+}
+
+}  // namespace
+}  // namespace phy::calibrate
