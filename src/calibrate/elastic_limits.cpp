@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "calibrate/evidence.hpp"
+#include "calibrate/margin.hpp"
 #include "theory/jaeger_fit.hpp"
 #include "theory/layered_fit.hpp"
 
@@ -15,8 +16,9 @@ namespace {
 constexpr std::size_t most_named = 4;
 constexpr double far_off = 2.0;  // standard errors, from which a cell is named beside the farthest
 constexpr double clearly =
-    9.21;                     // difference of chi-square that two more free numbers gain once in a hundred
-constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
+    9.21;                        // difference of chi-square that two more free numbers gain once in a hundred
+constexpr double surely = 2.58;  // standard errors, 1 % to both sides
+constexpr double half = 0.5;     // of the misfit: Jaeger's theory is too simple for chi-square alone
 
 /// E and nu; angles as they are or their complements.
 std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
@@ -175,6 +177,20 @@ std::string elastic_limit(const std::vector<Target>& targets) {
          "planes add compliance has not: " +
          list_of(farthest(readings, planes), "nearest") +
          "; joints that take the place of bonds may come nearer";
+}
+
+std::string confinement_limit(const std::vector<Target>& targets) {
+  const std::vector<Target> E = of_property(targets, Property::E);  // by stress
+  if (E.size() < 2) return "";
+  const Target &low = E.front(), &high = E.back();
+  const double noise = std::hypot(low.normal_error() / low.mean, high.normal_error() / high.mean);
+  const double change = high.mean / low.mean - 1.0;
+  if (std::fabs(change) <= std::max(2.0 * tolerance(Property::E), surely * noise)) return "";
+  return fmt::format(
+      "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confining stress; that of bonded grains without "
+      "layers changes by 2 % or less, and will miss both: `confining` in the rock file takes E and nu under "
+      "one stress alone",
+      100.0 * change, low.confining * 1e-6, high.confining * 1e-6);
 }
 
 std::string exchanged_angles(const std::vector<Target>& targets) {

@@ -143,5 +143,25 @@ TEST(ExchangedAngles, AreNotSuspectedWhereTheDataDoNotDecide) {
   EXPECT_EQ(exchanged_angles({}), "");
 }
 
+// Bonds are as stiff under any stress.
+TEST(ConfinementLimit, NamesAChangeThatBondsDoNotHave) {
+  const auto table = [](double change) {
+    std::vector<Target> targets;
+    for (const double confining : {0.0, 5e6, 20e6}) {
+      const double E = confining == 20e6 ? change * 30e9 : 30e9;
+      targets.push_back({Property::E, 0.0, E, 0.02 * E, 3});
+      targets.back().confining = confining;
+    }
+    return targets;
+  };
+  EXPECT_THAT(confinement_limit(table(1.2)), HasSubstr("E changes by +20 % from 0 to 20 MPa"));
+  EXPECT_EQ(confinement_limit(table(1.05)), "") << "within what E may miss";
+  std::vector<Target> coarse = table(1.2);
+  for (Target& t : coarse) t.sd *= 10.0;
+  EXPECT_EQ(confinement_limit(coarse), "") << "chance";
+  coarse.resize(1);
+  EXPECT_EQ(confinement_limit(coarse), "");
+}
+
 }  // namespace
 }  // namespace phy::calibrate

@@ -144,7 +144,11 @@ std::vector<std::string> advice(const Evidence& evidence) {
         "comes on top");
   if (!evidence.fits_strength())
     lines.emplace_back("no strength in compression: none is fitted, they stay those of the recipe");
-  if (!evidence.rock.bedded) return lines;
+  if (!evidence.rock.bedded) {
+    if (std::string line = confinement_limit(evidence.targets); !line.empty())
+      lines.push_back(std::move(line));
+    return lines;
+  }
   if (const std::string limit = elastic_limit(evidence.targets); !limit.empty())
     lines.push_back(evidence.rock.E_is == ModulusReading::small_strain
                         ? limit
