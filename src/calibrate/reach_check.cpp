@@ -27,7 +27,7 @@ double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
 /// Not every test was done for every family.
 bool was_mapped(const ReachTable& table, Property p) {
   return p != Property::nu && p != Property::confined && p != Property::crack_initiation &&
-         !(p == Property::direct_tension && table.family().layered);
+         p != Property::fracture_toughness && !(p == Property::direct_tension && table.family().layered);
 }
 
 /// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.

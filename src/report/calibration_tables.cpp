@@ -15,8 +15,8 @@
 namespace phy::report {
 namespace {
 
-/// Factor and name of the unit in which a property is printed.
-double shown(Property p) { return p == Property::E ? 1e-9 : p == Property::nu ? 1.0 : 1e-6; }
+/// Factor of the unit in which a property is printed.
+double shown(Property p) { return shown_unit(p).factor; }
 
 /// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
 /// was not fitted stands alone.
@@ -39,7 +39,7 @@ std::string three_digits(double v) {
                            : fmt::format("{:.3f}", v);
 }
 
-const char* unit_head(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "" : "MPa"; }
+const char* unit_head(Property p) { return shown_unit(p).name; }
 
 /// Laboratory, model, error.
 std::vector<std::string> cells_of(const Comparison& row) {
@@ -81,7 +81,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
-    if (p == Property::brazilian && sizes) groups.back().push_back(disc);
+    if (is_of_discs(p) && sizes) groups.back().push_back(disc);
     if (p == Property::confined) groups.back().push_back(sides);
   }
   return text_table(theta, groups, terminal_width) +
@@ -341,8 +341,10 @@ std::string budget_text(const Calibration& c, int terminal_width) {
       fmt::format(
           "{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
           c.n_strength_tests - c.n_tension_tests,
-          c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "", c.n_coarse_tests,
-          c.n_elastic),
+          c.n_tension_tests > 0
+              ? fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "")
+              : "",
+          c.n_coarse_tests, c.n_elastic),
       terminal_width, 2);
 }
 
