@@ -77,7 +77,7 @@ struct TestOfProperty {
 };
 TestOfProperty test_of(Property property) {
   for (const TestDescription* test : laboratory_tests()) {
-    if (test->curve.property == property) return {test, test->curve.strength};
+    if (test->curve.property == property) return {test, test->curve.quantity().number};
     for (const ReportedNumber& r : test->reported)
       if (r.property == property) return {test, r.number};
   }

@@ -194,7 +194,8 @@ Tables are changed key by key; a list of as many sets of bedding as the recipe h
           "property", [](const Target& t) { return to_string(t.property); },
           R"("E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci" or "K_Ic".)")
       .def_readonly("theta", &Target::theta, "Inclination of the bedding [deg]; load along y.")
-      .def_readonly("mean", &Target::mean, "Mean of its specimens: E and strengths [Pa], nu [1], K_Ic [Pa sqrt(m)].")
+      .def_readonly("mean", &Target::mean,
+                    "Mean of its specimens: E and strengths [Pa], nu [1], K_Ic [Pa sqrt(m)].")
       .def_readonly("sd", &Target::sd, "Scatter of single specimens, in the unit of the mean.")
       .def_readonly("n", &Target::n, "Number of specimens.")
       .def_readonly("confining", &Target::confining, "Confining stress [Pa].")

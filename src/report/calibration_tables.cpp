@@ -180,18 +180,28 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
   return text;
 }
 
-std::string angle_table(const Calibration& c, int terminal_width) {
-  std::vector<std::map<double, Comparison>> tests;  // by angle
-  std::set<double> angles;
-  for (const Comparison& f : c.fitted) {
+/// Rows of the calibration by test and angle, as unseen packings have them; what was compared alone comes
+/// last.
+std::vector<std::map<double, Comparison>> by_test(const Calibration& c) {
+  std::vector<std::map<double, Comparison>> tests;
+  std::vector<Comparison> rows = c.fitted;
+  rows.insert(rows.end(), c.compared.begin(), c.compared.end());
+  for (const Comparison& f : rows) {
     const Comparison* unseen = row_of(c.verification, f.target);
     auto it = std::find_if(tests.begin(), tests.end(), [&](const auto& cells) {
       return same_test(cells.begin()->second.target, f.target);
     });
     if (it == tests.end()) it = tests.insert(it, std::map<double, Comparison>());
     (*it)[f.target.theta] = unseen != nullptr ? *unseen : f;
-    angles.insert(f.target.theta);
   }
+  return tests;
+}
+
+std::string angle_table(const Calibration& c, int terminal_width) {
+  const std::vector<std::map<double, Comparison>> tests = by_test(c);
+  std::set<double> angles;
+  for (const auto& cells : tests)
+    for (const auto& [theta, row] : cells) angles.insert(theta);
   Column label{"theta [deg]", "", {}, true};
   std::vector<Columns> columns;
   for (const double theta : angles) columns.push_back({{fmt::format("{:g}", theta), "", {}}});
@@ -199,7 +209,8 @@ std::string angle_table(const Calibration& c, int terminal_width) {
     const Target& t = cells.begin()->second.target;
     const Property p = t.property;
     const std::string unit = unit_head(p);
-    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") + particulars(t));
+    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") + particulars(t) +
+                          (row_of(c.compared, t) != nullptr ? ", not fitted" : ""));
     label.cells.insert(label.cells.end(), {"  model", p == Property::nu ? "  error" : "  error %"});
     std::size_t i = 0;
     for (const double theta : angles) {
