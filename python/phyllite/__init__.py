@@ -237,11 +237,11 @@ class Parameter:
 class Comparison:
     """Laboratory beside model."""
 
-    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1"
+    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic"
     theta: float  #: [deg]
     confining: float  #: [Pa]
-    diameter: float  #: [m] of a Brazilian disc; 0: the model's
-    laboratory: float  #: mean [Pa], nu [1]
+    diameter: float  #: [m] of a disc or half disc; 0: the model's
+    laboratory: float  #: mean [Pa], nu [1], K_Ic [Pa sqrt(m)]
     laboratory_sd: float  #: of single specimens
     n: int  #: specimens
     model: float  #: mean over packings
@@ -281,6 +281,8 @@ class Calibration:
         self.verification = [Comparison(**row) for row in record.verification]
         #: each value predicted without it
         self.left_out = [Comparison(**row) for row in record.left_out]
+        #: K_Ic on unseen packings, where nobody has stated the grain size: compared, not fitted
+        self.compared = [Comparison(**row) for row in record.compared]
         self.verdict = Verdict(record.status, record.sentence, record.findings)
         self.notes: List[str] = record.notes
 

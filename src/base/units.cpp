@@ -21,15 +21,27 @@ struct Unit {
 
 // In the order in which a value is tried for printing; the first unit of a dimension takes what fits nowhere.
 constexpr Unit units[] = {
-    {Dimension::length, "mm", -3, 0.1},      {Dimension::length, "m", 0, 1.0},
-    {Dimension::length, "um", -6, 0.1},      {Dimension::length, "cm", -2, 0.0},
-    {Dimension::pressure, "GPa", 9, 1.0},    {Dimension::pressure, "MPa", 6, 0.1},
-    {Dimension::pressure, "kPa", 3, 0.1},    {Dimension::pressure, "Pa", 0, 0.1},
-    {Dimension::stiffness, "GPa/m", 9, 1.0}, {Dimension::stiffness, "MPa/m", 6, 1.0},
-    {Dimension::stiffness, "Pa/m", 0, 0.1},  {Dimension::stiffness, "MPa/mm", 9, 0.0},
-    {Dimension::angle, "deg", 0, 0.0},       {Dimension::speed, "m/s", 0, 0.001},
-    {Dimension::speed, "mm/s", -3, 0.0},     {Dimension::density, "kg/m^3", 0, 0.0},
-    {Dimension::density, "kg/m3", 0, 0.0},   {Dimension::density, "g/cm^3", 3, 0.0},
+    {Dimension::length, "mm", -3, 0.1},
+    {Dimension::length, "m", 0, 1.0},
+    {Dimension::length, "um", -6, 0.1},
+    {Dimension::length, "cm", -2, 0.0},
+    {Dimension::pressure, "GPa", 9, 1.0},
+    {Dimension::pressure, "MPa", 6, 0.1},
+    {Dimension::pressure, "kPa", 3, 0.1},
+    {Dimension::pressure, "Pa", 0, 0.1},
+    {Dimension::stiffness, "GPa/m", 9, 1.0},
+    {Dimension::stiffness, "MPa/m", 6, 1.0},
+    {Dimension::stiffness, "Pa/m", 0, 0.1},
+    {Dimension::stiffness, "MPa/mm", 9, 0.0},
+    {Dimension::angle, "deg", 0, 0.0},
+    {Dimension::speed, "m/s", 0, 0.001},
+    {Dimension::speed, "mm/s", -3, 0.0},
+    {Dimension::density, "kg/m^3", 0, 0.0},
+    {Dimension::density, "kg/m3", 0, 0.0},
+    {Dimension::density, "g/cm^3", 3, 0.0},
+    {Dimension::toughness, "MPa sqrt(m)", 6, 0.1},
+    {Dimension::toughness, "kPa sqrt(m)", 3, 0.1},
+    {Dimension::toughness, "Pa sqrt(m)", 0, 0.1},
 };
 
 constexpr const char* beyond = "is larger or smaller than a number can be";

@@ -12,7 +12,7 @@
 
 namespace phy {
 
-enum class Dimension { none, length, pressure, stiffness, angle, speed, density };
+enum class Dimension { none, length, pressure, stiffness, angle, speed, density, toughness };
 
 struct Quantity {
   bool ok = false;
@@ -27,7 +27,8 @@ Quantity parse_quantity(std::string_view text, Dimension dimension, double usual
 std::string print_quantity(double value, Dimension dimension);
 /// "mm, m, cm, um"; empty for Dimension::none.
 std::string unit_names(Dimension dimension);
-/// The unit of the values inside the program: "m", "Pa", "Pa/m", "deg", "m/s", "kg/m^3", and "1" for none.
+/// The unit of the values inside the program: "m", "Pa", "Pa/m", "deg", "m/s", "kg/m^3", "Pa sqrt(m)",
+/// and "1" for none.
 std::string inner_unit(Dimension dimension);
 /// To so many decimal digits.
 double rounded(double value, int digits);

@@ -16,8 +16,9 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Dimension dimensions[] = {Dimension::length, Dimension::pressure, Dimension::stiffness,
-                                    Dimension::angle,  Dimension::speed,    Dimension::density};
+constexpr Dimension dimensions[] = {Dimension::length,   Dimension::pressure, Dimension::stiffness,
+                                    Dimension::angle,    Dimension::speed,    Dimension::density,
+                                    Dimension::toughness};
 
 double value_of(const char* text, Dimension d) {
   const Quantity q = parse_quantity(text, d);
@@ -43,6 +44,9 @@ TEST(Units, AreReadByHandCalculation) {
   EXPECT_EQ(value_of("50 mm/s", Dimension::speed), 0.05);
   EXPECT_EQ(value_of("6.5 MPa", Dimension::pressure), 6.5e6);
   EXPECT_EQ(value_of("2.7 g/cm^3", Dimension::density), 2700.0);
+  EXPECT_EQ(value_of("1.5 MPa sqrt(m)", Dimension::toughness), 1.5e6);
+  EXPECT_EQ(value_of("850 kPa sqrt(m)", Dimension::toughness), 0.85e6);
+  EXPECT_FALSE(parse_quantity("1.5 MPa", Dimension::toughness).ok);
   EXPECT_EQ(value_of("0.3", Dimension::none), 0.3);
 }
 

@@ -23,6 +23,7 @@
 #include "calibrate/reach_check.hpp"
 #include "calibrate/sequence.hpp"
 #include "calibrate/strength_stage.hpp"
+#include "calibrate/toughness.hpp"
 #include "calibrate/verdict.hpp"
 
 namespace phy::calibrate {
@@ -351,6 +352,17 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   return rows;
 }
 
+/// K_Ic of a rock whose grain size nobody has stated, on the packings of the verification.
+void compare_toughness(Calibration& result, const Work& work) {
+  const std::vector<Target>& compared = work.evidence.compared;
+  if (compared.empty() || work.simulator.stopped()) return;
+  work.options.listener.say(fmt::format("K_Ic on {} unseen packings, to compare", work.unseen.size()));
+  result.compared = strength_response(result.recipe, compared, work.unseen, as_measured, work.simulator);
+  const auto n = static_cast<std::int64_t>(compared.size() * work.unseen.size());
+  result.n_strength_tests += n, result.n_tension_tests += n;
+  result.notes.push_back(compared_in_words(result.compared, result.recipe));
+}
+
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, Work& work) {
   const Evidence& evidence = work.evidence;
@@ -384,6 +396,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
   else
     add_tangents_from_test(result, from_test);
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
+  compare_toughness(result, work);
   return !work.simulator.stopped();
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/check.hpp"
 #include "calibrate/margin.hpp"
+#include "calibrate/toughness.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -28,14 +29,15 @@ struct Cause {
   std::string text, next;
 };
 
-enum Part { moduli, compression, tension, initiation, n_parts };
-constexpr std::array<Part, n_parts> all_parts = {moduli, compression, tension, initiation};
+enum Part { moduli, compression, tension, initiation, toughness, n_parts };
+constexpr std::array<Part, n_parts> all_parts = {moduli, compression, tension, initiation, toughness};
 
 Part part_of(Property p) {
-  return !is_strength(p)         ? moduli
-         : is_compressive(p)     ? compression
-         : is_read_before_ucs(p) ? initiation
-                                 : tension;
+  return !is_strength(p)                     ? moduli
+         : is_compressive(p)                 ? compression
+         : is_read_before_ucs(p)             ? initiation
+         : p == Property::fracture_toughness ? toughness
+                                             : tension;
 }
 
 /// A miss in units of what passes without a word.
@@ -304,12 +306,34 @@ std::optional<Cause> cracks_begin(const View& v) {
                    : "check how sigma_ci was read (by crack volumetric strain here), or leave it out"};
 }
 
+/// K_Ic too high or too low by one factor, beyond the chance of its mean, where tension is met more nearly:
+/// at the same strengths that is a matter of the size of the grains.
+std::optional<Cause> toughness_of_grains(const View& v) {
+  const std::vector<Comparison> rows = v.answered(Property::fracture_toughness);
+  double sum = 0.0, squares = 0.0;
+  for (const Comparison& c : rows) {
+    sum += std::log(c.mean / c.target.mean);
+    squares += std::pow(std::hypot(of_laboratory(c), of_model(c)), 2.0);
+  }
+  const auto n = static_cast<double>(rows.size());
+  if (rows.empty() || v.share(tension) > v.share(toughness) ||
+      std::fabs(sum / n) <= std::max(other_strength, beyond_chance * std::sqrt(squares) / n))
+    return {};
+  const double now = grain_size(v.of.recipe);
+  return Cause{
+      fmt::format("K_Ic as a whole is {:.2f} times that of the table", std::exp(sum / n)),
+      fmt::format("grains of {:.2g} mm in place of {:.2g} (K_Ic grows with the root of their size at "
+                  "the same strengths)",
+                  grain_size_to_meet(rows, now) * 1e3, now * 1e3)};
+}
+
 /// Packings that differ by more than passes without a word, and by half of what is missed or more.
 std::optional<Cause> scattered_packings(const View& v, Part part) {
   const double unit = tolerance(part == moduli        ? Property::E
                                 : part == compression ? Property::ucs
                                 : part == tension     ? Property::brazilian
-                                                      : Property::crack_initiation);
+                                : part == initiation  ? Property::crack_initiation
+                                                      : Property::fracture_toughness);
   double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
   int n = 0;
   for (const Comparison& c : v.rows) {
@@ -328,9 +352,10 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
 }
 
 std::string shown(const Target& t, double value) {
-  return t.property == Property::E    ? fmt::format("{:.1f} GPa", value * 1e-9)
-         : t.property == Property::nu ? fmt::format("{:.3f}", value)
-                                      : fmt::format("{:.1f} MPa", value * 1e-6);
+  const ShownUnit unit = shown_unit(t.property);
+  if (t.property == Property::nu) return fmt::format("{:.3f}", value);
+  return fmt::format("{:.{}f} {}", value * unit.factor, t.property == Property::fracture_toughness ? 2 : 1,
+                     unit.name);
 }
 
 Cause farthest_cell(const View& v, Part part) {
@@ -351,7 +376,8 @@ Cause cause_of(const View& v, Part part) {
       {{nu_of_no_body, stiffening, moduli_as_a_whole, modulus_ratio},
        {weakest_angle, strength_ratio},
        {ratio_to_tension},
-       {cracks_begin}}};
+       {cracks_begin},
+       {toughness_of_grains}}};
   for (Rule* rule : rules[part])
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;

@@ -9,6 +9,7 @@
 namespace phy::calibrate {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -298,6 +299,22 @@ TEST(Cause, AnInterruptedOneSaysHowToGoOn) {
   Calibration c;
   c.verdict.status = VerdictStatus::interrupted;
   EXPECT_THAT(verdict_sentence(c), HasSubstr("--resume"));
+}
+
+// A quarter too low at strengths that are met: grains (4/3)^2 times as large, 0.665 mm in the default recipe.
+TEST(Cause, ToughnessThatGrainsDecide) {
+  const std::vector<Comparison> tension = cells(Property::brazilian, {10, 8, 5}, {10, 8, 5}),
+                                low = cells(Property::fracture_toughness, {1.2, 1.0, 0.8}, {0.9, 0.75, 0.6});
+  const std::string text = sentence({tension, low});
+  EXPECT_THAT(text, HasSubstr("in K_Ic: K_Ic as a whole is 0.75 times that of the table"));
+  EXPECT_THAT(text, HasSubstr("next: grains of 1.2 mm in place of 0.67"));
+  // tension is missed by more: grains are not the reason
+  EXPECT_THAT(sentence({cells(Property::brazilian, {10, 8, 5}, {5, 4, 2.5}), low}),
+              Not(HasSubstr("grains of")));
+  // too high at one angle and too low at the other
+  EXPECT_THAT(
+      sentence({cells(Property::fracture_toughness, {1.0, 1.0}, {1.4, 0.7})}),
+      AllOf(Not(HasSubstr("as a whole")), HasSubstr("farthest off is K_Ic(0), 1.40 MPa sqrt(m) instead")));
 }
 
 }  // namespace

@@ -24,8 +24,13 @@ Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), tar
   if (!rock.bedded) remove_layers(rock.model);
   double expected = 0.0;  // of strengths under confinement alone
   for (const Target& t : targets) {
+    const bool toughness = t.property == Property::fracture_toughness;
     if (!is_strength(t.property)) moduli.push_back(t);
-    if (can_test(t.property)) strengths.push_back(t);
+    if (toughness && !rock.grains_stated)
+      compared.push_back(t);
+    else if (can_test(t.property))
+      strengths.push_back(t);
+    if (toughness) continue;  // no stress
     if (can_test(t.property) && t.confining == 0.0) scales.strength = std::max(scales.strength, t.mean);
     if (can_test(t.property) && t.confining > 0.0) expected = std::max(expected, unconfined(t));
     if (t.property == Property::E) scales.modulus = std::max(scales.modulus, t.mean);

@@ -23,6 +23,7 @@ struct Evidence {
   std::vector<Target> targets;    ///< in the order of targets_of()
   std::vector<Target> moduli;     ///< of these, E and nu: against the direct solution
   std::vector<Target> strengths;  ///< of these, those that the program can test: against the press
+  std::vector<Target> compared;   ///< K_Ic where nobody has stated the size of the grains: tested, not fitted
   Scales scales;
   bool maps = true;  ///< what maps of models tell before the first test counts (prior_regression.hpp)
 

@@ -8,6 +8,7 @@
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_limits.hpp"
+#include "calibrate/toughness.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -144,6 +145,7 @@ std::vector<std::string> advice(const Evidence& evidence) {
         "comes on top");
   if (!evidence.fits_strength())
     lines.emplace_back("no strength in compression: none is fitted, they stay those of the recipe");
+  for (std::string& line : coarse_half_discs(evidence)) lines.push_back(std::move(line));
   if (!evidence.rock.bedded) {
     if (std::string line = confinement_limit(evidence.targets); !line.empty())
       lines.push_back(std::move(line));

@@ -23,7 +23,8 @@ double tolerance(Property property) {
     case Property::confined: return 0.06;
     case Property::direct_tension:
     case Property::brazilian:
-    case Property::crack_initiation: break;
+    case Property::crack_initiation:
+    case Property::fracture_toughness: break;
   }
   return 0.10;
 }
@@ -36,7 +37,8 @@ double coarsest(Property property) {
     case Property::nu: return 0.1;
     case Property::direct_tension:
     case Property::brazilian:
-    case Property::crack_initiation: break;
+    case Property::crack_initiation:
+    case Property::fracture_toughness: break;
   }
   return 0.25;
 }

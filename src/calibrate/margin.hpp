@@ -14,11 +14,11 @@
 namespace phy::calibrate {
 
 /// Misses that pass whatever the scatter: 3 % of E, 6 % of UCS and of strengths under confinement, 10 % of
-/// strengths in tension and of sigma_ci, 0.03 of nu.
+/// strengths in tension, of sigma_ci and of K_Ic, 0.03 of nu.
 double tolerance(Property property);
 
 /// The widest margin by which a row can be judged: 15 % of E and of strengths in compression, 25 % of
-/// strengths in tension and of sigma_ci, 0.1 of nu.
+/// strengths in tension, of sigma_ci and of K_Ic, 0.1 of nu.
 double coarsest(Property property);
 
 /// From where a table is out of reach: the miss of an E, the root mean square of those of the strengths.

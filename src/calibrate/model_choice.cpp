@@ -50,11 +50,12 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
   posterior.learn();
   Squares squares;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    if (posterior.targets()[i].confining > 0.0) continue;
+    const Target& t = posterior.targets()[i];
+    if (t.confining > 0.0 || t.property == Property::fracture_toughness) continue;
     const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
     double mean = 0.0;
     for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
-    squares.add(std::log(posterior.targets()[i].mean) - mean);
+    squares.add(std::log(t.mean) - mean);
   }
   return squares;
 }
@@ -93,8 +94,9 @@ void take_matrix(MatrixRecipe& m, MatrixModel model) {
 bool shows_layers(const Evidence& evidence) {
   constexpr std::ptrdiff_t least_strengths = 4;
   return evidence.has(Property::ucs) &&
-         std::count_if(evidence.strengths.begin(), evidence.strengths.end(),
-                       [](const Target& t) { return t.confining == 0.0; }) >= least_strengths;
+         std::count_if(evidence.strengths.begin(), evidence.strengths.end(), [](const Target& t) {
+           return t.confining == 0.0 && t.property != Property::fracture_toughness;
+         }) >= least_strengths;
 }
 
 /// Is a table foretold to be met (forecast.hpp)?

@@ -88,8 +88,8 @@ std::string name_of(const Rock& rock, const RockReading& r) {
 }
 
 std::string value_of(Property p, double value) {
-  if (p == Property::nu) return fmt::format("{:.3g}", value);
-  return p == Property::E ? fmt::format("{:.3g} GPa", value * 1e-9) : fmt::format("{:.3g} MPa", value * 1e-6);
+  const ShownUnit unit = shown_unit(p);
+  return fmt::format("{:.3g}{}{}", value * unit.factor, *unit.name != 0 ? " " : "", unit.name);
 }
 
 std::string accusation(const Rock& rock, const Suspect& s, double mean, double chance) {

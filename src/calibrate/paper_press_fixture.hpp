@@ -55,6 +55,9 @@ class PaperPress : public Simulator {
         results[i].numbers = {{"bts", splitting(r) * std::exp(noise + bias), "Pa", "", ""},
                               {"first_crack_x", first_crack, "1", "", ""},
                               {"first_crack_y", 0.0, "1", "", ""}};
+      else if (r.test.kind == TestKind("semi_circular_bend"))
+        results[i].numbers.push_back(
+            {"K_Ic_apparent", toughness(r) * std::exp(noise + bias), "Pa sqrt(m)", "", ""});
       else if (r.test.kind == TestKind("biaxial"))
         results[i].numbers = {{"sigma_1", confined(r) * std::exp(noise + bias), "Pa", "", ""},
                               {"E_tangent", tangent_modulus(r), "Pa", "", ""},
@@ -119,6 +122,9 @@ class PaperPress : public Simulator {
     const double size = r.test.disc_diameter > 0.0 ? std::pow(0.038 / r.test.disc_diameter, 0.2) : 1.0;
     return 1.2 * size * tension(turned);
   }
+
+  /// Of what a disc splits at and the root of the grains (Potyondy & Cundall 2004).
+  static double toughness(const Recipe& r) { return 2.2 * splitting(r) * std::sqrt(grain_size(r)); }
 
  private:
   static double theta_of(const Recipe& r) { return r.bedding.empty() ? 0.0 : r.bedding.front().theta; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "calibrate/toughness.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -142,6 +143,13 @@ PriorMean confined_strength(const Evidence& evidence, const Recipe& recipe, cons
 }  // namespace
 
 PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const Target& target) {
+  if (target.property == Property::fracture_toughness) {
+    Target disc = target;
+    disc.property = Property::brazilian;
+    const bool mapped = evidence.maps && family_of(recipe) != nullptr;
+    return prior_toughness(recipe,
+                           mapped ? std::optional(prior_strength(evidence, recipe, disc)) : std::nullopt);
+  }
   if (!evidence.maps) return {};
   const ModelFamily* family = family_of(recipe);
   if (family == nullptr) return {};

@@ -27,6 +27,7 @@ double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
 /// Not every test was done for every family, and none under a confining stress.
 bool was_mapped(const ReachTable& table, const Target& t) {
   return t.confining == 0.0 && t.property != Property::nu && t.property != Property::crack_initiation &&
+         t.property != Property::fracture_toughness &&
          !(t.property == Property::direct_tension && table.family().layered);
 }
 

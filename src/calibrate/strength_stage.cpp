@@ -193,7 +193,8 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::size_t p = k / posterior.n_targets(), i = k % posterior.n_targets();
     const Property property = posterior.targets()[i].property;
-    const double strength = strength_of(results[k], property);
+    const double strength =
+        strength_of(results[k], property) / (design.coarse ? coarse_growth(property) : 1.0);
     const bool own = !is_read_before_ucs(property);  // a test of its own
     if (std::isfinite(strength)) {
       surprise.add(i, std::log(strength) - posterior.predict(points[p], i).mean, property);
@@ -204,7 +205,7 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
     }
     if (!own) continue;
     ++fit.n_tests;
-    fit.n_tension += is_tensile(property) ? 1 : 0;
+    fit.n_tension += is_compressive(property) ? 0 : 1;
     fit.n_coarse += design.coarse ? 1 : 0;
   }
   return surprise.rms();

@@ -10,7 +10,9 @@
 #include "base/check.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/toughness.hpp"
 #include "lab/brazilian/reading.hpp"
+#include "lab/semi_circular_bend/reading.hpp"
 #include "records/test_description.hpp"
 #include "study/expected.hpp"
 
@@ -21,6 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;
+constexpr double bend_transits = 200.0;     // bending waves are slower: at half of them K_Ic is 3 % higher
 constexpr double approach_speed = 3.0;      // over the speed of the test behind it
 constexpr double least_foreseen = 0.1;      // of the strength in the table
 constexpr double step_safety = 0.99;        // of a limit that is proven: nothing is kept in reserve
@@ -37,24 +40,34 @@ std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& t
 }
 
 /// By how much the stress of a test grows until its peak [Pa]: under confinement it begins with that.
-double stress_rise(const Target& t) { return t.mean - t.confining; }
+double stress_rise(const Recipe& recipe, const Target& t) {
+  return t.property == Property::fracture_toughness ? nominal_stress(recipe, t) : t.mean - t.confining;
+}
+
+/// Strain of a test over its stress and 1/E: of a disc and a half disc the approach over the diameter.
+double compliance(Property property) {
+  return property == Property::brazilian            ? lab::disc_approach
+         : property == Property::fracture_toughness ? lab::bend_compliance
+                                                    : 1.0;
+}
 
 /// Strain at which each target is expected to peak: laboratory strength over the modulus of the recipe; of a
 /// disc, the approach over the diameter.
-std::vector<double> peak_strains(const std::vector<Target>& targets, const std::vector<double>& moduli) {
+std::vector<double> peak_strains(const Recipe& recipe, const std::vector<Target>& targets,
+                                 const std::vector<double>& moduli) {
   std::vector<double> strains;
   for (std::size_t i = 0; i < targets.size(); ++i)
-    strains.push_back((targets[i].property == Property::brazilian ? lab::disc_approach : 1.0) *
-                      stress_rise(targets[i]) / moduli[i]);
+    strains.push_back(compliance(targets[i].property) * stress_rise(recipe, targets[i]) / moduli[i]);
   return strains;
 }
 
-/// Speed of platens or grips [m/s] at which a wave crosses the specimen a hundred times until it peaks at
-/// `strain`.
+/// Speed of platens, grips or rollers [m/s] at which a wave crosses the specimen a hundred times until it
+/// peaks at `strain`, a half disc two hundred times.
 double slow_speed(const Recipe& recipe, const Target& target, double strain) {
-  const double factor = target.property == Property::brazilian ? lab::disc_approach : 1.0;
-  const double wave = std::sqrt(factor * stress_rise(target) / strain / recipe.matrix.density);
-  return 0.5 * strain * wave / wave_transits;
+  const double modulus = compliance(target.property) * stress_rise(recipe, target) / strain;
+  const double wave = std::sqrt(modulus / recipe.matrix.density);
+  const bool bends = target.property == Property::fracture_toughness;
+  return 0.5 * strain * wave / (bends ? bend_transits : wave_transits);
 }
 
 /// A test and its number that is a property of the table; null: none.
@@ -64,7 +77,7 @@ struct TestOfProperty {
 };
 TestOfProperty test_of(Property property) {
   for (const TestDescription* test : laboratory_tests()) {
-    if (test->curve.property == property) return {test, test->curve.strength};
+    if (test->curve.property == property) return {test, test->curve.quantity().number};
     for (const ReportedNumber& r : test->reported)
       if (r.property == property) return {test, r.number};
   }
@@ -127,7 +140,9 @@ StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& ta
 
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets,
                              const std::vector<double>& moduli)
-    : targets_(targets), strains_(peak_strains(targets, moduli)), reads_before_(targets.size(), false) {
+    : targets_(targets),
+      strains_(peak_strains(recipe, targets, moduli)),
+      reads_before_(targets.size(), false) {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     speeds_.push_back(slow_speed(recipe, targets_[i], strains_[i]));
   for (std::size_t i = 0; i < targets_.size(); ++i) {  // what is read on the way has no test of its own
@@ -150,7 +165,7 @@ Recipe StrengthTests::of(const Recipe& recipe, std::size_t target, std::int64_t 
       one.test.kind->cut != nullptr ? std::min(loading.approach, as_measured.approach) : loading.approach;
   if (share > 0.0 && !reads_before_[target]) {
     const Target& t = targets_[target];
-    const double weaker = std::clamp((foreseen - t.confining) / stress_rise(t), least_foreseen, 1.0);
+    const double weaker = std::clamp((foreseen - t.confining) / (t.mean - t.confining), least_foreseen, 1.0);
     if (const double until = share * weaker * strains_[target]; until > one.test.ramp_strain)
       one.test.approach_strain = until, one.test.approach_speed = approach_speed * one.test.platen_speed;
   }
@@ -191,6 +206,9 @@ Recipe coarse(Recipe r) {
   }
   return r;
 }
+double coarse_growth(Property property) {
+  return property == Property::fracture_toughness ? std::sqrt(coarse_factor) : 1.0;
+}
 bool has_coarse(const Recipe& r) {
   return r.packing.file.empty() && study::expected_grains(r) >= fewest_grains * coarse_factor * coarse_factor;
 }
@@ -205,7 +223,7 @@ Recipe test_settings(const Recipe& recipe, const std::vector<Target>& all, std::
 }
 
 Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const std::vector<double>& moduli) {
-  const std::vector<double> strains = peak_strains(targets, moduli);
+  const std::vector<double> strains = peak_strains(recipe, targets, moduli);
   double slowest = infinity;
   for (std::size_t i = 0; i < targets.size(); ++i)
     slowest = std::min(slowest, slow_speed(recipe, targets[i], strains[i]));

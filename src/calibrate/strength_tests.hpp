@@ -1,7 +1,8 @@
 // The tests of a table: what the laboratory did to its specimens, done to specimens of the model.
 //
 // Every test has a platen speed of its own, at which a wave crosses its specimen a hundred times until the
-// peak that the laboratory's strength leads to expect: tests side by side then end together. How they begin,
+// peak that the laboratory's strength leads to expect (of a half disc that is bent, two hundred times): tests
+// side by side then end together. How they begin,
 // and what the search of the strengths may do faster, is their Loading (docs/calibration.md, "Loading").
 #pragma once
 #include <limits>
@@ -45,7 +46,7 @@ class StrengthTests {
   std::vector<bool> reads_before_;  // something before UCS: no approach may jump over it
 };
 
-/// Strength of a test [Pa]; NaN if it has none.
+/// Strength of a test [Pa], K_Ic [Pa sqrt(m)]; NaN if it has none.
 double strength_of(const TestResult& result, Property property);
 
 /// E [Pa] of a test of a strength in compression as the laboratory reads it, over the stress that the platens
@@ -73,6 +74,9 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
 /// The same specimen with fewer, larger grains: planes, zone and joint stiffness in proportion, so that all
 /// dimensionless numbers stay.
 Recipe coarse(Recipe recipe);
+/// What a coarse packing makes of a property at the same bonds by the size of its grains alone: K_Ic grows
+/// with the root of it, strengths stay.
+double coarse_growth(Property property);
 /// Are there grains enough for a coarse packing?
 bool has_coarse(const Recipe& recipe);
 

@@ -88,6 +88,22 @@ TEST_F(Loaded, WhatIsForeseenToBeWeakerIsApproachedLess) {
       << "stronger: no farther than the table leads to expect";
 }
 
+// By hand: R = 19 mm, a = 9.5 mm, Y' = 6.646, so K_Ic = 1 MPa sqrt(m) at P/(2 R B) = 0.871 MPa; 12 times that
+// over E = 50 GPa is an approach of 2.09e-4 of the diameter, and waves run at 4,303 m/s.
+TEST(HalfDisc, IsBentAtTheSpeedOfTwoHundredWaves) {
+  Target toughness{Property::fracture_toughness, 0.0, 1e6, 1e5, 3, false};
+  const StrengthTests tests(Recipe(), {toughness}, {50e9});
+  const TestRecipe slow = tests.of(Recipe(), 0, 1, from_rest).test,
+                   fast = tests.of(Recipe(), 0, 1, search_of_strengths, 0.5e6).test;
+  EXPECT_EQ(slow.kind, TestKind("semi_circular_bend"));
+  EXPECT_NEAR(slow.platen_speed, 2.25e-3, 0.005e-3);
+  EXPECT_EQ(slow.approach_strain, 0.0);
+  EXPECT_NEAR(fast.approach_strain, 0.25 * 0.5 * 2.09e-4, 1e-7);
+  toughness.diameter = 0.03;
+  EXPECT_EQ(StrengthTests(Recipe(), {toughness}, {50e9}).of(Recipe(), 0, 1, from_rest).test.disc_diameter,
+            0.03);
+}
+
 TEST_F(Loaded, ForeseenBelowItsConfinementItStillMoves) {
   EXPECT_GT(test(1, search_of_strengths, 10e6).approach_strain, 0.0);
 }

@@ -45,9 +45,12 @@ void judge_strength(Calibration& result) {
     const double noise = std::hypot(c.target.normal_error(), packing) / c.target.mean;
     squares += c.error() * c.error(), scaled += c.error() * c.error() / (noise * noise), ++n;
     if (!misses(c)) continue;
+    const ShownUnit unit = shown_unit(c.target.property);
+    const int digits = c.target.property == Property::fracture_toughness ? 2 : 1;
     result.verdict.findings.push_back(
-        fmt::format("{} = {:.1f} MPa on unseen packings, {:+.1f} % from {:.1f} MPa", cell_name(c.target),
-                    c.mean * 1e-6, 100.0 * c.error(), c.target.mean * 1e-6));
+        fmt::format("{} = {:.{}f} {} on unseen packings, {:+.1f} % from {:.{}f} {}", cell_name(c.target),
+                    c.mean * unit.factor, digits, unit.name, 100.0 * c.error(), c.target.mean * unit.factor,
+                    digits, unit.name));
   }
   const double error = n > 0 ? std::sqrt(squares / n) : 0.0, beyond = n > 0 ? std::sqrt(scaled / n) : 0.0;
   if (error > hopeless || (error > strength_limit && beyond > chance_limit)) {

@@ -57,6 +57,10 @@ const std::vector<Known>& known_columns() {
        {"q", "sigmad", "sigma1sigma3", "deviatorstress", "deviatoricstress", "peakdeviatorstress",
         "peakdeviatoricstress"}},
       {"sigma_ci", C::value, P::crack_initiation, {"crackinitiation", "crackinitiationstress"}},
+      {"K_Ic",
+       C::value,
+       P::fracture_toughness,
+       {"k1c", "fracturetoughness", "modeifracturetoughness", "mode1fracturetoughness", "toughness"}},
       {"n", C::n, P::E, {"numberofspecimens", "numberoftests", "numberofsamples"}},
       {"diameter", C::diameter, P::E, {"discdiameter", "diskdiameter"}},
       {"confining",
@@ -159,6 +163,35 @@ bool contains(const List& list, const std::string& key) {
 
 std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
 
+std::string without(std::string text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at))
+      text.erase(at, part.size());
+  return text;
+}
+
+/// "MPa m^0.5", "MPa√m", "MN/m^1.5", "kPa·m^(1/2)" and so on: the program's word for a unit of fracture
+/// toughness; nothing for any other. `text`: in lower case.
+std::string toughness_word(const std::string& text) {
+  const std::string bare =
+      without(text, {" ", "\xC2\xA0", "·", "⋅", "*", ".", "^", "(", ")", "{", "}"});  // "m^0.5" is "m05"
+  for (const auto& [stress, force, ours] :
+       {std::array{"mpa", "mn", "MPa sqrt(m)"}, std::array{"kpa", "kn", "kPa sqrt(m)"},
+        std::array{"pa", "n", "Pa sqrt(m)"}}) {
+    for (const char* root : {"m05", "m1/2", "m½", "√m", "sqrtm", "rootm"})
+      if (bare == stress + std::string(root)) return ours;
+    for (const char* power : {"/m15", "/m3/2", "m-15", "m-3/2", "m−15", "m−3/2"})
+      if (bare == force + std::string(power)) return ours;
+  }
+  return "";
+}
+
+std::string lower_case(const std::string& text) {
+  std::string lower;
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
 /// The program's word for a unit; nothing for what is no unit of a table.
 std::string unit_word(std::string text) {
   static const std::map<std::string, std::string> same = {
@@ -167,21 +200,29 @@ std::string unit_word(std::string text) {
       {"kn/m²", "kPa"},   {"kn/m2", "kPa"},  {"kn/m^2", "kPa"}, {"kn/mm²", "GPa"},  {"kn/mm2", "GPa"},
       {"kn/mm^2", "GPa"}, {"gn/m2", "GPa"},  {"pa", "Pa"},      {"kpa", "kPa"},     {"mpa", "MPa"},
       {"gpa", "GPa"},     {"deg", "deg"}};
-  for (const std::string blank : {"\xC2\xA0", " "})
-    for (std::size_t at = text.find(blank); at != text.npos; at = text.find(blank))
-      text.erase(at, blank.size());
+  text = without(std::move(text), {"\xC2\xA0", " "});
   if (text.ends_with('.')) text.pop_back();
-  std::string lower;
-  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = lower_case(text);
+  if (std::string toughness = toughness_word(lower); !toughness.empty()) return toughness;
   if (const auto found = same.find(lower); found != same.end()) return found->second;
   return parse_quantity("1 " + text, Dimension::length).ok ? text : "";
+}
+
+/// The bracket that closes the one at `open`; where none does, the first that closes any.
+std::size_t closing(const std::string& cell, std::size_t open) {
+  int depth = 0;
+  for (std::size_t at = open; at < cell.size(); ++at) {
+    if (cell[at] == '[' || cell[at] == '(') ++depth;
+    if ((cell[at] == ']' || cell[at] == ')') && --depth == 0) return at;
+  }
+  return cell.find_first_of("])", open);
 }
 
 /// Takes "[GPa]" and "(GPa)" out of a header, wherever they stand; the last one is its unit.
 std::string take_units(std::string cell, std::string& unit) {
   for (std::size_t open = cell.find_first_of("[("); open != cell.npos;
        open = cell.find_first_of("[(", open)) {
-    const std::size_t close = cell.find_first_of("])", open);
+    const std::size_t close = closing(cell, open);
     if (close == cell.npos) break;
     const std::string inside = bare(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
     const bool counts = inside.empty() || inside == "-" || inside == "1" || inside == "%";
@@ -204,6 +245,10 @@ bool is_name(const std::string& key) {
 /// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& cell) {
+  // Units of toughness hold separators and brackets themselves, "K_Ic MPa sqrt(m)": the longest tail first.
+  for (std::size_t at = cell.find_first_of("_ ,;"); at != cell.npos; at = cell.find_first_of("_ ,;", at + 1))
+    if (std::string word = toughness_word(lower_case(cell.substr(at + 1))); at > 0 && !word.empty())
+      return {bare(cell.substr(0, at), " \t_,;/"), word};
   std::string unit;
   std::string title = take_units(cell, unit);
   if (!unit.empty() || title != bare(cell)) return {title, unit};
@@ -303,6 +348,7 @@ bool is_summary(const std::string& cell) {
 std::string title_of(const std::string& cell) { return split_head(cell).first; }
 
 std::string unit_of_cell(const std::string& cell) {
+  if (std::string word = unit_word(cell); !word.empty()) return word;
   return unit_word(cell.starts_with('[') || cell.starts_with('(') ? bare(cell, "[]() \t") : cell);
 }
 
@@ -311,6 +357,7 @@ Dimension dimension_of(const Head& h) {
     return Dimension::angle;
   if (h.kind == Column::diameter) return Dimension::length;
   if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
+  if (h.property == Property::fracture_toughness) return Dimension::toughness;
   return Dimension::pressure;
 }
 

@@ -102,6 +102,37 @@ TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
   EXPECT_EQ(head_of("density (g/cm³)").unit, "g/cm³");
 }
 
+// 1 MN/m^1.5 = 1 MPa m^0.5: a stress times a root of length is a force over length to 3/2.
+TEST(RockColumns, ToughnessIsKnownByItsNamesAndUnits) {
+  for (const char* unit : {"MPa sqrt(m)", "MPa m^0.5", "MPa·m^0.5", "MPa*m^0.5", "MPa.m^0.5", "MPa m^1/2",
+                           "MPa·m^(1/2)", "MPa m^{1/2}", "MPa m½", "MPa√m", "MPa √m", "MN/m^1.5", "MN m^-1.5",
+                           "MN/m^(3/2)", "MN·m^-3/2", "mpa m^0.5"})
+    for (const char* form : {"K_Ic [{}]", "K_Ic ({})", "K_Ic, {}", "K_Ic {}"}) {
+      std::string header = form;
+      header.replace(header.find("{}"), 2, unit);
+      const Head h = head_of(header);
+      EXPECT_EQ(h.name, "K_Ic") << header;
+      EXPECT_EQ(h.unit, "MPa sqrt(m)") << header;
+      EXPECT_EQ(dimension_of(h), Dimension::toughness) << header;
+    }
+  EXPECT_EQ(head_of("K_Ic [kPa m^0.5]").unit, "kPa sqrt(m)");
+  EXPECT_EQ(head_of("K_Ic [Pa·√m]").unit, "Pa sqrt(m)");
+  EXPECT_EQ(head_of("K_Ic [kN/m^1.5]").unit, "kPa sqrt(m)");
+  for (const char* name :
+       {"KIC [MPa√m]", "K_IC (MPa√m)", "K1c [MPa√m]", "Fracture toughness (KIc) [MPa√m]",
+        "Mode I fracture toughness, MPa√m", "fracture toughness [MPa m^0.5]", "toughness [MPa m^0.5]"}) {
+    EXPECT_EQ(head_of(name).property, Property::fracture_toughness) << name;
+    EXPECT_EQ(head_of(name).kind, Column::value) << name;
+    EXPECT_EQ(head_of(name).unit, "MPa sqrt(m)") << name;
+  }
+  const Head sd = head_of("K_Ic_sd [MPa m^0.5]");
+  EXPECT_EQ(sd.kind, Column::scatter);
+  EXPECT_EQ(sd.unit, "MPa sqrt(m)");
+  EXPECT_EQ(unit_of_cell("[MPa sqrt(m)]"), "MPa sqrt(m)");
+  EXPECT_EQ(unit_of_cell("MPa sqrt(m)"), "MPa sqrt(m)");
+  EXPECT_EQ(head_of("UCS [MN/m^2]").unit, "MPa");
+}
+
 TEST(RockColumns, ModuliSayHowTheyWereRead) {
   EXPECT_EQ(head_of("Et50 (GPa)").E_is, ModulusReading::tangent_50);
   EXPECT_EQ(head_of("E_av [GPa]").E_is, ModulusReading::average);

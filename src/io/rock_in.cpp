@@ -67,6 +67,11 @@ const Fields& rock_fields() {
         as_in_recipe("test.confining_stress", "", "confining",
                      "takes E and nu under this confining pressure alone; default: under all of the table");
     confining.otherwise.clear();
+    Field grain_size = as_in_recipe(
+        "packing.radius_min", "", "grain_size",
+        "mean diameter of the model's grains, radii in proportion; default: those of the paper's specimen. "
+        "K_Ic is fitted only where this or a recipe states it");
+    grain_size.otherwise.clear();
     Field column = entry(K::choice, "\"header\"",
                          "what a column of the table holds, by its header; \"-\" passes it over");
     column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");
@@ -82,6 +87,7 @@ const Fields& rock_fields() {
         layers,
         matrix,
         confining,
+        grain_size,
         entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
@@ -122,7 +128,8 @@ class RockReader {
     // One set of bedding to magnify and complete; a rock without bedding has it removed with its table.
     rock_.model.bedding.resize(1);
     rock_.name = file_.name();
-    const bool has_model = read_recipe_file() && read_size() && read_layers() && read_matrix();
+    const bool has_model =
+        read_recipe_file() && read_size() && read_grain_size() && read_layers() && read_matrix();
     read_disc();
     if (file_.number("elastic_reading", 0.0) == 1.0) rock_.reading = ElasticReading::plane_strain;
     rock_.E_is = static_cast<ModulusReading>(static_cast<int>(file_.number("E_is", 0.0)));
@@ -156,7 +163,7 @@ class RockReader {
     const std::optional<Recipe> recipe =
         parts_.recipe ? parts_.recipe : file_.read_named("recipe", read_recipe);
     if (!recipe) return false;
-    rock_.model = *recipe;
+    rock_.model = *recipe, rock_.grains_stated = true;
     rock_.notes.insert(rock_.notes.end(), recipe->notes.begin(), recipe->notes.end());
     const auto refuse = [&](const char* expected, const char* remedy) {
       file_.report_problem(*file_.find("recipe"), "recipe", expected, remedy);
@@ -254,6 +261,28 @@ class RockReader {
                     height * 1e3, p.n_grains));
     return true;
   }
+  /// Grains as large as somebody has said, in a specimen of the same size: as full of more or fewer of them.
+  bool read_grain_size() {
+    if (!file_.is_known("grain_size")) return false;
+    if (!is_given("grain_size")) return true;
+    if (is_given("recipe")) {
+      problems_.push_back({file_.place("grain_size"), "grain_size", "", "the grains of the recipe",
+                           "leave it out: the recipe says it"});
+      return false;
+    }
+    PackingRecipe& p = rock_.model.packing;
+    const double diameter = file_.number("grain_size", 0.0), scale = diameter / phy::grain_size(rock_.model);
+    p.radius_min *= scale, p.radius_max *= scale;
+    p.n_grains = std::llround(static_cast<double>(p.n_grains) / (scale * scale));
+    rock_.grains_stated = true;
+    // n grains, and steps as the time that a wave takes across one of them
+    const double cost = std::pow(static_cast<double>(p.n_grains) / PackingRecipe().n_grains, 1.5);
+    rock_.notes.push_back(
+        fmt::format("grain_size = {:.4g} mm: {} grains in the specimen; a test costs about {:.2g} times as "
+                    "much as on the paper's {}",
+                    diameter * 1e3, p.n_grains, cost, PackingRecipe().n_grains));
+    return true;
+  }
   /// Discs of the Brazilian tests: those of the recipe unless said here.
   void read_disc() {
     TestRecipe& test = rock_.model.test;
@@ -267,6 +296,7 @@ class RockReader {
     if (path == "test.disc_diameter") return "brazilian.diameter";
     if (path == "test.loading_angle") return "brazilian.loading_angle";
     if (path == "bedding[0].spacing" && is_given("bedding.spacing")) return "bedding.spacing";
+    if (path.starts_with("packing.") && is_given("grain_size")) return "grain_size";
     if (is_given("recipe")) return "recipe";
     const bool width = is_given("specimen.width"), height = is_given("specimen.height");
     return width && (path == "specimen.width" || !height) ? "specimen.width"
@@ -301,8 +331,11 @@ class RockReader {
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
       // The user wrote the key of the rock file: it is named in place of the recipe's.
-      if ((key.starts_with("brazilian.") || key == "bedding.spacing") && is_given(key)) p.key = key;
-      if (key.starts_with("specimen."))
+      if ((key.starts_with("brazilian.") || key == "bedding.spacing" || key == "grain_size") && is_given(key))
+        p.key = key;
+      if (p.key.starts_with("specimen.") && is_given("grain_size"))
+        p.remedy = "state smaller grains (grain_size), or leave it out";
+      else if (key.starts_with("specimen."))
         p.remedy =
             "[specimen] magnifies the paper's specimen, grains and all: nearer to its shape, 1 : 2, or a "
             "recipe with grains of its own";
@@ -313,9 +346,10 @@ class RockReader {
   void check_discs() {
     // Without a diameter of its own the disc is the model's, which has been checked.
     for (const RockReading& r : rock_.readings) {
-      if (r.property != Property::brazilian || r.diameter == 0.0) continue;
+      if (!is_of_discs(r.property) || r.diameter == 0.0) continue;
       Recipe disc = rock_.model;
       disc.test.disc_diameter = r.diameter;
+      if (r.property == Property::fracture_toughness) disc.test.kind = TestKind("semi_circular_bend");
       std::string where = table_ + ":" + std::to_string(r.line);
       // Everything but the diameter is the model again.
       for (Problem& p : cross_checks(disc, [&](const std::string&) { return where; }))
@@ -361,7 +395,20 @@ class RockReader {
                       rock_.model.bedding[0].spacing * 1e3));
     }
     // Statements about the whole table need all of it.
-    if (problems_.size() == n_before) check_content(where);
+    if (problems_.size() == n_before) check_content(where), check_toughness();
+  }
+  void check_toughness() {
+    bool any = false, confined = false;
+    for (const RockReading& r : rock_.readings) {
+      if (r.property != Property::fracture_toughness) continue;
+      any = any || r.confining == 0.0, confined = confined || r.confining > 0.0;
+    }
+    if (confined) rock_.notes.emplace_back("K_Ic under confining pressure is kept, not fitted");
+    if (any && !rock_.grains_stated)
+      rock_.notes.emplace_back(
+          "K_Ic is compared, not fitted: that of a model grows with the root of its grains' size at the same "
+          "strengths. State them to have it fitted: grain_size = \"1.2 mm\" (how many grains that makes is "
+          "said), or a recipe");
   }
   /// The headers that the file names, with our names for them.
   std::map<std::string, std::string> columns() {
@@ -490,6 +537,10 @@ std::string rock_template(const std::string& name, const std::string& table) {
          "# matrix = \"choose\"             # or \"parallel_bond\", \"flat_joint\" (UCS many times the "
          "tensile "
          "strength)\n"
+         "# grain_size = \"1.2 mm\"         # mean diameter of the model's grains; K_Ic is fitted only where "
+         "it "
+         "is "
+         "stated\n"
          "# sheet = \"Results\"             # of a workbook; default: the first\n"
          "\n"
          "[bedding]\n"
@@ -516,14 +567,15 @@ std::string rock_table_template() {
          "# theta: inclination of the bedding, load along y: 0 = bedding across the load, 90 = along it.\n"
          "# Or a column beta [deg], the angle between load and bedding (beta = 90 - theta). Three angles at "
          "least.\n"
-         "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), each "
-         "with "
-         "_sd;\n"
+         "# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), K_Ic "
+         "[MPa sqrt(m)]\n"
+         "# (semi-circular bend; diameter [mm] of the half disc), each with _sd;\n"
          "# confining [MPa], under which UCS is sigma_1 at the peak, E and nu those of q over strain; or c "
-         "[MPa], "
-         "phi [deg], confining_min "
          "[MPa],\n"
-         "# confining_max [MPa] of an envelope. The load, or the pull of DTS, is along y in every test.\n"
+         "# phi [deg], confining_min [MPa], confining_max [MPa] of an envelope. The load, or the pull of "
+         "DTS, "
+         "is\n"
+         "# along y in every test.\n"
          "# E and nu are what E_is of the rock file says.\n"
          "# _sd: standard deviation of single specimens; n: specimens. Other columns are "
          "passed over.\n"

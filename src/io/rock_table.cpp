@@ -51,6 +51,8 @@ Range range_of(const Head& h) {
   if (h.property == Property::E) return {1e6, 1e12, "1 MPa <= E <= 1000 GPa"};
   // Apparent nu of anisotropic rock may be negative or above 0.5.
   if (h.property == Property::nu) return {-0.5, 1.5, "-0.5 <= apparent nu <= 1.5"};
+  if (h.property == Property::fracture_toughness)
+    return {1e3, 1e8, "1 kPa sqrt(m) <= K_Ic <= 100 MPa sqrt(m)"};
   return {1e3, 5e9, "1 kPa <= strength <= 5 GPa"};
 }
 
@@ -293,6 +295,7 @@ class ReadingReader {
                      fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
                      "write for example " + h.title +
                          (d == Dimension::angle                                  ? " [deg]"
+                          : d == Dimension::toughness                            ? " [MPa sqrt(m)]"
                           : h.property == Property::E && h.kind == Column::value ? " [GPa]"
                                                                                  : " [MPa]") +
                          otherwise);

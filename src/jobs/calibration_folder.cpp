@@ -60,6 +60,7 @@ std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRe
   hash.add(rock.bedded), hash.add(static_cast<int>(rock.E_is)), hash.add(static_cast<int>(rock.layers));
   hash.add(rock.matrix ? static_cast<int>(*rock.matrix) : -1);
   hash.add(request.elastic), hash.add(request.max_tests);
+  if (!evidence.compared.empty()) hash.add(std::string("compared"));
   if (request.with_untrusted) hash.add(true);
   if (request.by_sequence()) hash.add(request.method);
   if (!request.of_usual_effort()) hash.add(request.effort);

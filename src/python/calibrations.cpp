@@ -156,6 +156,7 @@ void add_calibrations(py::module_& m) {
       .def_property_readonly("fitted", [](const Calibration& c) { return rows_of(c.fitted); })
       .def_property_readonly("verification", [](const Calibration& c) { return rows_of(c.verification); })
       .def_property_readonly("left_out", [](const Calibration& c) { return rows_of(c.left_out); })
+      .def_property_readonly("compared", [](const Calibration& c) { return rows_of(c.compared); })
       .def("text", [](const Calibration& c) { return jobs::screen_of(c, 0); })
       .def("json", [](const Calibration& c) { return report::calibration_json(c, PHY_VERSION); })
       .def("save", &save, py::arg("folder"));

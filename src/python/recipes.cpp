@@ -192,9 +192,10 @@ Tables are changed key by key; a list of as many sets of bedding as the recipe h
   py::class_<Target>(m, "Target", "A cell of a laboratory's table: one quantity at one inclination.")
       .def_property_readonly(
           "property", [](const Target& t) { return to_string(t.property); },
-          R"("E", "nu", "UCS", "DTS", "BTS" or "sigma_1".)")
+          R"("E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci" or "K_Ic".)")
       .def_readonly("theta", &Target::theta, "Inclination of the bedding [deg]; load along y.")
-      .def_readonly("mean", &Target::mean, "Mean of its specimens: E and strengths [Pa], nu [1].")
+      .def_readonly("mean", &Target::mean,
+                    "Mean of its specimens: E and strengths [Pa], nu [1], K_Ic [Pa sqrt(m)].")
       .def_readonly("sd", &Target::sd, "Scatter of single specimens, in the unit of the mean.")
       .def_readonly("n", &Target::n, "Number of specimens.")
       .def_readonly("confining", &Target::confining, "Confining stress [Pa].")
@@ -203,7 +204,7 @@ Tables are changed key by key; a list of as many sets of bedding as the recipe h
   py::class_<NamedRock>(m, "Rock", R"(A rock as a laboratory saw it: a table of tests.
 
 Columns carry their unit: theta [deg], E [GPa], nu, UCS [MPa],
-DTS [MPa], BTS [MPa], n ... (docs/formats.md, "Rock").)")
+DTS [MPa], BTS [MPa], K_Ic [MPa sqrt(m)], n ... (docs/formats.md, "Rock").)")
       .def_static(
           "from_toml",
           [](const py::object& path) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/nan.hpp"
 
 namespace phy {
@@ -34,6 +36,12 @@ double interpolated(const std::vector<Comparison>& rows, const Target& t) {
   if (below == nullptr || above == nullptr) return nan;
   const double part = (t.theta - below->theta) / (above->theta - below->theta);
   return below->mean + part * (above->mean - below->mean);
+}
+
+bool has_bend_tests(const Calibration& c) {
+  return !c.compared.empty() || std::any_of(c.fitted.begin(), c.fitted.end(), [](const Comparison& row) {
+    return row.target.property == Property::fracture_toughness;
+  });
 }
 
 const char* to_string(VerdictStatus status) {

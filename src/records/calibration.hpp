@@ -107,6 +107,9 @@ struct Calibration {
   std::vector<Comparison> fitted;        ///< on the packings of the fit
   std::vector<Comparison> verification;  ///< on packings that the fit has not seen
   std::vector<Comparison> left_out;      ///< each value predicted without it
+  /// K_Ic of a rock whose grain size nobody has stated, on unseen packings: beside the table, not fitted to
+  /// it.
+  std::vector<Comparison> compared;
   /// Where E_is is that of small strain: E (tangent) and nu that the press measures at 40 - 60 % of UCS on
   /// the unseen packings, beside the table's: what bonds and joints have lost by then is missing from
   /// `fitted` and `verification`. Where the table holds E or nu, and UCS.
@@ -116,10 +119,13 @@ struct Calibration {
   std::vector<std::string> notes;
   Mixing mixing;                      ///< of the draws behind the strengths; NaN without these
   std::int64_t n_strength_tests = 0;  ///< runs of the press, verification included
-  std::int64_t n_tension_tests = 0;   ///< of these, direct tension and Brazilian
+  std::int64_t n_tension_tests = 0;   ///< of these, direct tension, Brazilian, semi-circular bend
   std::int64_t n_coarse_tests = 0;    ///< of these, with magnified grains
   std::int64_t n_elastic = 0;         ///< direct elastic solutions
   double seconds = 0.0;
 };
+
+/// Are half discs among its tests in tension?
+bool has_bend_tests(const Calibration& calibration);
 
 }  // namespace phy

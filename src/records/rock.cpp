@@ -26,7 +26,8 @@ double prior_scatter(Property p) {
     case Property::confined: return 0.10;
     case Property::direct_tension:
     case Property::brazilian:
-    case Property::crack_initiation: break;
+    case Property::crack_initiation:
+    case Property::fracture_toughness: break;
   }
   return 0.15;
 }
@@ -129,8 +130,8 @@ class ConfiningStresses {
 }  // namespace
 
 const char* to_string(Property property) {
-  constexpr std::array<const char*, n_properties> names = {"E",   "nu",      "UCS",     "DTS",
-                                                           "BTS", "sigma_1", "sigma_ci"};
+  constexpr std::array<const char*, n_properties> names = {"E",   "nu",      "UCS",      "DTS",
+                                                           "BTS", "sigma_1", "sigma_ci", "K_Ic"};
   return names[static_cast<std::size_t>(property)];
 }
 
@@ -177,6 +178,23 @@ bool is_tensile(Property property) {
 
 bool is_read_before_ucs(Property property) { return property == Property::crack_initiation; }
 
+bool is_of_discs(Property property) {
+  return property == Property::brazilian || property == Property::fracture_toughness;
+}
+
+ShownUnit shown_unit(Property property) {
+  switch (property) {
+    case Property::E: return {1e-9, "GPa"};
+    case Property::nu: return {1.0, ""};
+    case Property::fracture_toughness: return {1e-6, "MPa sqrt(m)"};
+    default: return {1e-6, "MPa"};
+  }
+}
+
+const char* si_unit(Property property) {
+  return property == Property::nu ? "1" : property == Property::fracture_toughness ? "Pa sqrt(m)" : "Pa";
+}
+
 bool same_test(const Target& a, const Target& b) {
   return a.property == b.property && a.diameter == b.diameter && a.confining == b.confining;
 }
@@ -196,8 +214,8 @@ std::vector<Target> targets_of(const Rock& rock) {
   const ConfiningStresses stresses(rock.readings);
   for (const RockReading& r : rock.readings)
     if (r.confining == 0.0 || is_compressive(r.property) || !is_strength(r.property))
-      cells[{r.property, std::lround(r.theta / same_angle),
-             r.property == Property::brazilian ? r.diameter : 0.0, stresses.of(r)}]
+      cells[{r.property, std::lround(r.theta / same_angle), is_of_discs(r.property) ? r.diameter : 0.0,
+             stresses.of(r)}]
           .push_back(&r);
   std::vector<Target> targets;
   std::map<Property, Pool> pooled;  // relative, but absolute for nu

@@ -11,24 +11,37 @@ namespace phy {
 
 /// What a laboratory measures on a specimen at one inclination of the bedding.
 enum class Property {
-  E,                ///< modulus of deformation [Pa]
-  nu,               ///< apparent Poisson's ratio [-]
-  ucs,              ///< uniaxial compressive strength [Pa]
-  direct_tension,   ///< direct tensile strength [Pa]
-  brazilian,        ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
-  confined,         ///< strength under confining stress, sigma_1 at the peak [Pa]
-  crack_initiation  ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
+  E,                  ///< modulus of deformation [Pa]
+  nu,                 ///< apparent Poisson's ratio [-]
+  ucs,                ///< uniaxial compressive strength [Pa]
+  direct_tension,     ///< direct tensile strength [Pa]
+  brazilian,          ///< Brazilian tensile strength 2 P/(pi D t) [Pa]
+  confined,           ///< strength under confining stress, sigma_1 at the peak [Pa]
+  crack_initiation,   ///< axial stress in the test of UCS at which crack volumetric strain begins [Pa]
+  fracture_toughness  ///< in mode I, of a semi-circular bend test [Pa sqrt(m)]
 };
-constexpr int n_properties = 7;
+constexpr int n_properties = 8;
 
-/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci": the names of the columns.
+/// "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci", "K_Ic": the names of the columns.
 const char* to_string(Property property);
+/// The unit in which people read a property, and the factor from SI: 1e-9 and "GPa"; of nu 1 and "".
+struct ShownUnit {
+  double factor;
+  const char* name;
+};
+ShownUnit shown_unit(Property property);
+/// "Pa", "1" of nu, "Pa sqrt(m)" of K_Ic: the unit of the numbers in files.
+const char* si_unit(Property property);
+/// Is it read where a specimen breaks? K_Ic, too.
 bool is_strength(Property property);
+/// Tensile strengths, direct and Brazilian.
 bool is_tensile(Property property);
 /// UCS and strengths under confinement.
 bool is_compressive(Property property);
 /// Is read on the way to another strength, in the test of UCS at the same inclination?
 bool is_read_before_ucs(Property property);
+/// Is it tested on discs or halves of discs, whose diameter the table may tell?
+bool is_of_discs(Property property);
 
 /// How moduli measured on a cylinder are read in two dimensions (docs/calibration.md, "Plane stress").
 enum class ElasticReading { plane_stress, plane_strain };
@@ -55,21 +68,21 @@ struct RockReading {
   int n = 1;               ///< specimens behind the value
   double confining = 0.0;  ///< [Pa]
   int line = 0;            ///< of the table
-  double diameter = 0.0;   ///< [m] of the disc of a Brazilian test; 0: the model's
+  double diameter = 0.0;   ///< [m] of the disc of a BTS, of the half disc of a K_Ic; 0: the model's
   bool derived = false;    ///< from an envelope: no specimen has it
 };
 
 /// All cells of one property and angle together.
 struct Target {
   Property property = Property::E;
-  double theta = 0.0;                  ///< [deg]
-  double mean = 0.0;                   ///< SI
-  double sd = 0.0;                     ///< scatter of single specimens, SI, > 0
-  int n = 1;                           ///< specimens
-  bool sd_assumed = false;             ///< `sd` rests on what is usual more than on the table
-  double diameter = 0.0;               ///< [m] of the disc of a Brazilian test; 0: the model's
-  double confining = 0.0;              ///< [Pa] of a strength or of moduli under confinement
-  int degrees = 0;                     ///< degrees of freedom behind `sd`; 0: it is known
+  double theta = 0.0;       ///< [deg]
+  double mean = 0.0;        ///< SI
+  double sd = 0.0;          ///< scatter of single specimens, SI, > 0
+  int n = 1;                ///< specimens
+  bool sd_assumed = false;  ///< `sd` rests on what is usual more than on the table
+  double diameter = 0.0;    ///< [m] of the disc of a BTS, of the half disc of a K_Ic; 0: the model's
+  double confining = 0.0;   ///< [Pa] of a strength or of moduli under confinement
+  int degrees = 0;          ///< degrees of freedom behind `sd`; 0: it is known
   std::vector<double> specimens = {};  ///< single ones of the table, SI; rows that stand for several are not
   double standard_error() const;       ///< sd/sqrt(n)
   double half_width() const;           ///< of the 95 % interval of the mean (Student)
@@ -87,9 +100,15 @@ struct Rock {
   /// it was not shown.
   std::optional<MatrixModel> matrix = MatrixModel::parallel_bond;
   Recipe model;  ///< everything that is not calibrated: specimen, packing, bedding geometry, test, engine
+  /// Somebody has said how large the model's grains are. K_Ic grows with the root of their size at the same
+  /// strengths (Potyondy & Cundall 2004), so that without it K_Ic is no property of the model.
+  bool grains_stated = false;
   std::vector<RockReading> readings;  ///< in the order of the table
   std::vector<std::string> notes;     ///< how the files were understood, for the user to see
 };
+
+/// Mean diameter of a model's grains [m], the middle of their range.
+inline double grain_size(const Recipe& model) { return model.packing.radius_min + model.packing.radius_max; }
 
 /// Intact rock: no bedding, no directions.
 void remove_layers(Recipe& model);
@@ -102,10 +121,10 @@ bool same_test(const Target& a, const Target& b);
 /// differ by less than 5 % are one, their mean. Replicates are
 /// averaged, weighted by n. Scatter of single specimens, relative but of nu absolute: a scaled inverse
 /// chi-square distribution that begins with 8 % of E, 0.03 of nu, 10 % of strengths in compression and 15 %
-/// of those in tension, as if seen with four degrees of freedom, and learns from all deviations inside the
-/// cells of the property. Other cells and prior together lend a cell ten degrees of freedom at most: scatter
-/// may depend on the angle. A mean with its SD and n counts as the n specimens behind it. Moduli are
-/// converted to plane stress if `reading` says so.
+/// of those in tension and of K_Ic, as if seen with four degrees of freedom, and learns from all deviations
+/// inside the cells of the property. Other cells and prior together lend a cell ten degrees of freedom at
+/// most: scatter may depend on the angle. A mean with its SD and n counts as the n specimens behind it.
+/// Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
 
 /// The targets of one property.

@@ -12,11 +12,12 @@ namespace {
 
 // Bounds are wide on purpose: they are there for units off by a thousand and for columns exchanged.
 constexpr double least_ratio = 80.0,
-                 most_ratio = 2000.0;                   // E/UCS; 200 to 500 is medium (Deere & Miller 1966)
-constexpr double least_ucs = 0.25e6, most_ucs = 600e6;  // [Pa] below, the ISRM's grades of rock end
-constexpr double least_E = 0.1e9, most_E = 200e9;       // [Pa]
-constexpr double most_tension = 0.5;                    // of UCS; a tenth is usual
-constexpr double replicates_apart = 1.5;                // factor
+                 most_ratio = 2000.0;                    // E/UCS; 200 to 500 is medium (Deere & Miller 1966)
+constexpr double least_ucs = 0.25e6, most_ucs = 600e6;   // [Pa] below, the ISRM's grades of rock end
+constexpr double least_E = 0.1e9, most_E = 200e9;        // [Pa]
+constexpr double least_K_Ic = 0.03e6, most_K_Ic = 10e6;  // [Pa sqrt(m)] 0.1 to 4 of most rocks
+constexpr double most_tension = 0.5;                     // of UCS; a tenth is usual
+constexpr double replicates_apart = 1.5;                 // factor
 constexpr double least_intercept = 0.7, most_intercept = 1.6;  // of UCS; envelopes bend down from a line
 constexpr double along = 80.0;  // [deg], from which a load runs along the bedding
 
@@ -40,8 +41,11 @@ void warn(std::vector<std::string>& warnings, const std::vector<std::string>& wh
 }
 
 void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {
-  std::vector<std::string> moduli, strengths;
+  std::vector<std::string> moduli, strengths, toughness;
   for (const Target& t : least_confined(targets)) {
+    if (t.property == Property::fracture_toughness && (t.mean < least_K_Ic || t.mean > most_K_Ic))
+      toughness.push_back(
+          fmt::format("{} = {:.3g} MPa sqrt(m)", name_at(rock, "K_Ic", t.theta), t.mean * 1e-6));
     if (t.property == Property::E && (t.mean < least_E || t.mean > most_E))
       moduli.push_back(fmt::format("{} = {:.3g} GPa", name_at(rock, "E", t.theta), t.mean * 1e-9));
     if (t.property == Property::ucs && (t.mean < least_ucs || t.mean > most_ucs))
@@ -49,6 +53,8 @@ void doubt_values(const Rock& rock, const std::vector<Target>& targets, std::vec
   }
   warn(warnings, moduli, "hardly any rock lies outside 0.1 to 200 GPa; check the unit in the header");
   warn(warnings, strengths, "hardly any rock lies outside 0.25 to 600 MPa; check the unit in the header");
+  warn(warnings, toughness,
+       "hardly any rock lies outside 0.03 to 10 MPa sqrt(m); check the unit in the header");
 }
 
 void doubt_ratios(const Rock& rock, const std::vector<Target>& targets, std::vector<std::string>& warnings) {

@@ -24,7 +24,7 @@ Json rows_json(const std::vector<Comparison>& rows) {
     const Target& t = c.target;
     list.push_back(
         {{"property", to_string(t.property)},
-         {"unit", t.property == Property::nu ? "1" : "Pa"},
+         {"unit", si_unit(t.property)},
          {"theta [deg]", t.theta},
          {"laboratory", {{"mean", t.mean}, {"sd", t.sd}, {"n", t.n}, {"sd_assumed", t.sd_assumed}}},
          {"model", c.mean},
@@ -122,6 +122,7 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
   j["fitted"] = rows_json(c.fitted);
   j["verification"] = rows_json(c.verification);
   j["left_out"] = rows_json(c.left_out);
+  if (!c.compared.empty()) j["compared"] = rows_json(c.compared);
   for (std::size_t i = 0; i < c.left_out.size(); ++i)
     for (const Yardstick& y : yardsticks())
       j["left_out"][i][y.key] = y.predict(c.left_out, c.left_out[i].target);

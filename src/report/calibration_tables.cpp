@@ -16,8 +16,8 @@
 namespace phy::report {
 namespace {
 
-/// Factor and name of the unit in which a property is printed.
-double shown(Property p) { return p == Property::E ? 1e-9 : p == Property::nu ? 1.0 : 1e-6; }
+/// Factor of the unit in which a property is printed.
+double shown(Property p) { return shown_unit(p).factor; }
 
 /// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
 /// was not fitted stands alone.
@@ -40,7 +40,7 @@ std::string three_digits(double v) {
                            : fmt::format("{:.3f}", v);
 }
 
-const char* unit_head(Property p) { return p == Property::E ? "GPa" : p == Property::nu ? "" : "MPa"; }
+const char* unit_head(Property p) { return shown_unit(p).name; }
 
 /// Laboratory, model, error.
 std::vector<std::string> cells_of(const Comparison& row) {
@@ -92,7 +92,7 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
       disc.cells.push_back(t == nullptr || t->diameter == 0.0 ? "-" : fmt::format("{:g}", t->diameter * 1e3));
     }
     groups.push_back({value, scatter, n});
-    if (p == Property::brazilian && sizes) groups.back().push_back(disc);
+    if (is_of_discs(p) && sizes) groups.back().push_back(disc);
   }
   return text_table(theta, groups, terminal_width) +
          (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");
@@ -190,18 +190,28 @@ std::string parameter_tables(const Calibration& c, int terminal_width) {
   return text;
 }
 
-std::string angle_table(const Calibration& c, int terminal_width) {
-  std::vector<std::map<double, Comparison>> tests;  // by angle
-  std::set<double> angles;
-  for (const Comparison& f : c.fitted) {
+/// Rows of the calibration by test and angle, as unseen packings have them; what was compared alone comes
+/// last.
+std::vector<std::map<double, Comparison>> by_test(const Calibration& c) {
+  std::vector<std::map<double, Comparison>> tests;
+  std::vector<Comparison> rows = c.fitted;
+  rows.insert(rows.end(), c.compared.begin(), c.compared.end());
+  for (const Comparison& f : rows) {
     const Comparison* unseen = row_of(c.verification, f.target);
     auto it = std::find_if(tests.begin(), tests.end(), [&](const auto& cells) {
       return same_test(cells.begin()->second.target, f.target);
     });
     if (it == tests.end()) it = tests.insert(it, std::map<double, Comparison>());
     (*it)[f.target.theta] = unseen != nullptr ? *unseen : f;
-    angles.insert(f.target.theta);
   }
+  return tests;
+}
+
+std::string angle_table(const Calibration& c, int terminal_width) {
+  const std::vector<std::map<double, Comparison>> tests = by_test(c);
+  std::set<double> angles;
+  for (const auto& cells : tests)
+    for (const auto& [theta, row] : cells) angles.insert(theta);
   Column label{"theta [deg]", "", {}, true};
   std::vector<Columns> columns;
   for (const double theta : angles) columns.push_back({{fmt::format("{:g}", theta), "", {}}});
@@ -209,7 +219,8 @@ std::string angle_table(const Calibration& c, int terminal_width) {
     const Target& t = cells.begin()->second.target;
     const Property p = t.property;
     const std::string unit = unit_head(p);
-    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") + particulars(t));
+    label.cells.push_back(to_string(p) + (unit.empty() ? "" : " [" + unit + "]") + particulars(t) +
+                          (row_of(c.compared, t) != nullptr ? ", not fitted" : ""));
     label.cells.insert(label.cells.end(), {"  model", p == Property::nu ? "  error" : "  error %"});
     std::size_t i = 0;
     for (const double theta : angles) {
@@ -351,8 +362,10 @@ std::string budget_text(const Calibration& c, int terminal_width) {
       fmt::format(
           "{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
           c.n_strength_tests - c.n_tension_tests,
-          c.n_tension_tests > 0 ? fmt::format(" and {} in tension", c.n_tension_tests) : "", c.n_coarse_tests,
-          c.n_elastic),
+          c.n_tension_tests > 0
+              ? fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "")
+              : "",
+          c.n_coarse_tests, c.n_elastic),
       terminal_width, 2);
 }
 

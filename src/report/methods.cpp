@@ -323,7 +323,10 @@ std::string fit_text(const Calibration& c, const std::string& version) {
         posterior ? fmt::format("by a surrogate and its posterior{}",
                                 c.effort.empty() ? "" : ", effort " + c.effort)
                   : "one after the other by bisection, each against UCS at one angle on one packing",
-        n_ucs, c.n_tension_tests > 0 ? fmt::format(" and {} tensile", c.n_tension_tests) : "");
+        n_ucs,
+        c.n_tension_tests > 0
+            ? fmt::format(" and {} tensile{}", c.n_tension_tests, has_bend_tests(c) ? " and bend" : "")
+            : "");
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);

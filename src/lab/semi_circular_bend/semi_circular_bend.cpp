@@ -160,6 +160,7 @@ TestDescription description() {
   d.curve.stress = "nominal stress P/(2RB)";
   d.curve.strength = "bend_strength", d.curve.strength_label = "largest load";
   d.curve.derived = {"K_Ic_apparent", "apparent K_Ic", "MPa sqrt(m)"};
+  d.curve.property = Property::fracture_toughness;
   d.table = {{"apparent K_Ic", "MPa sqrt(m)", "K_Ic_apparent", 1e-6, 3},
              {"K_I", "MPa sqrt(m)", "K_I", 1e-6, 3},
              {"K_II", "MPa sqrt(m)", "K_II", 1e-6, 3},

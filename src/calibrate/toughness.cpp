@@ -1,0 +1,93 @@
+#include "calibrate/toughness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/exact_math.hpp"
+#include "base/nan.hpp"
+#include "lab/semi_circular_bend/semi_circular_bend.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+/// K_Ic over Brazilian strength and the root of the grain size, 2.7: geometric mean over 22 models, without
+/// layers and with planes at 0, 45 and 90 degrees, 1,197 to 7,481 discs (docs/calibration.md). They lie 0.33
+/// about it (root mean square of the logarithm).
+constexpr double alpha = 4.6;
+constexpr double constant = 0.4, slope = 0.2, curvature = 0.06;  // what is believed of it
+constexpr double usual_splitting = 0.5;                          // BTS over sigma_c
+constexpr double fewest_in_radius = 20.0;                        // grains
+
+lab::BendSpecimen half_disc(const Recipe& recipe, const Target& target) {
+  Recipe one = recipe;
+  if (target.diameter > 0.0) one.test.disc_diameter = target.diameter;
+  return lab::bend_specimen(one);
+}
+
+}  // namespace
+
+double nominal_stress(const Recipe& recipe, const Target& toughness) {
+  return toughness.mean / lab::isotropic_K_I(half_disc(recipe, toughness), 1.0);
+}
+
+PriorMean prior_toughness(const Recipe& recipe, const std::optional<PriorMean>& splitting) {
+  const double root = 0.5 * std::log(pi * alpha * 0.5 * grain_size(recipe));
+  if (!splitting) {
+    PriorMean prior;
+    prior.value = [root](std::span<const double>) { return std::log(usual_splitting) + root; };
+    return prior;
+  }
+  return {[root, of = splitting->value](std::span<const double> z) { return of(z) + root; }, constant, slope,
+          curvature};
+}
+
+std::vector<std::string> coarse_half_discs(const Evidence& evidence) {
+  std::vector<std::string> lines;
+  const Recipe& model = evidence.rock.model;
+  std::vector<double> told;  // diameters
+  for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
+    const double R = half_disc(model, t).radius, across = R / grain_size(model);
+    if (across >= fewest_in_radius || std::find(told.begin(), told.end(), R) != told.end()) continue;
+    told.push_back(R);
+    lines.push_back(
+        fmt::format("K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm; below {:g} the notch is "
+                    "too blunt and "
+                    "K_Ic comes out too small): grains of {:.2g} mm, or a larger half disc, would resolve it",
+                    across, R * 1e3, fewest_in_radius, R / fewest_in_radius * 1e3));
+  }
+  return lines;
+}
+
+double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Comparison& c : toughness)
+    if (c.answered()) sum += std::log(c.target.mean / c.mean), ++n;
+  return n > 0 ? grain_size * std::exp(2.0 * sum / n) : nan;
+}
+
+std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model) {
+  std::string rows;
+  for (const Comparison& c : toughness) {
+    rows += fmt::format("{}{} = {}", rows.empty() ? "" : ", ", cell_name(c.target),
+                        c.answered() ? fmt::format("{:.2f} instead of {:.2f} MPa sqrt(m) ({:+.0f} %)",
+                                                   c.mean * 1e-6, c.target.mean * 1e-6, 100.0 * c.error())
+                                     : "no answer");
+  }
+  const double now = grain_size(model), other = grain_size_to_meet(toughness, now);
+  std::string text = fmt::format("compared, not fitted, with grains of {:.3g} mm: {}", now * 1e3, rows);
+  if (!std::isfinite(other)) return text;
+  const double area = model.specimen.width * model.specimen.height;
+  const double n = model.packing.n_grains > 0
+                       ? static_cast<double>(model.packing.n_grains) * std::pow(now / other, 2.0)
+                       : area / (0.25 * pi * other * other);
+  return text + fmt::format(
+                    "; at the same strengths grain_size = \"{:.2g} mm\" would meet it (some {:.2g} "
+                    "grains in the specimen), and has it fitted",
+                    other * 1e3, n);
+}
+
+}  // namespace phy::calibrate

@@ -1,0 +1,150 @@
+// Fracture toughness in a calibration: its prior against the press, and tables with and without a grain size.
+#include "calibrate/toughness.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibrate/calibration.hpp"
+#include "calibrate/identifiability.hpp"
+#include "calibrate/paper_press_fixture.hpp"
+#include "calibrate/prior_regression.hpp"
+#include "calibrate/reading_fixture.hpp"
+#include "calibrate/strength_tests.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+Comparison row(double laboratory, double model) {
+  Comparison c;
+  c.target.property = Property::fracture_toughness, c.target.mean = laboratory, c.mean = model;
+  return c;
+}
+
+// Twice the toughness at four times the size; over rows the geometric mean, those without an answer left out.
+TEST(Toughness, GrowsWithTheRootOfTheGrains) {
+  EXPECT_NEAR(grain_size_to_meet({row(1e6, 2e6)}, 0.002), 0.0005, 1e-15);
+  EXPECT_NEAR(grain_size_to_meet({row(1e6, 2e6), row(2e6, 1e6), row(1e6, std::nan(""))}, 0.002), 0.002,
+              1e-15);
+  EXPECT_TRUE(std::isnan(grain_size_to_meet({row(1e6, std::nan(""))}, 0.002)));
+  Recipe fine, large;
+  large.packing.radius_min *= 4.0, large.packing.radius_max *= 4.0;
+  const std::vector<double> z(1, 0.0);
+  EXPECT_NEAR(prior_toughness(large, {}).value(z) - prior_toughness(fine, {}).value(z), std::log(2.0), 1e-12);
+}
+
+TEST(Toughness, IsNoStressThatStrengthsAreMeasuredBy) {
+  Rock rock;
+  rock.bedded = false, rock.grains_stated = true;
+  rock.readings = {reading(Property::confined, 0.0, 2e6), reading(Property::fracture_toughness, 0.0, 50e6)};
+  rock.readings[0].confining = 0.1e6;
+  const Evidence evidence(rock);
+  EXPECT_LT(evidence.scales.strength, 2e6);
+  EXPECT_EQ(evidence.n_compressive(), 1);
+  EXPECT_EQ(evidence.n_tests(), 2);
+}
+
+// Bonds of the default recipe, 806 grains of 0.665 mm, 18 of them in the radius of the half disc; the mean of
+// three packings, which differ by some 10 %, lies within the standard deviation of what is believed.
+TEST(Toughness, IsExpectedWhereTheBendTestOfThePressHasIt) {
+  Recipe r;
+  r.specimen = {0.024, 0.013}, r.packing.n_grains = 806;
+  r.matrix.tau_c = 1.7 * r.matrix.sigma_c, r.matrix.tau_c_sd = 0.1 * r.matrix.tau_c;
+  Rock rock;
+  rock.bedded = false, rock.grains_stated = true, rock.model = r;
+  rock.readings = {reading(Property::ucs, 0.0, 100e6), reading(Property::fracture_toughness, 0.0, 2.5e6)};
+  const Evidence evidence(rock);
+  const PriorMean prior = prior_strength(evidence, r, evidence.strengths[1]);
+  std::vector<double> z;
+  for (const StrengthParameter* p : strength_ratios(evidence)) z.push_back(p->place_of(p->get(r)));
+  const auto simulator = make_simulator({2, "", nullptr, nullptr});
+  const std::vector<Comparison> measured =
+      strength_response(test_settings(r, evidence.strengths, {60e9, 60e9}), {evidence.strengths[1]},
+                        {1, 2, 3}, as_measured, *simulator);
+  ASSERT_EQ(measured[0].n_packings, 3) << measured[0].missing;
+  EXPECT_NEAR(std::log(measured[0].mean / r.matrix.sigma_c), prior.value(z), prior.constant)
+      << measured[0].mean * 1e-6 << " MPa sqrt(m)";
+}
+
+/// E, nu, UCS, BTS and K_Ic of an isotropic rock that the press of closed forms can be; its grains `factor`
+/// times those of the model.
+Rock table(bool stated, double factor = 1.0) {
+  Rock rock;
+  rock.name = "granite", rock.bedded = false, rock.grains_stated = stated;
+  Recipe truth;
+  truth.matrix.tau_c = 1.6 * truth.matrix.sigma_c;
+  rock.readings = {
+      reading(Property::E, 0.0, 60e9), reading(Property::nu, 0.0, 0.25),
+      reading(Property::ucs, 0.0, PaperPress::ucs(truth)),
+      reading(Property::brazilian, 0.0, PaperPress::splitting(truth)),
+      reading(Property::fracture_toughness, 0.0, std::sqrt(factor) * PaperPress::toughness(truth))};
+  return rock;
+}
+
+Calibration calibrated(const Rock& rock, PaperPress& press) {
+  CalibrationOptions options;
+  options.max_tests = 60;
+  return calibrate(Evidence(rock), options, press);
+}
+
+const Comparison* toughness_in(const std::vector<Comparison>& rows) {
+  for (const Comparison& c : rows)
+    if (c.target.property == Property::fracture_toughness) return &c;
+  return nullptr;
+}
+
+TEST(Toughness, IsMetWhereTheGrainSizeIsStated) {
+  PaperPress press;
+  const Calibration c = calibrated(table(true), press);
+  const Comparison* K = toughness_in(c.verification);
+  ASSERT_NE(K, nullptr);
+  EXPECT_LT(std::fabs(K->error()), 0.1);
+  EXPECT_TRUE(c.compared.empty());
+  EXPECT_LE(c.n_strength_tests - c.n_tension_tests, 60) << "bend tests are not counted";
+  EXPECT_EQ(c.verdict.status, VerdictStatus::calibrated) << c.verdict.sentence;
+  EXPECT_THAT(c.verdict.sentence, HasSubstr("K_Ic within"));
+}
+
+// Grains of 2.25 times the size have 1.5 times the toughness: no strength can make up for that.
+TEST(Toughness, OfOtherGrainsIsAMissAndItsCauseTheGrains) {
+  PaperPress press;
+  const Calibration c = calibrated(table(true, 2.25), press);
+  EXPECT_NE(c.verdict.status, VerdictStatus::calibrated);
+  EXPECT_THAT(c.verdict.findings, Contains(testing::AllOf(testing::StartsWith("K_Ic(0) = "),
+                                                          HasSubstr("MPa sqrt(m) on unseen packings"))));
+}
+
+TEST(Toughness, IsComparedWhereTheGrainSizeIsNotStated) {
+  PaperPress press;
+  const Calibration c = calibrated(table(false, 2.25), press);
+  EXPECT_EQ(toughness_in(c.verification), nullptr);
+  EXPECT_EQ(toughness_in(c.fitted), nullptr);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::calibrated) << c.verdict.sentence;
+  ASSERT_EQ(c.compared.size(), 1U);
+  EXPECT_NEAR(c.compared[0].error(), 1.0 / 1.5 - 1.0, 0.1);
+  EXPECT_EQ(c.compared[0].n_packings, c.verification.back().n_packings);
+  // 0.665 mm times 2.25 is 1.5 mm, to within twice the error of the strengths
+  const double size = grain_size_to_meet(c.compared, grain_size(c.recipe));
+  EXPECT_NEAR(size, 1.5e-3, 0.3e-3);
+  EXPECT_THAT(c.notes,
+              Contains(testing::AllOf(HasSubstr("compared, not fitted, with grains of 0.665 mm: K_Ic(0) ="),
+                                      HasSubstr("grain_size = \"1."))));
+}
+
+// A radius of 19 mm holds 28 grains of 0.665 mm, and 13 of 1.5 mm.
+TEST(Toughness, OfFewGrainsInTheRadiusIsNotResolved) {
+  Rock rock = table(true);
+  EXPECT_THAT(advice(Evidence(rock)), Not(Contains(HasSubstr("in the radius"))));
+  rock.model.packing.radius_min = 0.0005, rock.model.packing.radius_max = 0.001;
+  EXPECT_THAT(advice(Evidence(rock)),
+              Contains(testing::AllOf(HasSubstr("K_Ic: 13 grains in the radius of the half disc (19 mm"),
+                                      HasSubstr("grains of 0.95 mm"))));
+}
+
+}  // namespace
+}  // namespace phy::calibrate
