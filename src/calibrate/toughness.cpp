@@ -8,7 +8,9 @@
 
 #include "base/exact_math.hpp"
 #include "base/nan.hpp"
+#include "base/units.hpp"
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
+#include "study/expected.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -69,6 +71,23 @@ double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain
   return n > 0 ? grain_size * std::exp(2.0 * sum / n) : nan;
 }
 
+namespace {
+
+/// How many grains of another size the smallest half disc of the rows has in its radius.
+std::string in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
+  double R = half_disc(model, toughness.front().target).radius;
+  for (const Comparison& c : toughness) R = std::min(R, half_disc(model, c.target).radius);
+  const double across = R / grain_size;
+  return fmt::format("{:.0f} in the radius of the half disc{}", across,
+                     across < fewest_in_radius
+                         ? fmt::format(", fewer than {:g}: K_Ic comes out smaller there, and the size that "
+                                       "meets it is larger",
+                                       fewest_in_radius)
+                         : "");
+}
+
+}  // namespace
+
 std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model) {
   std::string rows;
   for (const Comparison& c : toughness) {
@@ -78,16 +97,13 @@ std::string compared_in_words(const std::vector<Comparison>& toughness, const Re
                                      : "no answer");
   }
   const double now = grain_size(model), other = grain_size_to_meet(toughness, now);
-  std::string text = fmt::format("compared, not fitted, with grains of {:.3g} mm: {}", now * 1e3, rows);
+  const std::string text = fmt::format("compared, not fitted, with grains of {:.3g} mm: {}", now * 1e3, rows);
   if (!std::isfinite(other)) return text;
-  const double area = model.specimen.width * model.specimen.height;
-  const double n = model.packing.n_grains > 0
-                       ? static_cast<double>(model.packing.n_grains) * std::pow(now / other, 2.0)
-                       : area / (0.25 * pi * other * other);
   return text + fmt::format(
-                    "; at the same strengths grain_size = \"{:.2g} mm\" would meet it (some {:.2g} "
-                    "grains in the specimen), and has it fitted",
-                    other * 1e3, n);
+                    "; at the same strengths grain_size = \"{:.2g} mm\" would meet it (some {:.0f} grains "
+                    "in the specimen, {}), and has it fitted",
+                    other * 1e3, rounded(study::expected_grains(model) * std::pow(now / other, 2.0), 2),
+                    in_radius(toughness, model, other));
 }
 
 }  // namespace phy::calibrate

@@ -330,6 +330,8 @@ class RockReader {
       found.push_back(std::move(p));
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
+      if (key == "grain_size" && p.key == "packing.n_grains")
+        p.value += " grains in the specimen", p.remedy = "state larger grains";
       // The user wrote the key of the rock file: it is named in place of the recipe's.
       if ((key.starts_with("brazilian.") || key == "bedding.spacing" || key == "grain_size") && is_given(key))
         p.key = key;

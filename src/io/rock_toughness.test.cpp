@@ -78,7 +78,8 @@ TEST_F(RockFile, GrainsThatTheSpecimenDoesNotTakeAreRefused) {
               Contains(AllOf(HasSubstr("at least ten mean grain diameters, 50 mm"),
                              HasSubstr("state smaller grains"))));
   EXPECT_THAT(problems(table, "grain_size = \"0.01 mm\"\n"),
-              Contains(AllOf(HasSubstr("r.toml:2: grain_size"), HasSubstr("1000000"))));
+              Contains(AllOf(HasSubstr("r.toml:2: grain_size"), HasSubstr("grains in the specimen: expected"),
+                             HasSubstr("1000000"), HasSubstr("state larger grains"))));
   EXPECT_THAT(problems(table, "grain_size = 1.2\n"), Contains(HasSubstr("has no unit")));
   EXPECT_THAT(problems(table, "grain_size = \"1.2 mm\"\n"), IsEmpty());
 }

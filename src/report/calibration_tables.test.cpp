@@ -79,6 +79,41 @@ TEST(CalibrationTables, WithoutNeighboursOnBothSidesNothingIsLeftOut) {
   EXPECT_THAT(error_table(c, 0), HasSubstr("packings of the fit     0.0 %"));
 }
 
+Comparison toughness(double laboratory, double model) {
+  Comparison c = ucs(0, laboratory, model);
+  c.target.property = Property::fracture_toughness, c.n_packings = 5;
+  return c;
+}
+
+// By hand: 1.2 for 1.5 is 20 % less.
+TEST(CalibrationTables, ToughnessHasItsOwnUnit) {
+  Calibration c = with_left_out();
+  c.fitted.push_back(toughness(1.5e6, 1.2e6));
+  EXPECT_THAT(angle_table(c, 0),
+              testing::AllOf(HasSubstr("K_Ic [MPa sqrt(m)]   1.50"), HasSubstr("UCS [MPa]"),
+                             Not(HasSubstr("not fitted")), HasSubstr("-20.0")));
+  EXPECT_THAT(macro_table(c, 0), HasSubstr("K_Ic    0 [MPa sqrt(m)]"));
+  EXPECT_THAT(target_table({c.fitted.back().target}, 0), HasSubstr("MPa sqrt(m)"));
+  EXPECT_THAT(error_table(c, 0), HasSubstr("20.0 %"));
+  const auto j = nlohmann::json::parse(calibration_json(c, "1"));
+  EXPECT_EQ(j["fitted"][3]["property"], "K_Ic");
+  EXPECT_EQ(j["fitted"][3]["unit"], "Pa sqrt(m)");
+  EXPECT_EQ(j["fitted"][0]["unit"], "Pa");
+  EXPECT_FALSE(j.contains("compared"));
+}
+
+TEST(CalibrationTables, ToughnessThatWasComparedAloneIsARowThatSaysSo) {
+  Calibration c = with_left_out();
+  c.compared = {toughness(1.5e6, 1.2e6)};
+  c.n_strength_tests = 20, c.n_tension_tests = 5;
+  EXPECT_THAT(angle_table(c, 0), HasSubstr("K_Ic [MPa sqrt(m)], not fitted   1.50"));
+  EXPECT_THAT(macro_table(c, 0), Not(HasSubstr("K_Ic")));
+  EXPECT_THAT(error_table(c, 0), Not(HasSubstr("K_Ic")));
+  EXPECT_THAT(budget_text(c, 0), HasSubstr("15 tests in compression and 5 in tension or bending"));
+  const auto j = nlohmann::json::parse(calibration_json(c, "1"));
+  EXPECT_NEAR(j["compared"][0]["model"].get<double>(), 1.2e6, 1e-6);
+}
+
 ParameterEstimate open(const std::string& symbol, const std::string& next_test) {
   ParameterEstimate e;
   e.symbol = symbol, e.next_test = next_test;
