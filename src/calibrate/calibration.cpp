@@ -141,16 +141,22 @@ bool softened(const Evidence& evidence, const CalibrationOptions& options) {
          !options.elastic_only && !tests_to_read(evidence).empty();
 }
 
-/// Throws InputError where the budget is too small for any search. `n`: strengths in compression, each tested
-/// on `n_packings` beside the search.
-void check_budget(std::int64_t n, int n_packings, std::int64_t max_tests) {
-  const std::int64_t least = n * (n_packings + least_points);
+/// Tests in compression beside the search: on unseen packings, and where softening is measured.
+std::int64_t n_beside_search(const Evidence& evidence, bool softens) {
+  const auto read_only = static_cast<std::int64_t>(evidence.read_only.size());
+  return evidence.n_compressive() * (n_unseen + (softens ? n_softened : 0)) +
+         (softens ? read_only * (n_unseen + n_softened) : 0);
+}
+
+/// Throws InputError where the budget is too small for any search. `n`: strengths in compression.
+void check_budget(std::int64_t n, std::int64_t n_beside, std::int64_t max_tests) {
+  const std::int64_t least = n * least_points + n_beside;
   if (max_tests < least)
-    throw InputError(Problem{"command line", "--max-tests", fmt::format("{}", max_tests),
-                             fmt::format("at least {}", least),
-                             fmt::format("{} strengths in compression, each on {} packings at the estimate "
-                                         "and with {} tests of the search",
-                                         n, n_packings, least_points)});
+    throw InputError(Problem{
+        "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
+        fmt::format("{} strengths in compression, each with {} tests of the search, and {} "
+                    "tests at the estimate",
+                    n, least_points, n_beside)});
 }
 
 /// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
@@ -159,7 +165,7 @@ void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& 
   double worst = 0.0, theta = 0.0;
   for (const Comparison& p : from_test) {
     const Comparison* small_strain = row_of(result.verification, p.target);
-    if (small_strain == nullptr) continue;
+    if (small_strain == nullptr || p.target.confining > 0.0) continue;  // 50 % of UCS
     result.tangent_from_test.push_back(p);
     result.tangent_from_test.back().target = small_strain->target;
     const double change = p.mean / small_strain->mean - 1.0;
@@ -271,7 +277,8 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
   const std::vector<Target> tests = tests_to_read(work.evidence);
   const auto n = static_cast<std::int64_t>(tests.size() * some.size());
-  const std::int64_t reserved = work.evidence.n_compressive() * n_unseen;
+  const std::int64_t reserved =
+      (work.evidence.n_compressive() + static_cast<std::int64_t>(work.evidence.read_only.size())) * n_unseen;
   Pass nearest;
   for (int pass = 1; pass <= most_passes; ++pass) {
     work.options.listener.say("moduli as the laboratory reads them, at the estimate");
@@ -335,6 +342,11 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
     from_test.clear();
     rows = strength_response(shown, evidence.strengths, work.unseen, as_measured, work.simulator, reading,
                              &from_test);
+    if (work.softens() && !evidence.read_only.empty()) {
+      strength_response(result.recipe, evidence.read_only, work.unseen, as_measured, work.simulator, reading,
+                        &from_test);
+      result.n_strength_tests += static_cast<std::int64_t>(evidence.read_only.size()) * n_unseen;
+    }
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
     if (!takes_more_packings(result, work, rows)) break;
@@ -360,14 +372,13 @@ void compare_toughness(Calibration& result, const Work& work) {
   result.compared = strength_response(result.recipe, compared, work.unseen, as_measured, work.simulator);
   const auto n = static_cast<std::int64_t>(compared.size() * work.unseen.size());
   result.n_strength_tests += n, result.n_tension_tests += n;
-  result.notes.push_back(compared_in_words(result.compared, result.recipe));
+  result.notes.insert(result.notes.begin(), compared_in_words(result.compared, result.recipe));
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, Work& work) {
   const Evidence& evidence = work.evidence;
-  const std::int64_t n = evidence.n_compressive(),
-                     reserved = n * (n_unseen + (work.softens() ? n_softened : 0));
+  const std::int64_t reserved = n_beside_search(evidence, work.softens());
   Remodel remodel;
   if (work.softens())
     remodel = [&](const Softenings& s) {
@@ -504,7 +515,7 @@ void check_possible(const Evidence& evidence, const CalibrationOptions& options)
   Calibration without_notes;
   without_notes.rock = evidence.rock.name;
   if (fits_strength(without_notes, evidence, options))
-    check_budget(evidence.n_compressive(), n_unseen + (softened(evidence, options) ? n_softened : 0),
+    check_budget(evidence.n_compressive(), n_beside_search(evidence, softened(evidence, options)),
                  options.max_tests);
 }
 

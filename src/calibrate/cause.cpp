@@ -122,7 +122,12 @@ struct EndRatio {
   double difference() const { return std::fabs(std::log(laboratory / model)); }
 };
 std::optional<EndRatio> end_ratio(const View& v, Property p) {
-  const Comparison *a = v.at(p, 90.0), *b = v.at(p, 0.0);
+  const Comparison *a = nullptr, *b = nullptr;  // under one stress
+  for (const Comparison& c : v.rows)
+    if (const Comparison* across = v.at(p, 0.0); across != nullptr && a == nullptr && c.answered() &&
+                                                 c.target.theta == 90.0 &&
+                                                 same_test(c.target, across->target))
+      a = &c, b = across;
   if (a == nullptr || b == nullptr || a->mean / b->mean <= 0.0 || a->target.mean / b->target.mean <= 0.0)
     return {};
   return EndRatio{a->target.mean / b->target.mean, a->mean / b->mean,
@@ -193,12 +198,13 @@ std::optional<Cause> stiffening(const View& v) {
   }
   if (s.n == 0 || std::fabs(s.difference()) <= std::max(2.0 * tolerance(Property::E), surely * s.noise()))
     return {};
-  return Cause{fmt::format("from {:.3g} to {:.3g} MPa of confining stress E changes by {} in the table, by "
-                           "{} in the model, whose bonds are as stiff under any stress",
-                           s.least * 1e-6, s.most * 1e-6, Stiffening::percent(s.table, s.n),
-                           Stiffening::percent(s.model, s.n)),
-               "in the rock file `confining` with the stress that matters: E and nu under others are left "
-               "out then"};
+  return Cause{
+      fmt::format("from {:.3g} to {:.3g} MPa of confining stress E changes by {} in the table, by "
+                  "{} in the model (its bonds are as stiff under any, only what opens or slips is not)",
+                  s.least * 1e-6, s.most * 1e-6, Stiffening::percent(s.table, s.n),
+                  Stiffening::percent(s.model, s.n)),
+      "in the rock file `confining` with the stress that matters: E and nu under others are left "
+      "out then"};
 }
 
 std::optional<Cause> modulus_ratio(const View& v) {
@@ -319,12 +325,14 @@ std::optional<Cause> toughness_of_grains(const View& v) {
   if (rows.empty() || v.share(tension) > v.share(toughness) ||
       std::fabs(sum / n) <= std::max(other_strength, beyond_chance * std::sqrt(squares) / n))
     return {};
-  const double now = grain_size(v.of.recipe);
+  const double now = grain_size(v.of.recipe), other = grain_size_to_meet(rows, now);
+  const std::string why = "(K_Ic grows with the root of their size at the same strengths)";
   return Cause{
       fmt::format("K_Ic as a whole is {:.2f} times that of the table", std::exp(sum / n)),
-      fmt::format("grains of {:.2g} mm in place of {:.2g} (K_Ic grows with the root of their size at "
-                  "the same strengths)",
-                  grain_size_to_meet(rows, now) * 1e3, now * 1e3)};
+      can_hold(v.of.recipe, other)
+          ? fmt::format("grains of {:.2g} mm in place of {:.2g} {}", other * 1e3, now * 1e3, why)
+          : fmt::format("leave K_Ic out: it asks for grains of {:.2g} mm, which this specimen cannot hold {}",
+                        other * 1e3, why)};
 }
 
 /// Packings that differ by more than passes without a word, and by half of what is missed or more.

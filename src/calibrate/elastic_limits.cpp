@@ -179,9 +179,9 @@ std::string elastic_limit(const std::vector<Target>& targets) {
          "; joints that take the place of bonds may come nearer";
 }
 
-std::string confinement_limit(const std::vector<Target>& targets) {
+std::string confinement_limit(const std::vector<Target>& targets, ModulusReading reading) {
   const std::vector<Target> E = of_property(targets, Property::E);  // by stress
-  if (E.size() < 2) return "";
+  if (E.size() < 2 || reading == ModulusReading::secant_at_peak) return "";
   const Target &low = E.front(), &high = E.back();
   const double noise = std::hypot(low.normal_error() / low.mean, high.normal_error() / high.mean);
   const double change = high.mean / low.mean - 1.0;

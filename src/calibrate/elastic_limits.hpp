@@ -14,9 +14,10 @@ namespace phy::calibrate {
 /// is none, those farthest from the nearest body.
 std::string elastic_limit(const std::vector<Target>& targets);
 
-/// What the E of a rock without layers cannot be: other under another confining stress, for bonds are as
-/// stiff under any (docs/calibration.md, "Moduli under confinement"). Empty: nothing of the kind.
-std::string confinement_limit(const std::vector<Target>& targets);
+/// What the E of a rock without layers, read before its peak, cannot be: other under another confining
+/// stress, for bonds are as stiff under any (docs/calibration.md, "Moduli under confinement"). Empty: nothing
+/// of the kind.
+std::string confinement_limit(const std::vector<Target>& targets, ModulusReading reading);
 
 /// A hint that theta and its complement were exchanged, with the misfits of both readings: of E and nu by
 /// planes in an isotropic rock, of UCS by slip on a plane (Jaeger). Empty unless one of the two is clearly

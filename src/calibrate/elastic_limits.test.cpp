@@ -154,13 +154,15 @@ TEST(ConfinementLimit, NamesAChangeThatBondsDoNotHave) {
     }
     return targets;
   };
-  EXPECT_THAT(confinement_limit(table(1.2)), HasSubstr("E changes by +20 % from 0 to 20 MPa"));
-  EXPECT_EQ(confinement_limit(table(1.05)), "") << "within what E may miss";
+  EXPECT_THAT(confinement_limit(table(1.2), ModulusReading::tangent_50),
+              HasSubstr("E changes by +20 % from 0 to 20 MPa"));
+  EXPECT_EQ(confinement_limit(table(1.05), ModulusReading::tangent_50), "") << "within what E may miss";
+  EXPECT_EQ(confinement_limit(table(1.2), ModulusReading::secant_at_peak), "") << "cracks have a say there";
   std::vector<Target> coarse = table(1.2);
   for (Target& t : coarse) t.sd *= 10.0;
-  EXPECT_EQ(confinement_limit(coarse), "") << "chance";
+  EXPECT_EQ(confinement_limit(coarse, ModulusReading::tangent_50), "") << "chance";
   coarse.resize(1);
-  EXPECT_EQ(confinement_limit(coarse), "");
+  EXPECT_EQ(confinement_limit(coarse, ModulusReading::tangent_50), "");
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace {
 
 /// About what is left of a strength under confinement without the stress on the sides, in a rock of 35
 /// degrees of friction; no less than a quarter of it.
+constexpr double growth = 3.7;
 double unconfined(const Target& t) {
-  constexpr double growth = 3.7, least = 0.25;
+  constexpr double least = 0.25;
   return std::max(t.mean - growth * t.confining, least * t.mean);
 }
 
@@ -37,6 +38,23 @@ Evidence::Evidence(Rock of, std::vector<Target> read) : rock(std::move(of)), tar
   }
   if (!has(Property::ucs)) scales.strength = std::max(scales.strength, expected);
   if (!rock.model.bedding.empty()) scales.stiffness = scales.modulus / rock.model.bedding.front().spacing;
+  add_read_only();
+}
+
+void Evidence::add_read_only() {
+  if (rock.E_is == ModulusReading::small_strain || !fits_strength()) return;
+  for (const Target& m : moduli) {
+    Target test{Property::confined, m.theta, scales.strength};
+    test.confining = m.confining;
+    const auto is_it = [&](const Target& t) { return same_cell(t, test); };
+    if (m.confining == 0.0 || std::any_of(strengths.begin(), strengths.end(), is_it) ||
+        std::any_of(read_only.begin(), read_only.end(), is_it))
+      continue;
+    for (const Target& t : strengths)
+      if (t.property == Property::ucs && t.theta == m.theta) test.mean = t.mean;
+    test.mean += growth * test.confining;
+    read_only.push_back(test);
+  }
 }
 
 bool Evidence::has(Property property, double from, double to) const {

@@ -24,6 +24,9 @@ struct Evidence {
   std::vector<Target> moduli;     ///< of these, E and nu: against the direct solution
   std::vector<Target> strengths;  ///< of these, those that the program can test: against the press
   std::vector<Target> compared;   ///< K_Ic where nobody has stated the size of the grains: tested, not fitted
+  /// Tests under a confining stress that the table has moduli of and no strength: done to read the moduli in,
+  /// with the strength that is expected there.
+  std::vector<Target> read_only;
   Scales scales;
   bool maps = true;  ///< what maps of models tell before the first test counts (prior_regression.hpp)
 
@@ -42,6 +45,7 @@ struct Evidence {
   }
 
  private:
+  void add_read_only();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 

@@ -312,6 +312,9 @@ bool Forecast::meets() const {
 
 std::optional<Forecast> foretell(const Evidence& evidence, int fold) {
   if (!evidence.has(Property::E) && !evidence.has(Property::ucs)) return std::nullopt;
+  // no model was mapped under confinement, and none has what this table asks of it
+  if (!evidence.rock.bedded && !confinement_limit(evidence.targets, evidence.rock.E_is).empty())
+    return std::nullopt;
   // most of such a table was not mapped
   if (evidence.fits_strength() && !evidence.has(Property::ucs)) return std::nullopt;
   std::optional<Forecast> best;

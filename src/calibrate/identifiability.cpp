@@ -145,9 +145,10 @@ std::vector<std::string> advice(const Evidence& evidence) {
         "comes on top");
   if (!evidence.fits_strength())
     lines.emplace_back("no strength in compression: none is fitted, they stay those of the recipe");
-  for (std::string& line : coarse_half_discs(evidence)) lines.push_back(std::move(line));
+  if (evidence.fits_strength())
+    for (std::string& line : coarse_half_discs(evidence)) lines.push_back(std::move(line));
   if (!evidence.rock.bedded) {
-    if (std::string line = confinement_limit(evidence.targets); !line.empty())
+    if (std::string line = confinement_limit(evidence.targets, evidence.rock.E_is); !line.empty())
       lines.push_back(std::move(line));
     return lines;
   }

@@ -36,6 +36,7 @@ std::vector<Target> tests_to_read(const Evidence& evidence) {
                                         std::any_of(evidence.moduli.begin(), evidence.moduli.end(), is_read)))
       tests.push_back(t);
   }
+  tests.insert(tests.end(), evidence.read_only.begin(), evidence.read_only.end());
   return tests;
 }
 

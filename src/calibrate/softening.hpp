@@ -33,8 +33,8 @@ using Softenings = std::map<TestRead, Softening>;
 /// last. None at all: 1 and 0.
 Softening softening_at(const Softenings& softenings, const TestRead& test);
 
-/// The strengths of a table in whose tests moduli are read: UCS, and those under a confining stress under
-/// which the table has moduli at the same inclination.
+/// The tests that moduli are read in: those of UCS, and under the confining stresses under which the table
+/// has moduli, whether it has their strengths or not.
 std::vector<Target> tests_to_read(const Evidence& evidence);
 
 /// A test of `property` and the solution of the same specimen. Nothing: the test was not read there.

@@ -58,7 +58,7 @@ RockReading under(double confining, Property property, double theta, double valu
 
 TEST(Softening, ModuliAreReadInTestsOfTheirOwnStress) {
   Rock rock;
-  rock.bedded = false;
+  rock.bedded = false, rock.E_is = ModulusReading::tangent_50;
   rock.readings = {under(0.0, Property::E, 0.0, 40e9), under(0.0, Property::ucs, 0.0, 100e6),
                    under(10e6, Property::E, 0.0, 44e9), under(10e6, Property::confined, 0.0, 150e6),
                    under(20e6, Property::confined, 0.0, 190e6)};
@@ -66,6 +66,14 @@ TEST(Softening, ModuliAreReadInTestsOfTheirOwnStress) {
   ASSERT_EQ(tests.size(), 2U);
   EXPECT_EQ(tests.front().property, Property::ucs);
   EXPECT_EQ(tests.back().confining, 10e6) << "under 20 MPa no modulus was measured";
+  rock.readings.push_back(under(30e6, Property::E, 0.0, 46e9));
+  const Evidence evidence(rock);
+  ASSERT_EQ(evidence.read_only.size(), 1U);
+  EXPECT_EQ(evidence.strengths.size(), 3U);
+  EXPECT_EQ(tests_to_read(evidence).back().confining, 30e6) << "a test for the modulus alone";
+  EXPECT_GT(evidence.read_only.front().mean, 190e6);
+  rock.E_is = ModulusReading::small_strain;
+  EXPECT_TRUE(Evidence(rock).read_only.empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/nan.hpp"
 #include "base/units.hpp"
 #include "lab/semi_circular_bend/semi_circular_bend.hpp"
+#include "records/recipe_schema.hpp"
 #include "study/expected.hpp"
 
 namespace phy::calibrate {
@@ -51,14 +52,15 @@ std::vector<std::string> coarse_half_discs(const Evidence& evidence) {
   const Recipe& model = evidence.rock.model;
   std::vector<double> told;  // diameters
   for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
-    const double R = half_disc(model, t).radius, across = R / grain_size(model);
+    const double R = half_disc(model, t).radius, across = std::floor(R / grain_size(model));
     if (across >= fewest_in_radius || std::find(told.begin(), told.end(), R) != told.end()) continue;
     told.push_back(R);
+    const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-2;  // [mm], rounded down
     lines.push_back(
         fmt::format("K_Ic: {:.0f} grains in the radius of the half disc ({:.3g} mm; below {:g} the notch is "
                     "too blunt and "
-                    "K_Ic comes out too small): grains of {:.2g} mm, or a larger half disc, would resolve it",
-                    across, R * 1e3, fewest_in_radius, R / fewest_in_radius * 1e3));
+                    "K_Ic comes out too small): grains of {:g} mm, or a larger half disc, would resolve it",
+                    across, R * 1e3, fewest_in_radius, fine));
   }
   return lines;
 }
@@ -77,7 +79,7 @@ namespace {
 std::string in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
   double R = half_disc(model, toughness.front().target).radius;
   for (const Comparison& c : toughness) R = std::min(R, half_disc(model, c.target).radius);
-  const double across = R / grain_size;
+  const double across = std::floor(R / grain_size);
   return fmt::format("{:.0f} in the radius of the half disc{}", across,
                      across < fewest_in_radius
                          ? fmt::format(", fewer than {:g}: K_Ic comes out smaller there, and the size that "
@@ -87,6 +89,13 @@ std::string in_radius(const std::vector<Comparison>& toughness, const Recipe& mo
 }
 
 }  // namespace
+
+bool can_hold(const Recipe& model, double size) {
+  constexpr double fewest_across = 10.0;
+  const SpecimenSize& s = model.specimen;
+  const double n = study::expected_grains(model) * std::pow(grain_size(model) / size, 2.0);
+  return size * fewest_across <= std::min(s.width, s.height) && n <= static_cast<double>(max_recipe_grains);
+}
 
 std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model) {
   std::string rows;
@@ -99,6 +108,9 @@ std::string compared_in_words(const std::vector<Comparison>& toughness, const Re
   const double now = grain_size(model), other = grain_size_to_meet(toughness, now);
   const std::string text = fmt::format("compared, not fitted, with grains of {:.3g} mm: {}", now * 1e3, rows);
   if (!std::isfinite(other)) return text;
+  if (!can_hold(model, other))
+    return text + fmt::format("; at the same strengths it asks for grains of {:.2g} mm, {} for this specimen",
+                              other * 1e3, other > now ? "too large" : "too many");
   return text + fmt::format(
                     "; at the same strengths grain_size = \"{:.2g} mm\" would meet it (some {:.0f} grains "
                     "in the specimen, {}), and has it fitted",

@@ -32,6 +32,9 @@ std::vector<std::string> coarse_half_discs(const Evidence& evidence);
 /// d (K_Ic of the table/K_Ic of the model)^2, the geometric mean over the rows; NaN without an answer.
 double grain_size_to_meet(const std::vector<Comparison>& toughness, double grain_size);
 
+/// May a specimen of the model's size be made of grains of this mean diameter [m]?
+bool can_hold(const Recipe& model, double grain_size);
+
 /// The same in words, with how many grains of that size go into the specimen.
 std::string compared_in_words(const std::vector<Comparison>& toughness, const Recipe& model);
 

@@ -169,6 +169,9 @@ TEST_F(RockFile, ModuliUnderSeveralPressuresAreTargetsOfTheirOwn) {
   ASSERT_THAT(least, SizeIs(3));
   EXPECT_EQ(least[2].mean, 33e9);
   EXPECT_THAT(rock(csv, "confining = \"50 MPa\"\n").readings, SizeIs(3));
+  EXPECT_THAT(rock(csv, "confining = \"49 MPa\"\n").readings, SizeIs(3)) << "within 5 % it is one";
+  EXPECT_THAT(problems(csv, "confining = \"30 MPa\"\n"),
+              Contains(HasSubstr("the table has them at 10, 50 MPa")));
 }
 
 TEST_F(RockFile, APressureThatIsChosenIsThatOfModuliAlone) {
@@ -433,6 +436,18 @@ TEST_F(RockFile, PlaneStrainIsConverted) {
   EXPECT_NEAR(t[1].mean, 0.25 / 0.75, 1e-12);
   EXPECT_THAT(problems("E [GPa]\n60\n", "elastic_reading = \"plane strain\"\n"),
               Contains(HasSubstr("a column nu")));
+}
+
+// The rock that holds the strain out of the plane is under the same stress.
+TEST_F(RockFile, PlaneStrainIsConvertedUnderEachStressByItself) {
+  const Rock r = rock("confining [MPa],E [GPa],nu\n0,10,0.3\n20,40,0.2\n40,60,0.2\n",
+                      "elastic_reading = \"plane strain\"\nbedded = false\n");
+  const std::vector<Target> t = targets_of(r);
+  ASSERT_THAT(t, SizeIs(6));
+  EXPECT_NEAR(t[0].mean, 10e9 / (1.0 - 0.09), 1.0);
+  EXPECT_NEAR(t[1].mean, 40e9 / (1.0 - 0.04), 1.0);
+  EXPECT_NEAR(t[2].mean, 60e9 / (1.0 - 0.04), 1.0);
+  EXPECT_NEAR(t[5].mean, 0.25, 1e-12);
 }
 
 // d nu_2D/d nu = 1/(1 - nu)^2 in an isotropic rock: what two tables that differ in nu differ by.

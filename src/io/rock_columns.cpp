@@ -60,7 +60,8 @@ const std::vector<Known>& known_columns() {
       {"K_Ic",
        C::value,
        P::fracture_toughness,
-       {"k1c", "fracturetoughness", "modeifracturetoughness", "mode1fracturetoughness", "toughness"}},
+       {"k1c", "fracturetoughness", "modeifracturetoughness", "mode1fracturetoughness",
+        "fracturetoughnesskic", "toughness"}},
       {"n", C::n, P::E, {"numberofspecimens", "numberoftests", "numberofsamples"}},
       {"diameter", C::diameter, P::E, {"discdiameter", "diskdiameter"}},
       {"confining",
@@ -174,7 +175,7 @@ std::string without(std::string text, const std::vector<std::string>& parts) {
 /// toughness; nothing for any other. `text`: in lower case.
 std::string toughness_word(const std::string& text) {
   const std::string bare =
-      without(text, {" ", "\xC2\xA0", "·", "⋅", "*", ".", "^", "(", ")", "{", "}"});  // "m^0.5" is "m05"
+      without(text, {" ", "_", "\xC2\xA0", "·", "⋅", "*", ".", "^", "(", ")", "{", "}"});  // "m^0.5" is "m05"
   for (const auto& [stress, force, ours] :
        {std::array{"mpa", "mn", "MPa sqrt(m)"}, std::array{"kpa", "kn", "kPa sqrt(m)"},
         std::array{"pa", "n", "Pa sqrt(m)"}}) {
@@ -246,7 +247,9 @@ bool is_name(const std::string& key) {
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& cell) {
   // Units of toughness hold separators and brackets themselves, "K_Ic MPa sqrt(m)": the longest tail first.
-  for (std::size_t at = cell.find_first_of("_ ,;"); at != cell.npos; at = cell.find_first_of("_ ,;", at + 1))
+  const char* const separators = "_ ,;/";
+  for (std::size_t at = cell.find_first_of(separators); at != cell.npos;
+       at = cell.find_first_of(separators, at + 1))
     if (std::string word = toughness_word(lower_case(cell.substr(at + 1))); at > 0 && !word.empty())
       return {bare(cell.substr(0, at), " \t_,;/"), word};
   std::string unit;
@@ -330,6 +333,8 @@ Head head_of(const std::string& cell, const std::string& meant) {
   for (const std::string& reading : readings_of(meant.empty() ? h.title : meant))
     if (h.kind == Column::other) take_reading(key_of(reading), h);
   const std::string key = key_of(h.title);
+  h.speaks_of_toughness =
+      h.kind == Column::other && (key.starts_with("kic") || key.find("toughness") != key.npos);
   if (h.kind == Column::other)
     h.speaks_of_angles = std::any_of(angle_words.begin(), angle_words.end(),
                                      [&](const char* word) { return key.find(word) != key.npos; });

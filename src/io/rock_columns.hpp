@@ -38,6 +38,7 @@ struct Head {
   bool own = true;                     ///< the header is our name
   bool deviatoric = false;             ///< the axial stress less the confining stress
   bool speaks_of_angles = false;       ///< a name that is not understood, with a word such as "dip" in it
+  bool speaks_of_toughness = false;    ///< the same with "toughness" in it, or K_Ic before it
   std::optional<ModulusReading> E_is;  ///< what the header says of E
 
   /// For messages: the title, with our name where it is another.

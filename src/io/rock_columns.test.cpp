@@ -119,12 +119,15 @@ TEST(RockColumns, ToughnessIsKnownByItsNamesAndUnits) {
   EXPECT_EQ(head_of("K_Ic [Pa·√m]").unit, "Pa sqrt(m)");
   EXPECT_EQ(head_of("K_Ic [kN/m^1.5]").unit, "kPa sqrt(m)");
   for (const char* name :
-       {"KIC [MPa√m]", "K_IC (MPa√m)", "K1c [MPa√m]", "Fracture toughness (KIc) [MPa√m]",
+       {"Fracture toughness KIC (MPa·m^0.5)", "Fracture toughness, K_Ic (MPa m^0.5)", "KIC/MPa m^0.5",
+        "KIc_MPa_m^0.5", "KIC [MPa√m]", "K_IC (MPa√m)", "K1c [MPa√m]", "Fracture toughness (KIc) [MPa√m]",
         "Mode I fracture toughness, MPa√m", "fracture toughness [MPa m^0.5]", "toughness [MPa m^0.5]"}) {
     EXPECT_EQ(head_of(name).property, Property::fracture_toughness) << name;
     EXPECT_EQ(head_of(name).kind, Column::value) << name;
     EXPECT_EQ(head_of(name).unit, "MPa sqrt(m)") << name;
   }
+  EXPECT_TRUE(head_of("K_Ic of the second series [N/mm^(3/2)]").speaks_of_toughness);
+  EXPECT_FALSE(head_of("K_Ic [MPa√m]").speaks_of_toughness);
   const Head sd = head_of("K_Ic_sd [MPa m^0.5]");
   EXPECT_EQ(sd.kind, Column::scatter);
   EXPECT_EQ(sd.unit, "MPa sqrt(m)");

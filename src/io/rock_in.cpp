@@ -400,15 +400,19 @@ class RockReader {
     if (problems_.size() == n_before) check_content(where), check_toughness();
   }
   void check_toughness() {
-    bool any = false, confined = false;
+    bool any = false, confined = false, compressed = false;
     for (const RockReading& r : rock_.readings) {
+      compressed = compressed || is_compressive(r.property);
       if (r.property != Property::fracture_toughness) continue;
       any = any || r.confining == 0.0, confined = confined || r.confining > 0.0;
     }
     if (confined) rock_.notes.emplace_back("K_Ic under confining pressure is kept, not fitted");
-    if (any && !rock_.grains_stated)
+    if (any && !compressed)
       rock_.notes.emplace_back(
-          "K_Ic is compared, not fitted: that of a model grows with the root of its grains' size at the same "
+          "K_Ic is kept, not used: without a strength in compression no strength is calibrated");
+    if (any && compressed && !rock_.grains_stated)
+      rock_.notes.emplace_back(
+          "K_Ic is not fitted: that of a model grows with the root of its grains' size at the same "
           "strengths. State them to have it fitted: grain_size = \"1.2 mm\" (how many grains that makes is "
           "said), or a recipe");
   }

@@ -73,9 +73,13 @@ class ReadingReader {
     check_initiation();
     const bool moduli = std::any_of(readings_.begin(), readings_.end(),
                                     [](const RockReading& r) { return !is_strength(r.property); });
-    if (n_elsewhere_ > 0 && !moduli)
+    if (!elsewhere_.empty() && !moduli) {
+      std::vector<std::string> others;
+      for (const double p : elsewhere_) others.push_back(fmt::format("{:g}", p * 1e-6));
       problems_.push_back({where_, "confining", fmt::format("{:g} MPa", keys_.confining * 1e-6),
-                           "E and nu at that pressure", "the table has them at others alone"});
+                           "E and nu at that pressure",
+                           fmt::format("the table has them at {} MPa", fmt::join(others, ", "))});
+    }
     if (n_merged_ > 0)
       notes_.push_back(
           fmt::format("{} cell(s) merged with the row above count once, in the first row", n_merged_));
@@ -105,10 +109,10 @@ class ReadingReader {
   std::vector<std::string>& notes_;
   std::vector<Head> heads_;
   std::vector<RockReading> readings_;
-  int n_merged_ = 0;     // cells that are one with that above
-  int n_assumed_ = 0;    // values with an SD of an unknown number of specimens
-  int n_envelopes_ = 0;  // rows with c and phi
-  int n_elsewhere_ = 0;  // E and nu under another pressure than the one asked for
+  int n_merged_ = 0;            // cells that are one with that above
+  int n_assumed_ = 0;           // values with an SD of an unknown number of specimens
+  int n_envelopes_ = 0;         // rows with c and phi
+  std::set<double> elsewhere_;  // pressures of E and nu, others than the one asked for [Pa]
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
@@ -249,7 +253,8 @@ class ReadingReader {
                       "unit, or write it in the rock file: [columns] \"{} [deg]\" = \"beta\"; \"-\" passes "
                       "it over",
                       heads_[i].title));
-    } else if (angle || parse_quantity(one, Dimension::pressure).ok) {
+    } else if (angle || parse_quantity(one, Dimension::pressure).ok ||
+               (heads_[i].speaks_of_toughness && holds_numbers(i))) {
       report_problem(
           cell, "", fmt::format("a known column: {}", fmt::join(column_names(), ", ")),
           fmt::format("say in the rock file what it is: [columns] \"{}\" = one of these, or \"-\" to pass it "
@@ -293,7 +298,7 @@ class ReadingReader {
     else
       report_problem(table_.header[i], h.unit,
                      fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
-                     "write for example " + h.title +
+                     "write for example " + (d == Dimension::toughness ? h.name : h.title) +
                          (d == Dimension::angle                                  ? " [deg]"
                           : d == Dimension::toughness                            ? " [MPa sqrt(m)]"
                           : h.property == Property::E && h.kind == Column::value ? " [GPa]"
@@ -401,15 +406,16 @@ class ReadingReader {
     if (!good) return;
     if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
     // E and nu under another confining pressure than the one asked for are left out; NaN asks for none.
-    const bool asked =
-        !std::isfinite(confining) || std::fabs(r.confining - confining) <= 1e-6 * std::max(1.0, confining);
+    // Pressures within 5 % are one (records/rock.hpp).
+    const bool asked = !std::isfinite(confining) ||
+                       std::fabs(r.confining - confining) <= 0.05 * std::min(r.confining, confining);
     if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
     if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
       r.property = heads_[i].property, r.value = v[i] + (heads_[i].deviatoric ? r.confining : 0.0);
       if (!asked && !is_strength(r.property)) {
-        ++n_elsewhere_;
+        elsewhere_.insert(r.confining);
         continue;
       }
       if (is_compressive(r.property)) {

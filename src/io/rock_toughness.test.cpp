@@ -50,7 +50,7 @@ TEST_F(RockFile, AHalfDiscLargerThanTheSpecimenIsRefused) {
 TEST_F(RockFile, WithoutAGrainSizeToughnessIsCompared) {
   const Rock r = rock(table);
   EXPECT_FALSE(r.grains_stated);
-  EXPECT_THAT(r.notes, Contains(HasSubstr("K_Ic is compared, not fitted")));
+  EXPECT_THAT(r.notes, Contains(HasSubstr("K_Ic is not fitted")));
   const Rock stated = rock(table, "grain_size = \"1 mm\"\n");
   EXPECT_TRUE(stated.grains_stated);
   EXPECT_THAT(stated.notes, Not(Contains(HasSubstr("not fitted"))));

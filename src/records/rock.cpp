@@ -60,31 +60,46 @@ Pool variance_of(const Pool& own, const Pool& others, double prior) {
   return {(own.squares + lent * common) / degrees, degrees};
 }
 
-/// The target whose load runs most nearly along the bedding, under the least confining stress; nullptr
-/// without any.
-const Target* along_bedding(const std::vector<Target>& targets, Property p) {
-  const Target* best = nullptr;
-  for (const Target& t : targets)
-    if (t.property == p && (best == nullptr || t.theta > best->theta)) best = &t;
-  return best;
+/// E and nu of one confining stress whose load runs most nearly along the bedding.
+struct AlongBedding {
+  const Target *E = nullptr, *nu = nullptr;
+  bool complete() const { return E != nullptr && nu != nullptr; }
+};
+AlongBedding along_bedding(const std::vector<Target>& targets, double confining) {
+  AlongBedding along;
+  for (const Target& t : targets) {
+    if (is_strength(t.property) || t.confining != confining) continue;
+    const Target*& best = t.property == Property::E ? along.E : along.nu;
+    if (best == nullptr || t.theta > best->theta) best = &t;
+  }
+  return along;
+}
+
+/// Of the stress itself, else of the least that has both.
+AlongBedding held_by(const std::vector<Target>& targets, double confining) {
+  AlongBedding own = along_bedding(targets, confining);
+  std::set<double> stresses;
+  for (const Target& t : targets) stresses.insert(t.confining);
+  for (const double other : stresses)
+    if (!own.complete()) own = along_bedding(targets, other);
+  return own;
 }
 
 /// 1/E_2D = 1/E_theta - h, nu_2D/E_2D = nu_theta/E_theta + h, h = nu^2/E with E and nu of the rock along its
-/// bedding: the out-of-plane strain is held by the rock between the joints, which add nothing there. Scatter:
-/// that of E stays the same share; that of nu is carried by the derivative, in the cell along the bedding
-/// with dh/dnu = 2 nu/E.
+/// bedding, under the same confining stress: the out-of-plane strain is held by the rock between the joints,
+/// which add nothing there. Scatter: that of E stays the same share; that of nu is carried by the derivative,
+/// in the cell along the bedding with dh/dnu = 2 nu/E.
 void to_plane_stress(std::vector<Target>& targets) {
-  const Target *E_found = along_bedding(targets, Property::E),
-               *nu_found = along_bedding(targets, Property::nu);
-  if (E_found == nullptr || nu_found == nullptr) return;
-  const Target E = *E_found, nu = *nu_found;
-  const double held = nu.mean * nu.mean / E.mean;
+  const std::vector<Target> laboratory = targets;
   std::map<std::pair<double, double>, double> E_lab;  // by angle and confining stress
-  for (const Target& t : targets)
+  for (const Target& t : laboratory)
     if (t.property == Property::E) E_lab[{t.theta, t.confining}] = t.mean;
   for (Target& t : targets) {
     const auto at = E_lab.find({t.theta, t.confining});
-    if (at == E_lab.end()) continue;
+    const AlongBedding along = held_by(laboratory, t.confining);
+    if (is_strength(t.property) || at == E_lab.end() || !along.complete()) continue;
+    const Target &E = *along.E, &nu = *along.nu;
+    const double held = nu.mean * nu.mean / E.mean;
     const double E_2D = 1.0 / (1.0 / at->second - held);
     if (t.property == Property::E)
       for (double& E_one : t.specimens) E_one = 1.0 / (1.0 / E_one - held);

@@ -9,6 +9,7 @@
 
 #include "base/nan.hpp"
 #include "records/jointed.hpp"
+#include "records/test_description.hpp"
 #include "theory/eq1_fit.hpp"
 #include "theory/jaeger_fit.hpp"
 
@@ -133,6 +134,18 @@ TheoryCurves theory_curves(const RunRecord& run) {
   add_goodman(run, curves);
   add_jaeger(run, curves);
   return curves;
+}
+
+std::vector<Target> beside(const RunRecord& run, const std::vector<Target>& laboratory) {
+  constexpr double alike = 0.05;
+  if (run.tests.empty()) return laboratory;
+  const TestRecipe& test = run.tests.front().recipe.test;
+  const bool kept = test.kind->kept_stress.value == &TestRecipe::confining_stress;
+  const double stress = kept ? test.confining_stress : 0.0;
+  std::vector<Target> some;
+  for (const Target& t : laboratory)
+    if (std::fabs(t.confining - stress) <= alike * std::min(t.confining, stress)) some.push_back(t);
+  return some;
 }
 
 TheoryCurves theory_curves(const std::vector<Target>& table) {

@@ -110,7 +110,7 @@ std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, c
   if (model.empty()) return {};
   for (std::size_t i = 0; i < p.theory->theta.size(); ++i)
     theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
-  for (const Target& t : data.laboratory) {
+  for (const Target& t : beside(data.run, data.laboratory)) {
     if (p.property != t.property) continue;
     const double half = z_95 * t.standard_error();
     laboratory.push_back(

@@ -136,7 +136,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
   const TheoryCurves curves = of_table ? theory_curves(extras.laboratory) : theory_curves(run);
   j["curves"] = {{"E", curve_json(curves.E)}, {"nu", curve_json(curves.nu)}, {"ucs", curve_json(curves.ucs)}};
   j["laboratory"] = Json::array();
-  for (const Target& t : extras.laboratory) j["laboratory"].push_back(target_json(t));
+  for (const Target& t : beside(run, extras.laboratory)) j["laboratory"].push_back(target_json(t));
   j["calibration"] = extras.calibration.empty() ? Json(nullptr) : Json::parse(extras.calibration);
   j["variations"] = Json::array();
   if (extras.variation) j["variations"].push_back(variation_json(*extras.variation));

@@ -3,8 +3,8 @@
 //
 // Rocks of the twin trials. The table: E, nu and UCS at four angles, sigma_1 under 5, 10 and 20 MPa at three,
 // three specimens of 5 % scatter each. E and nu are those of small strain, or tangents at half of the
-// strength under every stress. PHY_TWIN_MAGNIFICATION (6: 208 discs), PHY_TWIN_FIRST, PHY_TWIN_ROCKS,
-// PHY_TWIN_STORE as in twin_trials.test.cpp.
+// strength under every stress. PHY_TWIN_MAGNIFICATION (6: 208 discs; with tangents 2.5: 1,197),
+// PHY_TWIN_FIRST, PHY_TWIN_ROCKS, PHY_TWIN_STORE as in twin_trials.test.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -84,10 +84,10 @@ struct Told {
   std::vector<double> E_errors;
 };
 
-Told told_by_twins(ModulusReading E_is) {
+Told told_by_twins(ModulusReading E_is, int n_rocks, double magnification) {
   const auto first = static_cast<std::uint32_t>(setting("PHY_TWIN_FIRST", 0));
-  const auto end = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", 10));
-  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", 6.0));
+  const auto end = first + static_cast<std::uint32_t>(setting("PHY_TWIN_ROCKS", n_rocks));
+  const Recipe model = magnified_model(setting("PHY_TWIN_MAGNIFICATION", magnification));
   const int threads = static_cast<int>(setting("PHY_TWIN_THREADS", std::thread::hardware_concurrency()));
   const std::string folder = text_setting("PHY_TWIN_STORE");
   Told all;
@@ -110,6 +110,9 @@ Told told_by_twins(ModulusReading E_is) {
                 100.0 * all.E_errors.back(), 100.0 * rms_of(found, Property::ucs),
                 100.0 * rms_of(found, Property::confined), text.c_str(), to_string(found.verdict.status),
                 found.seconds);
+    if (found.verdict.status == VerdictStatus::out_of_reach)
+      for (const Comparison& c : found.verification)
+        std::printf("        %s %.4g of %.4g\n", cell_name(c.target).c_str(), c.mean, c.target.mean);
     std::fflush(stdout);
   }
   std::printf("mu or mu_sj determined in %d of %d; truth inside the interval in %d of %d\n", all.told,
@@ -118,12 +121,13 @@ Told told_by_twins(ModulusReading E_is) {
 }
 
 TEST(ConfinedTwins, ThreeStressesTellFrictionOfGrainsOrJoints) {
-  const Told all = told_by_twins(ModulusReading::small_strain);
+  const Told all = told_by_twins(ModulusReading::small_strain, 10, 6.0);
   EXPECT_GE(all.told, 0.8 * all.rocks);
 }
 
+// Specimens of 208 discs are too few for that: half of their packings break early at 0 degrees, half do not.
 TEST(ConfinedTwins, ModuliAreMetUnderEveryStress) {
-  Told all = told_by_twins(ModulusReading::tangent_50);
+  Told all = told_by_twins(ModulusReading::tangent_50, 2, 2.5);
   std::sort(all.E_errors.begin(), all.E_errors.end());
   EXPECT_LE(all.E_errors[all.E_errors.size() / 2], 0.03);
 }

@@ -63,6 +63,7 @@ export interface Calibration {
   fitted: Comparison[];
   verification: Comparison[];
   left_out: Comparison[];
+  compared?: Comparison[]; // not fitted, without part in the verdict
   tangent_from_test?: Comparison[]; // E and nu at half of UCS; not in older files
   eq2?: { planes: string; K_n: Line; K_s: Line }[]; // macro over micro stiffness; none where Eq. 1 is not of the model
   notes: string[];

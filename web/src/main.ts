@@ -512,7 +512,7 @@ const testOf = (r: Comparison) => r.property + particulars(r);
 
 /** Laboratory and model, angles across. */
 function angleTable(c: Calibration): HTMLElement {
-  const rows = judged(c);
+  const rows = [...judged(c), ...alone(c)];
   const angles = [...new Set(rows.map((r) => r["theta [deg]"]))].sort((a, b) => a - b);
   const digits = (v: number) => (Math.abs(v) >= 99.95 ? v.toFixed(0) : Math.abs(v) >= 9.995 ? v.toFixed(1) : Math.abs(v) >= 0.9995 ? v.toFixed(2) : v.toFixed(3));
   const lines = [...new Set(rows.map(testOf))].flatMap((k): Child[][] => {
@@ -521,7 +521,7 @@ function angleTable(c: Calibration): HTMLElement {
     const cells = (f: (r: Comparison) => string) => angles.map((a) => some.filter((r) => r["theta [deg]"] === a).map(f)[0] ?? "–");
     const error = (r: Comparison) => (r.model === null ? "–" : r.property === "nu" ? signed(r.model - r.laboratory.mean, 2) : signed(100 * (r.model / r.laboratory.mean - 1), 1));
     return [
-      [short(label) + particulars(some[0]), ...cells((r) => digits(r.laboratory.mean * factor))],
+      [short(label) + particulars(some[0]) + (alone(c).includes(some[0]) ? ", not fitted" : ""), ...cells((r) => digits(r.laboratory.mean * factor))],
       [h("span", { class: "muted" }, "model"), ...cells((r) => (r.model === null ? "–" : digits(r.model * factor)))],
       [h("span", { class: "muted" }, some[0].property === "nu" ? "error" : "error, %"), ...cells(error)],
     ];
@@ -534,6 +534,9 @@ function judged(c: Calibration): Comparison[] {
   const same = (a: Comparison, b: Comparison) => testOf(a) === testOf(b) && a["theta [deg]"] === b["theta [deg]"];
   return c.fitted.map((f) => c.verification.find((v) => same(v, f)) ?? f);
 }
+
+/** What was compared alone: not fitted, without part in the verdict. */
+const alone = (c: Calibration) => c.compared ?? [];
 
 const signed = (v: number, digits: number) => `${v < 0 ? "−" : "+"}${Math.abs(v).toFixed(digits)}`;
 const short = (label: string) => label.replace("direct tensile strength", "DTS").replace("Brazilian strength", "BTS");
@@ -549,7 +552,7 @@ function errorTable(c: Calibration): Child {
 function cost(c: Calibration): Child {
   if (!c.runs) return null;
   const n = c.runs.of_these_in_tension;
-  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
+  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension or bending` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
 }
 
 /** Parameters as the paper's Tables 1 and 2 have them. */
@@ -562,7 +565,8 @@ function compared(c: Calibration, test: string): HTMLElement {
   const { property: p } = of(c.fitted)[0];
   const [factor, label] = scales[p] ?? [1, p];
   const none = { note: "", theta: [], value: [] };
-  const curve = p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
+  const confined = !!of(c.fitted)[0]["confining [Pa]"];
+  const curve = confined ? none : p === "E" ? report.curves.E : p === "UCS" ? report.curves.ucs : none;
   const data = { rows: of(judged(c)), fitted: of(c.fitted), leftOut: of(c.left_out), curve };
   const note = data.rows.length > 1 ? curve.note : null; // rock without layers has one angle
   return chart(label + particulars(data.fitted[0]), note, (width) => comparison(data, factor, width));

@@ -65,7 +65,7 @@ export function findingsView(rock: string): FindingsView {
       charts.show(
         [...new Set(drawn.map(title))].map((name) => {
           const of = drawn.filter((t) => title(t) === name);
-          const curve = checked.theory?.[of[0].property];
+          const curve = of[0].confining ? undefined : checked.theory?.[of[0].property];
           const [factor] = scales[of[0].property] ?? [1];
           return { name, shown: [of, curve], caption: [curve?.note, of.some((t) => t.sd_assumed) && assumed].filter(Boolean).join("; "), draw: (width) => measured(of, curve, factor, width) };
         }),
