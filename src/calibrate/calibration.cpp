@@ -141,11 +141,14 @@ bool softened(const Evidence& evidence, const CalibrationOptions& options) {
          !options.elastic_only && !tests_to_read(evidence).empty();
 }
 
-/// Tests in compression beside the search: on unseen packings, and where softening is measured.
+/// Tests in compression on one packing beside the search: some are done to read moduli in alone.
+std::int64_t n_at_estimate(const Evidence& evidence, bool softens) {
+  return evidence.n_compressive() + (softens ? static_cast<std::int64_t>(evidence.read_only.size()) : 0);
+}
+
+/// All of them: on unseen packings, and where softening is measured.
 std::int64_t n_beside_search(const Evidence& evidence, bool softens) {
-  const auto read_only = static_cast<std::int64_t>(evidence.read_only.size());
-  return evidence.n_compressive() * (n_unseen + (softens ? n_softened : 0)) +
-         (softens ? read_only * (n_unseen + n_softened) : 0);
+  return n_at_estimate(evidence, softens) * (n_unseen + (softens ? n_softened : 0));
 }
 
 /// Throws InputError where the budget is too small for any search. `n`: strengths in compression.
@@ -277,8 +280,7 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
   const std::vector<Target> tests = tests_to_read(work.evidence);
   const auto n = static_cast<std::int64_t>(tests.size() * some.size());
-  const std::int64_t reserved =
-      (work.evidence.n_compressive() + static_cast<std::int64_t>(work.evidence.read_only.size())) * n_unseen;
+  const std::int64_t reserved = n_at_estimate(work.evidence, true) * n_unseen;
   Pass nearest;
   for (int pass = 1; pass <= most_passes; ++pass) {
     work.options.listener.say("moduli as the laboratory reads them, at the estimate");
@@ -315,7 +317,7 @@ bool takes_more_packings(Calibration& result, const Work& work, const std::vecto
   if (work.simulator.stopped() || work.unseen.size() >= most_packings || !wants_packings(rows)) return false;
   if (has_coarse(result.recipe)) return false;
   const std::int64_t spent = result.n_strength_tests - result.n_tension_tests;
-  if (spent + work.evidence.n_compressive() * n_unseen <= work.options.max_tests) return true;
+  if (spent + n_at_estimate(work.evidence, work.softens()) * n_unseen <= work.options.max_tests) return true;
   result.notes.emplace_back(
       "strengths of packings of this size differ much: more unseen ones would tell more, and a larger "
       "--max-tests takes them");

@@ -30,6 +30,9 @@ lab::BendSpecimen half_disc(const Recipe& recipe, const Target& target) {
   return lab::bend_specimen(one);
 }
 
+/// Grains in a radius, rounding errors forgiven.
+double whole_grains(double radius, double grain_size) { return std::floor(radius / grain_size + 1e-9); }
+
 }  // namespace
 
 double nominal_stress(const Recipe& recipe, const Target& toughness) {
@@ -52,7 +55,7 @@ std::vector<std::string> coarse_half_discs(const Evidence& evidence) {
   const Recipe& model = evidence.rock.model;
   std::vector<double> told;  // diameters
   for (const Target& t : of_property(evidence.targets, Property::fracture_toughness)) {
-    const double R = half_disc(model, t).radius, across = std::floor(R / grain_size(model));
+    const double R = half_disc(model, t).radius, across = whole_grains(R, grain_size(model));
     if (across >= fewest_in_radius || std::find(told.begin(), told.end(), R) != told.end()) continue;
     told.push_back(R);
     const double fine = std::floor(R / fewest_in_radius * 1e5) * 1e-2;  // [mm], rounded down
@@ -79,7 +82,7 @@ namespace {
 std::string in_radius(const std::vector<Comparison>& toughness, const Recipe& model, double grain_size) {
   double R = half_disc(model, toughness.front().target).radius;
   for (const Comparison& c : toughness) R = std::min(R, half_disc(model, c.target).radius);
-  const double across = std::floor(R / grain_size);
+  const double across = whole_grains(R, grain_size);
   return fmt::format("{:.0f} in the radius of the half disc{}", across,
                      across < fewest_in_radius
                          ? fmt::format(", fewer than {:g}: K_Ic comes out smaller there, and the size that "

@@ -609,12 +609,13 @@ function calibration() {
   const c = report.calibration;
   if (!c) return;
   const tests = [...new Set(c.fitted.map(testOf))];
+  const ofNu = (test: string) => test === "nu" || test.startsWith("nu,"); // under a stress
   const lines = (c.verdict.summary ?? c.verdict.findings).filter((f) => f.length <= 160).slice(0, 10); // the rest is folded
   section(
     "calibration",
     "Calibration",
     h("div", { class: c.verdict.status.startsWith("calibrated") ? "notice verdict" : "notice" }, h("strong", {}, c.verdict.sentence || `${c.rock}: ${c.verdict.status}`)),
-    h("div", { class: "grid small" }, ...tests.filter((t) => t !== "nu").map((t) => compared(c, t))),
+    h("div", { class: "grid small" }, ...tests.filter((t) => !ofNu(t)).map((t) => compared(c, t))),
     calibrationLegend(c),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
@@ -628,7 +629,7 @@ function calibration() {
       ),
     fold(
       "Every cell",
-      tests.includes("nu") && compared(c, "nu"),
+      h("div", { class: "grid small" }, ...tests.filter(ofNu).map((t) => compared(c, t))),
       comparisonTable(c.fitted, "On the packings of the fit"),
       comparisonTable(c.verification, "On packings that the fit has not seen"),
       comparisonTable(c.tangent_from_test ?? [], "Tangent E and ν that the press measures at 40 – 60 % of UCS on the same packings; above: at small strain"),
