@@ -45,7 +45,8 @@ const Fields& rock_fields() {
     reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
     Field E_is = entry(K::choice, "E_is",
-                       "what the table's E is; without UCS it is compared at small strain whatever it is");
+                       "what the table's E is; without UCS, and without E under confinement, it is compared "
+                       "at small strain whatever it is");
     for (const ModulusReading r :
          {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
           ModulusReading::secant_at_peak, ModulusReading::small_strain})
