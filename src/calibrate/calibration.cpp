@@ -122,10 +122,10 @@ bool fits_strength(Calibration& result, const Evidence& evidence, const Calibrat
   if (!moduli) result.notes.emplace_back("no E in the table: the elastic parameters are those of the recipe");
   if (moduli && !(strength && !tests_to_read(evidence).empty()) &&
       evidence.rock.E_is != ModulusReading::small_strain)
-    result.notes.push_back(fmt::format(
-        "E_is = \"{}\": without {} nothing tells how far a test softens until then; E and nu "
-        "are compared at small strain",
-        to_string(evidence.rock.E_is), strength ? "UCS, or sigma_1 in the tests that have E," : "strengths"));
+    result.notes.push_back(
+        fmt::format("E_is = \"{}\": without {} nothing tells how far a test softens until then; E and nu "
+                    "are compared at small strain",
+                    to_string(evidence.rock.E_is), strength ? "UCS" : "strengths"));
   if (!strength)
     result.notes.push_back(fmt::format("{}: the strengths are those of the recipe, not calibrated",
                                        elastic_only ? "the elastic part only"
@@ -134,8 +134,8 @@ bool fits_strength(Calibration& result, const Evidence& evidence, const Calibrat
   return strength;
 }
 
-/// Are the table's moduli those of tests, softened by what breaks and slips until they are read? A table that
-/// has neither UCS nor a strength under the stress of its moduli holds no test to tell it by.
+/// Are the table's moduli those of tests, softened by what breaks and slips until they are read? With neither
+/// UCS nor moduli under confinement there is no test to tell it by.
 bool softened(const Evidence& evidence, const CalibrationOptions& options) {
   return evidence.rock.E_is != ModulusReading::small_strain && evidence.has(Property::E) &&
          !options.elastic_only && !tests_to_read(evidence).empty();
@@ -334,7 +334,10 @@ Recipe with_pictures(Recipe recipe) {
 std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
   const Evidence& evidence = work.evidence;
   const ModulusReading reading = work.softens() ? evidence.rock.E_is : ModulusReading::tangent_50;
-  const std::int64_t n = evidence.n_tests(), n_tension = n - evidence.n_compressive();
+  std::vector<Target> tests = evidence.strengths;
+  if (work.softens()) tests.insert(tests.end(), evidence.read_only.begin(), evidence.read_only.end());
+  const std::int64_t n_tension = evidence.n_tests() - evidence.n_compressive(),
+                     n = n_tension + n_at_estimate(evidence, work.softens());
   Recipe shown = with_pictures(result.recipe);
   shown.name = result.rock + ", on a packing that the fit has not seen";
   std::vector<Comparison> rows;
@@ -342,13 +345,8 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
     work.options.listener.say(
         fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(shown, evidence.strengths, work.unseen, as_measured, work.simulator, reading,
-                             &from_test);
-    if (work.softens() && !evidence.read_only.empty()) {
-      strength_response(result.recipe, evidence.read_only, work.unseen, as_measured, work.simulator, reading,
-                        &from_test);
-      result.n_strength_tests += static_cast<std::int64_t>(evidence.read_only.size()) * n_unseen;
-    }
+    rows = strength_response(shown, tests, work.unseen, as_measured, work.simulator, reading, &from_test);
+    rows.resize(evidence.strengths.size());
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
     if (!takes_more_packings(result, work, rows)) break;

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double beyond_chance = 1.64;        // standard errors, 5 % to one side
-constexpr double surely = 2.58;               // the same, 1 % to both sides
 constexpr double other_strength = 0.10;       // ratios of strengths that differ by as much differ
 constexpr double worth_a_word = 0.15;         // share of the misfit
 constexpr std::size_t fewest_of_a_whole = 3;  // angles

@@ -16,9 +16,8 @@ namespace {
 constexpr std::size_t most_named = 4;
 constexpr double far_off = 2.0;  // standard errors, from which a cell is named beside the farthest
 constexpr double clearly =
-    9.21;                        // difference of chi-square that two more free numbers gain once in a hundred
-constexpr double surely = 2.58;  // standard errors, 1 % to both sides
-constexpr double half = 0.5;     // of the misfit: Jaeger's theory is too simple for chi-square alone
+    9.21;                     // difference of chi-square that two more free numbers gain once in a hundred
+constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
 
 /// E and nu; angles as they are or their complements.
 std::vector<theory::LayeredReading> readings_of(const std::vector<Target>& targets, bool exchanged) {
@@ -188,8 +187,8 @@ std::string confinement_limit(const std::vector<Target>& targets, ModulusReading
   if (std::fabs(change) <= std::max(2.0 * tolerance(Property::E), surely * noise)) return "";
   return fmt::format(
       "E changes by {:+.0f} % from {:.3g} to {:.3g} MPa of confining stress; that of bonded grains without "
-      "layers changes by 2 % or less, and will miss both: `confining` in the rock file takes E and nu under "
-      "one stress alone",
+      "layers changes by 2 % or less (to 20 MPa) and will lie between: `confining` in the rock file takes E "
+      "and nu under one stress alone",
       100.0 * change, low.confining * 1e-6, high.confining * 1e-6);
 }
 

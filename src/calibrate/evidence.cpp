@@ -9,12 +9,13 @@ namespace phy::calibrate {
 
 namespace {
 
+constexpr double growth_under_confinement = 3.7;  // of sigma_1 per stress: a rock of 35 degrees of friction
+
 /// About what is left of a strength under confinement without the stress on the sides, in a rock of 35
 /// degrees of friction; no less than a quarter of it.
-constexpr double growth = 3.7;
 double unconfined(const Target& t) {
   constexpr double least = 0.25;
-  return std::max(t.mean - growth * t.confining, least * t.mean);
+  return std::max(t.mean - growth_under_confinement * t.confining, least * t.mean);
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ void Evidence::add_read_only() {
       continue;
     for (const Target& t : strengths)
       if (t.property == Property::ucs && t.theta == m.theta) test.mean = t.mean;
-    test.mean += growth * test.confining;
+    test.mean += growth_under_confinement * test.confining;
     read_only.push_back(test);
   }
 }

@@ -24,6 +24,9 @@ double coarsest(Property property);
 /// From where a table is out of reach: the miss of an E, the root mean square of those of the strengths.
 constexpr double modulus_limit = 0.06, strength_limit = 0.10;
 
+/// Standard errors beyond which a difference is no chance, 1 % to both sides.
+constexpr double surely = 2.58;
+
 /// Model less laboratory: relative, but of nu absolute.
 double miss_of(const Comparison& row);
 

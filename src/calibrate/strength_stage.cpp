@@ -130,7 +130,9 @@ void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const
                      std::int64_t& n_solutions) {
   std::map<std::pair<std::int64_t, double>, std::size_t> solved;
   std::vector<Recipe> specimens;
-  const auto target_of = [&](std::size_t k) { return posterior.targets()[k % posterior.n_targets()]; };
+  const auto target_of = [&](std::size_t k) -> const Target& {
+    return posterior.targets()[k % posterior.n_targets()];
+  };
   const auto name_of = [&](std::size_t k) { return std::pair{recipes[k].packing.seed, target_of(k).theta}; };
   for (std::size_t k = 0; k < recipes.size(); ++k)
     if (read.reads(target_of(k)) && solved.emplace(name_of(k), specimens.size()).second)

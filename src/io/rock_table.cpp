@@ -406,9 +406,7 @@ class ReadingReader {
     if (!good) return;
     if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
     // E and nu under another confining pressure than the one asked for are left out; NaN asks for none.
-    // Pressures within 5 % are one (records/rock.hpp).
-    const bool asked = !std::isfinite(confining) ||
-                       std::fabs(r.confining - confining) <= 0.05 * std::min(r.confining, confining);
+    const bool asked = !std::isfinite(confining) || same_stress(r.confining, confining);
     if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
     if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
     for (std::size_t i = 0; i < heads_.size(); ++i) {

@@ -60,12 +60,8 @@ Pool variance_of(const Pool& own, const Pool& others, double prior) {
   return {(own.squares + lent * common) / degrees, degrees};
 }
 
-/// E and nu of one confining stress whose load runs most nearly along the bedding.
-struct AlongBedding {
-  const Target *E = nullptr, *nu = nullptr;
-  bool complete() const { return E != nullptr && nu != nullptr; }
-};
-AlongBedding along_bedding(const std::vector<Target>& targets, double confining) {
+/// Of one confining stress alone.
+AlongBedding along_under(const std::vector<Target>& targets, double confining) {
   AlongBedding along;
   for (const Target& t : targets) {
     if (is_strength(t.property) || t.confining != confining) continue;
@@ -73,16 +69,6 @@ AlongBedding along_bedding(const std::vector<Target>& targets, double confining)
     if (best == nullptr || t.theta > best->theta) best = &t;
   }
   return along;
-}
-
-/// Of the stress itself, else of the least that has both.
-AlongBedding held_by(const std::vector<Target>& targets, double confining) {
-  AlongBedding own = along_bedding(targets, confining);
-  std::set<double> stresses;
-  for (const Target& t : targets) stresses.insert(t.confining);
-  for (const double other : stresses)
-    if (!own.complete()) own = along_bedding(targets, other);
-  return own;
 }
 
 /// 1/E_2D = 1/E_theta - h, nu_2D/E_2D = nu_theta/E_theta + h, h = nu^2/E with E and nu of the rock along its
@@ -96,7 +82,7 @@ void to_plane_stress(std::vector<Target>& targets) {
     if (t.property == Property::E) E_lab[{t.theta, t.confining}] = t.mean;
   for (Target& t : targets) {
     const auto at = E_lab.find({t.theta, t.confining});
-    const AlongBedding along = held_by(laboratory, t.confining);
+    const AlongBedding along = along_bedding(laboratory, t.confining);
     if (is_strength(t.property) || at == E_lab.end() || !along.complete()) continue;
     const Target &E = *along.E, &nu = *along.nu;
     const double held = nu.mean * nu.mean / E.mean;
@@ -119,13 +105,12 @@ void to_plane_stress(std::vector<Target>& targets) {
 class ConfiningStresses {
  public:
   explicit ConfiningStresses(const std::vector<RockReading>& readings) {
-    constexpr double alike = 1.05;
     std::set<std::pair<double, int>> rows;  // a specimen's stress counts once, whatever was read of it
     for (const RockReading& r : readings)
       if (counts(r)) rows.emplace(r.confining, r.line);
     for (auto from = rows.begin(); from != rows.end();) {
       double sum = 0.0, largest = 0.0, n = 0.0;
-      for (const double least = from->first; from != rows.end() && from->first <= alike * least; ++from)
+      for (const double least = from->first; from != rows.end() && same_stress(from->first, least); ++from)
         largest = from->first, sum += largest, ++n;
       classes_[largest] = sum / n;
     }
@@ -210,6 +195,8 @@ const char* si_unit(Property property) {
   return property == Property::nu ? "1" : property == Property::fracture_toughness ? "Pa sqrt(m)" : "Pa";
 }
 
+bool same_stress(double a, double b) { return std::fabs(a - b) <= 0.05 * std::min(a, b); }
+
 bool same_test(const Target& a, const Target& b) {
   return a.property == b.property && a.diameter == b.diameter && a.confining == b.confining;
 }
@@ -223,6 +210,15 @@ double Target::half_width() const {
 }
 
 double Target::normal_error() const { return half_width() / z_95; }
+
+AlongBedding along_bedding(const std::vector<Target>& targets, double confining) {
+  AlongBedding along = along_under(targets, confining);
+  std::set<double> stresses;
+  for (const Target& t : targets) stresses.insert(t.confining);
+  for (const double other : stresses)
+    if (!along.complete()) along = along_under(targets, other);
+  return along;
+}
 
 std::vector<Target> targets_of(const Rock& rock) {
   std::map<std::tuple<Property, long, double, double>, std::vector<const RockReading*>> cells;

@@ -113,6 +113,9 @@ inline double grain_size(const Recipe& model) { return model.packing.radius_min 
 /// Intact rock: no bedding, no directions.
 void remove_layers(Recipe& model);
 
+/// Confining stresses [Pa] that a table means to be one: within 5 %; 0 is one of its own.
+bool same_stress(double a, double b);
+
 /// Are they one cell of the table; are they cells of one test at several angles?
 bool same_cell(const Target& a, const Target& b);
 bool same_test(const Target& a, const Target& b);
@@ -126,6 +129,15 @@ bool same_test(const Target& a, const Target& b);
 /// most: scatter may depend on the angle. A mean with its SD and n counts as the n specimens behind it.
 /// Moduli are converted to plane stress if `reading` says so.
 std::vector<Target> targets_of(const Rock& rock);
+
+/// E and nu under one stress whose load runs most nearly along the bedding: what the conversion to plane
+/// stress takes for the rock that holds the strain out of the plane.
+struct AlongBedding {
+  const Target *E = nullptr, *nu = nullptr;
+  bool complete() const { return E != nullptr && nu != nullptr; }
+};
+/// Under `confining` [Pa], else under the least stress that has both. Points into `targets`.
+AlongBedding along_bedding(const std::vector<Target>& targets, double confining);
 
 /// The targets of one property.
 std::vector<Target> of_property(const std::vector<Target>& targets, Property property);

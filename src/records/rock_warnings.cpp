@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
+
+#include "records/calibration.hpp"
 
 namespace phy {
 namespace {
@@ -152,16 +155,18 @@ void doubt_replicates(const Rock& rock, std::vector<std::string>& warnings) {
 void report_conversion(const Rock& rock, const std::vector<Target>& targets,
                        std::vector<std::string>& warnings) {
   std::vector<std::string> stand_ins, left;
-  for (const Property p : {Property::E, Property::nu}) {
-    double nearest = 0.0;
-    for (const Target& t : of_property(targets, p)) nearest = std::max(nearest, t.theta);
-    if (rock.bedded && nearest < along) stand_ins.push_back(name_at(rock, to_string(p), nearest));
+  std::set<const Target*> taken;
+  for (const Target& t : targets) {
+    const AlongBedding of = along_bedding(targets, t.confining);
+    if (!is_strength(t.property) && of.complete()) taken.insert({of.E, of.nu});
   }
+  for (const Target& t : targets)
+    if (rock.bedded && t.theta < along && taken.contains(&t)) stand_ins.push_back(cell_name(t));
   for (const Target& t : of_property(targets, Property::nu))
     if (std::none_of(targets.begin(), targets.end(), [&](const Target& other) {
           return other.property == Property::E && other.theta == t.theta && other.confining == t.confining;
         }))
-      left.push_back(name_at(rock, "nu", t.theta));
+      left.push_back(rock.bedded ? cell_name(t) : name_at(rock, "nu", t.theta) + particulars(t));
   warn(
       warnings, stand_ins,
       "taken for the value along the bedding, which the conversion of plane strain needs; the table has none "

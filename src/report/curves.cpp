@@ -137,14 +137,13 @@ TheoryCurves theory_curves(const RunRecord& run) {
 }
 
 std::vector<Target> beside(const RunRecord& run, const std::vector<Target>& laboratory) {
-  constexpr double alike = 0.05;
   if (run.tests.empty()) return laboratory;
   const TestRecipe& test = run.tests.front().recipe.test;
   const bool kept = test.kind->kept_stress.value == &TestRecipe::confining_stress;
   const double stress = kept ? test.confining_stress : 0.0;
   std::vector<Target> some;
   for (const Target& t : laboratory)
-    if (std::fabs(t.confining - stress) <= alike * std::min(t.confining, stress)) some.push_back(t);
+    if (same_stress(t.confining, stress)) some.push_back(t);
   return some;
 }
 

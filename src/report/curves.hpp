@@ -24,8 +24,8 @@ struct TheoryCurves {
   AngleCurve ucs;  ///< Jaeger's plane of weakness fitted to ucs [Pa]
 };
 TheoryCurves theory_curves(const RunRecord& run);
-/// Values of a laboratory under the confining stress that the tests of a run have, within 5 %: those that may
-/// stand beside them. All, where nothing was tested.
+/// Values of a laboratory under the confining stress that the tests of a run have: those that may stand
+/// beside them. All, where nothing was tested.
 std::vector<Target> beside(const RunRecord& run, const std::vector<Target>& laboratory);
 
 /// Of a laboratory table: E and UCS; no nu.

@@ -552,7 +552,7 @@ function errorTable(c: Calibration): Child {
 function cost(c: Calibration): Child {
   if (!c.runs) return null;
   const n = c.runs.of_these_in_tension;
-  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension or bending` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
+  return h("p", { class: "muted" }, `${c.runs.strength_tests - n} tests in compression${n > 0 ? ` and ${n} in tension${[...c.fitted, ...alone(c)].some((r) => r.property === "K_Ic") ? " or bending" : ""}` : ""}, ${c.runs.elastic_solutions} direct elastic solutions.`);
 }
 
 /** Parameters as the paper's Tables 1 and 2 have them. */
