@@ -358,10 +358,11 @@ std::string sentence_text(const Calibration& c, int terminal_width) {
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {
+  const bool cut = c.verdict.status == VerdictStatus::interrupted;  // batches that did not end count nowhere
   return wrapped(
       fmt::format(
-          "{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
-          c.n_strength_tests - c.n_tension_tests,
+          "{}{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
+          cut ? "of batches that ended: " : "", c.n_strength_tests - c.n_tension_tests,
           c.n_tension_tests > 0
               ? fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "")
               : "",
