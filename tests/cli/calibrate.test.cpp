@@ -19,7 +19,7 @@ class CalibrateCli : public ProgramTest {
   /// A table of the small specimen at four angles, made by the program from other strengths.
   std::string rock() const {
     write("start.toml",
-          "[specimen]\nwidth = \"8 mm\"\nheight = \"16 mm\"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing "
+          "[specimen]\nwidth = \"7 mm\"\nheight = \"14 mm\"\n[packing]\nn_grains = 253\n[[bedding]]\nspacing "
           "= \"2 "
           "mm\"\n");
     write("table.csv",

@@ -105,6 +105,9 @@ std::string small(const std::string& shown) {
       {"study examples/paper/study.toml --dry-run",
        "study examples/paper/study.toml --dry-run --out again/dry"},
       {"study effects", "study effects results/study"},
+      {"verify --markdown", "verify V1 --markdown"},
+      {"calibrate rock.toml --method sequence",
+       "calibrate rock.toml --method sequence --elastic --out again/sequence"},
       {"study examples/paper/elastic-crossing.toml --out results/direct",
        "study direct.toml --out again/direct"},
       {"study examples/paper/study.toml --out results/study", "study study.toml --out again/study"}};

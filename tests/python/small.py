@@ -7,6 +7,7 @@ PROGRAM = os.environ["PHY_PROGRAM"]
 SOURCE = pathlib.Path(os.environ["PHY_SOURCE_DIR"])
 
 SPECIMEN = dict(specimen={"width": "8 mm", "height": "16 mm"}, packing={"n_grains": 330})
+LEAST = dict(specimen={"width": "7 mm", "height": "14 mm"}, packing={"n_grains": 253})  # ten grains across
 KEYS = dict(SPECIMEN, name="small", matrix={"sigma_c": "40 MPa", "tau_c": "40 MPa"}, bedding=[{"spacing": "2 mm"}],
             test={"angles": ["45 deg", "60 deg"], "intact": True, "platen_speed": "0.2 m/s"})
 TEXT = """name = "small"

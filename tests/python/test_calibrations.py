@@ -4,11 +4,11 @@ import pathlib
 import threading
 
 import phyllite
-from small import SPECIMEN, TABLE, program, write
+from small import LEAST, TABLE, program, write
 from test_recipes import InFolder
 from test_runs import interrupt
 
-MODEL = '[specimen]\nwidth = "8 mm"\nheight = "16 mm"\n[packing]\nn_grains = 330\n[[bedding]]\nspacing = "2 mm"\n'
+MODEL = '[specimen]\nwidth = "7 mm"\nheight = "14 mm"\n[packing]\nn_grains = 253\n[[bedding]]\nspacing = "2 mm"\n'
 
 
 class Calibrations(InFolder):
@@ -46,7 +46,7 @@ class Calibrations(InFolder):
 
     def test_interrupted_and_resumed_it_ends_with_the_identical_result(self):
         rock = phyllite.Rock.from_csv(write(self.at("table.csv"), TABLE), name="rock",
-                                      recipe=phyllite.Recipe(**SPECIMEN, bedding=[{"spacing": "2 mm"}]))
+                                      recipe=phyllite.Recipe(**LEAST, bedding=[{"spacing": "2 mm"}]))
         whole = phyllite.calibrate(rock, max_tests=72)
         begun = threading.Event()
         thread = interrupt(begun)
