@@ -137,7 +137,9 @@ double expected_ucs(const Recipe& r, double theta) {
                            ? 1.4 * m.sigma_c * std::pow(ratio, 0.85)
                            : 2.2 * m.sigma_c * std::sqrt(std::fmin(ratio, 2.0));
   const bool oblique = !r.bedding.empty() && theta > 15.0 && theta < 80.0;
-  return oblique ? std::fmin(sound, 4.0 * r.bedding[0].cohesion) : sound;
+  if (!oblique) return sound;
+  const BeddingRecipe& b = r.bedding[0];
+  return std::fmin(sound, std::lerp(sound, 4.0 * b.cohesion, b.persistence));
 }
 
 std::vector<Target> expected(const Recipe& r, bool layered) {

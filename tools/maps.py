@@ -16,6 +16,7 @@ ISOTROPIC = {"parallel-bond": "parallel bonds", "flat-joint": "flat joints"}
 LAYERED = {"parallel-bond-crossing": "parallel bonds, crossing", "parallel-bond-zone": "parallel bonds, zone",
            "parallel-bond-directions": "parallel bonds with directions",
            "parallel-bond-directions-crossing": "parallel bonds with directions of strength, crossing",
+           "parallel-bond-bridges-crossing": "parallel bonds, bridges, crossing",
            "flat-joint-crossing": "flat joints, crossing", "flat-joint-zone": "flat joints, zone"}
 
 

@@ -415,6 +415,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
 void make_ready(Recipe& recipe, const Evidence& evidence) {
   const TestRecipe usual;
   recipe = with_pictures(std::move(recipe));
+  take_packing(recipe, recipe.packing.seed);
   TestRecipe& test = recipe.test;
   test.kind = usual.kind;
   test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
@@ -499,11 +500,15 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
     const ModelChoice choice =
         choose_model(evidence, candidates, rock.model.packing.seed, simulator, options.listener.say);
     rock = choice.rock();
-    result.model_chosen = true;
+    result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
+      return r.layers != rock.layers || r.matrix != rock.matrix;
+    });
     result.notes.push_back(choice.text());
     result.n_elastic += choice.n_solutions;
   }
   result.layers = rock.layers;
+  if (const std::string text = assumed_share(evidence.rock, candidates); !text.empty())
+    result.notes.push_back(text);
   Evidence with(rock, evidence.targets);
   with.maps = evidence.maps;
   return with;

@@ -83,16 +83,16 @@ using Rule = std::optional<Cause>(const View&);
 
 /// Planes that somebody asked for may have a better rival; else what the table could tell.
 std::string other_layers(const View& v, const std::string& otherwise) {
-  return v.of.layers == LayerModel::planes && !v.of.model_chosen
-             ? "layers = \"choose\" in a rock file whose recipe has no layers: rivals have no plane, or more "
-               "than planes"
+  return !is_directed(v.of.layers) && !v.of.model_chosen
+             ? "layers = \"choose\" in a rock file whose recipe has no layers: rivals have no plane, bridges "
+               "between joints, or more than planes"
              : otherwise;
 }
 
 /// Nobody has compared flat joints where a matrix was asked for; they have no directions, and no sequence.
 bool may_ask_for_flat_joints(const View& v) {
   return v.of.recipe.matrix.model == MatrixModel::parallel_bond && !v.of.model_chosen &&
-         !is_directed(v.of.layers) && v.of.method == CalibrationMethod::posterior;
+         !of_parallel_bonds(v.of.layers) && v.of.method == CalibrationMethod::posterior;
 }
 
 /// What helps depends on whose chance the difference may be: the table's, that of the packings, nobody's.

@@ -1,13 +1,19 @@
 #include "calibrate/elastic_response.hpp"
 
 #include "base/stats.hpp"
+#include "calibrate/family.hpp"
 #include "genesis/specimen.hpp"
 
 namespace phy::calibrate {
 
+void take_packing(Recipe& recipe, std::int64_t seed) {
+  recipe.packing.seed = seed;
+  if (has_bridges(recipe)) recipe.matrix.bond_seed = seed;
+}
+
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {
   Recipe one = recipe;
-  one.packing.seed = seed;
+  take_packing(one, seed);
   one.test.angles.clear();
   one.test.intact = false;
   if (layered(one)) genesis::turn_layers(one.matrix, one.bedding, theta);

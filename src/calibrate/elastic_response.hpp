@@ -9,6 +9,9 @@
 
 namespace phy::calibrate {
 
+/// On the packing of a seed, with bridges of its own: what they differ by is of specimens, not of the rock.
+void take_packing(Recipe& recipe, std::int64_t seed);
+
 /// The recipe's one specimen at an angle of the table, on the packing of a seed.
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed);
 

@@ -94,6 +94,26 @@ const Lever joint_shear = {
     [](const Recipe& r) { return bedding(r).k_s * bedding(r).spacing / r.matrix.E_c; },
     [](Recipe& r, double v) { bedding(r).k_s = v * r.matrix.E_c / bedding(r).spacing; }};
 
+const Lever persistence = {"persistence",
+                           0.2,
+                           0.95,
+                           true,
+                           [](const Recipe& r) { return bedding(r).persistence; },
+                           [](Recipe& r, double v) { bedding(r).persistence = v; }};
+bool was_mapped(const Recipe& bridged) {
+  return std::fabs(persistence.place_of(persistence.get(bridged))) <= 1.0 + 1e-9;
+}
+/// Contact by contact is a patch as long as a grain.
+const Lever patch_length = {
+    "patch/diameter",
+    1.0,
+    12.0,
+    true,
+    [](const Recipe& r) { return std::max(1.0, bedding(r).patch_length / mean_diameter(r)); },
+    [](Recipe& r, double v) { bedding(r).patch_length = v * mean_diameter(r); },
+    nullptr,
+    true};
+
 const Lever stiffness_along =
     of_matrix<&MatrixRecipe::stiffness_ratio>("stiffness ratio", 1.0, 4.0, true, nullptr, false);
 std::vector<Lever> operator+(std::vector<Lever> list, const std::vector<Lever>& more) {
@@ -113,6 +133,7 @@ std::vector<Lever> planes() {
           joint_normal,
           joint_shear};
 }
+std::vector<Lever> bridges() { return {persistence, patch_length}; }
 std::vector<Lever> directed_strength() {
   // a calibration seeks the two ratios in wider boxes, where the regressions extrapolate
   return {
@@ -140,7 +161,15 @@ Recipe bedded_rock(MatrixModel model, BeddingRule rule) {
   return r;
 }
 
+Recipe bridged_rock() {
+  Recipe r = bedded_rock(MatrixModel::parallel_bond, BeddingRule::crossing);
+  r.bedding[0].persistence = usual_persistence;
+  return r;
+}
+
 }  // namespace
+
+bool has_bridges(const Recipe& r) { return !r.bedding.empty() && bedding(r).persistence < 1.0; }
 
 double Lever::place_of(double value) const {
   const double share =
@@ -157,7 +186,9 @@ bool ModelFamily::has(const Recipe& r) const {
   if (r.matrix.model != base.matrix.model || r.bedding.empty() != base.bedding.empty()) return false;
   const bool turns =
       std::any_of(levers.begin(), levers.end(), [](const Lever& l) { return l.parameter == &tension_ratio; });
-  return r.matrix.directional() == turns && (r.bedding.empty() || bedding(r).rule == bedding(base).rule);
+  return r.matrix.directional() == turns &&
+         (r.bedding.empty() || (bedding(r).rule == bedding(base).rule &&
+                                has_bridges(r) == has_bridges(base) && (!has_bridges(r) || was_mapped(r))));
 }
 
 const std::vector<ModelFamily>& model_families() {
@@ -175,6 +206,8 @@ const std::vector<ModelFamily>& model_families() {
       {"parallel-bond-directions-crossing", "parallel bonds with directions of strength, planes by crossing",
        bedded_rock(MatrixModel::parallel_bond, BeddingRule::crossing),
        matrix_strength() + parallel_bond() + planes() + directed_strength(), 640, 0, true},
+      {"parallel-bond-bridges-crossing", "parallel bonds, planes with bridges by crossing", bridged_rock(),
+       matrix_strength() + parallel_bond() + planes() + bridges(), 320, 256, true},
       {"flat-joint", "flat joints", sound_rock(MatrixModel::flat_joint), matrix_strength() + flat_joint(), 32,
        0, false},
       {"flat-joint-crossing", "flat joints, planes by crossing",

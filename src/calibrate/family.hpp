@@ -43,6 +43,11 @@ struct ModelFamily {
   bool has(const Recipe& recipe) const;  ///< Is a recipe of this family?
 };
 
+/// Are the planes jointed in part, with bridges of bonds between?
+bool has_bridges(const Recipe& recipe);
+/// Share of them that is, where nothing tells it.
+inline constexpr double usual_persistence = 0.65;
+
 const std::vector<ModelFamily>& model_families();
 /// The family of a recipe; nullptr: it was not mapped.
 const ModelFamily* family_of(const Recipe& recipe);

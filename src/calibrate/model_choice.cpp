@@ -1,10 +1,12 @@
 #include "calibrate/model_choice.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "calibrate/elastic_fit.hpp"
@@ -21,9 +23,13 @@ constexpr std::uint32_t sampler_seed = 20261122;
 // eight rocks of parallel bonds by planes three, by a little, are predicted better by flat joints, and of
 // eight of flat joints five by parallel bonds, which know more models of the layers and cost half as much.
 constexpr double clearly = 0.75;
-// Of the error of planes alone, from where on directions between planes are taken, which contain them: what
-// has more to fit with is often a little better by chance.
+// Of the error of planes alone, from where on directions between planes, or bridges, are taken, which contain
+// them: what has more to fit with is often a little better by chance.
 constexpr double wider = 0.9;
+// Bridges stiffen planes as much as they strengthen them: joints are fitted anew for each of these shares,
+// which no search of strengths could move.
+constexpr double persistences[] = {0.8, 0.65, 0.5, 0.35, 0.2};
+constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
 /// Where E is farther off no calibration ends within reach, whatever its strengths.
 bool has_E(const Rival& r) { return r.modulus_error <= modulus_limit; }
@@ -61,7 +67,9 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
 }
 
 ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& simulator) {
-  return fit_elastic(evidence, {seed}, {}, simulator, [](const std::string&) {});
+  std::vector<std::int64_t> seeds = {seed};
+  while (has_bridges(evidence.rock.model) && std::ssize(seeds) < n_bridged) seeds.push_back(seeds.back() + 1);
+  return fit_elastic(evidence, seeds, {}, simulator, [](const std::string&) {});
 }
 
 Rival rival_of(const Evidence& evidence, const ElasticFit& fit) {
@@ -106,7 +114,15 @@ bool foretold(const Rock& rock, const std::vector<Target>& targets) {
 }
 
 bool contains(const Rival& one, const Rival& other) {
-  return one.rock.layers == LayerModel::planes_and_directions && other.rock.layers == LayerModel::planes;
+  return other.rock.layers == LayerModel::planes && (one.rock.layers == LayerModel::planes_and_directions ||
+                                                     one.rock.layers == LayerModel::planes_with_bridges);
+}
+
+/// Does a model that contains planes alone, and has E as they have or as they miss it, miss hardly less?
+bool is_barred(const Rival& one, const std::vector<Rival>& rivals) {
+  const auto planes =
+      std::find_if(rivals.begin(), rivals.end(), [&](const Rival& r) { return contains(one, r); });
+  return planes != rivals.end() && has_E(*planes) == has_E(one) && one.error >= wider * planes->error;
 }
 
 /// Flat joints, which stand last, have to meet what no other does, or to be clearly better where nothing
@@ -115,7 +131,7 @@ bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Tar
   const Rival& best = so_far.rivals[so_far.best];
   if (has_E(one) != has_E(best)) return has_E(one);
   if (one.rock.model.matrix.model == MatrixModel::parallel_bond)
-    return one.error < (contains(one, best) ? wider : 1.0) * best.error;
+    return !is_barred(one, so_far.rivals) && one.error < best.error;
   if (std::any_of(so_far.rivals.begin(), so_far.rivals.end(),
                   [&](const Rival& r) { return foretold(r.rock, targets); }))
     return false;
@@ -123,7 +139,9 @@ bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Tar
 }
 
 bool shows_matrix(const Evidence& evidence) {
-  return evidence.has(Property::ucs) && (!evidence.rock.bedded || shows_layers(evidence)) &&
+  const bool bedded = evidence.rock.bedded;
+  return !(bedded && of_parallel_bonds(evidence.rock.layers)) && evidence.has(Property::ucs) &&
+         (!bedded || shows_layers(evidence)) &&
          (evidence.has(Property::brazilian) || evidence.has(Property::direct_tension));
 }
 
@@ -133,6 +151,8 @@ Rock with_model(Rock rock, LayerModel layers, std::optional<MatrixModel> matrix)
   rock.layers = layers, rock.matrix = matrix;
   MatrixRecipe& m = rock.model.matrix;
   if (matrix) take_matrix(m, *matrix);
+  if (layers == LayerModel::planes_with_bridges && !has_bridges(rock.model))
+    rock.model.bedding.front().persistence = usual_persistence;
   if (!is_directed(layers) || rock.model.bedding.empty() || m.directional()) return rock;
   if (layers == LayerModel::directions)
     rock.model.bedding.clear();
@@ -148,15 +168,34 @@ std::vector<Rock> candidates_of(const Evidence& evidence) {
   std::vector<LayerModel> layers = {rock.layers};
   if (!rock.bedded || rock.layers == LayerModel::choose) layers = {LayerModel::planes};
   if (rock.bedded && rock.layers == LayerModel::choose && shows_layers(evidence))
-    layers = {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions};
-  std::vector<MatrixModel> matrices = {rock.matrix.value_or(rock.model.matrix.model)};
+    layers = {LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions,
+              LayerModel::planes_with_bridges};
+  const bool parallel = rock.bedded && of_parallel_bonds(rock.layers);
+  std::vector<MatrixModel> matrices = {
+      rock.matrix.value_or(parallel ? MatrixModel::parallel_bond : rock.model.matrix.model)};
   if (!rock.matrix && shows_matrix(evidence))
     matrices = {MatrixModel::parallel_bond, MatrixModel::flat_joint};
   std::vector<Rock> all;
   for (const MatrixModel matrix : matrices)
-    for (const LayerModel l : layers)
-      if (matrix == MatrixModel::parallel_bond || !is_directed(l)) all.push_back(with_model(rock, l, matrix));
+    for (const LayerModel l : layers) {
+      if (matrix == MatrixModel::flat_joint && of_parallel_bonds(l)) continue;
+      all.push_back(with_model(rock, l, matrix));
+      if (l != LayerModel::planes_with_bridges || has_bridges(rock.model) || !shows_layers(evidence))
+        continue;
+      const Rock bridged = std::move(all.back());
+      all.pop_back();
+      for (const double share : persistences)
+        all.push_back(bridged), all.back().model.bedding.front().persistence = share;
+    }
   return all;
+}
+
+std::string assumed_share(const Rock& read, const std::vector<Rock>& candidates) {
+  if (candidates.size() > 1 || has_bridges(read.model) || !has_bridges(candidates.front().model)) return "";
+  return fmt::format(
+      "joints on {:g} of the planes are taken: a share is chosen where the table has four strengths without "
+      "confinement, UCS among them, and kept where a recipe states it (persistence)",
+      usual_persistence);
 }
 
 std::string model_in_words(const Rock& rock) {
@@ -165,22 +204,55 @@ std::string model_in_words(const Rock& rock) {
   return rock.layers == LayerModel::directions ? "directions of the bonds"
          : rock.layers == LayerModel::planes_and_directions
              ? "joints on planes, directions of the bonds' strength"
+         : rock.layers == LayerModel::planes_with_bridges
+             ? fmt::format("joints on {:g} of the planes", rock.model.bedding.front().persistence)
          : flat ? "joints on planes between flat joints"
                 : "joints on planes";
 }
 
+namespace {
+
+std::string errors_in_words(const std::string& model, const std::vector<Rival>& rivals) {
+  std::vector<std::string> E, strengths;
+  for (const Rival& r : rivals)
+    E.push_back(fmt::format("{:.1f}", 100.0 * r.modulus_error)),
+        strengths.push_back(fmt::format("{:.0f}", 100.0 * r.strength_error));
+  return fmt::format("; {}: E fitted to {} %, strengths left out predicted to {} %", model,
+                     fmt::join(E, ", "), fmt::join(strengths, ", "));
+}
+
+}  // namespace
+
+std::string models_in_words(const std::vector<Rock>& models) {
+  std::vector<std::string> words, shares;
+  for (const Rock& r : models)
+    if (!has_bridges(r.model))
+      words.push_back(model_in_words(r));
+    else
+      shares.push_back(fmt::format("{:g}", r.model.bedding.front().persistence));
+  if (!shares.empty()) words.push_back(fmt::format("joints on {} of the planes", fmt::join(shares, ", ")));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
 std::string ModelChoice::text() const {
   std::string text = fmt::format("the model is {}", model_in_words(rock()));
+  std::vector<Rival> bridged;
+  std::vector<Rock> shares;
   for (const Rival& r : rivals)
-    text += fmt::format("; {}: E fitted to {:.1f} %, strengths left out predicted to {:.0f} %",
-                        model_in_words(r.rock), 100.0 * r.modulus_error, 100.0 * r.strength_error);
+    if (has_bridges(r.rock.model))
+      bridged.push_back(r), shares.push_back(r.rock);
+    else
+      text += errors_in_words(model_in_words(r.rock), {r});
+  if (!bridged.empty()) text += errors_in_words(models_in_words(shares), bridged);
   if (has_E(rivals[best]) && !std::all_of(rivals.begin(), rivals.end(), has_E))
     text += fmt::format("; what misses E by more than {:g} % is passed over", 100.0 * modulus_limit);
-  for (const Rival& r : rivals)
-    if (contains(r, rivals[best]) && has_E(r) && r.error < rivals[best].error)
-      text += fmt::format(
-          "; {}, which contain planes alone, are taken only where they miss less than {:g} of what those do",
-          model_in_words(r.rock), wider);
+  const auto stays_behind = [&](const Rival& r) {
+    return has_E(r) && r.error < rivals[best].error && is_barred(r, rivals);
+  };
+  if (std::any_of(rivals.begin(), rivals.end(), stays_behind))
+    text += fmt::format(
+        "; what contains whole planes alone is taken only where it misses less than {:g} of what those do",
+        wider);
   if (rivals.back().rock.model.matrix.model == MatrixModel::flat_joint)
     text += fmt::format(
         "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "
@@ -194,11 +266,12 @@ ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& cand
   say("which model predicts what it has not seen");
   ModelChoice choice;
   // between planes directions are of the strengths alone: the moduli are those of planes
-  std::map<std::pair<MatrixModel, bool>, ElasticFit> moduli;
+  std::map<std::tuple<MatrixModel, LayerModel, double>, ElasticFit> moduli;
   for (const Rock& rock : candidates) {
     const Evidence one(rock, evidence.targets);
-    const auto [fit, fresh] =
-        moduli.try_emplace({rock.model.matrix.model, rock.layers == LayerModel::directions});
+    const LayerModel as = rock.layers == LayerModel::planes_and_directions ? LayerModel::planes : rock.layers;
+    const double persistence = has_bridges(rock.model) ? rock.model.bedding.front().persistence : 1.0;
+    const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, persistence});
     if (fresh) fit->second = moduli_of(one, seed, simulator), choice.n_solutions += fit->second.n_solutions;
     Rival rival = rival_of(one, fit->second);
     if (choice.rivals.empty() || replaces(rival, choice, evidence.targets))

@@ -15,20 +15,27 @@ namespace phy::calibrate {
 
 /// A rock with one model; nothing: the matrix that it has. Directions: of parallel bonds in which the moment
 /// counts little, since with moment contribution 1 bonds break at the rim and hardly feel the directions of
-/// their shear strength. Another matrix is as stiff as the one before.
+/// their shear strength. Bridges: contact by contact, where a recipe does not state the length of patches.
+/// Another matrix is as stiff as the one before.
 Rock with_model(Rock rock, LayerModel layers, std::optional<MatrixModel> matrix);
 
-/// The rock with every model that its file and table leave to choose from; the first is taken where nothing
-/// can be compared. Layers take four strengths without confinement, UCS among them, so that one can be left
-/// out; flat joints, which have no directions, UCS and tension, whose ratio is what they differ in.
+/// The rock with every model that its file and table leave to choose from, of planes with bridges one for
+/// each of some shares that may be jointed, unless a recipe states it; the first is taken where nothing can
+/// be compared. Layers take four strengths without confinement, UCS among them, so that one can be left out;
+/// flat joints, which have neither directions nor bridges, UCS and tension, whose ratio is what they differ
+/// in.
 std::vector<Rock> candidates_of(const Evidence& evidence);
 
-/// "joints on planes", "directions of the bonds", "flat joints".
+/// "joints on planes", "directions of the bonds", "joints on 0.6 of the planes", "flat joints".
 std::string model_in_words(const Rock& rock);
+/// All, the shares of the planes in one: "joints on planes; joints on 0.8, 0.65 of the planes".
+std::string models_in_words(const std::vector<Rock>& models);
+/// The share of the planes that nobody has stated and no table tells; empty: there is none.
+std::string assumed_share(const Rock& read, const std::vector<Rock>& candidates);
 
 struct Rival {
   Rock rock;
-  double modulus_error = 0.0;   ///< of E, as fitted on one packing, root mean square
+  double modulus_error = 0.0;   ///< of E, as fitted on one packing (three with bridges), root mean square
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
 };

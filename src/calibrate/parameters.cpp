@@ -299,8 +299,9 @@ const StrengthParameter cohesion_oblique{
     of_matrix<&MatrixRecipe::cohesion_oblique>("matrix.cohesion_oblique", "q_c", {1.0, 3.0, 1.4},
                                                has_directions),
     [](const Evidence& e) -> Rule {
-      return {e.compressed(30.0, 60.0), compression_in_words(e, 30.0, 60.0) + " between 30 and 60 degrees",
-              "UCS at 30 and 60 degrees", has_joints(e.rock.model)};
+      const bool held = e.compressed(30.0, 60.0), shared = has_joints(e.rock.model);
+      return {held, compression_in_words(e, 30.0, 60.0) + " between 30 and 60 degrees",
+              held && shared ? "" : "UCS at 30 and 60 degrees", shared};
     }};
 
 // ---- joints
@@ -322,9 +323,10 @@ const StrengthParameter joint_cohesion{
          },
      .belongs = has_joints},
     [](const Evidence& e) -> Rule {
-      return {e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0),
-              compression_in_words(e, 30.0, 75.0) + " between 30 and 75 degrees", "UCS at 45 and 60 degrees",
-              has_directions(e.rock.model)};
+      const bool held = e.has(Property::ucs, 30.0, 75.0) || grows(e, 30.0, 75.0),
+                 shared = has_directions(e.rock.model);
+      return {held, compression_in_words(e, 30.0, 75.0) + " between 30 and 75 degrees",
+              held && shared ? "" : "UCS at 45 and 60 degrees", shared};
     }};
 
 const StrengthParameter joint_sigma_n{

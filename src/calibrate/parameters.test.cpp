@@ -201,9 +201,10 @@ TEST(CalibratedParameters, PlacesRunFromOneEndOfTheBoxToTheOther) {
 TEST(CalibratedParameters, AllRatiosAreLeversOfTheirFamily) {
   Recipe crossing = bedded(), intact;
   crossing.bedding.resize(1), crossing.bedding[0].rule = BeddingRule::crossing;
-  Recipe both = crossing;
+  Recipe both = crossing, with_bridges = crossing;
+  with_bridges.bedding[0].persistence = 0.5;
   both.matrix = foliated_planes().matrix;
-  for (const Recipe& model : {crossing, foliated(), both, intact}) {
+  for (const Recipe& model : {crossing, with_bridges, foliated(), both, intact}) {
     const ModelFamily* family = family_of(model);
     ASSERT_NE(family, nullptr);
     for (const StrengthParameter* p : strength_parameters(model))

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/rng.hpp"
+#include "calibrate/elastic_response.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
@@ -57,7 +58,7 @@ std::vector<Recipe> posterior_ensemble(const Recipe& estimate, const std::vector
     Recipe r = strengths.empty() ? estimate : strengths[k];
     if (!moduli.empty()) r = with_moduli(std::move(r), moduli[k]);
     r.test = estimate.test;
-    r.packing.seed = first_seed + static_cast<std::int64_t>(k);
+    take_packing(r, first_seed + static_cast<std::int64_t>(k));
     r.name = fmt::format("{}, draw {} of {}", estimate.name, k + 1, ensemble_size);
     ensemble.push_back(std::move(r));
   }

@@ -22,6 +22,7 @@ PHY_TAKE(phy_parallel_bond_crossing, "parallel-bond-crossing.csv");
 PHY_TAKE(phy_parallel_bond_zone, "parallel-bond-zone.csv");
 PHY_TAKE(phy_parallel_bond_directions, "parallel-bond-directions.csv");
 PHY_TAKE(phy_parallel_bond_directions_crossing, "parallel-bond-directions-crossing.csv");
+PHY_TAKE(phy_parallel_bond_bridges_crossing, "parallel-bond-bridges-crossing.csv");
 PHY_TAKE(phy_flat_joint, "flat-joint.csv");
 PHY_TAKE(phy_flat_joint_crossing, "flat-joint-crossing.csv");
 PHY_TAKE(phy_flat_joint_zone, "flat-joint-zone.csv");
@@ -49,6 +50,8 @@ std::string_view text_of(const ModelFamily& family) {
       {"parallel-bond-directions", {phy_parallel_bond_directions_begin, phy_parallel_bond_directions_end}},
       {"parallel-bond-directions-crossing",
        {phy_parallel_bond_directions_crossing_begin, phy_parallel_bond_directions_crossing_end}},
+      {"parallel-bond-bridges-crossing",
+       {phy_parallel_bond_bridges_crossing_begin, phy_parallel_bond_bridges_crossing_end}},
       {"flat-joint", {phy_flat_joint_begin, phy_flat_joint_end}},
       {"flat-joint-crossing", {phy_flat_joint_crossing_begin, phy_flat_joint_crossing_end}},
       {"flat-joint-zone", {phy_flat_joint_zone_begin, phy_flat_joint_zone_end}}};

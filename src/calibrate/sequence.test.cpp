@@ -169,6 +169,9 @@ TEST(Sequence, RefusesWhatItCannotWorkWithAllAtOnce) {
     EXPECT_THAT(to_line(e.problems()[0]), AllOf(HasSubstr("layers"), HasSubstr("planes")));
     EXPECT_THAT(to_line(e.problems()[1]), HasSubstr("no E"));
   }
+  Rock bridged = rock();
+  bridged.layers = LayerModel::planes_with_bridges;
+  EXPECT_THROW(calibrated(bridged, press), InputError);
   Rock flat = rock();
   flat.matrix = MatrixModel::flat_joint;
   EXPECT_THROW(calibrated(flat, press), InputError);

@@ -219,9 +219,10 @@ void check_sequence(const Evidence& evidence) {
     problems.push_back({rock.name, key, std::move(value), expected, std::move(remedy)});
   };
   const std::string otherwise = "leave --method out, or change the table";
-  if (rock.bedded && is_directed(rock.layers))
+  if (rock.bedded && rock.layers != LayerModel::planes && rock.layers != LayerModel::choose)
     add("layers", fmt::format("\"{}\"", to_string(rock.layers)), "\"planes\" for --method sequence",
-        "Eq. 1 and Eq. 2 are of joints on planes: leave --method out, or change layers");
+        "Eq. 1 and Eq. 2 are of joints on whole planes: leave --method out, or take whole planes (layers, or "
+        "persistence of the recipe)");
   if (rock.matrix == MatrixModel::flat_joint)
     add("matrix", "\"flat_joint\"", "\"parallel_bond\" for --method sequence",
         "the paper's sequence is of parallel bonds: leave --method out, or change matrix");

@@ -302,7 +302,7 @@ TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {
               Contains(AllOf(HasSubstr("r.toml:2: recipe"), HasSubstr("no packing.file"))));
 }
 
-TEST_F(RockFile, OnlyWholeParallelEquallySpacedPlanesAreCalibrated) {
+TEST_F(RockFile, OnlyParallelEquallySpacedPlanesAreCalibrated) {
   for (const char* key : {"rule = \"oriented\"", "persistence = 0.5", "spacing_sd = 0.1",
                           "theta_sd = \"2 deg\"", "sigma_n_sd = \"1 MPa\"", "bridges = false"}) {
     write("m.toml", std::string("[[bedding]]\n") + key + "\n");
@@ -529,6 +529,28 @@ TEST_F(RockFile, PlanesMayLieBetweenBondsWithDirections) {
   const Rock r = rock(good, "recipe = \"m.toml\"\n");
   EXPECT_EQ(r.layers, LayerModel::planes_and_directions);
   EXPECT_EQ(r.model.bedding.size(), 1U);
+}
+
+TEST_F(RockFile, PlanesMayHaveBridges) {
+  const Rock named = rock(good, "layers = \"planes with bridges\"\n");
+  EXPECT_EQ(named.layers, LayerModel::planes_with_bridges);
+  write("m.toml", "[[bedding]]\nrule = \"crossing\"\npersistence = 0.7\npatch_length = \"6 mm\"\n");
+  const Rock r = rock(good, "recipe = \"m.toml\"\n");
+  EXPECT_EQ(r.layers, LayerModel::planes_with_bridges);
+  EXPECT_DOUBLE_EQ(r.model.bedding.at(0).patch_length, 6e-3);
+  EXPECT_EQ(rock(good, "recipe = \"m.toml\"\nbedded = false\n").layers, LayerModel::planes) << "of none";
+  for (const char* other :
+       {"[[bedding]]\npersistence = 0.7\n",  // zone
+        "[matrix]\nmodel = \"flat_joint\"\n[[bedding]]\nrule = \"crossing\"\npersistence = 0.7\n",
+        "[matrix]\ncohesion_ratio = 1.5\n[[bedding]]\nrule = \"crossing\"\npersistence = 0.7\n"}) {
+    write("m.toml", other);
+    EXPECT_THAT(
+        problems(good, "recipe = \"m.toml\"\n"),
+        testing::ElementsAre(AllOf(HasSubstr("crossing"), HasSubstr("parallel bonds without directions"))))
+        << other;
+  }
+  EXPECT_THAT(problems(good, "layers = \"planes with bridges\"\nmatrix = \"flat_joint\"\n"),
+              testing::ElementsAre(HasSubstr("r.toml:3: matrix")));
 }
 
 TEST_F(RockFile, ARecipeWithDirectionsAloneGetsNoPlanes) {

@@ -53,10 +53,11 @@ const Fields& rock_fields() {
       E_is.choices.emplace_back(to_string(r));
     E_is.otherwise = "\"tangent 50 %\"";
     Field layers = entry(K::choice, "layers",
-                         "what makes the model's layers: joints on planes, directions of the bonds, both, or "
-                         "what predicts best; with a recipe what that has");
-    for (const LayerModel l :
-         {LayerModel::choose, LayerModel::planes, LayerModel::directions, LayerModel::planes_and_directions})
+                         "what makes the model's layers: joints on planes, directions of the bonds, both, "
+                         "joints on a share of the planes (rock bridges), or what predicts best; with a "
+                         "recipe what that has");
+    for (const LayerModel l : {LayerModel::choose, LayerModel::planes, LayerModel::directions,
+                               LayerModel::planes_and_directions, LayerModel::planes_with_bridges})
       layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
     Field matrix = entry(K::choice, "matrix",
@@ -103,10 +104,19 @@ const Fields& rock_fields() {
   return fields;
 }
 
-/// Bedding as calibrations predict it and commands for other programs lay it.
-bool is_ideal(const BeddingRecipe& b) {
-  return b.is_regular() && b.persistence == 1.0 && b.sigma_n_sd == 0.0 && b.layer_thickness == 0.0 &&
-         (b.bridges || b.rule != BeddingRule::zone);
+/// Bedding as calibrations predict it; bridges as they were mapped, by the crossing rule between parallel
+/// bonds.
+bool is_ideal(const BeddingRecipe& b, const MatrixRecipe& m) {
+  const bool bridged = b.rule == BeddingRule::crossing && !b.unjointed() &&
+                       m.model == MatrixModel::parallel_bond && !m.directional();
+  return b.is_regular() && (b.persistence == 1.0 || bridged) && b.sigma_n_sd == 0.0 &&
+         b.layer_thickness == 0.0 && (b.bridges || b.rule != BeddingRule::zone);
+}
+
+LayerModel layers_of(const Recipe& recipe) {
+  if (recipe.bedding.empty()) return LayerModel::directions;
+  if (recipe.matrix.directional()) return LayerModel::planes_and_directions;
+  return recipe.bedding.front().persistence < 1.0 ? LayerModel::planes_with_bridges : LayerModel::planes;
 }
 
 /// Keys of the rock file.
@@ -174,12 +184,13 @@ class RockReader {
     bool good = true;
     if (recipe->bedding.size() > 1)
       good = refuse("at most one set of bedding", "the tables of a rock know one direction of planes");
-    if (!std::all_of(recipe->bedding.begin(), recipe->bedding.end(), is_ideal))
+    if (!std::all_of(recipe->bedding.begin(), recipe->bedding.end(),
+                     [&](const BeddingRecipe& b) { return is_ideal(b, recipe->matrix); }))
       good = refuse(
-          "planes that are whole, parallel and equally spaced, with joints of one strength, in one "
-          "matrix",
-          "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, "
-          "persistence, spacing_sd, theta_sd, sigma_n_sd and layer_thickness");
+          "planes that are parallel and equally spaced, with joints of one strength, in one matrix; with "
+          "persistence below 1 (not 0) by rule = \"crossing\" between parallel bonds without directions",
+          "a calibration knows no other bedding: leave out rule = \"oriented\", bridges, spacing_sd, "
+          "theta_sd, sigma_n_sd, layer_thickness, and persistence where its rule or matrix is another");
     if (!recipe->packing.file.empty())
       good = refuse("no packing.file",
                     "a file holds one packing, a calibration is verified on others: describe the grains");
@@ -192,9 +203,7 @@ class RockReader {
   bool read_layers() {
     if (!file_.is_known("bedding.spacing") || !file_.is_known("layers")) return false;
     if (is_given("recipe") && has_layers_) {
-      rock_.layers = rock_.model.bedding.empty()        ? LayerModel::directions
-                     : rock_.model.matrix.directional() ? LayerModel::planes_and_directions
-                                                        : LayerModel::planes;
+      rock_.layers = layers_of(rock_.model);
       for (const char* key : {"bedding.spacing", "layers"})
         if (is_given(key))
           problems_.push_back(
@@ -227,11 +236,11 @@ class RockReader {
       if (asked > 0) rock_.matrix = static_cast<MatrixModel>(asked - 1);
     }
     const MatrixModel stays = rock_.matrix.value_or(rock_.model.matrix.model);
-    if (is_directed(rock_.layers) && stays == MatrixModel::flat_joint) {
+    if (of_parallel_bonds(rock_.layers) && stays == MatrixModel::flat_joint) {
       const char* key = is_given("matrix") ? "matrix" : "recipe";
-      problems_.push_back({file_.place(key), key, "flat joints with directions",
-                           "parallel bonds, where bonds have directions",
-                           "choose matrix = \"parallel_bond\", or layers without directions"});
+      problems_.push_back({file_.place(key), key, "flat joints with directions or bridges",
+                           "parallel bonds, where bonds have directions or planes have bridges",
+                           "choose matrix = \"parallel_bond\", or layers of whole planes alone"});
     }
     return true;
   }
@@ -277,7 +286,8 @@ class RockReader {
     p.n_grains = std::llround(static_cast<double>(p.n_grains) / (scale * scale));
     rock_.grains_stated = true;
     // n grains, and steps as the time that a wave takes across one of them
-    const double cost = std::pow(static_cast<double>(p.n_grains) / PackingRecipe().n_grains, 1.5);
+    const double cost =
+        std::pow(static_cast<double>(p.n_grains) / static_cast<double>(PackingRecipe().n_grains), 1.5);
     rock_.notes.push_back(
         fmt::format("grain_size = {:.4g} mm: {} grains in the specimen; a test costs about {:.2g} times as "
                     "much as on the paper's {}",
@@ -385,6 +395,7 @@ class RockReader {
     if (!rock_.bedded) {
       // Angles of a rock without bedding have no meaning: all rows become replicates.
       remove_layers(rock_.model), rock_.model.test.angles.clear();
+      rock_.layers = LayerModel::planes;
       for (const char* key : {"bedding.spacing", "layers"})
         if (is_given(key))
           problems_.push_back({file_.place(key), key, "", "a rock with bedding",
@@ -539,8 +550,8 @@ std::string rock_template(const std::string& name, const std::string& table) {
          "without\n"
          "#                               # it: the paper's specimen, magnified to the size below\n"
          "# layers = \"choose\"             # or \"planes\" (smooth joints), \"directions\" (of the bonds), "
-         "\"planes and "
-         "directions\"\n"
+         "\"planes and directions\",\n"
+         "#                               # \"planes with bridges\" (joints on a share of them)\n"
          "# matrix = \"choose\"             # or \"parallel_bond\", \"flat_joint\" (UCS many times the "
          "tensile "
          "strength)\n"

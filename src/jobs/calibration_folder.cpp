@@ -74,7 +74,9 @@ std::string fingerprint(const calibrate::Evidence& evidence, const CalibrationRe
 
 /// Options beside the rock and the folder.
 std::vector<std::string> options_in_words(const CalibrationRequest& request) {
-  std::vector<std::string> words = {"--max-tests", fmt::format("{}", request.max_tests)};
+  std::vector<std::string> words;
+  if (request.max_tests != CalibrationRequest().max_tests)
+    words = {"--max-tests", fmt::format("{}", request.max_tests)};
   if (!request.matrix.empty()) words.insert(words.end(), {"--matrix", request.matrix});
   if (request.by_sequence()) words.insert(words.end(), {"--method", "sequence"});
   if (!request.of_usual_effort()) words.insert(words.end(), {"--effort", request.effort});
@@ -162,10 +164,11 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
   rock.matrix.reset();
   if (request.matrix != "choose")
     rock.matrix = request.matrix == "flat_joint" ? MatrixModel::flat_joint : MatrixModel::parallel_bond;
-  if (rock.matrix == MatrixModel::flat_joint && rock.bedded && is_directed(rock.layers))
+  if (rock.matrix == MatrixModel::flat_joint && rock.bedded && of_parallel_bonds(rock.layers))
     throw InputError(
         Problem{"command line", "--matrix", request.matrix, "parallel_bond or choose",
-                "the layers of this rock are directions of bonds, which flat joints do not have"});
+                fmt::format("layers = \"{}\" (by the rock file or its recipe) are of parallel bonds",
+                            to_string(rock.layers))});
   return rock;
 }
 

@@ -24,12 +24,6 @@ std::vector<std::string> what_the_table_says(const calibrate::Evidence& evidence
   return lines;
 }
 
-std::string all_in_words(const std::vector<Rock>& models) {
-  std::vector<std::string> words;
-  for (const Rock& rock : models) words.push_back(calibrate::model_in_words(rock));
-  return fmt::format("{}", fmt::join(words, "; "));
-}
-
 }  // namespace
 
 RockCheck check(const Rock& read) {
@@ -38,12 +32,17 @@ RockCheck check(const Rock& read) {
   found.says = what_the_table_says(evidence);
   const std::vector<calibrate::Estimate> expected = calibrate::identifiability(evidence);
   found.parameters = {expected.begin(), expected.end()};
-  if (const std::vector<Rock> models = calibrate::candidates_of(evidence); models.size() > 1)
+  const calibrate::Evidence as_read(read);
+  const std::vector<Rock> models = calibrate::candidates_of(as_read);
+  if (models.size() > 1)
     found.advice.push_back(fmt::format("parameters as of {}; calibrate chooses between {}",
-                                       calibrate::model_in_words(models.front()), all_in_words(models)));
+                                       calibrate::model_in_words(models.front()),
+                                       calibrate::models_in_words(models)));
+  if (const std::string text = calibrate::assumed_share(read, models); !text.empty())
+    found.advice.push_back(text);
   for (auto more : {calibrate::advice(evidence), calibrate::place_in_maps(evidence)})
     found.advice.insert(found.advice.end(), more.begin(), more.end());
-  if (const auto forecast = calibrate::foretell(evidence))
+  if (const auto forecast = calibrate::foretell(as_read))
     found.forecast = calibrate::forecast_text(*forecast);
   return found;
 }

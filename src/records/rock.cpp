@@ -158,12 +158,17 @@ bool is_directed(LayerModel model) {
   return model == LayerModel::directions || model == LayerModel::planes_and_directions;
 }
 
+bool of_parallel_bonds(LayerModel model) {
+  return is_directed(model) || model == LayerModel::planes_with_bridges;
+}
+
 const char* to_string(LayerModel model) {
   switch (model) {
     case LayerModel::choose: return "choose";
     case LayerModel::planes: return "planes";
     case LayerModel::directions: return "directions";
     case LayerModel::planes_and_directions: return "planes and directions";
+    case LayerModel::planes_with_bridges: return "planes with bridges";
   }
   return "";
 }

@@ -52,12 +52,15 @@ enum class ModulusReading { tangent_50, average, secant_50, secant_at_peak, smal
 const char* to_string(ModulusReading reading);
 
 /// What makes the model's layers: smooth joints on planes, directions of the bonds (of stiffness and
-/// strength), joints on planes between bonds whose strength has directions, or whichever predicts values of
-/// the table best that it was not shown.
-enum class LayerModel { choose, planes, directions, planes_and_directions };
+/// strength), joints on planes between bonds whose strength has directions, joints on a share of the planes,
+/// the rest bonded (rock bridges), or whichever predicts values of the table best that it was not shown.
+enum class LayerModel { choose, planes, directions, planes_and_directions, planes_with_bridges };
 const char* to_string(LayerModel model);
 /// Do bonds have directions? Flat joints have none.
 bool is_directed(LayerModel model);
+/// Of parallel bonds alone: directions, which flat joints lack, and bridges, which were not mapped between
+/// them.
+bool of_parallel_bonds(LayerModel model);
 
 /// One cell of the table.
 struct RockReading {

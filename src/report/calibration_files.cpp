@@ -176,7 +176,7 @@ std::string yade_script(const Recipe& r) {
              "# inside the shear strength), this calibration discs with {}. `young` is matched so that a "
              "contact\n"
              "# has the same stiffness per bond area: young = pi/2 {}.\n"
-             "{}"
+             "{}{}"
              "from math import atan, pi, radians, sin, cos\nfrom yade import utils\n\n"
              "matrix = JCFpmMat(label='matrix', type=1, density={:.8g}, young={:.8g}, poisson={:.8g},\n"
              "                  frictionAngle=atan({:.8g}), tensileStrength={:.8g}, cohesion={:.8g},\n",
@@ -189,6 +189,12 @@ std::string yade_script(const Recipe& r) {
                  ? fmt::format("# The friction angle of the bonds, {:.4g} deg, is left out: JCFpm has one "
                                "friction, mu here.\n",
                                m.phi)
+                 : "",
+             b.persistence < 1.0
+                 ? fmt::format(
+                       "# Bridges are left out: here all of each plane is jointed, in this calibration "
+                       "{:g} of it.\n",
+                       b.persistence)
                  : "",
              m.density, 0.5 * pi * m.modulus(), m.ks_over_kn, m.mu, m.sigma_c, m.tau_c) +
          fmt::format(

@@ -172,6 +172,11 @@ std::vector<ParameterTable> parameter_rows(const Calibration& c) {
                      {"Normal strength sigma_n,sj [MPa]", cell(c, b.sigma_n, MPa)},
                      {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}}});
   auto& joints = tables.back().rows;
+  if (b.persistence < 1.0) {
+    joints.emplace_back("Persistence p", fmt::format("{:g} (not fitted)", b.persistence));
+    if (b.patch_length > 0.0)
+      joints.emplace_back("Length of a patch [mm]", fmt::format("{:.4g} (given)", b.patch_length * 1e3));
+  }
   if (b.rule == BeddingRule::zone)
     joints.emplace_back("Thickness d [mm]", fmt::format("{:g} (given)", b.zone_thickness * 1e3));
   joints.emplace_back("Spacing [mm]", fmt::format("{:g} (given)", b.spacing * 1e3));

@@ -308,6 +308,8 @@ std::string fit_text(const Calibration& c, const std::string& version) {
     text +=
         " The layers are represented by smooth joints between bonds whose strength depends on their "
         "direction.";
+  if (c.layers == LayerModel::planes_with_bridges)
+    text += " The layers are represented by smooth joints on a share of their planes, between rock bridges.";
   const bool posterior = c.method == CalibrationMethod::posterior;
   text += fmt::format(
       " Moduli were {} ({} direct elastic solutions in all)",
