@@ -21,6 +21,13 @@ std::vector<std::string> names(const std::vector<PlaneStiffness>& band) {
   return all;
 }
 
+TEST(Eq2, IsOfWholePlanes) {
+  Recipe r = jointed(BeddingRule::crossing);
+  EXPECT_TRUE(has_eq2(r));
+  r.bedding[0].persistence = 0.65;
+  EXPECT_FALSE(has_eq2(r));
+}
+
 // The press on paper has planes that are 1.8 times as stiff as their joints, whatever their spacing.
 TEST(Eq2, FindsTheLineBetweenPlanesAndJoints) {
   PaperPress press;

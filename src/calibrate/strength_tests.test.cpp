@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "calibrate/elastic_response.hpp"
+
 namespace phy::calibrate {
 namespace {
 
@@ -47,6 +49,17 @@ TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {
 }
 
 // E is that of the stress which the platens bring on.
+// One draw for all packings would give every specimen the bridges of the others.
+TEST(SingleAt, EachPackingHasBridgesOfItsOwn) {
+  Recipe r;
+  r.bedding.resize(1), r.matrix.bond_seed = 9;
+  EXPECT_EQ(single_at(r, 30.0, 4).matrix.bond_seed, 9);
+  r.bedding[0].persistence = 0.5;
+  EXPECT_EQ(single_at(r, 30.0, 4).matrix.bond_seed, 4);
+  EXPECT_EQ(single_at(r, 60.0, 5).matrix.bond_seed, 5);
+  EXPECT_EQ(single_at(r, 60.0, 5).packing.seed, 5);
+}
+
 TEST(ModulusOf, AtThePeakIsTheSecantOfTheDeviatoricStress) {
   TestResult free, confined;
   free.outcome.status = confined.outcome.status = Status::peaked;

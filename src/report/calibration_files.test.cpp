@@ -21,6 +21,14 @@ TEST(YadeScript, MatchesTheStiffnessPerBondArea) {
   EXPECT_THAT(text, HasSubstr("bedded=True"));
 }
 
+TEST(YadeScript, SaysThatBridgesAreLeftOut) {
+  EXPECT_THAT(yade_script(paper()), testing::Not(HasSubstr("Bridges")));
+  Recipe r = paper();
+  r.bedding[0].persistence = 0.65;
+  EXPECT_THAT(yade_script(r), HasSubstr("# Bridges are left out: here all of each plane is jointed, in this "
+                                        "calibration 0.65 of it.\n"));
+}
+
 TEST(RecipeComments, SayTheVerdictAndWhatTheDataLeaveOpen) {
   Calibration c;
   c.rock = "grey\nshale", c.verdict.sentence = "calibrated: E within 1 %; next: direct tension";
