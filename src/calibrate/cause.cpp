@@ -104,7 +104,8 @@ std::string next_of(const View& v, bool table_is_certain, bool model_is_certain,
   if (!std::all_of(ucs.begin(), ucs.end(), misses))
     return "take the model only at angles where it meets the table";
   return v.of.model_chosen ? "take UCS from the table: the models that were compared do not meet it"
-                           : "another model (layers, --matrix)";
+         : of_parallel_bonds(v.of.layers) ? "another model (layers)"
+                                          : "another model (layers, --matrix)";
 }
 
 constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";

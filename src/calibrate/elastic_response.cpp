@@ -1,14 +1,16 @@
 #include "calibrate/elastic_response.hpp"
 
+#include <algorithm>
+
 #include "base/stats.hpp"
-#include "calibrate/family.hpp"
 #include "genesis/specimen.hpp"
 
 namespace phy::calibrate {
 
 void take_packing(Recipe& recipe, std::int64_t seed) {
   recipe.packing.seed = seed;
-  if (has_bridges(recipe)) recipe.matrix.bond_seed = seed;
+  const auto drawn = [](const BeddingRecipe& b) { return b.is_drawn(); };
+  if (std::any_of(recipe.bedding.begin(), recipe.bedding.end(), drawn)) recipe.matrix.bond_seed = seed;
 }
 
 Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed) {

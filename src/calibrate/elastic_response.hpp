@@ -9,7 +9,8 @@
 
 namespace phy::calibrate {
 
-/// On the packing of a seed, with bridges of its own: what they differ by is of specimens, not of the rock.
+/// On the packing of a seed, with bridges, where there are any, and bond strengths of its own: where they lie
+/// is of a specimen, not of the rock.
 void take_packing(Recipe& recipe, std::int64_t seed);
 
 /// The recipe's one specimen at an angle of the table, on the packing of a seed.

@@ -10,7 +10,6 @@
 
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
-#include "calibrate/family.hpp"
 #include "theory/eq1_fit.hpp"
 
 namespace phy::calibrate {
@@ -102,7 +101,7 @@ PlaneStiffness stiffness_of(const Setting& setting, const std::vector<std::int64
 }  // namespace
 
 bool has_eq2(const Recipe& r) {
-  return r.bedding.size() == 1 && r.bedding.front().is_regular() && !has_bridges(r) &&
+  return r.bedding.size() == 1 && r.bedding.front().is_regular() && !r.bedding.front().is_drawn() &&
          r.bedding.front().layer_thickness == 0.0 && !r.matrix.directional();
 }
 

@@ -138,6 +138,11 @@ bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Tar
   return foretold(one.rock, targets) || one.error < clearly * best.error;
 }
 
+Rock with_share(Rock bridged, double jointed) {
+  bridged.model.bedding.front().persistence = jointed;
+  return bridged;
+}
+
 bool shows_matrix(const Evidence& evidence) {
   const bool bedded = evidence.rock.bedded;
   return !(bedded && of_parallel_bonds(evidence.rock.layers)) && evidence.has(Property::ucs) &&
@@ -175,17 +180,16 @@ std::vector<Rock> candidates_of(const Evidence& evidence) {
       rock.matrix.value_or(parallel ? MatrixModel::parallel_bond : rock.model.matrix.model)};
   if (!rock.matrix && shows_matrix(evidence))
     matrices = {MatrixModel::parallel_bond, MatrixModel::flat_joint};
+  const bool shares = !has_bridges(rock.model) && shows_layers(evidence);
   std::vector<Rock> all;
   for (const MatrixModel matrix : matrices)
     for (const LayerModel l : layers) {
       if (matrix == MatrixModel::flat_joint && of_parallel_bonds(l)) continue;
-      all.push_back(with_model(rock, l, matrix));
-      if (l != LayerModel::planes_with_bridges || has_bridges(rock.model) || !shows_layers(evidence))
-        continue;
-      const Rock bridged = std::move(all.back());
-      all.pop_back();
-      for (const double share : persistences)
-        all.push_back(bridged), all.back().model.bedding.front().persistence = share;
+      const Rock one = with_model(rock, l, matrix);
+      if (l != LayerModel::planes_with_bridges || !shares)
+        all.push_back(one);
+      else
+        for (const double share : persistences) all.push_back(with_share(one, share));
     }
   return all;
 }

@@ -11,6 +11,7 @@
 #include "cli/terminal.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
+#include "io/rock_template.hpp"
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"

@@ -13,6 +13,7 @@
 #include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/rock_in.hpp"
+#include "io/rock_template.hpp"
 #include "io/toml_tree.hpp"
 
 namespace phy::desk {

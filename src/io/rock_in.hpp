@@ -26,8 +26,4 @@ Rock parse_rock(std::string_view text, const std::string& path, const RockParts&
 /// As read_rock, from keys that stand in no file; the files that they name count from the working directory.
 Rock rock_of(TomlValue keys, const std::string& where, const RockParts& parts);
 
-/// A commented rock file that names `table`, and such a table to be filled in.
-std::string rock_template(const std::string& name, const std::string& table);
-std::string rock_table_template();
-
 }  // namespace phy::io

@@ -1,0 +1,77 @@
+#include "io/rock_template.hpp"
+
+#include "base/quote.hpp"
+
+namespace phy::io {
+namespace {
+
+constexpr const char* before_name =
+    R"(# A rock for `phyllite calibrate`. What is not measured stays out of the table: empty cells are fine.
+# `phyllite rock check` tells what the data determine before anything runs.
+name = ")";
+constexpr const char* before_table = R"("
+data = )";
+constexpr const char* after_table =
+    R"(        # the table of tests, CSV or .xlsx, counted from this file's folder
+
+# What E is: "tangent 50 %", "average", "secant 50 %", "secant at peak"; "small strain" of waves.
+# Left out: what the header says (Et, E_av, Es, E_dyn), else the tangent.
+# E_is = "tangent 50 %"
+# Moduli of cylinders are read as plane stress; "plane strain" converts them (needs nu).
+elastic_reading = "plane stress"
+
+# confining = "10 MPa"          # E and nu under this pressure alone; default: under all of the table
+# bedded = false                # a rock without bedding needs no column of angles
+# recipe = "model.toml"         # grain size, bedding rule, press (`phyllite recipe --template`); without
+#                               # it: the paper's specimen, magnified to the size below
+# layers = "choose"             # or "planes" (smooth joints), "directions" (of the bonds), "planes and directions",
+#                               # "planes with bridges" (joints on a share of them)
+# matrix = "choose"             # or "parallel_bond", "flat_joint" (UCS many times the tensile strength)
+# grain_size = "1.2 mm"         # mean diameter of the model's grains; without it K_Ic is not fitted
+# sheet = "Results"             # of a workbook; default: the first
+
+[bedding]
+# spacing = "5 mm"             # of bedding or foliation, as seen on the specimens; 5 mm is a guess
+
+[specimen]                      # of the compression tests
+width = "38 mm"
+height = "76 mm"
+
+# [brazilian]                   # discs of the BTS column, unless a column diameter [mm] says otherwise
+# diameter = "38 mm"           # default: the smaller side of the specimen
+# loading_angle = "10 deg"     # arc of each jaw; "0 deg": flat platens
+
+# [columns]                     # where `phyllite rock check` reads a header otherwise than it is meant
+# "peak stress" = "UCS"         # header = name; "-": passed over
+)";
+
+constexpr const char* table =
+    R"(# One row per angle, or per angle and test; repeated rows are replicates. Units stand in the header.
+# theta: inclination of the bedding, load along y: 0 = bedding across the load, 90 = along it.
+# Or a column beta [deg], the angle between load and bedding (beta = 90 - theta). Three angles at least.
+# Also known: DTS [MPa] (direct tension), BTS [MPa] (Brazilian; diameter [mm] of its disc), K_Ic [MPa sqrt(m)]
+# (semi-circular bend; diameter [mm] of the half disc), each with _sd;
+# confining [MPa], under which UCS is sigma_1 at the peak, E and nu those of q over strain; or c [MPa],
+# phi [deg], confining_min [MPa], confining_max [MPa] of an envelope. The load, or the pull of DTS, is
+# along y in every test.
+# E and nu are what E_is of the rock file says.
+# _sd: standard deviation of single specimens; n: specimens. Other columns are passed over.
+theta [deg],E [GPa],E_sd [GPa],nu,nu_sd,UCS [MPa],UCS_sd [MPa],n
+0,,,,,,,
+15,,,,,,,
+30,,,,,,,
+45,,,,,,,
+60,,,,,,,
+75,,,,,,,
+90,,,,,,,
+)";
+
+}  // namespace
+
+std::string rock_template(const std::string& name, const std::string& file) {
+  return before_name + name + before_table + toml_string(file) + after_table;
+}
+
+std::string rock_table_template() { return table; }
+
+}  // namespace phy::io
