@@ -350,8 +350,8 @@ const char* record_of(const ModelFamily& family) {
   if (family.base.matrix.model == MatrixModel::flat_joint)
     return "forecasts of flat joints have not been tried on tables whose end is known";
   if (family.layered && has_bridges(family.base))
-    return "of 200 such forecasts of synthetic rock with bridges, whose specimens differ by where these lie, "
-           "30 were wrong";
+    return "of 200 such forecasts of synthetic rock with bridges, whose share was stated and whose specimens "
+           "differ by where they lie, 30 were wrong";
   return family.layered ? "of 220 such forecasts of synthetic layered rock 18 were wrong; the measured rock "
                           "that was tried was "
                           "missed by more than foretold in every run"

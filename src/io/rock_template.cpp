@@ -24,8 +24,8 @@ elastic_reading = "plane stress"
 # bedded = false                # a rock without bedding needs no column of angles
 # recipe = "model.toml"         # grain size, bedding rule, press (`phyllite recipe --template`); without
 #                               # it: the paper's specimen, magnified to the size below
-# layers = "choose"             # or "planes" (smooth joints), "directions" (of the bonds), "planes and directions",
-#                               # "planes with bridges" (joints on a share of them)
+# layers = "choose"             # or "planes" (smooth joints), "directions" (of the bonds),
+#                               # "planes and directions", "planes with bridges" (joints on a share of them)
 # matrix = "choose"             # or "parallel_bond", "flat_joint" (UCS many times the tensile strength)
 # grain_size = "1.2 mm"         # mean diameter of the model's grains; without it K_Ic is not fitted
 # sheet = "Results"             # of a workbook; default: the first
