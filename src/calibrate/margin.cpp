@@ -61,7 +61,7 @@ double margin(const Comparison& row) {
 bool misses(const Comparison& row) { return std::fabs(miss_of(row)) > margin(row); }
 
 bool wants_packings(const std::vector<Comparison>& verification) {
-  constexpr double enough = 1.0 / 3.0;
+  constexpr double enough = 0.25;
   double squares = 0.0;
   int n = 0;
   for (const Comparison& c : verification) {

@@ -35,7 +35,7 @@ double margin(const Comparison& row);
 
 bool misses(const Comparison& row);
 
-/// Unseen packings of a verification. Five are enough where the means over them are known to a third of the
+/// Unseen packings of a verification. Five are enough where the means over them are known to a quarter of the
 /// tolerance (standard error, root mean square over the strengths); where packings differ by more, a margin
 /// that counts their scatter would hide misses, so five more are tested, and once more.
 constexpr std::size_t first_packings = 5, most_packings = 15;
