@@ -503,7 +503,8 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
-    result.notes.push_back(choice.text());
+    result.notes.push_back(choice.text()), result.rival = choice.rival();
+    if (const std::optional<ParameterEstimate> share = choice.share()) result.parameters.push_back(*share);
     result.n_elastic += choice.n_solutions;
   }
   result.layers = rock.layers;
@@ -537,7 +538,7 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
         run_stages(result, estimates, with_model(evidence, result, options, simulator), options, simulator);
   } catch (const Stopped&) {  // in the middle of elastic solutions
   }
-  result.parameters.assign(estimates.begin(), estimates.end());
+  result.parameters.insert(result.parameters.begin(), estimates.begin(), estimates.end());
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.verdict.sentence = verdict_sentence(result);

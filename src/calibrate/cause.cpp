@@ -510,10 +510,14 @@ std::string bad_news(const View& v) {
                                   next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
     if (next.empty()) next = cause.next;
   }
+  const std::vector<Part> parts = ranked(v);
+  const bool of_strengths =
+      parts.empty() || parts.front() != moduli;  // neither another model nor tests mend moduli
+  if (of_strengths && v.of.verdict.status == VerdictStatus::out_of_reach && !v.of.rival.empty())
+    next = v.of.rival;
   if (!v.of.longer_by.empty()) {
     clauses.push_back(short_search(v.of));
-    const std::vector<Part> parts = ranked(v);
-    if (parts.empty() || parts.front() != moduli) next = "a new folder with " + v.of.longer_by;
+    if (of_strengths) next = "a new folder with " + v.of.longer_by;
   }
   if (const auto n = std::count_if(v.rows.begin(), v.rows.end(), is_coarse);
       n > 0 && v.of.verdict.status != VerdictStatus::out_of_reach)

@@ -111,6 +111,19 @@ TEST(Cause, OfPlanesTheRivalsAreAdvisedUnlessTheyWereTried) {
   EXPECT_THAT(verdict_sentence(c), HasSubstr("next: take the model only at angles"));
 }
 
+TEST(Cause, ARivalThatWasNearIsTheNextStepWhereStrengthsAreOutOfReach) {
+  Calibration c;
+  c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes, c.model_chosen = true;
+  c.rival = "layers = \"directions\" in the rock file";
+  c.fitted = c.verification = cells(Property::ucs, weakest_at_30, weakest_at_60);
+  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: layers = \"directions\""));
+  c.verdict.status = VerdictStatus::calibrated_except;
+  EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("directions")));
+  c.verdict.status = VerdictStatus::out_of_reach;  // moduli are another matter
+  c.fitted = c.verification = cells(Property::E, {20, 21, 23, 26, 30, 36, 40}, {16, 17, 18, 21, 24, 29, 32});
+  EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("directions")));
+}
+
 TEST(Cause, UcsAcrossOverUcsAlong) {
   const std::vector<double> table = {60, 40, 30, 40, 90};
   EXPECT_THAT(sentence({cells(Property::ucs, table, {80, 42, 30, 42, 80})}),

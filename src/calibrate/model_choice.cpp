@@ -29,6 +29,11 @@ constexpr double wider = 0.9;
 // Bridges stiffen planes as much as they strengthen them: joints are fitted anew for each of these shares,
 // which no search of strengths could move.
 constexpr double persistences[] = {0.8, 0.65, 0.5, 0.35, 0.2};
+// Of the error of the best share, up to where another may be that of the rock (docs/calibration.md, "Which
+// model of the layers").
+constexpr double nearly = 1.2;
+// Likewise, up to where a model of another kind is worth a calibration of its own.
+constexpr double worth_trying = 1.25;
 constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
 /// Where E is farther off no calibration ends within reach, whatever its strengths.
@@ -263,6 +268,48 @@ std::string ModelChoice::text() const {
         "miss less than {:g} of what the others do",
         clearly);
   return text + " (before any test, from the maps of what models reach)";
+}
+
+std::string ModelChoice::rival() const {
+  const Rival& taken = rivals[best];
+  const auto is_near = [&](const Rival& r) {
+    return (r.rock.layers != taken.rock.layers || r.rock.matrix != taken.rock.matrix) &&
+           (has_E(r) || !has_E(taken)) && r.error <= worth_trying * taken.error;
+  };
+  const Rival* near = nullptr;
+  for (const Rival& r : rivals)
+    if (is_near(r) && (near == nullptr || r.error < near->error)) near = &r;
+  if (near == nullptr) return "";
+  return fmt::format(
+      "{} ({}), which was expected to miss {:.1f} % of E and strengths, this model {:.1f} %",
+      near->rock.matrix != taken.rock.matrix
+          ? fmt::format("--matrix {}",
+                        near->rock.matrix == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond")
+          : fmt::format("layers = \"{}\" in the rock file", to_string(near->rock.layers)),
+      model_in_words(near->rock), 100.0 * near->error, 100.0 * taken.error);
+}
+
+std::optional<ParameterEstimate> ModelChoice::share() const {
+  const Rival& taken = rivals[best];
+  const auto share_of = [](const Rival& r) { return r.rock.model.bedding.front().persistence; };
+  std::map<double, bool> possible;  // by share, that of whole planes among them
+  for (const Rival& r : rivals)
+    if (r.rock.matrix == taken.rock.matrix &&
+        (r.rock.layers == LayerModel::planes || r.rock.layers == LayerModel::planes_with_bridges))
+      possible[share_of(r)] = has_E(r) == has_E(taken) && r.error <= nearly * taken.error;
+  if (!has_bridges(taken.rock.model) || possible.size() < 2) return std::nullopt;
+  ParameterEstimate e;
+  e.key = "bedding[0].persistence", e.symbol = "p", e.unit = "1", e.value = share_of(taken);
+  e.number = [](const Recipe& r) -> const double& { return r.bedding.front().persistence; };
+  e.box_low = possible.begin()->first, e.box_high = 1.0;
+  const auto is_possible = [](const auto& of) { return of.second; };
+  const auto first = std::find_if(possible.begin(), possible.end(), is_possible);
+  const auto last = std::find_if(possible.rbegin(), possible.rend(), is_possible);
+  e.low = first == possible.begin() ? e.box_low : std::prev(first)->first;
+  e.high = last == possible.rbegin() ? e.box_high : std::prev(last)->first;
+  e.determined = std::log(e.high / e.low) < 0.5 * std::log(e.box_high / e.box_low);
+  e.rests_on = "values left out";
+  return e;
 }
 
 ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,

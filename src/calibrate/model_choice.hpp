@@ -5,11 +5,13 @@
 // be better by a tenth.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calibrate/evidence.hpp"
 #include "calibrate/simulator.hpp"
+#include "records/calibration.hpp"
 
 namespace phy::calibrate {
 
@@ -46,6 +48,11 @@ struct ModelChoice {
   std::int64_t n_solutions = 0;  ///< of the direct solution
   const Rock& rock() const { return rivals[best].rock; }
   std::string text() const;  ///< one sentence with all errors
+  /// How a user asks for the best model of another kind, where that predicts nearly as well; empty: none does.
+  std::string rival() const;
+  /// Which shares of the planes may be jointed: between the nearest on both sides that predict clearly worse.
+  /// Nothing: no joints on a share are chosen, or no other share was compared.
+  std::optional<ParameterEstimate> share() const;
 };
 
 /// Of the candidates, two or more.

@@ -99,9 +99,10 @@ struct Calibration {
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
-  std::string effort;            ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
-  std::string longer_by;         ///< what would have allowed all points of a usual search; empty: it had them
-  Recipe recipe;                 ///< the calibrated model, ready to run
+  std::string rival;      ///< how to ask for the nearest of these, and how near it was; empty: none was near
+  std::string effort;     ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
+  std::string longer_by;  ///< what would have allowed all points of a usual search; empty: it had them
+  Recipe recipe;          ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit

@@ -20,14 +20,14 @@ namespace {
 double shown(Property p) { return shown_unit(p).factor; }
 
 /// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
-/// was not fitted stands alone.
-std::string cell(const Calibration& c, const double& number, double unit) {
+/// was not fitted stands alone, with the word for that.
+std::string cell(const Calibration& c, const double& number, double unit, const char* otherwise = "given") {
   for (const ParameterEstimate& e : c.parameters)
     if (e.number != nullptr && &e.number(c.recipe) == &number)
       return !e.has_interval() ? fmt::format("{:.4g}", number / unit)
                                : fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit,
                                              e.high / unit, e.determined ? "" : " open");
-  return fmt::format("{:.4g} (given)", number / unit);
+  return fmt::format("{:.4g} ({})", number / unit, otherwise);
 }
 
 /// Three digits, but no exponent and no digit before the point left out.
@@ -173,7 +173,7 @@ std::vector<ParameterTable> parameter_rows(const Calibration& c) {
                      {"Cohesion C_sj [MPa]", cell(c, b.cohesion, MPa)}}});
   auto& joints = tables.back().rows;
   if (b.persistence < 1.0) {
-    joints.emplace_back("Persistence p", fmt::format("{:g} (not fitted)", b.persistence));
+    joints.emplace_back("Persistence p", cell(c, b.persistence, 1.0, "not fitted"));
     if (b.patch_length > 0.0)
       joints.emplace_back("Length of a patch [mm]", fmt::format("{:.4g} (given)", b.patch_length * 1e3));
   }

@@ -142,6 +142,41 @@ TEST(ModelChoice, TriesSharesOfThePlanesThatNobodyHasStated) {
   EXPECT_EQ(calibrate::assumed_share(one.front(), one), "") << "stated";
 }
 
+/// Errors of shares 0.8, 0.65, 0.5, 0.35, 0.2, before them that of whole planes; the best is taken.
+calibrate::ModelChoice choice_of(const std::vector<double>& errors) {
+  Rock rock = rock_of(calibrate::reach_of(family("parallel-bond-crossing")), 5);
+  rock.matrix = MatrixModel::parallel_bond;
+  calibrate::ModelChoice choice;
+  for (const Rock& r : calibrate::candidates_of(calibrate::Evidence(rock)))
+    if (r.layers == LayerModel::planes || r.layers == LayerModel::planes_with_bridges)
+      choice.rivals.push_back({r, 0.02, 0.0, errors.at(choice.rivals.size())});
+  choice.best = static_cast<std::size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
+  return choice;
+}
+
+TEST(ModelChoice, AShareLiesBetweenThoseThatPredictClearlyWorse) {
+  const auto share = choice_of({0.16, 0.15, 0.13, 0.100, 0.105, 0.125}).share();
+  ASSERT_TRUE(share);
+  EXPECT_EQ(share->value, 0.5);
+  EXPECT_EQ(std::pair(share->low, share->high), std::pair(0.2, 0.65));
+  EXPECT_FALSE(share->determined);
+  const auto narrow = choice_of({0.16, 0.10, 0.13, 0.15, 0.15, 0.15}).share();
+  ASSERT_TRUE(narrow);
+  EXPECT_EQ(std::pair(narrow->low, narrow->high), std::pair(0.65, 1.0));
+  EXPECT_TRUE(narrow->determined);
+  EXPECT_FALSE(choice_of({0.10, 0.15, 0.15, 0.15, 0.15, 0.15}).share()) << "whole planes";
+  EXPECT_EQ(choice_of({0.105, 0.10, 0.15, 0.15, 0.15, 0.15}).share()->high, 1.0);
+}
+
+TEST(ModelChoice, TellsHowToAskForANearRivalOfAnotherKind) {
+  EXPECT_THAT(choice_of({0.10, 0.11, 0.13, 0.15, 0.15, 0.15}).rival(),
+              testing::StartsWith("layers = \"planes with bridges\" in the rock file (joints on 0.8 of the "
+                                  "planes), which was expected to miss 11.0 %"));
+  EXPECT_THAT(choice_of({0.11, 0.13, 0.09, 0.091, 0.15, 0.15}).rival(),
+              testing::StartsWith("layers = \"planes\" in the rock file"));
+  EXPECT_EQ(choice_of({0.10, 0.13, 0.13, 0.15, 0.15, 0.15}).rival(), "");
+}
+
 TEST(ModelChoice, ATableWithoutTensionLeavesTheMatrixAsItIs) {
   Rock rock = rock_of(calibrate::reach_of(family("parallel-bond-crossing")), 5);
   EXPECT_EQ(calibrate::candidates_of(calibrate::Evidence(rock)).size(), 9U);
