@@ -1,7 +1,8 @@
-// Rocks whose UCS is 8 and 10 times their Brazilian strength at every inclination, as a laboratory would hand
-// them in. They were written down before the first of them was run: of two families, the mapped specimen
-// whose three ratios lie nearest to the goal. The calibration is told neither what holds the grains nor what
-// makes the layers; E is the tangent at half of the strength; three specimens of 5 % scatter per cell.
+// Rocks whose UCS is some 8 and 10 times their Brazilian strength at every inclination, as a laboratory would
+// hand them in. They were written down before the first of them was run: of two families, the mapped specimen
+// whose three ratios lie nearest to the goal (that of one packing; those of the table have less). The
+// calibration is told neither what holds the grains nor what makes the layers; E is the tangent at half of
+// the strength; three specimens of 5 % scatter per cell.
 //
 // PHY_TWIN_FIRST and PHY_TWIN_ROCKS choose some of the four, PHY_TWIN_STORE names a folder that keeps
 // finished tests. A rock takes some 20 minutes of CPU.
