@@ -272,9 +272,9 @@ struct Pass {
 
 /// What tests make of the moduli, measured at the estimate, and the moduli that follow from it, in turn until
 /// E as it is read is settled. The last may not be the nearest: how far a test softens depends on the moduli,
-/// so that the steps are damped, and the best of them is taken. Specimens so large that the search takes coarse
-/// grains are measured twice at most. Where one measurement is all that can be paid the moduli follow it once,
-/// unmeasured. False: stopped.
+/// so that the steps are damped, and the best of them is taken. Specimens so large that the search takes
+/// coarse grains are measured twice at most. Where one measurement is all that can be paid the moduli follow
+/// it once, unmeasured. False: stopped.
 bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
   const int most_passes = has_coarse(result.recipe) ? 2 : 4;
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);

@@ -48,7 +48,8 @@ struct ModelChoice {
   std::int64_t n_solutions = 0;  ///< of the direct solution
   const Rock& rock() const { return rivals[best].rock; }
   std::string text() const;  ///< one sentence with all errors
-  /// How a user asks for the best model of another kind, where that predicts nearly as well; empty: none does.
+  /// How a user asks for the best model of another kind, where that predicts nearly as well; empty: none
+  /// does.
   std::string rival() const;
   /// Which shares of the planes may be jointed: between the nearest on both sides that predict clearly worse.
   /// Nothing: no joints on a share are chosen, or no other share was compared.
