@@ -504,7 +504,8 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
     result.notes.push_back(choice.text()), result.rival = choice.rival();
-    if (const std::optional<ParameterEstimate> share = choice.share()) result.parameters.push_back(*share);
+    if (const std::optional<ParameterEstimate> share = choice.share())
+      result.parameters.push_back(*share), result.notes.push_back(share_in_words(*share));
     result.n_elastic += choice.n_solutions;
   }
   result.layers = rock.layers;
@@ -541,6 +542,8 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   result.parameters.insert(result.parameters.begin(), estimates.begin(), estimates.end());
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
+  if (result.verdict.status == VerdictStatus::out_of_reach && !result.rival.empty())
+    result.notes.push_back(result.rival);
   result.verdict.sentence = verdict_sentence(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -95,20 +95,25 @@ bool may_ask_for_flat_joints(const View& v) {
          !of_parallel_bonds(v.of.layers) && v.of.method == CalibrationMethod::posterior;
 }
 
+// What is left where this model does not meet a strength.
+constexpr const char* only_where_met = "take the model only at angles where it meets the table";
+constexpr const char* without_ucs = "take UCS from the table: the models that were compared do not meet it";
+constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
+bool gives_up(const std::string& next) {
+  return next == only_where_met || next == without_ucs || next == without_tension;
+}
+
 /// What helps depends on whose chance the difference may be: the table's, that of the packings, nobody's.
 std::string next_of(const View& v, bool table_is_certain, bool model_is_certain,
                     const std::string& more_specimens) {
   if (!table_is_certain) return more_specimens;
   if (!model_is_certain) return "smaller grains in the rock's recipe: the packings of these leave it open";
   const std::vector<Comparison> ucs = v.answered(Property::ucs);
-  if (!std::all_of(ucs.begin(), ucs.end(), misses))
-    return "take the model only at angles where it meets the table";
-  return v.of.model_chosen ? "take UCS from the table: the models that were compared do not meet it"
+  if (!std::all_of(ucs.begin(), ucs.end(), misses)) return only_where_met;
+  return v.of.model_chosen                ? without_ucs
          : of_parallel_bonds(v.of.layers) ? "another model (layers)"
                                           : "another model (layers, --matrix)";
 }
-
-constexpr const char* without_tension = "leave the tensile strengths out if compression is what matters";
 
 std::string weaker_in_tension(const View& v) {
   return may_ask_for_flat_joints(v) ? "--matrix flat_joint: flat joints break in tension at less of UCS"
@@ -510,14 +515,12 @@ std::string bad_news(const View& v) {
                                   next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
     if (next.empty()) next = cause.next;
   }
-  const std::vector<Part> parts = ranked(v);
-  const bool of_strengths =
-      parts.empty() || parts.front() != moduli;  // neither another model nor tests mend moduli
-  if (of_strengths && v.of.verdict.status == VerdictStatus::out_of_reach && !v.of.rival.empty())
+  if (v.of.verdict.status == VerdictStatus::out_of_reach && !v.of.rival.empty() && gives_up(next))
     next = v.of.rival;
   if (!v.of.longer_by.empty()) {
     clauses.push_back(short_search(v.of));
-    if (of_strengths) next = "a new folder with " + v.of.longer_by;
+    const std::vector<Part> parts = ranked(v);
+    if (parts.empty() || parts.front() != moduli) next = "a new folder with " + v.of.longer_by;
   }
   if (const auto n = std::count_if(v.rows.begin(), v.rows.end(), is_coarse);
       n > 0 && v.of.verdict.status != VerdictStatus::out_of_reach)

@@ -111,17 +111,20 @@ TEST(Cause, OfPlanesTheRivalsAreAdvisedUnlessTheyWereTried) {
   EXPECT_THAT(verdict_sentence(c), HasSubstr("next: take the model only at angles"));
 }
 
-TEST(Cause, ARivalThatWasNearIsTheNextStepWhereStrengthsAreOutOfReach) {
+TEST(Cause, ARivalThatWasNearIsTheNextStepWhereThisModelHasNone) {
   Calibration c;
   c.verdict.status = VerdictStatus::out_of_reach, c.layers = LayerModel::planes, c.model_chosen = true;
-  c.rival = "layers = \"directions\" in the rock file";
+  c.rival = "a new folder with layers = \"directions\"";
   c.fitted = c.verification = cells(Property::ucs, weakest_at_30, weakest_at_60);
-  EXPECT_THAT(verdict_sentence(c), HasSubstr("next: layers = \"directions\""));
+  const auto rival = HasSubstr("next: a new folder with layers");
+  EXPECT_THAT(verdict_sentence(c), rival);
   c.verdict.status = VerdictStatus::calibrated_except;
-  EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("directions")));
-  c.verdict.status = VerdictStatus::out_of_reach;  // moduli are another matter
+  EXPECT_THAT(verdict_sentence(c), Not(rival));
+  c.verdict.status = VerdictStatus::out_of_reach;
   c.fitted = c.verification = cells(Property::E, {20, 21, 23, 26, 30, 36, 40}, {16, 17, 18, 21, 24, 29, 32});
-  EXPECT_THAT(verdict_sentence(c), Not(HasSubstr("directions")));
+  EXPECT_THAT(verdict_sentence(c), Not(rival)) << "moduli";
+  c.fitted = c.verification = cells(Property::ucs, {60, 40, 30, 40, 90}, {80, 42, 30, 42, 80}, 0.3);
+  EXPECT_THAT(verdict_sentence(c), Not(rival)) << "packings that differ";
 }
 
 TEST(Cause, UcsAcrossOverUcsAlong) {

@@ -51,10 +51,13 @@ struct ModelChoice {
   /// How a user asks for the best model of another kind, where that predicts nearly as well; empty: none
   /// does.
   std::string rival() const;
-  /// Which shares of the planes may be jointed: between the nearest on both sides that predict clearly worse.
-  /// Nothing: no joints on a share are chosen, or no other share was compared.
+  /// Which shares of the planes may be jointed: from the next share below all that predict nearly as well to
+  /// the next above. Nothing: no joints on a share are chosen, or no other share was compared.
   std::optional<ParameterEstimate> share() const;
 };
+
+/// "joints on 0.5 of the planes, 0.35 to 0.8 (95 %): ...": what an interval of a share rests on.
+std::string share_in_words(const ParameterEstimate& share);
 
 /// Of the candidates, two or more.
 ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,

@@ -170,11 +170,38 @@ TEST(ModelChoice, AShareLiesBetweenThoseThatPredictClearlyWorse) {
 
 TEST(ModelChoice, TellsHowToAskForANearRivalOfAnotherKind) {
   EXPECT_THAT(choice_of({0.10, 0.11, 0.13, 0.15, 0.15, 0.15}).rival(),
-              testing::StartsWith("layers = \"planes with bridges\" in the rock file (joints on 0.8 of the "
-                                  "planes), which was expected to miss 11.0 %"));
-  EXPECT_THAT(choice_of({0.11, 0.13, 0.09, 0.091, 0.15, 0.15}).rival(),
-              testing::StartsWith("layers = \"planes\" in the rock file"));
+              testing::AllOf(testing::StartsWith("a new folder with layers = \"planes with bridges\" in the "
+                                                 "rock file: joints on 0.8 of the planes"),
+                             testing::HasSubstr("by 11.0 % before any test, by 10.0 % with this model")));
+  EXPECT_THAT(
+      choice_of({0.11, 0.13, 0.09, 0.091, 0.15, 0.15}).rival(),
+      testing::StartsWith("a new folder with layers = \"planes\" in the rock file: joints on planes"));
   EXPECT_EQ(choice_of({0.10, 0.13, 0.13, 0.15, 0.15, 0.15}).rival(), "");
+  calibrate::ModelChoice choice = choice_of({0.10, 0.15, 0.15, 0.15, 0.15, 0.15});
+  calibrate::Rival other = choice.rivals.front();
+  other.rock = calibrate::with_model(other.rock, LayerModel::directions, MatrixModel::parallel_bond);
+  other.error = 0.105, choice.rivals.push_back(other);
+  EXPECT_THAT(choice.rival(), testing::HasSubstr("layers = \"directions\" in the rock file without "
+                                                 "bedding.spacing: directions of the bonds"));
+  other = choice.rivals.front();
+  other.rock = calibrate::with_model(other.rock, LayerModel::planes, MatrixModel::flat_joint);
+  other.error = 0.101, choice.rivals.push_back(other);
+  EXPECT_THAT(choice.rival(),
+              testing::HasSubstr("layers = \"planes\" in the rock file and --matrix flat_joint: joints on "
+                                 "planes between flat joints"));
+  choice.rivals.back().modulus_error = 0.07;  // another model has E
+  EXPECT_THAT(choice.rival(), testing::HasSubstr("directions"));
+}
+
+TEST(ModelChoice, RockWithoutLayersHasNoShareOfThem) {
+  Rock rock = rock_of(calibrate::reach_of(family("parallel-bond-crossing")), 5);
+  rock.bedded = false, remove_layers(rock.model);
+  std::erase_if(rock.readings, [](const RockReading& r) { return r.theta > 0.0; });
+  const calibrate::ModelChoice choice = choice_for(rock, *all_cores());
+  EXPECT_EQ(choice.rivals.size(), 2U);
+  EXPECT_FALSE(choice.share());
+  if (const std::string rival = choice.rival(); !rival.empty())
+    EXPECT_THAT(rival, testing::StartsWith("a new folder with --matrix"));
 }
 
 TEST(ModelChoice, ATableWithoutTensionLeavesTheMatrixAsItIs) {
