@@ -272,11 +272,11 @@ struct Pass {
 
 /// What tests make of the moduli, measured at the estimate, and the moduli that follow from it, in turn until
 /// E as it is read is settled. The last may not be the nearest: how far a test softens depends on the moduli,
-/// so that the steps are damped, and the best of them is taken. Specimens so large that the search takes
-/// coarse grains are measured twice at most. Where one measurement is all that can be paid the moduli follow
-/// it once, unmeasured. False: stopped.
+/// so that the steps are damped, and the best of them is taken. Where one measurement is all that can be paid
+/// (or the specimens are so large that the search takes coarse grains) the moduli follow it once, unmeasured.
+/// False: stopped.
 bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) {
-  const int most_passes = has_coarse(result.recipe) ? 2 : 4;
+  constexpr int most_passes = 4;
   const std::vector<std::int64_t> some(work.fit.begin(), work.fit.begin() + n_softened);
   const std::vector<Target> tests = tests_to_read(work.evidence);
   const auto n = static_cast<std::int64_t>(tests.size() * some.size());
@@ -293,7 +293,7 @@ bool measure_softening(Calibration& result, Work& work, const Remodel& remodel) 
       nearest = {result.recipe, work.elastic, measured, misfit};
     if (settled(work.strength.softenings, measured)) break;
     const std::int64_t spent = result.n_strength_tests - result.n_tension_tests;
-    const bool again = spent + n + reserved <= work.options.max_tests && pass < most_passes;
+    const bool again = spent + n + reserved <= work.options.max_tests && !has_coarse(result.recipe);
     if (!again && pass > 1) break;
     work.strength.softenings = stepped(work.strength.softenings, measured);
     result.recipe = with_moduli(result.recipe, remodel(work.strength.softenings).recipe);

@@ -323,8 +323,8 @@ std::optional<ParameterEstimate> ModelChoice::share() const {
 
 std::string share_in_words(const ParameterEstimate& share) {
   return fmt::format(
-      "joints on {:g} of the planes, {:g} to {:g} (95 %): shares beyond miss more than {:g} times as much of "
-      "what they were not shown{}; search and ensemble keep {:g}",
+      "joints on {:g} of the planes, {:g} to {:g} (95 %): with shares beyond, E is out of reach or what was "
+      "left out is missed by more than {:g} times as much{}; search and ensemble keep {:g}",
       share.value, share.low, share.high, nearly,
       share.low <= share.box_low ? fmt::format(", and none below {:g} was compared", share.box_low) : "",
       share.value);
