@@ -542,9 +542,10 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   result.parameters.insert(result.parameters.begin(), estimates.begin(), estimates.end());
   if (!done)
     result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
-  if (result.verdict.status == VerdictStatus::out_of_reach && !result.rival.empty())
-    result.notes.push_back(result.rival);
   result.verdict.sentence = verdict_sentence(result);
+  if (result.verdict.status == VerdictStatus::out_of_reach &&
+      result.verdict.sentence.find(result.rival) == std::string::npos)  // something better was advised
+    result.notes.push_back(result.rival);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -143,6 +143,10 @@ bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Tar
   return foretold(one.rock, targets) || one.error < clearly * best.error;
 }
 
+/// 1 of whole planes, and where there are none.
+double share_of(const Rock& rock) {
+  return rock.model.bedding.empty() ? 1.0 : rock.model.bedding.front().persistence;
+}
 Rock with_share(Rock bridged, double jointed) {
   bridged.model.bedding.front().persistence = jointed;
   return bridged;
@@ -214,7 +218,7 @@ std::string model_in_words(const Rock& rock) {
          : rock.layers == LayerModel::planes_and_directions
              ? "joints on planes, directions of the bonds' strength"
          : rock.layers == LayerModel::planes_with_bridges
-             ? fmt::format("joints on {:g} of the planes", rock.model.bedding.front().persistence)
+             ? fmt::format("joints on {:g} of the planes", share_of(rock))
          : flat ? "joints on planes between flat joints"
                 : "joints on planes";
 }
@@ -238,7 +242,7 @@ std::string models_in_words(const std::vector<Rock>& models) {
     if (!has_bridges(r.model))
       words.push_back(model_in_words(r));
     else
-      shares.push_back(fmt::format("{:g}", r.model.bedding.front().persistence));
+      shares.push_back(fmt::format("{:g}", share_of(r)));
   if (!shares.empty()) words.push_back(fmt::format("joints on {} of the planes", fmt::join(shares, ", ")));
   return fmt::format("{}", fmt::join(words, "; "));
 }
@@ -299,15 +303,14 @@ std::string ModelChoice::rival() const {
 std::optional<ParameterEstimate> ModelChoice::share() const {
   const Rival& taken = rivals[best];
   if (!has_bridges(taken.rock.model)) return std::nullopt;
-  const auto share_of = [](const Rival& r) { return r.rock.model.bedding.front().persistence; };
   std::map<double, bool> possible;  // by share, that of whole planes among them
   for (const Rival& r : rivals)
     if (r.rock.matrix == taken.rock.matrix &&
         (r.rock.layers == LayerModel::planes || r.rock.layers == LayerModel::planes_with_bridges))
-      possible[share_of(r)] = (has_E(r) || !has_E(taken)) && r.error <= nearly * taken.error;
+      possible[share_of(r.rock)] = (has_E(r) || !has_E(taken)) && r.error <= nearly * taken.error;
   if (possible.size() < 2) return std::nullopt;
   ParameterEstimate e;
-  e.key = "bedding[0].persistence", e.symbol = "persistence", e.unit = "1", e.value = share_of(taken);
+  e.key = "bedding[0].persistence", e.symbol = "persistence", e.unit = "1", e.value = share_of(taken.rock);
   e.number = [](const Recipe& r) -> const double& { return r.bedding.front().persistence; };
   e.box_low = possible.begin()->first, e.box_high = 1.0;
   const auto is_possible = [](const auto& of) { return of.second; };
@@ -323,11 +326,11 @@ std::optional<ParameterEstimate> ModelChoice::share() const {
 
 std::string share_in_words(const ParameterEstimate& share) {
   return fmt::format(
-      "joints on {:g} of the planes, {:g} to {:g} (95 %): with shares beyond, E is out of reach or what was "
-      "left out is missed by more than {:g} times as much{}; search and ensemble keep {:g}",
-      share.value, share.low, share.high, nearly,
-      share.low <= share.box_low ? fmt::format(", and none below {:g} was compared", share.box_low) : "",
-      share.value);
+      "joints on {:g} of the planes, {:g} to {:g} (95 %): up to the next shares that predict clearly worse "
+      "(E "
+      "out of reach, or {:g} times the error of E and values left out), or the last that were compared; "
+      "search and ensemble keep {:g}",
+      share.value, share.low, share.high, nearly, share.value);
 }
 
 ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& candidates, std::int64_t seed,
@@ -339,8 +342,7 @@ ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& cand
   for (const Rock& rock : candidates) {
     const Evidence one(rock, evidence.targets);
     const LayerModel as = rock.layers == LayerModel::planes_and_directions ? LayerModel::planes : rock.layers;
-    const double persistence = has_bridges(rock.model) ? rock.model.bedding.front().persistence : 1.0;
-    const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, persistence});
+    const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, share_of(rock)});
     if (fresh) fit->second = moduli_of(one, seed, simulator), choice.n_solutions += fit->second.n_solutions;
     Rival rival = rival_of(one, fit->second);
     if (choice.rivals.empty() || replaces(rival, choice, evidence.targets))

@@ -23,9 +23,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const std::string good =
-    "theta [deg],E [GPa],UCS [MPa],UCS_sd [MPa],n\n0,23,105,5,3\n45,20,53,,3\n90,59,138,7,3\n";
-
 TEST_F(RockFile, DiscsHaveADiameterPerRowOrOneForAll) {
   const Rock r = rock("theta [deg],UCS [MPa],BTS [MPa],diameter [mm]\n0,100,9,30\n45,60,8,\n90,120,5,20\n",
                       "[brazilian]\ndiameter = \"25 mm\"\nloading_angle = \"15 deg\"\n");

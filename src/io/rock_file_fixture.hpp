@@ -10,6 +10,9 @@ namespace phy::io {
 
 class RockFile : public InFolder {
  protected:
+  static inline const std::string good =
+      "theta [deg],E [GPa],UCS [MPa],UCS_sd [MPa],n\n0,23,105,5,3\n45,20,53,,3\n90,59,138,7,3\n";
+
   Rock rock(const std::string& csv, const std::string& more = "") const {
     write("r.csv", csv);
     return read_rock(write("r.toml", "data = \"r.csv\"\n" + more));

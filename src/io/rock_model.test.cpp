@@ -13,9 +13,6 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string good =
-    "theta [deg],E [GPa],UCS [MPa],UCS_sd [MPa],n\n0,23,105,5,3\n45,20,53,,3\n90,59,138,7,3\n";
-
 TEST_F(RockFile, ARecipeWithAPackingFromAFileIsRefused) {
   write("discs.csv", "x [m],y [m],r [m]\n0.002,0.002,0.002\n0.006,0.002,0.002\n");
   write("m.toml", "[packing]\nfile = \"discs.csv\"\n[[bedding]]\nspacing = \"5 mm\"\n");

@@ -17,14 +17,7 @@
 namespace phy {
 namespace {
 
-using calibrate::ModelFamily;
 using calibrate::ReachTable;
-
-const ModelFamily& family(const std::string& name) {
-  for (const ModelFamily& f : calibrate::model_families())
-    if (f.name == name) return f;
-  throw std::runtime_error(name);
-}
 
 Rock rock_of(const ReachTable& table, std::size_t row) {
   Rock rock;

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "base/rng.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/family.hpp"
 #include "calibrate/parameters.hpp"
 #include "calibrate/twin.hpp"
 
@@ -28,6 +31,13 @@ inline Recipe magnified_model(double factor) {
   BeddingRecipe& b = r.bedding[0];
   b.spacing *= factor, b.zone_thickness *= factor, b.k_n /= factor, b.k_s /= factor;
   return r;
+}
+
+/// A family that was mapped.
+inline const calibrate::ModelFamily& family(const std::string& name) {
+  for (const calibrate::ModelFamily& f : calibrate::model_families())
+    if (f.name == name) return f;
+  throw std::runtime_error(name);
 }
 
 /// The matrix of a synthetic rock; `between` draws the next number, uniform in its logarithm.

@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <stdexcept>
 #include <thread>
 
 #include "../calibration/twin_trial.hpp"
@@ -52,21 +50,18 @@ double distance(const calibrate::ReachTable& map, std::size_t row, double goal) 
 }
 
 Recipe nearest_specimen(const char* name, double goal) {
-  for (const calibrate::ModelFamily& family : calibrate::model_families()) {
-    if (std::strcmp(family.name, name) != 0) continue;
-    const calibrate::ReachTable& map = calibrate::reach_of(family);
-    std::size_t best = 0;
-    double least = INFINITY;
-    for (std::size_t row = 0; row < map.n_rows(); ++row)
-      if (const double d = distance(map, row, goal); map.is_dense(row) && map.is_sensible(row) && d < least)
-        best = row, least = d;
-    Recipe r = family.base;
-    for (std::size_t i = 0; i < family.levers.size(); ++i)
-      family.levers[i].set(r, family.levers[i].at_place(map.places(best)[i]));
-    std::printf("%s, row %zu: within a factor of %.2f of UCS/BTS = %g\n", name, best, std::exp(least), goal);
-    return r;
-  }
-  throw std::logic_error("no such family");
+  const calibrate::ModelFamily& of = family(name);
+  const calibrate::ReachTable& map = calibrate::reach_of(of);
+  std::size_t best = 0;
+  double least = INFINITY;
+  for (std::size_t row = 0; row < map.n_rows(); ++row)
+    if (const double d = distance(map, row, goal); map.is_dense(row) && map.is_sensible(row) && d < least)
+      best = row, least = d;
+  Recipe r = of.base;
+  for (std::size_t i = 0; i < of.levers.size(); ++i)
+    of.levers[i].set(r, of.levers[i].at_place(map.places(best)[i]));
+  std::printf("%s, row %zu: within a factor of %.2f of UCS/BTS = %g\n", name, best, std::exp(least), goal);
+  return r;
 }
 
 std::vector<Comparison> response(const Recipe& truth, std::uint32_t k, calibrate::Simulator& simulator) {
@@ -91,8 +86,7 @@ std::vector<Comparison> response(const Recipe& truth, std::uint32_t k, calibrate
 Rock rock_of(const Recipe& truth, const std::vector<Comparison>& table, std::uint32_t k) {
   Rock rock;
   rock.name = fmt::format("tension twin {}", k);
-  for (const calibrate::ModelFamily& family : calibrate::model_families())
-    if (std::strcmp(family.name, "parallel-bond-crossing") == 0) rock.model = family.base;
+  rock.model = family("parallel-bond-crossing").base;
   if (!truth.bedding.empty()) rock.model.bedding[0].spacing = truth.bedding[0].spacing;
   rock.layers = LayerModel::choose, rock.matrix = std::nullopt, rock.E_is = ModulusReading::tangent_50;
   calibrate::TwinOptions options;
