@@ -34,7 +34,8 @@ constexpr int n_unseen = verification_packings;  // at first
 constexpr int n_eq2 = 2;                         // packings for Eq. 2
 constexpr int n_spare = 15;                      // more for the elastic fit, where packings differ much
 constexpr int n_softened = 5;                    // on which softening is measured at the estimate
-constexpr int n_search = 12;  // of the search of the strengths: those of the fit and some of the spare ones
+constexpr int n_search = 60;             // of the search, which hardly takes one twice: those of the fit,
+                                         // the spare ones and others
 constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 
 /// Seeds from `first` on.
@@ -201,7 +202,9 @@ struct Work {
     next_unseen = first + n_fit + n_unseen + n_spare;
     first_of_ensemble = next_unseen + static_cast<std::int64_t>(most_packings - first_packings);
     search = fit;
-    search.insert(search.end(), spare.begin(), spare.begin() + (n_search - n_fit));
+    const std::int64_t first_beyond = first_of_ensemble + static_cast<std::int64_t>(ensemble_size);
+    for (const auto& more : {spare, seeds_from(first_beyond, n_search - n_fit - n_spare)})
+      search.insert(search.end(), more.begin(), more.end());
   }
   bool softens() const { return softened(evidence, options); }
   bool by_sequence() const { return options.method == CalibrationMethod::sequence; }

@@ -109,8 +109,15 @@ std::vector<double> StrengthPosterior::places(const Point& x) const {
   return all;
 }
 
+Surrogate::Value StrengthPosterior::response(const Point& x, std::size_t target) const {
+  const Surrogate& model = models_[target];
+  Surrogate::Value v = model.at(inputs(x, target));
+  v.mean += 0.5 * model.scatter_variance();  // log-normal: the mean lies above the median
+  return v;
+}
+
 Surrogate::Value StrengthPosterior::predict(const Point& x, std::size_t target) const {
-  Surrogate::Value v = models_[target].at(inputs(x, target));
+  Surrogate::Value v = response(x, target);
   v.mean += log_sigma_c(x);
   return v;
 }
@@ -259,7 +266,7 @@ double StrengthPosterior::best_sigma(const Point& x, std::size_t left_out) const
   double weight = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (i == left_out || targets_[i].confining > 0.0) continue;
-    const Surrogate::Value f = models_[i].at(inputs(x, i));
+    const Surrogate::Value f = response(x, i);
     const double w = 1.0 / (f.variance + tolerated(i));
     weight += w, sum += w * (std::log(targets_[i].mean) - f.mean);
   }

@@ -66,6 +66,7 @@ class StrengthPosterior {
   std::vector<Target> without_runs() const;
   /// From all runs so far; to be called before what follows.
   void learn();
+  /// The mean over packings, as a laboratory takes that of its specimens: of strengths, not of logarithms.
   Surrogate::Value predict(const Point& x, std::size_t target) const;
   /// Places of the ratios, then that of sigma_c.
   std::vector<double> places(const Point& x) const;
@@ -121,6 +122,8 @@ class StrengthPosterior {
   double pull(const Miss& miss) const;
   bool find_discrepancy(const std::vector<Point>& draws);  // false: as it was
 
+  /// log of that mean over sigma_c.
+  Surrogate::Value response(const Point& x, std::size_t target) const;
   std::size_t index_of(const CalibratedParameter& p) const;
   bool inside(const Point& x) const;
   std::vector<Point> spread_points(int n) const;

@@ -156,8 +156,9 @@ void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const
 class Surprise {
  public:
   explicit Surprise(std::size_t n_targets) : sums_(n_targets), counts_(n_targets) {}
-  void add(std::size_t target, double log_error, Property property) {
-    sums_[target] += log_error / tolerance(property), ++counts_[target];
+  /// `ratio`: of a test's answer to what was predicted for the mean.
+  void add(std::size_t target, double ratio, Property property) {
+    sums_[target] += (ratio - 1.0) / tolerance(property), ++counts_[target];
   }
   double rms() const {
     double squares = 0.0;
@@ -199,7 +200,7 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
         strength_of(results[k], property) / (design.coarse ? coarse_growth(property) : 1.0);
     const bool own = !is_read_before_ucs(property);  // a test of its own
     if (std::isfinite(strength)) {
-      surprise.add(i, std::log(strength) - posterior.predict(points[p], i).mean, property);
+      surprise.add(i, strength / std::exp(posterior.predict(points[p], i).mean), property);
       posterior.add_run(i, {posterior.inputs(points[p], i), static_cast<int>(design.packings[p]),
                             design.coarse, std::log(strength) - StrengthPosterior::log_sigma_c(points[p])});
     } else if (own) {

@@ -4,8 +4,8 @@
 // What fits is a posterior over the six (strength_posterior.hpp). Its draws are also the next points to run,
 // from the first batch on, when only the regression over other rocks speaks (prior_regression.hpp): wide
 // while little is known, close to the answer in the end - a trust region that nobody has to size. Points are
-// chosen far apart among the draws, dealt out over twelve packings, all angles of a point on one packing:
-// what packings have in common with each other is what the surrogate learns.
+// chosen far apart among the draws, two to a packing, all angles of a point on one packing: what packings
+// have in common with each other is what the surrogate learns.
 //
 // The first batches run on coarse grains, the same specimen magnified, at a fifteenth of the cost; the
 // surrogate knows that they answer a little differently. The last rounds run at the estimate (nearest.hpp),

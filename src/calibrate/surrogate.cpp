@@ -91,6 +91,7 @@ Surrogate::Surrogate(const std::vector<SurrogateRun>& runs, PriorMean prior_mean
         best = density, chosen = {factor, scatter};
     }
   learn(y, shared, chosen.first, chosen.second);
+  scatter_variance_ = square(chosen.second) * (square(packing_fine) + square(run_fine));
   std::set<int> packings;
   for (const SurrogateRun& run : runs)
     if (!run.coarse) packings.insert(run.packing);

@@ -45,13 +45,15 @@ class Surrogate {
   Value at(std::span<const double> z) const;
   /// Of that variance, what rests on the packings of fine grains that there were: all runs of one share it.
   double packing_variance() const { return packing_variance_; }
+  /// Of the logarithm of one run on fine grains about the response: packing and run together.
+  double scatter_variance() const { return scatter_variance_; }
 
  private:
   PriorMean prior_;
   Eigen::MatrixXd places_;  // of the runs, one per row
   Eigen::ArrayXd squares_;  // of their lengths
   double response_ = 1.0;   // factor on the amplitudes
-  double packing_variance_ = 0.0;
+  double packing_variance_ = 0.0, scatter_variance_ = 0.0;
   Eigen::MatrixXd factor_;    // Cholesky factor of the covariance of the runs
   Eigen::MatrixXd whitener_;  // its inverse, a row per column
   Eigen::VectorXd weights_;   // of the runs

@@ -108,11 +108,12 @@ inline std::vector<std::int64_t> table_packings(std::uint32_t k, int n) {
 inline std::vector<std::int64_t> unseen_packings() { return packings_from(6, 5); }
 
 inline Trial run_trial(std::uint32_t k, const Recipe& model, const std::vector<double>& angles,
-                       const calibrate::Budget& budget, calibrate::Simulator& simulator, int n_table = 5) {
+                       const calibrate::Budget& budget, calibrate::Simulator& simulator, int n_table = 5,
+                       const std::vector<std::int64_t>& unseen = unseen_packings()) {
   Trial t;
   t.truth = trial_rock(k, model);
   t.response = calibrate::twin_response(t.truth, angles, table_packings(k, n_table), simulator);
-  t.unseen = calibrate::twin_response(t.truth, angles, unseen_packings(), simulator);
+  t.unseen = calibrate::twin_response(t.truth, angles, unseen, simulator);
   calibrate::CalibrationOptions how;
   how.max_tests = budget.max_tests, how.effort = budget.effort;
   how.listener.estimates = [&](const std::vector<ParameterEstimate>& known) {
