@@ -93,5 +93,30 @@ TEST_F(Answered, TheScaleIsKnownLessWell) {
   EXPECT_LT(curvature(), 0.99 * searching);
 }
 
+// A laboratory takes the mean of its specimens, and so does the verification; runs are learnt by their
+// logarithms, whose mean is lower where specimens scatter.
+TEST(Predicted, TheMeanOfStrengthsIsMeantNotThatOfLogarithms) {
+  constexpr std::uint32_t n = 80;
+  constexpr double scatter = 0.15;
+  Rock rock;
+  rock.model.bedding.resize(1);
+  rock.readings.push_back(reading(Property::ucs, 0.0, 100e6));
+  const Evidence evidence(rock);
+  StrengthPosterior posterior(evidence, rock.model);
+  const Point x = posterior.middle_of_box();
+  posterior.learn();
+  const double level = posterior.predict(x, 0).mean - StrengthPosterior::log_sigma_c(x);  // of the prior
+  double logarithms = 0.0, strengths = 0.0;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const double y = level + scatter * normal(6, Stream::test, k);
+    posterior.add_run(0, {posterior.inputs(x, 0), static_cast<int>(k), false, y});
+    logarithms += y / n, strengths += std::exp(y) / n;
+  }
+  posterior.learn();
+  const double predicted = posterior.predict(x, 0).mean - StrengthPosterior::log_sigma_c(x);
+  EXPECT_NEAR(predicted, std::log(strengths), 0.003);
+  EXPECT_GT(predicted, logarithms + 0.007);
+}
+
 }  // namespace
 }  // namespace phy::calibrate
