@@ -38,6 +38,10 @@ constexpr int n_search = 60;             // of the search, which hardly takes on
                                          // the spare ones and others
 constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 
+Verdict stopped_by_user() {
+  return {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
+}
+
 /// Seeds from `first` on.
 std::vector<std::int64_t> seeds_from(std::int64_t first, int n) {
   std::vector<std::int64_t> seeds(static_cast<std::size_t>(n));
@@ -152,15 +156,21 @@ std::int64_t n_beside_search(const Evidence& evidence, bool softens) {
   return n_at_estimate(evidence, softens) * (n_unseen + (softens ? n_softened : 0));
 }
 
-/// Throws InputError where the budget is too small for any search. `n`: strengths in compression.
-void check_budget(std::int64_t n, std::int64_t n_beside, std::int64_t max_tests) {
-  const std::int64_t least = n * least_points + n_beside;
-  if (max_tests < least)
-    throw InputError(Problem{
-        "command line", "--max-tests", fmt::format("{}", max_tests), fmt::format("at least {}", least),
-        fmt::format("{} strengths in compression, each with {} tests of the search, and {} "
-                    "tests at the estimate",
-                    n, least_points, n_beside)});
+/// Fewest tests in compression of a calibration that fits strengths.
+std::int64_t least_tests(const Evidence& evidence, const CalibrationOptions& options) {
+  return evidence.n_compressive() * least_points + n_beside_search(evidence, softened(evidence, options));
+}
+
+/// Throws InputError where the budget is too small for any search.
+void check_budget(const Evidence& evidence, const CalibrationOptions& options) {
+  const std::int64_t least = least_tests(evidence, options), n = evidence.n_compressive();
+  if (options.max_tests < least)
+    throw InputError(
+        Problem{"command line", "--max-tests", fmt::format("{}", options.max_tests),
+                fmt::format("at least {}", least),
+                fmt::format("{} strengths in compression, each with {} tests of the search, and {} "
+                            "tests at the estimate",
+                            n, least_points, least - n * least_points)});
 }
 
 /// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
@@ -491,32 +501,103 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   return true;
 }
 
-/// The rock with its model, which is chosen here where nobody has said it.
-Evidence with_model(const Evidence& evidence, Calibration& result, const CalibrationOptions& options,
-                    Simulator& simulator) {
-  const std::vector<Rock> candidates = candidates_of(evidence);
-  Rock rock = candidates.front();
-  if (candidates.size() > 1 && options.method == CalibrationMethod::sequence) {
-    result.notes.push_back(
-        fmt::format("the model is {}: a sequence compares no rivals", model_in_words(rock)));
-  } else if (candidates.size() > 1) {
-    const ModelChoice choice =
-        choose_model(evidence, candidates, rock.model.packing.seed, simulator, options.listener.say);
-    rock = choice.rock();
-    result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
-      return r.layers != rock.layers || r.matrix != rock.matrix;
-    });
-    result.notes.push_back(choice.text()), result.rival = choice.rival();
-    if (const std::optional<ParameterEstimate> share = choice.share())
-      result.parameters.push_back(*share), result.notes.push_back(share_in_words(*share));
-    result.n_elastic += choice.n_solutions;
-  }
-  result.layers = rock.layers;
-  if (const std::string text = assumed_share(evidence.rock, candidates); !text.empty())
-    result.notes.push_back(text);
+Evidence with_model(const Evidence& evidence, const Rock& rock) {
   Evidence with(rock, evidence.targets);
   with.maps = evidence.maps;
   return with;
+}
+
+/// The rock with its model, and with another that may do as well.
+struct Models {
+  Evidence taken;
+  std::optional<ParameterEstimate> share;  ///< of its planes
+  std::optional<Evidence> rival;
+};
+
+/// Chosen here where nobody has said it.
+Models models_of(const Evidence& evidence, Calibration& result, const CalibrationOptions& options,
+                 Simulator& simulator) {
+  const std::vector<Rock> candidates = candidates_of(evidence);
+  Models models{with_model(evidence, candidates.front()), {}, {}};
+  if (candidates.size() > 1 && options.method == CalibrationMethod::sequence) {
+    result.notes.push_back(
+        fmt::format("the model is {}: a sequence compares no rivals", model_in_words(candidates.front())));
+  } else if (candidates.size() > 1) {
+    const ModelChoice choice =
+        choose_model(evidence, candidates, evidence.rock.model.packing.seed, simulator, options.listener.say);
+    const Rock& rock = choice.rock();
+    result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
+      return r.layers != rock.layers || r.matrix != rock.matrix;
+    });
+    result.notes.push_back(choice.text()), result.rival = choice.rival_in_words();
+    result.n_elastic += choice.n_solutions;
+    models.taken = with_model(evidence, rock), models.share = choice.share();
+    if (const Rival* rival = choice.rival()) models.rival = with_model(evidence, rival->rock);
+  }
+  if (const std::string text = assumed_share(evidence.rock, candidates); !text.empty())
+    result.notes.push_back(text);
+  return models;
+}
+
+/// By one model, from the moduli to the verdict, on top of what its choice has told.
+void calibrate_by(Calibration& result, const Evidence& model, const CalibrationOptions& options,
+                  Simulator& simulator) {
+  std::vector<Estimate> estimates;
+  bool done = false;
+  result.layers = model.rock.layers;
+  try {
+    done = run_stages(result, estimates, model, options, simulator);
+  } catch (const Stopped&) {  // in the middle of elastic solutions
+  }
+  result.parameters.insert(result.parameters.begin(), estimates.begin(), estimates.end());
+  if (!done) result.verdict = stopped_by_user();
+}
+
+/// What unseen packings miss of the values that were fitted, in tolerances, root mean square; infinite where
+/// one has no answer.
+double missed(const Calibration& c, std::size_t n_values) {
+  double squares = 0.0;
+  std::size_t n = 0;
+  for (const Comparison& row : c.verification)
+    if (row.answered()) squares += std::pow(miss_of(row) / tolerance(row.target.property), 2.0), ++n;
+  return n < n_values ? std::numeric_limits<double>::infinity() : std::sqrt(squares / static_cast<double>(n));
+}
+
+std::string missed_in_words(double tolerances) {
+  return std::isfinite(tolerances)
+             ? fmt::format("{:.2g} tolerances off on unseen packings, root mean square", tolerances)
+             : "some values without an answer";
+}
+
+/// Out of reach with the model that was taken: the other one is calibrated too, where the tests that are left
+/// pay for as much again, and the nearer of the two stays.
+void try_rival(Calibration& result, Calibration other, const Models& models, CalibrationOptions options,
+               Simulator& simulator) {
+  const std::int64_t spent = result.n_strength_tests - result.n_tension_tests,
+                     left = options.max_tests - spent;
+  if (result.verdict.status != VerdictStatus::out_of_reach || !models.rival ||
+      left < std::max(spent, least_tests(*models.rival, options)))
+    return;
+  const std::string first = model_in_words(models.taken.rock), second = model_in_words(models.rival->rock);
+  options.listener.say(fmt::format("{}: out of reach; now {}", first, second));
+  options.max_tests = left;
+  calibrate_by(other, *models.rival, options, simulator);
+  if (other.verdict.status == VerdictStatus::interrupted) {
+    result.verdict = other.verdict;
+    return;
+  }
+  const Evidence& table = models.taken;
+  const bool strengths = table.fits_strength() && !options.elastic_only;
+  const std::size_t n_values = table.moduli.size() + (strengths ? table.strengths.size() : 0);
+  const double before = missed(result, n_values), after = missed(other, n_values);
+  const bool nearer = other.verdict.status != VerdictStatus::out_of_reach || after < before;
+  if (nearer) std::swap(result, other);
+  result.n_strength_tests += other.n_strength_tests, result.n_tension_tests += other.n_tension_tests;
+  result.n_coarse_tests += other.n_coarse_tests, result.n_elastic += other.n_elastic;
+  result.rival.clear();
+  result.notes.push_back(fmt::format(
+      "{} ended out of reach ({}), so {} were calibrated too ({}): the {} taken", first,
+      missed_in_words(before), second, missed_in_words(after), nearer ? "latter are" : "former stay"));
 }
 
 }  // namespace
@@ -524,9 +605,7 @@ Evidence with_model(const Evidence& evidence, Calibration& result, const Calibra
 void check_possible(const Evidence& evidence, const CalibrationOptions& options) {
   Calibration without_notes;
   without_notes.rock = evidence.rock.name;
-  if (fits_strength(without_notes, evidence, options))
-    check_budget(evidence.n_compressive(), n_beside_search(evidence, softened(evidence, options)),
-                 options.max_tests);
+  if (fits_strength(without_notes, evidence, options)) check_budget(evidence, options);
 }
 
 Calibration calibrate(const Evidence& evidence, const CalibrationOptions& options, Simulator& simulator) {
@@ -535,16 +614,16 @@ Calibration calibrate(const Evidence& evidence, const CalibrationOptions& option
   Calibration result;
   result.rock = evidence.rock.name, result.E_is = evidence.rock.E_is, result.method = options.method;
   if (options.method == CalibrationMethod::sequence) check_sequence(evidence);
-  std::vector<Estimate> estimates;
-  bool done = false;
   try {
-    done =
-        run_stages(result, estimates, with_model(evidence, result, options, simulator), options, simulator);
-  } catch (const Stopped&) {  // in the middle of elastic solutions
+    const Models models = models_of(evidence, result, options, simulator);
+    const Calibration before = result;
+    if (models.share)
+      result.parameters.push_back(*models.share), result.notes.push_back(share_in_words(*models.share));
+    calibrate_by(result, models.taken, options, simulator);
+    try_rival(result, before, models, options, simulator);
+  } catch (const Stopped&) {  // while the models were compared
+    result.verdict = stopped_by_user();
   }
-  result.parameters.insert(result.parameters.begin(), estimates.begin(), estimates.end());
-  if (!done)
-    result.verdict = {VerdictStatus::interrupted, {"stopped by the user; finished tests are in the store"}};
   result.verdict.sentence = verdict_sentence(result);
   if (result.verdict.status == VerdictStatus::out_of_reach &&
       result.verdict.sentence.find(result.rival) == std::string::npos)  // something better was advised

@@ -274,7 +274,7 @@ std::string ModelChoice::text() const {
   return text + " (before any test, from the maps of what models reach)";
 }
 
-std::string ModelChoice::rival() const {
+const Rival* ModelChoice::rival() const {
   const Rival& taken = rivals[best];
   const auto is_near = [&](const Rival& r) {
     return (r.rock.layers != taken.rock.layers || r.rock.matrix != taken.rock.matrix) &&
@@ -283,6 +283,12 @@ std::string ModelChoice::rival() const {
   const Rival* near = nullptr;
   for (const Rival& r : rivals)
     if (is_near(r) && (near == nullptr || r.error < near->error)) near = &r;
+  return near;
+}
+
+std::string ModelChoice::rival_in_words() const {
+  const Rival& taken = rivals[best];
+  const Rival* near = rival();
   if (near == nullptr) return "";
   const bool several_matrices = std::any_of(
       rivals.begin(), rivals.end(), [&](const Rival& r) { return r.rock.matrix != taken.rock.matrix; });

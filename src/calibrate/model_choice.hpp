@@ -48,9 +48,10 @@ struct ModelChoice {
   std::int64_t n_solutions = 0;  ///< of the direct solution
   const Rock& rock() const { return rivals[best].rock; }
   std::string text() const;  ///< one sentence with all errors
-  /// How a user asks for the best model of another kind, where that predicts nearly as well; empty: none
-  /// does.
-  std::string rival() const;
+  /// The best model of another kind, where that predicts nearly as well; nullptr: none does.
+  const Rival* rival() const;
+  /// How a user asks for it, and why; empty: there is none.
+  std::string rival_in_words() const;
   /// Which shares of the planes may be jointed: from the next share below all that predict nearly as well to
   /// the next above. Nothing: no joints on a share are chosen, or no other share was compared.
   std::optional<ParameterEstimate> share() const;

@@ -587,5 +587,62 @@ TEST(StrengthStage, StopsWhenTheUserDoes) {
   EXPECT_TRUE(f.parameters.empty());
 }
 
+/// A table that directions are expected to meet nearly as well as planes, by a press that breaks what it is
+/// told to.
+Calibration with_a_rival(const std::function<bool(const Recipe&)>& breaks, std::int64_t max_tests = 1000,
+                         std::int64_t stop_after = -1) {
+  Rock rock = rock_of({{Property::ucs, 0.0, 110e6},
+                       {Property::ucs, 30.0, 80e6},
+                       {Property::ucs, 45.0, 70e6},
+                       {Property::ucs, 60.0, 65e6},
+                       {Property::ucs, 90.0, 120e6}},
+                      true);
+  rock.layers = LayerModel::choose, rock.matrix = MatrixModel::parallel_bond;
+  PaperPress press;
+  press.peaks = breaks, press.stop_after = stop_after;
+  CalibrationOptions options;
+  options.max_tests = max_tests;
+  return calibrate(Evidence(rock), options, press);
+}
+bool has_planes(const Recipe& r) { return !r.bedding.empty(); }
+
+testing::Matcher<std::vector<std::string>> tell(const std::string& part) {
+  return testing::Contains(testing::HasSubstr(part));
+}
+
+TEST(StrengthStage, TheRivalOfAModelOutOfReachIsCalibratedToo) {
+  const Calibration c = with_a_rival([](const Recipe& r) { return !has_planes(r); });
+  EXPECT_EQ(c.layers, LayerModel::directions);
+  EXPECT_TRUE(c.recipe.bedding.empty());
+  EXPECT_EQ(c.rival, "") << "no advice to try it";
+  EXPECT_THAT(c.notes, tell("joints on planes ended out of reach (some values without an answer), so "
+                            "directions of the bonds were calibrated too ("));
+  EXPECT_THAT(c.notes, tell("tolerances off on unseen packings, root mean square): the latter are taken"));
+  EXPECT_GT(c.n_strength_tests, 12 * 5 + 36 * 5) << "the first batch of planes, and a whole search";
+  EXPECT_LE(c.n_strength_tests, 1000);
+}
+
+TEST(StrengthStage, WhereTheRivalIsNoBetterTheFirstModelStays) {
+  const Calibration c = with_a_rival([](const Recipe&) { return false; });
+  EXPECT_EQ(c.layers, LayerModel::planes);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(c.notes, tell("the former stay taken"));
+  EXPECT_EQ(c.n_strength_tests, 2 * 12 * 5);
+}
+
+TEST(StrengthStage, ARivalIsNotTriedWithoutNeedOrMeans) {
+  const auto tried = [](const Calibration& c) {
+    return std::any_of(c.notes.begin(), c.notes.end(),
+                       [](const std::string& n) { return n.find("were calibrated too") != n.npos; });
+  };
+  const Calibration met = with_a_rival(has_planes), poor = with_a_rival([](auto&) { return false; }, 90);
+  EXPECT_NE(met.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_FALSE(tried(met));
+  EXPECT_FALSE(tried(poor));
+  EXPECT_THAT(poor.rival, testing::HasSubstr("layers = \"directions\"")) << "it stays an advice";
+  const Calibration stopped = with_a_rival([](auto&) { return false; }, 1000, 12 * 5 + 1);
+  EXPECT_EQ(stopped.verdict.status, VerdictStatus::interrupted);
+}
+
 }  // namespace
 }  // namespace phy::calibrate
