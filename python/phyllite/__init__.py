@@ -307,7 +307,7 @@ class Calibration:
 
 
 def calibrate(rock: Rock, out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
-              matrix: str = "", effort: str = "normal", max_tests: int = 1000, with_untrusted: bool = False, resume: bool = False,
+              matrix: str = "", effort: str = "normal", max_tests: int = 2000, with_untrusted: bool = False, resume: bool = False,
               threads: int = 0, progress: ProgressFunction = None) -> Calibration:
     """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
 

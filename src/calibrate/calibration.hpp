@@ -18,7 +18,7 @@ namespace phy::calibrate {
 struct CalibrationOptions {
   CalibrationMethod method = CalibrationMethod::posterior;
   bool elastic_only = false;
-  std::int64_t max_tests = 1000;  ///< in compression, verification included; tests in tension come on top
+  std::int64_t max_tests = 2000;  ///< in compression, verification included; tests in tension come on top
   Effort effort = normal_effort;  ///< of the search of a posterior
   Listener listener = {};
 };

@@ -55,11 +55,13 @@ struct Batch {
 constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // More rounds, as many as the effort allows, while tests at the estimate are off what was predicted for it by
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
-// UCS), or while the estimate moves on to where less is known than where it was tried: the nearest of several
-// valleys may change with every round, and one that was never tried is no answer. Specimens so large that
+// UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
+// is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
+// answer. Specimens so large that
 // coarse grains are taken keep to the plan: a round of them costs as much as all of that.
-constexpr double most_surprise = 0.6;  // tolerances
-constexpr double most_growth = 1.2;    // of the uncertainty
+constexpr double most_surprise = 0.6;   // tolerances
+constexpr double most_growth = 1.2;     // of the uncertainty
+constexpr double most_uncertain = 0.4;  // tolerances
 /// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
 /// and rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
@@ -214,11 +216,12 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
   return surprise.rms();
 }
 
-/// After a round at `tried`: were its tests no surprise, and is as much known of the estimate that follows?
+/// After a round at `tried`: were its tests no surprise, and is enough known of the estimate that follows?
 bool is_settled(const StrengthPosterior& posterior, const Point& estimate, const Point& tried,
                 double surprise) {
-  return surprise <= most_surprise &&
-         uncertainty_at(posterior, estimate) <= most_growth * uncertainty_at(posterior, tried);
+  const double unknown = uncertainty_at(posterior, estimate);
+  return surprise <= most_surprise && unknown <= most_uncertain &&
+         unknown <= most_growth * uncertainty_at(posterior, tried);
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
