@@ -264,5 +264,104 @@ TEST(Twin, ModuliAreThoseOfTheTestsUnlessSmallStrainIsMeant) {
   }
 }
 
+/// A table that directions are expected to meet nearly as well as planes.
+class ARival : public testing::Test {
+ protected:
+  ARival() {
+    rock.bedded = true, rock.model.bedding.resize(1);
+    rock.layers = LayerModel::choose, rock.matrix = MatrixModel::parallel_bond;
+    for (const auto& [theta, ucs] :
+         {std::pair{0.0, 110e6}, {30.0, 80e6}, {45.0, 70e6}, {60.0, 65e6}, {90.0, 120e6}})
+      rock.readings.push_back(reading(Property::ucs, theta, ucs));
+  }
+  Calibration found() { return calibrate(Evidence(rock), options, press); }
+  Rock rock;
+  Photographed press;
+  CalibrationOptions options;
+
+  static bool has_planes(const Recipe& r) { return !r.bedding.empty(); }
+  static bool nothing(const Recipe&) { return false; }
+  static std::string story(const Calibration& c) {
+    for (const std::string& note : c.notes)
+      if (note.find(" ended out of reach (") != note.npos) return note;
+    return "";
+  }
+};
+
+TEST_F(ARival, OfAModelOutOfReachIsCalibratedToo) {
+  press.peaks = [](const Recipe& r) { return !has_planes(r); };
+  const Calibration c = found();
+  EXPECT_EQ(c.layers, LayerModel::directions);
+  EXPECT_TRUE(c.recipe.bedding.empty());
+  EXPECT_EQ(c.rival, "") << "no advice to try it";
+  EXPECT_EQ(c.discarded, "joints on planes");
+  EXPECT_THAT(story(c),
+              testing::AllOf(testing::StartsWith("joints on planes ended out of reach (5 values without an "
+                                                 "answer), so directions of the bonds were calibrated too ("),
+                             testing::HasSubstr("tolerances off on unseen packings, root mean square): the "
+                                                "latter are taken")));
+  EXPECT_GT(c.n_strength_tests, 12 * 5 + 36 * 5) << "the first batch of planes, and a whole search";
+  EXPECT_LE(c.n_strength_tests, options.max_tests);
+  EXPECT_FALSE(press.shown.empty());
+  for (const Recipe& r : press.shown) EXPECT_EQ(r.matrix.sigma_c, c.recipe.matrix.sigma_c);
+}
+
+TEST_F(ARival, ThatIsNoBetterIsLeft) {
+  press.peaks = nothing;
+  const Calibration c = found();
+  EXPECT_EQ(c.layers, LayerModel::planes);
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_EQ(c.discarded, "directions of the bonds");
+  EXPECT_THAT(story(c), testing::EndsWith("the former stay taken"));
+  EXPECT_EQ(c.n_strength_tests, 2 * 12 * 5);
+}
+
+// UCS/BTS = 30.
+TEST_F(ARival, TheNearerOfTwoThatAreOutOfReachStays) {
+  for (const double theta : {0.0, 90.0}) rock.readings.push_back(reading(Property::brazilian, theta, 4e6));
+  const Calibration c = found();
+  ASSERT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  double first = 0.0, second = 0.0;
+  ASSERT_EQ(std::sscanf(story(c).c_str(), "joints on planes ended out of reach (%lf", &first), 1);
+  ASSERT_EQ(std::sscanf(story(c).substr(story(c).find("too (")).c_str(), "too (%lf", &second), 1);
+  EXPECT_EQ(c.layers, second < first ? LayerModel::directions : LayerModel::planes);
+  EXPECT_THAT(c.discarded, second < first ? "joints on planes" : "directions of the bonds");
+  EXPECT_GT(c.n_tension_tests, 2 * 2 * 36) << "of both";
+  ASSERT_FALSE(press.shown.empty());
+  for (const Recipe& r : press.shown) {
+    EXPECT_EQ(r.matrix.sigma_c, c.recipe.matrix.sigma_c);
+    EXPECT_EQ(has_planes(r), has_planes(c.recipe));
+  }
+  options.max_tests = (c.n_strength_tests - c.n_tension_tests) / 2 + 65;  // the least, but not as many again
+  const Calibration once = found();
+  EXPECT_EQ(story(once), "");
+  EXPECT_THAT(once.rival, testing::HasSubstr("layers = \"directions\"")) << "it stays an advice";
+}
+
+TEST_F(ARival, OfModuliCostsNoTests) {
+  for (const auto& [theta, E] : {std::pair{0.0, 20e9}, {30.0, 30e9}, {60.0, 20e9}, {90.0, 30e9}})
+    rock.readings.push_back(reading(Property::E, theta, E));
+  options.elastic_only = true, options.max_tests = 1;
+  const Calibration c = found();
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_THAT(story(c), testing::HasSubstr("were calibrated too")) << testing::PrintToString(c.notes);
+  EXPECT_EQ(c.n_strength_tests, 0);
+}
+
+TEST_F(ARival, IsNotTriedWithoutNeed) {
+  press.peaks = has_planes;
+  const Calibration met = found();
+  EXPECT_NE(met.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_EQ(story(met), "");
+  EXPECT_EQ(met.discarded, "");
+}
+
+TEST_F(ARival, IsGoneOnWithWhereTheUserStopsIt) {
+  press.peaks = nothing, press.stop_after = 12 * 5 + 1;
+  const Calibration c = found();
+  EXPECT_EQ(c.verdict.status, VerdictStatus::interrupted);
+  EXPECT_THAT(story(c), testing::EndsWith("directions of the bonds were being calibrated"));
+}
+
 }  // namespace
 }  // namespace phy::calibrate

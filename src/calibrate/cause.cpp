@@ -454,8 +454,9 @@ std::string misses_text(const View& v) {
 /// Of a search without all points of a usual one; else empty.
 std::string short_search(const Calibration& c) {
   if (c.longer_by.empty()) return "";
-  return fmt::format("the search was short ({} tests in compression in all; {} lengthens it)",
-                     c.n_strength_tests - c.n_tension_tests, c.longer_by);
+  return fmt::format("the search was short ({} tests in compression in all{}; {} lengthens it)",
+                     c.n_strength_tests - c.n_tension_tests, c.discarded.empty() ? "" : " by two models",
+                     c.longer_by);
 }
 
 /// What remains open of a model that meets its table, and which test would close most of it.

@@ -11,6 +11,7 @@ namespace phy::calibrate {
 struct Listener {
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what begins, one line
   /// What is known by now of the parameters of a stage; after every batch of the strengths anew.
+  /// Nothing: another model begins.
   std::function<void(const std::vector<ParameterEstimate>&)> estimates =
       [](const std::vector<ParameterEstimate>&) {};
 };

@@ -248,7 +248,9 @@ std::string models_in_words(const std::vector<Rock>& models) {
 }
 
 std::string ModelChoice::text() const {
-  std::string text = fmt::format("the model is {}", model_in_words(rock()));
+  std::string text =
+      fmt::format("expected to do best, by the maps of what models reach and before any test: {}",
+                  model_in_words(rock()));
   std::vector<Rival> bridged;
   std::vector<Rock> shares;
   for (const Rival& r : rivals)
@@ -271,7 +273,7 @@ std::string ModelChoice::text() const {
         "; flat joints are taken where they alone are foretold to meet the table, or, where nothing is, "
         "miss less than {:g} of what the others do",
         clearly);
-  return text + " (before any test, from the maps of what models reach)";
+  return text;
 }
 
 const Rival* ModelChoice::rival() const {
@@ -306,8 +308,7 @@ std::string ModelChoice::rival_in_words() const {
       fmt::join(asked, " and "), model_in_words(near->rock), 100.0 * near->error, 100.0 * taken.error);
 }
 
-std::optional<ParameterEstimate> ModelChoice::share() const {
-  const Rival& taken = rivals[best];
+std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
   if (!has_bridges(taken.rock.model)) return std::nullopt;
   std::map<double, bool> possible;  // by share, that of whole planes among them
   for (const Rival& r : rivals)

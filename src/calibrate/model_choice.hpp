@@ -52,9 +52,11 @@ struct ModelChoice {
   const Rival* rival() const;
   /// How a user asks for it, and why; empty: there is none.
   std::string rival_in_words() const;
-  /// Which shares of the planes may be jointed: from the next share below all that predict nearly as well to
-  /// the next above. Nothing: no joints on a share are chosen, or no other share was compared.
-  std::optional<ParameterEstimate> share() const;
+  /// Which shares of the planes may be jointed where one of the models is taken: from the next share below
+  /// all that predict nearly as well to the next above. Nothing: it has no joints on a share, or no other
+  /// share was compared.
+  std::optional<ParameterEstimate> share(const Rival& taken) const;
+  std::optional<ParameterEstimate> share() const { return share(rivals[best]); }
 };
 
 /// "joints on 0.5 of the planes, 0.35 to 0.8 (95 %): ...": what an interval of a share rests on.

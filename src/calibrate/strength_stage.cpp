@@ -57,8 +57,8 @@ constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
 // UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
 // is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
-// answer. Specimens so large that
-// coarse grains are taken keep to the plan: a round of them costs as much as all of that.
+// answer. Specimens so large that coarse grains are taken keep to the plan: a round of them costs as much as
+// all of that.
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
@@ -216,12 +216,17 @@ std::optional<double> run_batch(StrengthPosterior& posterior, const StrengthTest
   return surprise.rms();
 }
 
-/// After a round at `tried`: were its tests no surprise, and is enough known of the estimate that follows?
-bool is_settled(const StrengthPosterior& posterior, const Point& estimate, const Point& tried,
-                double surprise) {
+/// What speaks for another round after one at `tried`; empty: nothing.
+std::string unsettled(const StrengthPosterior& posterior, const Point& estimate, const Point& tried,
+                      double surprise) {
   const double unknown = uncertainty_at(posterior, estimate);
-  return surprise <= most_surprise && unknown <= most_uncertain &&
-         unknown <= most_growth * uncertainty_at(posterior, tried);
+  if (surprise > most_surprise)
+    return fmt::format("tests there were {:.1f} tolerances off what was predicted", surprise);
+  if (unknown > most_uncertain)
+    return fmt::format("its strengths are known to {:.1f} tolerances, no better", unknown);
+  if (unknown > most_growth * uncertainty_at(posterior, tried))
+    return "it moved on to where less is known than where it was tried";
+  return "";
 }
 
 /// 2.5 % and 97.5 % of a set of numbers.
@@ -450,14 +455,15 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       posterior.take_moduli(evidence, fit.recipe);
     }
     learn(b + 1);
-    if (b + 1 < batches.size() || has_coarse(fit.recipe) || is_settled(posterior, estimate, tried, *surprise))
-      continue;
+    if (b + 1 < batches.size() || has_coarse(fit.recipe)) continue;
+    const std::string why = unsettled(posterior, estimate, tried, *surprise);
+    if (why.empty()) continue;
     const std::int64_t paid =
         fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
     if (b + 1 < n_planned + budget.effort.further && paid <= budget.max_tests)
       batches.push_back({false, true, per_round});
     else
-      fit.notes.emplace_back("the estimate of the strengths had not settled when the search ended");
+      fit.notes.push_back("the estimate of the strengths had not settled when the search ended: " + why);
   }
   posterior.count_errors();
   draws = final_draws(posterior, sampler_seed + static_cast<std::uint32_t>(batches.size()));

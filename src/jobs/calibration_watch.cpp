@@ -47,6 +47,7 @@ void CalibrationWatch::tests(const calibrate::TestProgress& progress) {
 
 void CalibrationWatch::estimates(const std::vector<ParameterEstimate>& parameters) {
   const std::lock_guard lock(mutex_);
+  if (parameters.empty()) known_.clear();
   for (const ParameterEstimate& p : parameters) {
     auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.key == p.key; });
     if (known == known_.end())

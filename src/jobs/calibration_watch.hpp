@@ -25,6 +25,7 @@ class CalibrationWatch {
   CalibrationWatch& operator=(const CalibrationWatch&) = delete;
   void say(const std::string& text);
   void tests(const calibrate::TestProgress& progress);
+  /// None: those of before are another model's.
   void estimates(const std::vector<ParameterEstimate>& parameters);
   /// Of all tests that run one is shown, from its beginning, until it ends or falls silent.
   void reading(const Recipe& test, double strain, double stress);

@@ -100,6 +100,7 @@ struct Calibration {
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
   std::string rival;      ///< how to ask for the nearest of these, and how near it was; empty: none was near
+  std::string discarded;  ///< the model of another calibration, whose tests are counted here too; empty: none
   std::string effort;     ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
   std::string longer_by;  ///< what would have allowed all points of a usual search; empty: it had them
   Recipe recipe;          ///< the calibrated model, ready to run

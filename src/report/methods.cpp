@@ -332,7 +332,12 @@ std::string fit_text(const Calibration& c, const std::string& version) {
   if (!c.verification.empty())
     text += fmt::format(", and both were verified on {} packings that the fit had not seen",
                         c.verification.front().n_packings);
-  return text + "." + (n_ucs > 0 ? inertia_text(c.recipe) : "");
+  text += ".";
+  if (!c.discarded.empty())
+    text += fmt::format(
+        " The numbers of solutions and tests include those of a second model, {}, which was farther off.",
+        c.discarded);
+  return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 
 std::string outcome_text(const Calibration& c) {

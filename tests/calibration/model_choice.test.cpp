@@ -162,28 +162,38 @@ TEST(ModelChoice, AShareLiesBetweenThoseThatPredictClearlyWorse) {
 }
 
 TEST(ModelChoice, TellsHowToAskForANearRivalOfAnotherKind) {
-  EXPECT_THAT(choice_of({0.10, 0.11, 0.13, 0.15, 0.15, 0.15}).rival(),
+  EXPECT_THAT(choice_of({0.10, 0.11, 0.13, 0.15, 0.15, 0.15}).rival_in_words(),
               testing::AllOf(testing::StartsWith("a new folder with layers = \"planes with bridges\" in the "
                                                  "rock file: joints on 0.8 of the planes"),
                              testing::HasSubstr("by 11.0 % before any test, by 10.0 % with this model")));
   EXPECT_THAT(
-      choice_of({0.11, 0.13, 0.09, 0.091, 0.15, 0.15}).rival(),
+      choice_of({0.11, 0.13, 0.09, 0.091, 0.15, 0.15}).rival_in_words(),
       testing::StartsWith("a new folder with layers = \"planes\" in the rock file: joints on planes"));
-  EXPECT_EQ(choice_of({0.10, 0.13, 0.13, 0.15, 0.15, 0.15}).rival(), "");
+  EXPECT_EQ(choice_of({0.10, 0.13, 0.13, 0.15, 0.15, 0.15}).rival_in_words(), "");
   calibrate::ModelChoice choice = choice_of({0.10, 0.15, 0.15, 0.15, 0.15, 0.15});
   calibrate::Rival other = choice.rivals.front();
   other.rock = calibrate::with_model(other.rock, LayerModel::directions, MatrixModel::parallel_bond);
   other.error = 0.105, choice.rivals.push_back(other);
-  EXPECT_THAT(choice.rival(), testing::HasSubstr("layers = \"directions\" in the rock file without "
-                                                 "bedding.spacing: directions of the bonds"));
+  EXPECT_THAT(choice.rival_in_words(), testing::HasSubstr("layers = \"directions\" in the rock file without "
+                                                          "bedding.spacing: directions of the bonds"));
   other = choice.rivals.front();
   other.rock = calibrate::with_model(other.rock, LayerModel::planes, MatrixModel::flat_joint);
   other.error = 0.101, choice.rivals.push_back(other);
-  EXPECT_THAT(choice.rival(),
+  EXPECT_THAT(choice.rival_in_words(),
               testing::HasSubstr("layers = \"planes\" in the rock file and --matrix flat_joint: joints on "
                                  "planes between flat joints"));
   choice.rivals.back().modulus_error = 0.07;  // another model has E
-  EXPECT_THAT(choice.rival(), testing::HasSubstr("directions"));
+  EXPECT_THAT(choice.rival_in_words(), testing::HasSubstr("directions"));
+}
+
+TEST(ModelChoice, TheRivalIsTheNearestOfAnotherKind) {
+  const calibrate::ModelChoice bridged = choice_of({0.10, 0.13, 0.11, 0.15, 0.15, 0.15});
+  ASSERT_NE(bridged.rival(), nullptr);
+  EXPECT_EQ(bridged.rival()->rock.model.bedding.front().persistence, 0.65);
+  ASSERT_TRUE(bridged.share(*bridged.rival()));
+  EXPECT_EQ(bridged.share(*bridged.rival())->value, 0.65);
+  EXPECT_FALSE(bridged.share());
+  EXPECT_EQ(choice_of({0.10, 0.13, 0.13, 0.15, 0.15, 0.15}).rival(), nullptr);
 }
 
 TEST(ModelChoice, RockWithoutLayersHasNoShareOfThem) {
@@ -193,7 +203,7 @@ TEST(ModelChoice, RockWithoutLayersHasNoShareOfThem) {
   const calibrate::ModelChoice choice = choice_for(rock, *all_cores());
   EXPECT_EQ(choice.rivals.size(), 2U);
   EXPECT_FALSE(choice.share());
-  if (const std::string rival = choice.rival(); !rival.empty())
+  if (const std::string rival = choice.rival_in_words(); !rival.empty())
     EXPECT_THAT(rival, testing::StartsWith("a new folder with --matrix"));
 }
 

@@ -16,7 +16,7 @@ interface Options {
   elastic: boolean;
 }
 
-const usual = "1000";
+const usual = "2000";
 
 /** Seconds as somebody would say them. */
 function duration(seconds: number): string {
