@@ -62,16 +62,17 @@ constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
-/// A third of the points and twice two ninths over the draws, the last of these on the grains of the recipe,
-/// and rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
+/// A third of the points and two ninths over the draws, after coarse grains two ninths on those of the
+/// recipe, and the rest in rounds at the estimate, which each of them moves. Every point costs
+/// `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
                         bool with_coarse) {
   const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
-  std::vector<Batch> batches = {
-      {with_coarse, false, n_first}, {with_coarse, false, n_last}, {false, false, n_last}};
-  for (std::size_t left = n_last; left > 0;) {
+  std::vector<Batch> batches = {{with_coarse, false, n_first}, {with_coarse, false, n_last}};
+  if (with_coarse) batches.push_back({false, false, n_last});
+  for (std::size_t left = with_coarse ? n_last : 2 * n_last; left > 0;) {
     const std::size_t n = left < 2 * per_round ? left : per_round;
     batches.push_back({false, true, n}), left -= n;
   }
