@@ -335,7 +335,9 @@ std::string fit_text(const Calibration& c, const std::string& version) {
   text += ".";
   if (!c.discarded.empty())
     text += fmt::format(
-        " The numbers of solutions and tests include those of a second model, {}, which was farther off.",
+        " The numbers of solutions and tests include those of another model, {}, which was calibrated too "
+        "and "
+        "not taken.",
         c.discarded);
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }

@@ -173,6 +173,11 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
         "verified on 5 packings", "UCS 5.0 % (5 unseen packings)", "Verdict: calibrated: UCS within 5.0 %",
         "do not constrain mu_sj", "tensile strength 19.97 MPa", "Potyondy & P.A. Cundall", "smooth joints"})
     EXPECT_THAT(text, testing::HasSubstr(part));
+  EXPECT_THAT(text, Not(HasSubstr("another model")));
+  c.discarded = "joints on planes";
+  EXPECT_THAT(methods_text(c, "0.9"),
+              testing::Contains(HasSubstr("include those of another model, joints on planes")));
+  c.discarded.clear();
   c.method = CalibrationMethod::sequence;
   text.clear();
   for (const std::string& paragraph : methods_text(c, "0.9")) text += paragraph + "\n";
