@@ -334,8 +334,7 @@ std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
 std::string share_in_words(const ParameterEstimate& share) {
   return fmt::format(
       "joints on {:g} of the planes, {:g} to {:g} (95 %): up to the next shares that predict clearly worse "
-      "(E "
-      "out of reach, or {:g} times the error of E and values left out), or the last that were compared; "
+      "(E out of reach, or {:g} times the error of E and values left out), or the last that were compared; "
       "search and ensemble keep {:g}",
       share.value, share.low, share.high, nearly, share.value);
 }

@@ -83,18 +83,16 @@ double softened(double x) {
   return std::copysign(edge * std::sqrt(2.0 * (std::hypot(1.0, x / edge) - 1.0)), x);
 }
 
-Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws, std::size_t left_out,
-                    const std::vector<Point>& tried) {
+Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws,
+                    std::size_t left_out) {
   const Misfit misfit = misfit_of(posterior, draws, left_out);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
   std::sort(order.begin(), order.end());
   order.resize(std::min(order.size(), n_starts));
   Point best = draws[order.front().second];
-  std::vector<Point> starts = tried;
-  for (const auto& [value, k] : order) starts.push_back(draws[k]);
-  for (const Point& start : starts)
-    if (const Point x = downhill(misfit, start); misfit.at(x) < misfit.at(best)) best = x;
+  for (const auto& [value, k] : order)
+    if (const Point x = downhill(misfit, draws[k]); misfit.at(x) < misfit.at(best)) best = x;
   return best;
 }
 

@@ -20,9 +20,8 @@ namespace phy::calibrate {
 /// Its square is that of x where x is small and a multiple of |x| where it is large: rho above.
 double softened(double x);
 
-/// `left_out`: a target that is not counted; the draws are of a posterior without it. `tried`: from where to
-/// go downhill too: estimates of before, which draws of another valley would forget.
+/// `left_out`: a target that is not counted; the draws are of a posterior without it.
 Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>& draws,
-                    std::size_t left_out = StrengthPosterior::none, const std::vector<Point>& tried = {});
+                    std::size_t left_out = StrengthPosterior::none);
 
 }  // namespace phy::calibrate

@@ -30,8 +30,7 @@ constexpr int n_unseen = verification_packings;  // at first
 constexpr int n_eq2 = 2;                         // packings for Eq. 2
 constexpr int n_spare = 15;                      // more for the elastic fit, where packings differ much
 constexpr int n_softened = 5;                    // on which softening is measured at the estimate
-constexpr int n_search = 60;             // of the search, which hardly takes one twice: those of the fit,
-                                         // the spare ones and others
+constexpr int n_search = 60;             // of the search, which hardly takes one twice: fit, spare and more
 constexpr double modulus_change = 0.05;  // of E from small strain to half of UCS, which is worth a word
 
 /// Seeds from `first` on.

@@ -416,12 +416,12 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::size_t n_planned = batches.size();
   fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
   report_cut(budget, most, n_compressive, fit);
-  std::vector<Point> draws, estimates;  // the latter: those that were tried
+  std::vector<Point> draws;
   Point estimate;
   const auto learn = [&](std::size_t n_batches) {
     posterior.learn();
     draws = posterior.settled_draws(sampler_seed + static_cast<std::uint32_t>(n_batches));
-    estimate = nearest_point(posterior, draws, StrengthPosterior::none, estimates);
+    estimate = nearest_point(posterior, draws);
     const std::vector<Estimate> known = estimates_of(posterior, draws, estimate);
     listener.estimates({known.begin(), known.end()});
   };
@@ -431,7 +431,6 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];
     const Point tried = estimate;
-    if (batch.at_estimate) estimates.push_back(tried);
     const Design design = {batch.coarse,
                            batch.at_estimate ? std::vector<Point>(batch.n_points, tried)
                                              : spread_draws(tried, draws, batch.n_points),
@@ -449,7 +448,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     }
     if (remodel) {  // for where the new tests put the estimate among the draws of before
       posterior.learn();
-      estimate = nearest_point(posterior, draws, StrengthPosterior::none, estimates);
+      estimate = nearest_point(posterior, draws);
       fit.softenings = read.at(posterior.places(estimate));
       const Remodelled anew = remodel(fit.softenings);
       fit.recipe = with_moduli(fit.recipe, anew.recipe);

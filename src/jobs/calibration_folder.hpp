@@ -18,7 +18,7 @@ struct CalibrationRequest {
   std::string method = "posterior", matrix = {};
   std::string effort{calibrate::normal_effort.name};
   bool elastic = false, resume = false, with_untrusted = false;
-  std::int64_t max_tests = 2000;
+  std::int64_t max_tests = calibrate::CalibrationOptions().max_tests;
   bool by_sequence() const { return method == "sequence"; }
   bool of_usual_effort() const { return effort == calibrate::normal_effort.name; }
 };

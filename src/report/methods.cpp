@@ -335,9 +335,7 @@ std::string fit_text(const Calibration& c, const std::string& version) {
   text += ".";
   if (!c.discarded.empty())
     text += fmt::format(
-        " The numbers of solutions and tests include those of another model, {}, which was calibrated too "
-        "and "
-        "not taken.",
+        " The numbers of solutions and tests include those of another model, {}, that was not taken.",
         c.discarded);
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
