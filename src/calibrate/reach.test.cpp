@@ -142,6 +142,23 @@ TEST(Reach, WhereNoMappedSpecimenIsNearerNothingIsAdvised) {
   EXPECT_EQ(against_maps(evidence, Recipe(), silent), "");
 }
 
+// A specimen that meets E and strengths and is far off nu is no nearer than a model that misses all by a
+// tenth.
+TEST(Reach, NuCountsWhereATestReadsIt) {
+  const ModelFamily& family = model_families().front();
+  Rock rock = rock_of(reach_of(family), whole_row(reach_of(family)));
+  const auto said = [&] {
+    const Evidence evidence(rock);
+    return against_maps(evidence, of_family(family), answers(evidence, 0.1));
+  };
+  EXPECT_THAT(said(), testing::HasSubstr(": another search"));
+  for (const double theta : mapped_angles) rock.readings.push_back(reading(Property::nu, theta, 0.02));
+  EXPECT_THAT(said(), testing::HasSubstr("E, nu and strengths missed by"));
+  EXPECT_THAT(said(), testing::HasSubstr("no sign there of a nearer model"));
+  rock.E_is = ModulusReading::small_strain;  // which no map holds
+  EXPECT_THAT(said(), testing::Not(testing::HasSubstr("nu and")));
+}
+
 TEST(Reach, APointThatLacksAnAnswerIsNotCompared) {
   const ModelFamily& family = model_families().front();
   const ReachTable& table = reach_of(family);

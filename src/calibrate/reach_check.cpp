@@ -24,20 +24,24 @@ double log_at(const ReachTable& table, std::size_t row, const std::string& stem,
   return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
 
-/// Not every test was done for every family, and none under a confining stress.
-bool was_mapped(const ReachTable& table, const Target& t) {
-  return t.confining == 0.0 && t.property != Property::nu && t.property != Property::crack_initiation &&
+/// Not every test was done for every family, and none under a confining stress; nu was read at half of UCS.
+bool was_mapped(const ReachTable& table, const Evidence& evidence, const Target& t) {
+  return t.confining == 0.0 && t.property != Property::crack_initiation &&
          t.property != Property::fracture_toughness &&
+         !(t.property == Property::nu && evidence.rock.E_is == ModulusReading::small_strain) &&
          !(t.property == Property::direct_tension && table.family().layered);
 }
 
-/// What a point gives for a target, by its logarithm up to a scale; NaN: it was not mapped, or has no answer.
+/// What a point gives for a target, by its logarithm, up to a scale but for nu; NaN: it was not mapped, or
+/// has no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
+  if (!was_mapped(table, evidence, t)) return nan;
   const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
-  if (!was_mapped(table, t)) return nan;
-  const char* modulus = small_strain ? "E_small/E_c" : "E50/E_c";
-  return log_at(table, row, t.property == Property::E ? modulus : strength_stem(t.property), t.property,
-                t.theta);
+  const std::string stem = t.property == Property::nu  ? "nu50"
+                           : t.property != Property::E ? strength_stem(t.property)
+                           : small_strain              ? "E_small/E_c"
+                                                       : "E50/E_c";
+  return log_at(table, row, stem, t.property, t.theta);
 }
 
 /// Weighted sum of squares of differences of logarithms about their mean: one scale is free.
@@ -54,21 +58,28 @@ struct Spread {
   }
 };
 
-using Unit = double (*)(Property);  ///< what a difference of logarithms is counted in
-double one(Property) { return 1.0; }
+/// What a difference of logarithms, of nu that of the values, is counted in; NaN: it does not count.
+using Unit = double (*)(Property);
+double relative(Property property) { return property == Property::nu ? nan : 1.0; }
 
 /// Of the values of the table that a family has mapped; `log_answer`: of a model, up to its two scales.
 template <class Answer>
 double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& log_answer) {
   Spread moduli, strengths;
+  double squares = 0.0;  // of nu, which has no scale
+  int n_nu = 0;
   for (const Target& t : evidence.targets) {
-    if (!was_mapped(table, t)) continue;
-    (is_strength(t.property) ? strengths : moduli)
-        .add(std::log(t.mean) - log_answer(t), 1.0 / (unit(t.property) * unit(t.property)));
+    const double one = unit(t.property);
+    if (std::isnan(one) || !was_mapped(table, evidence, t)) continue;
+    if (t.property == Property::nu)
+      squares += std::pow((t.mean - std::exp(log_answer(t))) / one, 2.0), ++n_nu;
+    else
+      (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - log_answer(t), 1.0 / (one * one));
   }
-  const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0), n = moduli.n + strengths.n - free;
+  const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0);
+  const int n = moduli.n + strengths.n + n_nu - free;
   if (strengths.n == 0 || n < 2) return nan;  // nothing, or hardly anything, to compare
-  return std::sqrt((moduli.about_mean() + strengths.about_mean()) / n);
+  return std::sqrt((moduli.about_mean() + strengths.about_mean() + squares) / n);
 }
 
 /// UCS over tension of sensible points where the table has both at one inclination that was mapped.
@@ -128,7 +139,7 @@ std::vector<NearestPoint> nearest_points_in(Unit unit, const Evidence& evidence)
 }  // namespace
 
 std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
-  return nearest_points_in(one, evidence);
+  return nearest_points_in(relative, evidence);
 }
 
 std::string against_maps(const Evidence& evidence, const Recipe& model,
@@ -147,10 +158,11 @@ std::string against_maps(const Evidence& evidence, const Recipe& model,
     if (!(p.error >= nearest.error)) nearest = p;
   }
   if (nearest.family == nullptr || !std::isfinite(own)) return "";
+  const bool with_nu = evidence.has(Property::nu) && evidence.rock.E_is != ModulusReading::small_strain;
   const std::string numbers = fmt::format(
-      "E and strengths missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped "
-      "specimens of {} models: ",
-      own, nearest.error, n_points, n_families);
+      "{} missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped specimens of "
+      "{} models: ",
+      with_nu ? "E, nu and strengths" : "E and strengths", own, nearest.error, n_points, n_families);
   return numbers + (nearest.error > own / clearly ? "no sign there of a nearer model"
                     : nearest.family->has(model)
                         ? "another search (--effort, packing.seed) may come nearer"
