@@ -27,12 +27,16 @@ Evidence with_model(const Evidence& evidence, const Rock& rock) {
 struct Model {
   Evidence evidence;                            ///< the rock with this model
   std::optional<ParameterEstimate> share = {};  ///< of its planes that is jointed
+  std::string advice = {};                      ///< how a user asks for it
+  std::string words() const { return model_in_words(evidence.rock); }
 };
 
-/// The one that is taken, and another that may do as well.
+/// The one that is taken, and others that may do as well, the nearest first.
 struct Models {
   Model taken;
-  std::optional<Model> rival = {};
+  std::vector<Model> rivals = {};
+  /// What a user is told of those from the k-th on, which were not tried.
+  std::string advice(std::size_t k) const { return k < rivals.size() ? rivals[k].advice : ""; }
 };
 
 bool is_possible(const Evidence& evidence) {
@@ -59,13 +63,13 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     result.model_chosen = std::any_of(candidates.begin(), candidates.end(), [&](const Rock& r) {
       return r.layers != rock.layers || r.matrix != rock.matrix;
     });
-    result.notes.push_back(choice.text()), result.rival = choice.rival_in_words();
-    result.n_elastic += choice.n_solutions;
+    result.notes.push_back(choice.text()), result.n_elastic += choice.n_solutions;
     models.taken = {with_model(evidence, rock), choice.share()};
-    if (const Rival* rival = choice.rival())
-      if (Model other = {with_model(evidence, rival->rock), choice.share(*rival)};
+    for (const Rival* rival : choice.near_ones())
+      if (Model other = {with_model(evidence, rival->rock), choice.share(*rival), choice.asked_for(*rival)};
           is_possible(other.evidence))
-        models.rival = std::move(other);
+        models.rivals.push_back(std::move(other));
+    result.rival = models.advice(0);
   }
   if (const std::string text = assumed_share(evidence.rock, candidates); !text.empty())
     result.notes.push_back(text);
@@ -96,39 +100,45 @@ struct Missed {
 
 std::int64_t n_compressive_tests(const Calibration& c) { return c.n_strength_tests - c.n_tension_tests; }
 
-/// Is a model out of reach, and do the tests that are left pay for as many again by its rival?
-bool tries_rival(const Calibration& c, const Models& models, const CalibrationOptions& options) {
-  if (c.verdict.status != VerdictStatus::out_of_reach || !models.rival) return false;
-  const std::int64_t again = std::max(n_compressive_tests(c), least_tests(models.rival->evidence, options));
-  return options.max_tests - n_compressive_tests(c) >= again;
+/// Do the tests that are left pay for a rival of a model that is out of reach, and for as many tests of it?
+/// `n_one`: of a calibration by one model.
+bool tries(const Model& rival, const Calibration& c, std::int64_t n_one, const CalibrationOptions& options) {
+  return c.verdict.status == VerdictStatus::out_of_reach &&
+         options.max_tests - n_compressive_tests(c) >= std::max(n_one, least_tests(rival.evidence, options));
 }
+
+/// A calibration, by which model, and what other models came to.
+struct Tried {
+  Attempt attempt;
+  const Model* by;
+  std::vector<std::string> discarded = {}, told = {};
+};
 
 /// The one that is not out of reach, or else the nearer one, with the numbers of tests of both.
 /// `n_solutions`: of the choice, which both count. `n_values`: that were fitted.
-Attempt nearer_of(Attempt first, Attempt second, const Models& models, std::int64_t n_solutions,
-                  std::size_t n_values) {
-  const Missed by_first(first.calibration, n_values), by_second(second.calibration, n_values);
-  const VerdictStatus status = second.calibration.verdict.status;
+Tried nearer_of(Tried first, Tried second, std::int64_t n_solutions, std::size_t n_values) {
+  const Missed by_first(first.attempt.calibration, n_values), by_second(second.attempt.calibration, n_values);
+  const VerdictStatus status = second.attempt.calibration.verdict.status;
   const bool stopped = status == VerdictStatus::interrupted,
              reached = !stopped && status != VerdictStatus::out_of_reach,
              taken = reached || (!stopped && by_second < by_first);
-  const std::string a = model_in_words(models.taken.evidence.rock),
-                    b = model_in_words(models.rival->evidence.rock);
-  Attempt& kept = taken ? second : first;
-  const Calibration& other = taken ? first.calibration : second.calibration;
-  Calibration& c = kept.calibration;
-  c.n_strength_tests += other.n_strength_tests, c.n_tension_tests += other.n_tension_tests;
-  c.n_coarse_tests += other.n_coarse_tests, c.n_elastic += other.n_elastic - n_solutions;
-  c.rival.clear(), c.discarded = taken ? a : b;
-  if (stopped) c.verdict = other.verdict;
-  c.notes.push_back(
+  const std::string a = first.by->words(), b = second.by->words();
+  std::vector<std::string> discarded = first.discarded, told = first.told;
+  discarded.push_back(taken ? a : b);
+  told.push_back(
       stopped ? fmt::format("{} ended out of reach ({}); {} were being calibrated", a, by_first.text(), b)
               : fmt::format("{} ended out of reach ({}), so {} were calibrated too ({}): the {} taken", a,
                             by_first.text(), b, by_second.text(),
                             reached ? "latter, which did not, are"
                             : taken ? "latter are"
                                     : "former stay"));
-  return std::move(kept);
+  Tried& kept = taken ? second : first;
+  const Calibration& other = (taken ? first : second).attempt.calibration;
+  Calibration& c = kept.attempt.calibration;
+  c.n_strength_tests += other.n_strength_tests, c.n_tension_tests += other.n_tension_tests;
+  c.n_coarse_tests += other.n_coarse_tests, c.n_elastic += other.n_elastic - n_solutions;
+  if (stopped) c.verdict = other.verdict;
+  return {std::move(kept.attempt), kept.by, std::move(discarded), std::move(told)};
 }
 
 /// By one model; what is known of the share of its planes is told with the rest.
@@ -140,20 +150,32 @@ Attempt calibrate_by(const Model& model, const Calibration& choice, const Calibr
   return calibrate_by(model.evidence, told, options, simulator, pictures_at_once);
 }
 
-/// By the model that was taken and, where that is out of reach, by its rival.
-Attempt calibrate_by_models(const Models& models, const Calibration& choice, CalibrationOptions options,
-                            Simulator& simulator) {
-  Attempt first = calibrate_by(models.taken, choice, options, simulator, !models.rival);
-  if (!tries_rival(first.calibration, models, options)) return first;
-  const Evidence &table = models.taken.evidence, &rival = models.rival->evidence;
-  options.listener.say(
-      fmt::format("{}: out of reach; now {}", model_in_words(table.rock), model_in_words(rival.rock)));
-  options.listener.estimates({});
-  const bool strengths = table.fits_strength() && !options.elastic_only;
-  const std::size_t n_values = table.moduli.size() + (strengths ? table.strengths.size() : 0);
-  options.max_tests -= n_compressive_tests(first.calibration);
-  Attempt second = calibrate_by(*models.rival, choice, options, simulator, false);
-  return nearer_of(std::move(first), std::move(second), models, choice.n_elastic, n_values);
+/// By the model that was taken and, as long as what was found is out of reach, by its rivals.
+Attempt calibrate_by_models(const Models& models, const Calibration& choice,
+                            const CalibrationOptions& options, Simulator& simulator) {
+  const Model& taken = models.taken;
+  const bool alone = models.rivals.empty(),
+             strengths = taken.evidence.fits_strength() && !options.elastic_only;
+  const std::size_t n_values =
+      taken.evidence.moduli.size() + (strengths ? taken.evidence.strengths.size() : 0);
+  Tried found = {calibrate_by(taken, choice, options, simulator, alone), &taken};
+  std::int64_t n_one = n_compressive_tests(found.attempt.calibration);
+  for (std::size_t k = 0; k < models.rivals.size(); ++k) {
+    const Model& rival = models.rivals[k];
+    if (!tries(rival, found.attempt.calibration, n_one, options)) break;
+    options.listener.say(fmt::format("{}: out of reach; now {}", found.by->words(), rival.words()));
+    options.listener.estimates({});
+    CalibrationOptions rest = options;
+    rest.max_tests -= n_compressive_tests(found.attempt.calibration);
+    Tried other = {calibrate_by(rival, choice, rest, simulator, false), &rival};
+    n_one = n_compressive_tests(other.attempt.calibration);
+    found = nearer_of(std::move(found), std::move(other), choice.n_elastic, n_values);
+    found.attempt.calibration.rival = models.advice(k + 1);
+  }
+  Calibration& c = found.attempt.calibration;
+  c.discarded = std::move(found.discarded);
+  c.notes.insert(c.notes.end(), found.told.begin(), found.told.end());
+  return std::move(found.attempt);
 }
 
 }  // namespace

@@ -455,7 +455,8 @@ std::string misses_text(const View& v) {
 std::string short_search(const Calibration& c) {
   if (c.longer_by.empty()) return "";
   return fmt::format("the search was short ({} tests in compression in all{}; {} lengthens it)",
-                     c.n_strength_tests - c.n_tension_tests, c.discarded.empty() ? "" : " by two models",
+                     c.n_strength_tests - c.n_tension_tests,
+                     c.discarded.empty() ? "" : fmt::format(" by {} models", c.discarded.size() + 1),
                      c.longer_by);
 }
 

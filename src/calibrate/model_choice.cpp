@@ -276,36 +276,39 @@ std::string ModelChoice::text() const {
   return text;
 }
 
-const Rival* ModelChoice::rival() const {
+std::vector<const Rival*> ModelChoice::near_ones() const {
   const Rival& taken = rivals[best];
-  const auto is_near = [&](const Rival& r) {
-    return (r.rock.layers != taken.rock.layers || r.rock.matrix != taken.rock.matrix) &&
-           (has_E(r) || !has_E(taken)) && r.error <= worth_trying * taken.error;
-  };
-  const Rival* near = nullptr;
-  for (const Rival& r : rivals)
-    if (is_near(r) && (near == nullptr || r.error < near->error)) near = &r;
+  const auto kind = [](const Rival& r) { return std::pair(r.rock.layers, r.rock.matrix); };
+  std::map<std::pair<LayerModel, std::optional<MatrixModel>>, const Rival*> best_of_kind;
+  for (const Rival& r : rivals) {
+    if (kind(r) == kind(taken) || (!has_E(r) && has_E(taken)) || r.error > worth_trying * taken.error)
+      continue;
+    const auto [it, fresh] = best_of_kind.try_emplace(kind(r), &r);
+    if (!fresh && r.error < it->second->error) it->second = &r;
+  }
+  std::vector<const Rival*> near;
+  for (const auto& [of, rival] : best_of_kind) near.push_back(rival);
+  std::sort(near.begin(), near.end(), [](const Rival* a, const Rival* b) { return a->error < b->error; });
   return near;
 }
 
-std::string ModelChoice::rival_in_words() const {
+std::string ModelChoice::asked_for(const Rival& rival) const {
   const Rival& taken = rivals[best];
-  const Rival* near = rival();
-  if (near == nullptr) return "";
   const bool several_matrices = std::any_of(
       rivals.begin(), rivals.end(), [&](const Rival& r) { return r.rock.matrix != taken.rock.matrix; });
   std::vector<std::string> asked;
-  if (near->rock.bedded)
+  if (rival.rock.bedded)
     asked.push_back(
-        fmt::format("layers = \"{}\" in the rock file{}", to_string(near->rock.layers),
-                    near->rock.layers == LayerModel::directions ? " without bedding.spacing" : ""));
+        fmt::format("layers = \"{}\" in the rock file{}", to_string(rival.rock.layers),
+                    rival.rock.layers == LayerModel::directions ? " without bedding.spacing" : ""));
   if (several_matrices)
     asked.push_back(fmt::format(
-        "--matrix {}", near->rock.matrix == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond"));
+        "--matrix {}", rival.rock.matrix == MatrixModel::flat_joint ? "flat_joint" : "parallel_bond"));
   return fmt::format(
       "a new folder with {}: {} may do as well (E and strengths left out missed by {:.1f} % before any "
-      "test, by {:.1f} % with this model)",
-      fmt::join(asked, " and "), model_in_words(near->rock), 100.0 * near->error, 100.0 * taken.error);
+      "test, by {:.1f} % with {})",
+      fmt::join(asked, " and "), model_in_words(rival.rock), 100.0 * rival.error, 100.0 * taken.error,
+      model_in_words(taken.rock));
 }
 
 std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {

@@ -48,10 +48,10 @@ struct ModelChoice {
   std::int64_t n_solutions = 0;  ///< of the direct solution
   const Rock& rock() const { return rivals[best].rock; }
   std::string text() const;  ///< one sentence with all errors
-  /// The best model of another kind, where that predicts nearly as well; nullptr: none does.
-  const Rival* rival() const;
-  /// How a user asks for it, and why; empty: there is none.
-  std::string rival_in_words() const;
+  /// The best model of every other kind that predicts nearly as well, the nearest first.
+  std::vector<const Rival*> near_ones() const;
+  /// How a user asks for one of them, and why.
+  std::string asked_for(const Rival& rival) const;
   /// Which shares of the planes may be jointed where one of the models is taken: from the next share below
   /// all that predict nearly as well to the next above. Nothing: it has no joints on a share, or no other
   /// share was compared.

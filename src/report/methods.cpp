@@ -334,9 +334,9 @@ std::string fit_text(const Calibration& c, const std::string& version) {
                         c.verification.front().n_packings);
   text += ".";
   if (!c.discarded.empty())
-    text += fmt::format(
-        " The numbers of solutions and tests include those of another model, {}, that was not taken.",
-        c.discarded);
+    text += fmt::format(" The numbers of solutions and tests include those of {} that {} not taken: {}.",
+                        c.discarded.size() > 1 ? "other models" : "another model",
+                        c.discarded.size() > 1 ? "were" : "was", fmt::join(c.discarded, "; "));
   return text + (n_ucs > 0 ? inertia_text(c.recipe) : "");
 }
 

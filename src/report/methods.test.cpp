@@ -174,9 +174,12 @@ TEST(Methods, OfACalibrationSayModelDataTestsAndOutcome) {
         "do not constrain mu_sj", "tensile strength 19.97 MPa", "Potyondy & P.A. Cundall", "smooth joints"})
     EXPECT_THAT(text, testing::HasSubstr(part));
   EXPECT_THAT(text, Not(HasSubstr("another model")));
-  c.discarded = "joints on planes";
+  c.discarded = {"joints on planes"};
+  EXPECT_THAT(methods_text(c, "0.9"), testing::Contains(HasSubstr("include those of another model that was "
+                                                                  "not taken: joints on planes.")));
+  c.discarded.emplace_back("directions of the bonds");
   EXPECT_THAT(methods_text(c, "0.9"),
-              testing::Contains(HasSubstr("include those of another model, joints on planes")));
+              testing::Contains(HasSubstr("other models that were not taken: joints on planes; directions")));
   c.discarded.clear();
   c.method = CalibrationMethod::sequence;
   text.clear();
