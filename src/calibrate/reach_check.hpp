@@ -9,8 +9,8 @@
 
 namespace phy::calibrate {
 
-/// The sensible point of a family that is nearest to a table by E and strengths, both scales (of moduli and of
-/// strengths) free.
+/// The sensible point of a family that is nearest to a table by E and strengths, both scales (of moduli and
+/// of strengths) free.
 struct NearestPoint {
   const ModelFamily* family = nullptr;
   int n_points = 0;    ///< sensible ones that answer all of the table
@@ -22,11 +22,11 @@ struct NearestPoint {
 /// layered rock was not mapped and is left out.
 std::vector<NearestPoint> nearest_points(const Evidence& evidence);
 
-/// A calibrated model held against the maps by E, nu as a test reads it, and strengths, both scales free on
-/// both sides, in units of the tolerances (margin.hpp): whether one of the other models, or another search, may come nearer, in a sentence.
-/// Specimens of the maps lie far apart: that none is nearer does not prove that none can be
-/// (docs/calibration.md, "Verdict"). `found`: what the model answers. Empty where there is too little to
-/// compare.
+/// A calibrated model held against the maps by E, nu as a test reads it, and strengths, scales free on both
+/// sides, in units of the tolerances (margin.hpp): whether one of the other models, or another search, may
+/// come nearer, in a sentence. Specimens of the maps lie far apart: that none is nearer does not prove that
+/// none can be (docs/calibration.md, "Verdict"). `found`: what the model answers. Empty where there is too
+/// little to compare.
 std::string against_maps(const Evidence& evidence, const Recipe& model, const std::vector<Comparison>& found);
 
 /// The nearest points in sentences, with UCS over tension of the table and of the maps where the table has

@@ -101,9 +101,9 @@ struct Calibration {
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
   std::string rival;  ///< how to ask for the nearest of these that was not tried; empty: none was near
   std::vector<std::string> discarded;  ///< models of other calibrations, whose tests are counted here too
-  std::string effort;     ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
-  std::string longer_by;  ///< what would have allowed all points of a usual search; empty: it had them
-  Recipe recipe;          ///< the calibrated model, ready to run
+  std::string effort;            ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
+  std::string longer_by;         ///< what would have allowed all points of a usual search; empty: it had them
+  Recipe recipe;                 ///< the calibrated model, ready to run
   std::vector<Recipe> ensemble;  ///< joint draws of what is known of it (calibrate/posterior_ensemble.hpp)
   std::vector<ParameterEstimate> parameters;
   std::vector<Comparison> fitted;        ///< on the packings of the fit
