@@ -100,8 +100,8 @@ struct Missed {
 
 std::int64_t n_compressive_tests(const Calibration& c) { return c.n_strength_tests - c.n_tension_tests; }
 
-/// Do the tests that are left pay for a rival of a model that is out of reach, and for as many tests of it?
-/// `n_one`: of a calibration by one model.
+/// Is what was found out of reach, and do the tests that are left pay for a rival? `n_one`: what the dearest
+/// of the models before took.
 bool tries(const Model& rival, const Calibration& c, std::int64_t n_one, const CalibrationOptions& options) {
   return c.verdict.status == VerdictStatus::out_of_reach &&
          options.max_tests - n_compressive_tests(c) >= std::max(n_one, least_tests(rival.evidence, options));
@@ -168,7 +168,7 @@ Attempt calibrate_by_models(const Models& models, const Calibration& choice,
     CalibrationOptions rest = options;
     rest.max_tests -= n_compressive_tests(found.attempt.calibration);
     Tried other = {calibrate_by(rival, choice, rest, simulator, false), &rival};
-    n_one = n_compressive_tests(other.attempt.calibration);
+    n_one = std::max(n_one, n_compressive_tests(other.attempt.calibration));
     found = nearer_of(std::move(found), std::move(other), choice.n_elastic, n_values);
     found.attempt.calibration.rival = models.advice(k + 1);
   }

@@ -1,5 +1,5 @@
 // A calibration by one model: moduli, strengths, softening, verification, verdict, one after the other.
-// calibration.hpp chooses the model, and may try another.
+// calibration.hpp chooses the model, and may try others.
 #pragma once
 #include <cstdint>
 #include <vector>

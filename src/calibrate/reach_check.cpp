@@ -14,12 +14,17 @@ namespace {
 constexpr int fewest_points = 64;  // of a family that says something by what it does not reach
 constexpr double clearly = 1.1;    // times as near
 
-/// log of a cell between the mapped inclinations of a property, linear. `stem`: "UCS/sigma_c".
-double log_at(const ReachTable& table, std::size_t row, const std::string& stem, Property property,
-              double theta) {
+/// A number as models are compared by it: its logarithm, but nu, which may be negative, as it is.
+double compared(Property property, double value) {
+  return property == Property::nu ? value : std::log(value);
+}
+
+/// The same of a cell between the mapped inclinations of a property, linear. `stem`: "UCS/sigma_c".
+double compared_at(const ReachTable& table, std::size_t row, const std::string& stem, Property property,
+                   double theta) {
   const Bracket b = bracket_of(property, theta);
   const auto at = [&](double angle) {
-    return std::log(table.at(row, column_at(table.family(), stem, angle)));
+    return compared(property, table.at(row, column_at(table.family(), stem, angle)));
   };
   return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
@@ -32,8 +37,8 @@ bool was_mapped(const ReachTable& table, const Evidence& evidence, const Target&
          !(t.property == Property::direct_tension && table.family().layered);
 }
 
-/// What a point gives for a target, by its logarithm, up to a scale but for nu; NaN: it was not mapped, or
-/// has no answer.
+/// What a point gives for a target, as compared(), up to a scale but for nu; NaN: it was not mapped, or has
+/// no answer.
 double answer(const ReachTable& table, std::size_t row, const Evidence& evidence, const Target& t) {
   if (!was_mapped(table, evidence, t)) return nan;
   const bool small_strain = evidence.rock.E_is == ModulusReading::small_strain;
@@ -41,7 +46,7 @@ double answer(const ReachTable& table, std::size_t row, const Evidence& evidence
                            : t.property != Property::E ? strength_stem(t.property)
                            : small_strain              ? "E_small/E_c"
                                                        : "E50/E_c";
-  return log_at(table, row, stem, t.property, t.theta);
+  return compared_at(table, row, stem, t.property, t.theta);
 }
 
 /// Weighted sum of squares of differences of logarithms about their mean: one scale is free.
@@ -62,19 +67,21 @@ struct Spread {
 using Unit = double (*)(Property);
 double relative(Property property) { return property == Property::nu ? nan : 1.0; }
 
-/// Of the values of the table that a family has mapped; `log_answer`: of a model, up to its two scales.
+/// Of the values of the table that a family has mapped; `answer_to`: of a model, as compared(), up to its two
+/// scales.
 template <class Answer>
-double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& log_answer) {
+double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& answer_to) {
   Spread moduli, strengths;
   double squares = 0.0;  // of nu, which has no scale
   int n_nu = 0;
   for (const Target& t : evidence.targets) {
     const double one = unit(t.property);
     if (std::isnan(one) || !was_mapped(table, evidence, t)) continue;
+    const double off = compared(t.property, t.mean) - answer_to(t);
     if (t.property == Property::nu)
-      squares += std::pow((t.mean - std::exp(log_answer(t))) / one, 2.0), ++n_nu;
+      squares += std::pow(off / one, 2.0), ++n_nu;
     else
-      (is_strength(t.property) ? strengths : moduli).add(std::log(t.mean) - log_answer(t), 1.0 / (one * one));
+      (is_strength(t.property) ? strengths : moduli).add(off, 1.0 / (one * one));
   }
   const int free = (moduli.n > 0 ? 1 : 0) + (strengths.n > 0 ? 1 : 0);
   const int n = moduli.n + strengths.n + n_nu - free;
@@ -144,9 +151,9 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
 
 std::string against_maps(const Evidence& evidence, const Recipe& model,
                          const std::vector<Comparison>& found) {
-  const auto log_answer = [&](const Target& t) {
+  const auto answer_to = [&](const Target& t) {
     const Comparison* row = row_of(found, t);
-    return row != nullptr && row->answered() ? std::log(row->mean) : nan;
+    return row != nullptr && row->answered() ? compared(t.property, row->mean) : nan;
   };
   NearestPoint nearest{nullptr, 0, nan};
   double own = nan;
@@ -154,11 +161,14 @@ std::string against_maps(const Evidence& evidence, const Recipe& model,
   for (const NearestPoint& p : nearest_points_in(tolerance, evidence)) {
     if (p.n_points < fewest_points) continue;
     n_points += p.n_points, ++n_families;
-    own = error_of(reach_of(*p.family), evidence, tolerance, log_answer);
+    own = error_of(reach_of(*p.family), evidence, tolerance, answer_to);
     if (!(p.error >= nearest.error)) nearest = p;
   }
   if (nearest.family == nullptr || !std::isfinite(own)) return "";
-  const bool with_nu = evidence.has(Property::nu) && evidence.rock.E_is != ModulusReading::small_strain;
+  const ReachTable& table = reach_of(*nearest.family);
+  const bool with_nu = std::any_of(evidence.targets.begin(), evidence.targets.end(), [&](const Target& t) {
+    return t.property == Property::nu && was_mapped(table, evidence, t);
+  });
   const std::string numbers = fmt::format(
       "{} missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped specimens of "
       "{} models: ",
