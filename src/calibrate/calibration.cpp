@@ -13,6 +13,7 @@
 #include "calibrate/margin.hpp"
 #include "calibrate/model_choice.hpp"
 #include "calibrate/one_model.hpp"
+#include "calibrate/reach_check.hpp"
 #include "calibrate/sequence.hpp"
 
 namespace phy::calibrate {
@@ -27,7 +28,8 @@ Evidence with_model(const Evidence& evidence, const Rock& rock) {
 struct Model {
   Evidence evidence;                            ///< the rock with this model
   std::optional<ParameterEstimate> share = {};  ///< of its planes that is jointed
-  std::string advice = {};                      ///< how a user asks for it
+  std::string advice = {};                      ///< how a user asks for it; empty: it would end out of reach
+  bool has_E = true;                            ///< as expected; else it ends out of reach
   std::string words() const { return model_in_words(evidence.rock); }
 };
 
@@ -66,7 +68,8 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     result.notes.push_back(choice.text()), result.n_elastic += choice.n_solutions;
     models.taken = {with_model(evidence, rock), choice.share()};
     for (const Rival* rival : choice.near_ones())
-      if (Model other = {with_model(evidence, rival->rock), choice.share(*rival), choice.asked_for(*rival)};
+      if (Model other = {with_model(evidence, rival->rock), choice.share(*rival),
+                         rival->has_E() ? choice.asked_for(*rival) : "", rival->has_E()};
           is_possible(other.evidence))
         models.rivals.push_back(std::move(other));
     result.rival = models.advice(0);
@@ -100,31 +103,30 @@ struct Missed {
 
 std::int64_t n_compressive_tests(const Calibration& c) { return c.n_strength_tests - c.n_tension_tests; }
 
-/// Is what was found out of reach, and do the tests that are left pay for a rival? `n_one`: what the dearest
-/// of the models before took.
+/// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it? `n_one`:
+/// what the dearest of the models before took.
 bool tries(const Model& rival, const Calibration& c, std::int64_t n_one, const CalibrationOptions& options) {
-  return c.verdict.status == VerdictStatus::out_of_reach &&
+  return c.verdict.status == VerdictStatus::out_of_reach && (rival.has_E || options.elastic_only) &&
          options.max_tests - n_compressive_tests(c) >= std::max(n_one, least_tests(rival.evidence, options));
 }
 
-/// A calibration, by which model, and what other models came to.
+/// A calibration and by which model.
 struct Tried {
   Attempt attempt;
   const Model* by;
-  std::vector<std::string> discarded = {}, told = {};
 };
 
 /// The one that is not out of reach, or else the nearer one, with the numbers of tests of both.
-/// `n_solutions`: of the choice, which both count. `n_values`: that were fitted.
-Tried nearer_of(Tried first, Tried second, std::int64_t n_solutions, std::size_t n_values) {
+/// `n_solutions`: of the choice, which both count. `n_values`: that were fitted. `told` gains what they came
+/// to.
+Tried nearer_of(Tried first, Tried second, std::int64_t n_solutions, std::size_t n_values,
+                std::vector<std::string>& told) {
   const Missed by_first(first.attempt.calibration, n_values), by_second(second.attempt.calibration, n_values);
   const VerdictStatus status = second.attempt.calibration.verdict.status;
   const bool stopped = status == VerdictStatus::interrupted,
              reached = !stopped && status != VerdictStatus::out_of_reach,
              taken = reached || (!stopped && by_second < by_first);
   const std::string a = first.by->words(), b = second.by->words();
-  std::vector<std::string> discarded = first.discarded, told = first.told;
-  discarded.push_back(taken ? a : b);
   told.push_back(
       stopped ? fmt::format("{} ended out of reach ({}); {} were being calibrated", a, by_first.text(), b)
               : fmt::format("{} ended out of reach ({}), so {} were calibrated too ({}): the {} taken", a,
@@ -138,7 +140,20 @@ Tried nearer_of(Tried first, Tried second, std::int64_t n_solutions, std::size_t
   c.n_strength_tests += other.n_strength_tests, c.n_tension_tests += other.n_tension_tests;
   c.n_coarse_tests += other.n_coarse_tests, c.n_elastic += other.n_elastic - n_solutions;
   if (stopped) c.verdict = other.verdict;
-  return {std::move(kept.attempt), kept.by, std::move(discarded), std::move(told)};
+  return std::move(kept);
+}
+
+/// What the other models of a calibration came to, and, out of reach, what the maps say of the one that was
+/// taken. `tried`: all, that one among them.
+void report_others(Calibration& c, const Model& taken, const std::vector<const Model*>& tried,
+                   const std::vector<std::string>& told) {
+  c.notes.insert(c.notes.end(), told.begin(), told.end());
+  std::vector<Recipe> recipes = {taken.evidence.rock.model};
+  for (const Model* m : tried)
+    if (m != &taken) c.discarded.push_back(m->words()), recipes.push_back(m->evidence.rock.model);
+  if (c.verdict.status != VerdictStatus::out_of_reach || c.method == CalibrationMethod::sequence) return;
+  if (const std::string text = against_maps(taken.evidence, recipes, c.verification); !text.empty())
+    c.verdict.findings.insert(c.verdict.findings.begin(), text);
 }
 
 /// By one model; what is known of the share of its planes is told with the rest.
@@ -159,6 +174,8 @@ Attempt calibrate_by_models(const Models& models, const Calibration& choice,
   const std::size_t n_values =
       taken.evidence.moduli.size() + (strengths ? taken.evidence.strengths.size() : 0);
   Tried found = {calibrate_by(taken, choice, options, simulator, alone), &taken};
+  std::vector<const Model*> tried = {&taken};
+  std::vector<std::string> told;
   std::int64_t n_one = n_compressive_tests(found.attempt.calibration);
   for (std::size_t k = 0; k < models.rivals.size(); ++k) {
     const Model& rival = models.rivals[k];
@@ -169,12 +186,11 @@ Attempt calibrate_by_models(const Models& models, const Calibration& choice,
     rest.max_tests -= n_compressive_tests(found.attempt.calibration);
     Tried other = {calibrate_by(rival, choice, rest, simulator, false), &rival};
     n_one = std::max(n_one, n_compressive_tests(other.attempt.calibration));
-    found = nearer_of(std::move(found), std::move(other), choice.n_elastic, n_values);
+    found = nearer_of(std::move(found), std::move(other), choice.n_elastic, n_values, told);
     found.attempt.calibration.rival = models.advice(k + 1);
+    tried.push_back(&rival);
   }
-  Calibration& c = found.attempt.calibration;
-  c.discarded = std::move(found.discarded);
-  c.notes.insert(c.notes.end(), found.told.begin(), found.told.end());
+  report_others(found.attempt.calibration, *found.by, tried, told);
   return std::move(found.attempt);
 }
 

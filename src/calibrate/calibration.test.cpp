@@ -355,9 +355,10 @@ TEST_F(ARival, IsFollowedByTheNextWhereItIsOutOfReachToo) {
     rock.readings.push_back(reading(Property::ucs, theta, ucs)),
         rock.readings.push_back(reading(Property::brazilian, theta, tension));
   press.peaks = [](const Recipe& r) { return !has_planes(r); };
+  options.max_tests = 400;  // less than a whole search by the third would take
   const Calibration c = found();
   EXPECT_EQ(c.layers, LayerModel::directions);
-  EXPECT_THAT(c.discarded, testing::ElementsAre("joints on planes", "joints on 0.35 of the planes"));
+  EXPECT_THAT(c.discarded, testing::ElementsAre("joints on 0.35 of the planes", "joints on planes"));
   EXPECT_EQ(std::count_if(c.notes.begin(), c.notes.end(),
                           [](const std::string& n) { return n.find("ended out of reach (") != n.npos; }),
             2)
@@ -368,6 +369,21 @@ TEST_F(ARival, IsFollowedByTheNextWhereItIsOutOfReachToo) {
   const Calibration cut = found();
   EXPECT_EQ(cut.discarded.size(), 1U) << "no tests are left for the third";
   EXPECT_THAT(cut.rival, testing::HasSubstr("layers = \"directions\"")) << "it stays an advice";
+  options.max_tests = 2000, press.stop_after = press.n_tests + 2 * 12 * 14 + 1;
+  const Calibration stopped = found();
+  EXPECT_EQ(stopped.verdict.status, VerdictStatus::interrupted);
+  EXPECT_THAT(stopped.notes.back(), testing::EndsWith("directions of the bonds were being calibrated"));
+}
+
+TEST_F(ARival, ThatMissesETooIsNotTested) {
+  for (const auto& [theta, E] : {std::pair{0.0, 20e9}, {30.0, 30e9}, {60.0, 20e9}, {90.0, 30e9}})
+    rock.readings.push_back(reading(Property::E, theta, E));
+  rock.E_is = ModulusReading::small_strain;
+  const Calibration c = found();
+  EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
+  EXPECT_GT(c.n_strength_tests, 0);
+  EXPECT_EQ(story(c), "");
+  EXPECT_TRUE(c.discarded.empty());
 }
 
 TEST_F(ARival, OfModuliCostsNoTests) {

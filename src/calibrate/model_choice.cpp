@@ -36,9 +36,6 @@ constexpr double nearly = 1.2;
 constexpr double worth_trying = 1.25;
 constexpr std::int64_t n_bridged = 3;  // packings for the moduli of these, whose specimens differ more
 
-/// Where E is farther off no calibration ends within reach, whatever its strengths.
-bool has_E(const Rival& r) { return r.modulus_error <= modulus_limit; }
-
 /// Sum of squared relative errors, and how many.
 struct Squares {
   double sum = 0.0;
@@ -127,14 +124,14 @@ bool contains(const Rival& one, const Rival& other) {
 bool is_barred(const Rival& one, const std::vector<Rival>& rivals) {
   const auto planes =
       std::find_if(rivals.begin(), rivals.end(), [&](const Rival& r) { return contains(one, r); });
-  return planes != rivals.end() && has_E(*planes) == has_E(one) && one.error >= wider * planes->error;
+  return planes != rivals.end() && planes->has_E() == one.has_E() && one.error >= wider * planes->error;
 }
 
 /// Flat joints, which stand last, have to meet what no other does, or to be clearly better where nothing
 /// does.
 bool replaces(const Rival& one, const ModelChoice& so_far, const std::vector<Target>& targets) {
   const Rival& best = so_far.rivals[so_far.best];
-  if (has_E(one) != has_E(best)) return has_E(one);
+  if (one.has_E() != best.has_E()) return one.has_E();
   if (one.rock.model.matrix.model == MatrixModel::parallel_bond)
     return !is_barred(one, so_far.rivals) && one.error < best.error;
   if (std::any_of(so_far.rivals.begin(), so_far.rivals.end(),
@@ -247,6 +244,8 @@ std::string models_in_words(const std::vector<Rock>& models) {
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
+bool Rival::has_E() const { return modulus_error <= modulus_limit; }
+
 std::string ModelChoice::text() const {
   std::string text =
       fmt::format("expected to do best, by the maps of what models reach and before any test: {}",
@@ -259,10 +258,10 @@ std::string ModelChoice::text() const {
     else
       text += errors_in_words(model_in_words(r.rock), {r});
   if (!bridged.empty()) text += errors_in_words(models_in_words(shares), bridged);
-  if (has_E(rivals[best]) && !std::all_of(rivals.begin(), rivals.end(), has_E))
+  if (rivals[best].has_E() && !std::all_of(rivals.begin(), rivals.end(), std::mem_fn(&Rival::has_E)))
     text += fmt::format("; what misses E by more than {:g} % is passed over", 100.0 * modulus_limit);
   const auto stays_behind = [&](const Rival& r) {
-    return has_E(r) && r.error < rivals[best].error && is_barred(r, rivals);
+    return r.has_E() && r.error < rivals[best].error && is_barred(r, rivals);
   };
   if (std::any_of(rivals.begin(), rivals.end(), stays_behind))
     text += fmt::format(
@@ -281,7 +280,7 @@ std::vector<const Rival*> ModelChoice::near_ones() const {
   const auto kind = [](const Rival& r) { return std::pair(r.rock.layers, r.rock.matrix); };
   std::map<std::pair<LayerModel, std::optional<MatrixModel>>, const Rival*> best_of_kind;
   for (const Rival& r : rivals) {
-    if (kind(r) == kind(taken) || (!has_E(r) && has_E(taken)) || r.error > worth_trying * taken.error)
+    if (kind(r) == kind(taken) || (!r.has_E() && taken.has_E()) || r.error > worth_trying * taken.error)
       continue;
     const auto [it, fresh] = best_of_kind.try_emplace(kind(r), &r);
     if (!fresh && r.error < it->second->error) it->second = &r;
@@ -317,7 +316,7 @@ std::optional<ParameterEstimate> ModelChoice::share(const Rival& taken) const {
   for (const Rival& r : rivals)
     if (r.rock.matrix == taken.rock.matrix &&
         (r.rock.layers == LayerModel::planes || r.rock.layers == LayerModel::planes_with_bridges))
-      possible[share_of(r.rock)] = (has_E(r) || !has_E(taken)) && r.error <= nearly * taken.error;
+      possible[share_of(r.rock)] = (r.has_E() || !taken.has_E()) && r.error <= nearly * taken.error;
   if (possible.size() < 2) return std::nullopt;
   ParameterEstimate e;
   e.key = "bedding[0].persistence", e.symbol = "persistence", e.unit = "1", e.value = share_of(taken.rock);

@@ -16,7 +16,6 @@
 #include "calibrate/identifiability.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/posterior_ensemble.hpp"
-#include "calibrate/reach_check.hpp"
 #include "calibrate/sequence.hpp"
 #include "calibrate/strength_stage.hpp"
 #include "calibrate/toughness.hpp"
@@ -450,9 +449,6 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
       report_missing(result, static_cast<int>(work.unseen.size()));
   judge(result, work.elastic, at_small_strain(evidence, work.strength.softenings),
         !work.strength.softenings.empty());
-  if (result.verdict.status == VerdictStatus::out_of_reach && !work.by_sequence())
-    if (const std::string text = against_maps(evidence, result.recipe, result.verification); !text.empty())
-      result.verdict.findings.insert(result.verdict.findings.begin(), text);
   if (strength && !work.by_sequence()) result.effort = options.effort.name;
   result.longer_by = work.strength.longer_by;
   if (!result.longer_by.empty())

@@ -118,10 +118,14 @@ TEST(Reach, AModelIsHeldAgainstTheMaps) {
       continue;
     ++n_held;
     const auto said = [&](const Recipe& model) {
-      return against_maps(evidence, model, answers(evidence, 0.1));
+      return against_maps(evidence, {model}, answers(evidence, 0.1));
     };
     EXPECT_THAT(said(of_family(family)), testing::HasSubstr(": another search"));
-    EXPECT_THAT(said(Recipe()), testing::HasSubstr(family.label + std::string(" (layers, --matrix) may")));
+    EXPECT_THAT(said(Recipe()),
+                testing::HasSubstr(": " + (family.label + std::string(" (layers, --matrix) may"))));
+    EXPECT_THAT(
+        against_maps(evidence, {Recipe(), of_family(family)}, answers(evidence, 0.1)),
+        testing::HasSubstr(std::string(": another search (--effort, packing.seed) by ") + family.label));
   }
   EXPECT_GE(n_held, 4);
 }
@@ -133,13 +137,13 @@ TEST(Reach, WhereNoMappedSpecimenIsNearerNothingIsAdvised) {
   for (RockReading& r : rock.readings)
     if (r.property == Property::ucs) r.value *= r.theta == 15.0 ? 0.2 : 1.0;
   const Evidence evidence(rock);
-  EXPECT_THAT(against_maps(evidence, Recipe(), answers(evidence, 0.05)),
+  EXPECT_THAT(against_maps(evidence, {Recipe()}, answers(evidence, 0.05)),
               testing::HasSubstr("no sign there of a nearer model"));
-  EXPECT_THAT(against_maps(evidence, Recipe(), answers(evidence, 0.8)),
+  EXPECT_THAT(against_maps(evidence, {Recipe()}, answers(evidence, 0.8)),
               testing::HasSubstr("(layers, --matrix) may come nearer"));
   std::vector<Comparison> silent = answers(evidence, 0.05);
   silent.back().mean = std::nan("");
-  EXPECT_EQ(against_maps(evidence, Recipe(), silent), "");
+  EXPECT_EQ(against_maps(evidence, {Recipe()}, silent), "");
 }
 
 // A specimen that meets E and strengths and is far off nu is no nearer than a model that misses all by a
@@ -156,7 +160,7 @@ TEST(Reach, NuCountsWhereATestReadsIt) {
       rock.readings.push_back(
           reading(Property::nu, theta, table.at(row, fmt::format("nu50({:g})", theta)) + shift));
     const Evidence evidence(rock);
-    return against_maps(evidence, of_family(family), answers(evidence, 0.1));
+    return against_maps(evidence, {of_family(family)}, answers(evidence, 0.1));
   };
   const std::string met = said(0.0, ModulusReading::tangent_50);
   EXPECT_THAT(met, testing::StartsWith("E, nu and strengths missed by"));

@@ -29,11 +29,13 @@ double compared_at(const ReachTable& table, std::size_t row, const std::string& 
   return (b.share < 1.0 ? (1.0 - b.share) * at(b.low) : 0.0) + (b.share > 0.0 ? b.share * at(b.high) : 0.0);
 }
 
-/// Not every test was done for every family, and none under a confining stress; nu was read at half of UCS.
+/// Not every test was done for every family, and none under a confining stress; nu was read at half of UCS,
+/// as that of a model is only where the table has E as a test reads it.
 bool was_mapped(const ReachTable& table, const Evidence& evidence, const Target& t) {
   return t.confining == 0.0 && t.property != Property::crack_initiation &&
          t.property != Property::fracture_toughness &&
-         !(t.property == Property::nu && evidence.rock.E_is == ModulusReading::small_strain) &&
+         !(t.property == Property::nu &&
+           (evidence.rock.E_is == ModulusReading::small_strain || !evidence.has(Property::E))) &&
          !(t.property == Property::direct_tension && table.family().layered);
 }
 
@@ -149,7 +151,7 @@ std::vector<NearestPoint> nearest_points(const Evidence& evidence) {
   return nearest_points_in(relative, evidence);
 }
 
-std::string against_maps(const Evidence& evidence, const Recipe& model,
+std::string against_maps(const Evidence& evidence, const std::vector<Recipe>& tried,
                          const std::vector<Comparison>& found) {
   const auto answer_to = [&](const Target& t) {
     const Comparison* row = row_of(found, t);
@@ -173,10 +175,13 @@ std::string against_maps(const Evidence& evidence, const Recipe& model,
       "{} missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped specimens of "
       "{} models: ",
       with_nu ? "E, nu and strengths" : "E and strengths", own, nearest.error, n_points, n_families);
-  return numbers + (nearest.error > own / clearly ? "no sign there of a nearer model"
-                    : nearest.family->has(model)
-                        ? "another search (--effort, packing.seed) may come nearer"
-                        : fmt::format("{} (layers, --matrix) may come nearer", nearest.family->label));
+  if (nearest.error > own / clearly) return numbers + "no sign there of a nearer model";
+  const auto is_it = [&](const Recipe& model) { return nearest.family->has(model); };
+  if (is_it(tried.front())) return numbers + "another search (--effort, packing.seed) may come nearer";
+  const bool was_tried = std::any_of(tried.begin(), tried.end(), is_it);
+  return numbers + fmt::format("{}{} (layers, --matrix) may come nearer",
+                               was_tried ? "another search (--effort, packing.seed) by " : "",
+                               nearest.family->label);
 }
 
 std::vector<std::string> place_in_maps(const Evidence& evidence) {

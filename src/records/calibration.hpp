@@ -99,7 +99,7 @@ struct Calibration {
   ModulusReading E_is = ModulusReading::small_strain;  ///< how E and nu of the table and below are read
   LayerModel layers = LayerModel::planes;              ///< of a rock with bedding
   bool model_chosen = false;                           ///< of matrix and layers, by the program, from rivals
-  std::string rival;  ///< how to ask for the nearest of these that was not tried; empty: none was near
+  std::string rival;  ///< how to ask for the nearest of these that was not tried; empty: there is none
   std::vector<std::string> discarded;  ///< models of other calibrations, whose tests are counted here too
   std::string effort;            ///< of the search of strengths (calibrate/effort.hpp); empty: there was none
   std::string longer_by;         ///< what would have allowed all points of a usual search; empty: it had them

@@ -217,8 +217,9 @@ TEST(ModelChoice, RockWithoutLayersHasNoShareOfThem) {
   const calibrate::ModelChoice choice = choice_for(rock, *all_cores());
   EXPECT_EQ(choice.rivals.size(), 2U);
   EXPECT_FALSE(choice.share());
-  if (const std::string rival = first_advice(choice); !rival.empty())
+  if (const std::string rival = first_advice(choice); !rival.empty()) {
     EXPECT_THAT(rival, testing::StartsWith("a new folder with --matrix"));
+  }
 }
 
 TEST(ModelChoice, ATableWithoutTensionLeavesTheMatrixAsItIs) {
