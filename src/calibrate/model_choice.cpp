@@ -53,8 +53,8 @@ Squares modulus_squares(const ElasticFit& fit) {
 
 /// Every strength that was mapped predicted from the others by what is expected of this model, before any
 /// test.
-Squares strength_squares(const Evidence& evidence, const Recipe& recipe) {
-  StrengthPosterior posterior(evidence, recipe);
+Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int threads) {
+  StrengthPosterior posterior(evidence, recipe, nullptr, threads);
   posterior.learn();
   Squares squares;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
@@ -74,9 +74,9 @@ ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& sim
   return fit_elastic(evidence, seeds, {}, simulator, [](const std::string&) {});
 }
 
-Rival rival_of(const Evidence& evidence, const ElasticFit& fit) {
+Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int threads) {
   const Squares E = modulus_squares(fit);
-  const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe));
+  const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe), threads);
   return {evidence.rock, E.root(), strengths.root(),
           std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n))};
 }
@@ -352,7 +352,7 @@ ModelChoice choose_model(const Evidence& evidence, const std::vector<Rock>& cand
     const LayerModel as = rock.layers == LayerModel::planes_and_directions ? LayerModel::planes : rock.layers;
     const auto [fit, fresh] = moduli.try_emplace({rock.model.matrix.model, as, share_of(rock)});
     if (fresh) fit->second = moduli_of(one, seed, simulator), choice.n_solutions += fit->second.n_solutions;
-    Rival rival = rival_of(one, fit->second);
+    Rival rival = rival_of(one, fit->second, simulator.threads());
     if (choice.rivals.empty() || replaces(rival, choice, evidence.targets))
       choice.best = choice.rivals.size();
     choice.rivals.push_back(std::move(rival));

@@ -126,6 +126,7 @@ class OwnSimulator : public Simulator {
   }
 
   void announce(const std::vector<Recipe>& recipes) override { clockwork_.announce(recipes); }
+  int threads() const override { return options_.threads; }
   bool stopped() const override { return options_.stop != nullptr && options_.stop->load(); }
 
  private:

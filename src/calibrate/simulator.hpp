@@ -30,6 +30,8 @@ class Simulator {
   virtual void announce(const std::vector<Recipe>&) {}
   /// True once the user has asked to stop.
   virtual bool stopped() const = 0;
+  /// As many as the user gives the calibration, also for what is computed between the tests.
+  virtual int threads() const { return 1; }
 };
 
 /// Finished and all tests of the present batch, and the time to go, announced tests included.

@@ -407,7 +407,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   ReadModuli read(evidence);
-  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
+  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr, simulator.threads());
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
