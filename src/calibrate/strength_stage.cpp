@@ -57,21 +57,21 @@ constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
 // UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
 // is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
-// answer. Specimens so large that coarse grains are taken keep to the plan: a round of them costs as much as
-// all of that.
+// answer. Of specimens so large that coarse grains are taken a third as many: a round of them costs more than
+// all tests on coarse grains.
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
-/// A third of the points and two ninths over the draws, after coarse grains two ninths on those of the
-/// recipe, and the rest in rounds at the estimate, which each of them moves. Every point costs
-/// `n_compressive` of the tests.
+/// A third of the points and two ninths over the draws, on coarse grains where there are any, and the rest in
+/// rounds at the estimate, which each of them moves. After coarse grains half of that rest: what these leave
+/// to be learnt is by how much the recipe's own grains differ, and that counts at the estimate alone. Every
+/// point costs `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
                         bool with_coarse) {
   const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
   std::vector<Batch> batches = {{with_coarse, false, n_first}, {with_coarse, false, n_last}};
-  if (with_coarse) batches.push_back({false, false, n_last});
   for (std::size_t left = with_coarse ? n_last : 2 * n_last; left > 0;) {
     const std::size_t n = left < 2 * per_round ? left : per_round;
     batches.push_back({false, true, n}), left -= n;
@@ -413,7 +413,8 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
   const std::int64_t most = most_points(n_ratios, budget.effort);
   std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, has_coarse(fit.recipe));
-  const std::size_t n_planned = batches.size();
+  const std::size_t n_planned = batches.size(),
+                    n_further = budget.effort.further / (has_coarse(fit.recipe) ? 3 : 1);
   fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
   report_cut(budget, most, n_compressive, fit);
   std::vector<Point> draws;
@@ -456,12 +457,12 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       posterior.take_moduli(evidence, fit.recipe);
     }
     learn(b + 1);
-    if (b + 1 < batches.size() || has_coarse(fit.recipe)) continue;
+    if (b + 1 < batches.size()) continue;
     const std::string why = unsettled(posterior, estimate, tried, *surprise);
     if (why.empty()) continue;
     const std::int64_t paid =
         fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
-    if (b + 1 < n_planned + budget.effort.further && paid <= budget.max_tests)
+    if (b + 1 < n_planned + n_further && paid <= budget.max_tests)
       batches.push_back({false, true, per_round});
     else
       fit.notes.push_back("the estimate of the strengths had not settled when the search ended: " + why);
