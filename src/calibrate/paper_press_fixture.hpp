@@ -20,10 +20,11 @@ class PaperPress : public Simulator {
   double modulus_scatter = 0.0;  ///< of the packings
   double coarse_bias = 0.06;     ///< of the logarithm, for packings of less than 5,000 grains
   std::function<bool(const Recipe&)> peaks = [](const Recipe&) { return true; };
-  bool carries_load = true;      ///< false: the direct solution has no answer
-  double tangent = 1.0;          ///< E of the press at half of the strength over that at small strain
-  double closing = 0.0;          ///< what a stress of 10 MPa on the sides adds to that ratio
-  bool stops_statics = false;    ///< the user stops in the middle of the direct solutions
+  bool carries_load = true;    ///< false: the direct solution has no answer
+  double tangent = 1.0;        ///< E of the press at half of the strength over that at small strain
+  double closing = 0.0;        ///< what a stress of 10 MPa on the sides adds to that ratio
+  bool stops_statics = false;  ///< the user stops in the middle of the direct solutions
+  int n_threads = 1;
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
   std::int64_t n_tests = 0, n_announced = 0;
 
@@ -73,6 +74,7 @@ class PaperPress : public Simulator {
   void announce(const std::vector<Recipe>& recipes) override {
     n_announced = static_cast<std::int64_t>(recipes.size());
   }
+  int threads() const override { return n_threads; }
   bool stopped() const override { return stop_after >= 0 && n_tests >= stop_after; }
 
   /// Without scatter.

@@ -142,6 +142,22 @@ TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
   EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
 }
 
+TEST(StrengthStage, SeveralThreadsFindTheSame) {
+  const auto found = [](int threads) {
+    PaperPress press;
+    press.n_threads = threads;
+    return fit(laboratory(truth(1), 1), press, {70, efforts[0]});
+  };
+  const StrengthFit one = found(1), three = found(3);
+  ASSERT_EQ(one.parameters.size(), three.parameters.size());
+  for (std::size_t i = 0; i < one.parameters.size(); ++i) {
+    EXPECT_EQ(one.parameters[i].value, three.parameters[i].value) << one.parameters[i].symbol;
+    EXPECT_EQ(one.parameters[i].low, three.parameters[i].low) << one.parameters[i].symbol;
+  }
+  for (std::size_t i = 0; i < one.left_out.size(); ++i)
+    EXPECT_EQ(one.left_out[i].mean, three.left_out[i].mean) << i;
+}
+
 // Two of four packings, and two more where these surprise.
 TEST(StrengthStage, AfterCoarseGrainsFewRoundsAtTheEstimateFollow) {
   const auto rounds_of = [](double scatter) {
