@@ -142,7 +142,8 @@ std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers,
   std::size_t n_kept = 0;
   for (int step = 0; step < steps; ++step) n_kept += is_kept(step) ? 1 : 0;
   std::vector<Point> draws(n_kept * n);
-  const std::size_t n_threads = std::clamp<std::size_t>(static_cast<std::size_t>(threads), 1, half);
+  const std::size_t n_threads =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, threads)), 1, half);
   std::barrier all_there(static_cast<std::ptrdiff_t>(n_threads));
   std::atomic<bool> broken{false};
   on_threads(

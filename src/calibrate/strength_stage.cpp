@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -57,26 +58,49 @@ constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 // more than chance makes them (packings that differ by 5 % make the mean of four differ by 0.4 tolerances of
 // UCS), or while the estimate moves on to where less is known than where it was tried, or to where too little
 // is known: the nearest of several valleys may change with every round, and one that was hardly tried is no
-// answer. Of specimens so large that coarse grains are taken a third as many: a round of them costs more than
-// all tests on coarse grains.
+// answer. Of specimens so large that coarse grains are taken a third as many where the plan was short, else
+// none: a round of them costs more than all tests on coarse grains.
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
+/// What lies on which grains.
+enum class Grains : std::uint8_t {
+  own,               ///< the recipe's
+  coarse_then_own,   ///< and a batch over the draws on the recipe's
+  coarse_then_there  ///< and then the estimate: half of the rounds
+};
+/// What coarse grains leave to be learnt is by how much the recipe's own differ. For UCS alone that counts at
+/// the estimate; strengths of other tests tell parameters that UCS leaves open (friction, slits), and how
+/// they change beside the estimate is best asked of the recipe's own grains (docs/decisions/0006).
+Grains grains_of(const Recipe& recipe, const std::vector<Target>& targets) {
+  if (!has_coarse(recipe)) return Grains::own;
+  const bool ucs_alone = std::all_of(targets.begin(), targets.end(),
+                                     [](const Target& t) { return t.property == Property::ucs; });
+  return ucs_alone ? Grains::coarse_then_there : Grains::coarse_then_own;
+}
 /// A third of the points and two ninths over the draws, on coarse grains where there are any, and the rest in
-/// rounds at the estimate, which each of them moves. After coarse grains half of that rest: what these leave
-/// to be learnt is by how much the recipe's own grains differ, and that counts at the estimate alone. Every
-/// point costs `n_compressive` of the tests.
+/// rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
-                        bool with_coarse) {
+                        Grains grains) {
   const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
   const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
   const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
-  std::vector<Batch> batches = {{with_coarse, false, n_first}, {with_coarse, false, n_last}};
-  for (std::size_t left = with_coarse ? n_last : 2 * n_last; left > 0;) {
+  const bool coarse = grains != Grains::own;
+  std::vector<Batch> batches = {{coarse, false, n_first}, {coarse, false, n_last}};
+  if (grains == Grains::coarse_then_own) batches.push_back({false, false, n_last});
+  for (std::size_t left = coarse ? n_last : 2 * n_last; left > 0;) {
     const std::size_t n = left < 2 * per_round ? left : per_round;
     batches.push_back({false, true, n}), left -= n;
   }
   return batches;
+}
+
+std::size_t further_rounds(const Effort& effort, Grains grains) {
+  switch (grains) {
+    case Grains::own: return effort.further;
+    case Grains::coarse_then_there: return effort.further / 3;
+    default: return 0;
+  }
 }
 
 /// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
@@ -412,9 +436,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
   const std::int64_t most = most_points(n_ratios, budget.effort);
-  std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, has_coarse(fit.recipe));
-  const std::size_t n_planned = batches.size(),
-                    n_further = budget.effort.further / (has_coarse(fit.recipe) ? 3 : 1);
+  const Grains grains = grains_of(fit.recipe, targets);
+  std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, grains);
+  const std::size_t n_planned = batches.size(), n_further = further_rounds(budget.effort, grains);
   fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
   report_cut(budget, most, n_compressive, fit);
   std::vector<Point> draws;
@@ -457,9 +481,9 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       posterior.take_moduli(evidence, fit.recipe);
     }
     learn(b + 1);
-    if (b + 1 < batches.size()) continue;
+    if (b + 1 < batches.size() || grains == Grains::coarse_then_own) continue;
     const std::string why = unsettled(posterior, estimate, tried, *surprise);
-    if (why.empty()) continue;
+    if (why.empty() || (grains != Grains::own && n_further == 0)) continue;
     const std::int64_t paid =
         fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
     if (b + 1 < n_planned + n_further && paid <= budget.max_tests)
