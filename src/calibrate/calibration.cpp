@@ -29,7 +29,7 @@ struct Model {
   Evidence evidence;                            ///< the rock with this model
   std::optional<ParameterEstimate> share = {};  ///< of its planes that is jointed
   std::string advice = {};                      ///< how a user asks for it; empty: it would end out of reach
-  bool has_E = true;                            ///< as expected; else it ends out of reach
+  bool lacks_E = false;                         ///< as expected: it would end out of reach
   std::string words() const { return model_in_words(evidence.rock); }
 };
 
@@ -69,7 +69,7 @@ Models models_of(const Evidence& evidence, Calibration& result, const Calibratio
     models.taken = {with_model(evidence, rock), choice.share()};
     for (const Rival* rival : choice.near_ones())
       if (Model other = {with_model(evidence, rival->rock), choice.share(*rival),
-                         rival->has_E() ? choice.asked_for(*rival) : "", rival->has_E()};
+                         rival->lacks_E ? "" : choice.asked_for(*rival), rival->lacks_E};
           is_possible(other.evidence))
         models.rivals.push_back(std::move(other));
     result.rival = models.advice(0);
@@ -106,7 +106,7 @@ std::int64_t n_compressive_tests(const Calibration& c) { return c.n_strength_tes
 /// Is what was found out of reach, may a rival not be, and do the tests that are left pay for it? `n_one`:
 /// what the dearest of the models before took.
 bool tries(const Model& rival, const Calibration& c, std::int64_t n_one, const CalibrationOptions& options) {
-  return c.verdict.status == VerdictStatus::out_of_reach && (rival.has_E || options.elastic_only) &&
+  return c.verdict.status == VerdictStatus::out_of_reach && (!rival.lacks_E || options.elastic_only) &&
          options.max_tests - n_compressive_tests(c) >= std::max(n_one, least_tests(rival.evidence, options));
 }
 

@@ -1,5 +1,6 @@
 // The whole calibration on a press of closed forms: what it tells the user beside the numbers.
 #include "calibrate/calibration.hpp"
+#include "calibrate/model_choice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -384,6 +385,27 @@ TEST_F(ARival, ThatMissesETooIsNotTested) {
   EXPECT_GT(c.n_strength_tests, 0);
   EXPECT_EQ(story(c), "");
   EXPECT_TRUE(c.discarded.empty());
+}
+
+// Scatter of the laboratory passes in the verdict, and so in what is expected of one.
+TEST_F(ARival, LacksAnEThatScatterDoesNotExplain) {
+  const auto lacks = [&](double off, double scatter) {
+    Rock one = rock;
+    one.E_is = ModulusReading::small_strain;
+    for (const double theta : {0.0, 30.0, 60.0, 90.0}) {
+      const double E = 25e9 * (theta == 0.0 || theta == 60.0 ? 1.0 - off : 1.0 + off);
+      for (const double part : {-1.0, 0.0, 1.0})
+        one.readings.push_back(reading(Property::E, theta, E * (1.0 + scatter * part)));
+    }
+    Rock planes = one, directions = one;
+    planes.layers = LayerModel::planes, directions.layers = LayerModel::directions;
+    const ModelChoice choice =
+        choose_model(Evidence(one), {planes, directions}, 1, press, [](const std::string&) {});
+    EXPECT_FALSE(choice.rivals.front().has_E());
+    return choice.rivals.front().lacks_E;
+  };
+  EXPECT_FALSE(lacks(0.08, 0.2));
+  EXPECT_TRUE(lacks(0.20, 0.02));
 }
 
 TEST_F(ARival, OfModuliCostsNoTests) {

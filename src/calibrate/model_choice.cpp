@@ -77,8 +77,12 @@ ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& sim
 Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int threads) {
   const Squares E = modulus_squares(fit);
   const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe), threads);
-  return {evidence.rock, E.root(), strengths.root(),
-          std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n))};
+  const bool lacks_E = std::any_of(fit.comparisons.begin(), fit.comparisons.end(), [](const Comparison& c) {
+    return c.target.property == Property::E &&
+           (!c.answered() || (misses(c) && std::fabs(c.error()) > modulus_limit));
+  });
+  return {evidence.rock, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n)),
+          lacks_E};
 }
 
 /// What the other matrix does not have falls back to where it says nothing.

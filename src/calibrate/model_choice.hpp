@@ -40,7 +40,9 @@ struct Rival {
   double modulus_error = 0.0;   ///< of E, as fitted on one packing (three with bridges), root mean square
   double strength_error = 0.0;  ///< of strengths that were left out
   double error = 0.0;           ///< of both together
-  bool has_E() const;  ///< where it has not, no calibration ends within reach, whatever its strengths
+  /// An E that is missed by more than 6 % and than scatter explains: out of reach, whatever its strengths.
+  bool lacks_E = false;
+  bool has_E() const;  ///< within 6 %, root mean square
 };
 
 struct ModelChoice {

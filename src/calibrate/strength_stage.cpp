@@ -22,10 +22,26 @@
 namespace phy::calibrate {
 namespace {
 
+/// What lies on which grains.
+enum class Grains : std::uint8_t {
+  own,               ///< the recipe's
+  coarse_then_own,   ///< and a batch over the draws on the recipe's
+  coarse_then_there  ///< and then the estimate: half of the rounds
+};
+/// What coarse grains leave to be learnt is by how much the recipe's own differ. For UCS alone that counts at
+/// the estimate; strengths of other tests tell parameters that UCS leaves open (friction, slits), and how
+/// they change beside the estimate is best asked of the recipe's own grains (docs/decisions/0006).
+Grains grains_of(const Recipe& recipe, const std::vector<Target>& targets) {
+  if (!has_coarse(recipe)) return Grains::own;
+  const bool ucs_alone = std::all_of(targets.begin(), targets.end(),
+                                     [](const Target& t) { return t.property == Property::ucs; });
+  return ucs_alone ? Grains::coarse_then_there : Grains::coarse_then_own;
+}
 /// Points of a whole search: the more is sought, the more of them.
-std::int64_t most_points(std::size_t n_ratios, const Effort& effort) {
-  constexpr double usual = 36.0, per_ratio = 6.0;
-  return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)));
+std::int64_t most_points(std::size_t n_ratios, const Effort& effort, Grains grains) {
+  constexpr double usual = 36.0, per_ratio = 6.0, without_a_batch = 7.0 / 9.0;
+  return std::llround(effort.points * std::max(usual, per_ratio * static_cast<double>(n_ratios)) *
+                      (grains == Grains::coarse_then_there ? without_a_batch : 1.0));
 }
 /// What would have allowed all points of a usual search, `usual`; empty: it had them.
 std::string lengthened_by(const Budget& budget, std::int64_t usual, std::int64_t n_compressive) {
@@ -63,29 +79,17 @@ constexpr std::size_t per_round = 4;  // packings on which an estimate is tried
 constexpr double most_surprise = 0.6;   // tolerances
 constexpr double most_growth = 1.2;     // of the uncertainty
 constexpr double most_uncertain = 0.4;  // tolerances
-/// What lies on which grains.
-enum class Grains : std::uint8_t {
-  own,               ///< the recipe's
-  coarse_then_own,   ///< and a batch over the draws on the recipe's
-  coarse_then_there  ///< and then the estimate: half of the rounds
-};
-/// What coarse grains leave to be learnt is by how much the recipe's own differ. For UCS alone that counts at
-/// the estimate; strengths of other tests tell parameters that UCS leaves open (friction, slits), and how
-/// they change beside the estimate is best asked of the recipe's own grains (docs/decisions/0006).
-Grains grains_of(const Recipe& recipe, const std::vector<Target>& targets) {
-  if (!has_coarse(recipe)) return Grains::own;
-  const bool ucs_alone = std::all_of(targets.begin(), targets.end(),
-                                     [](const Target& t) { return t.property == Property::ucs; });
-  return ucs_alone ? Grains::coarse_then_there : Grains::coarse_then_own;
-}
 /// A third of the points and two ninths over the draws, on coarse grains where there are any, and the rest in
-/// rounds at the estimate, which each of them moves. Every point costs `n_compressive` of the tests.
+/// rounds at the estimate, which each of them moves; of 36: 12, 8 and 16. With a batch on the recipe's own
+/// grains 12, 8, 8 and 8; from coarse grains to the estimate at once, of 28: 12, 8 and 8. Every point costs
+/// `n_compressive` of the tests.
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
                         Grains grains) {
   const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
-  const std::int64_t last = std::max<std::int64_t>(1, points * 2 / 9);
-  const auto n_last = static_cast<std::size_t>(last), n_first = static_cast<std::size_t>(points - 3 * last);
-  const bool coarse = grains != Grains::own;
+  const bool coarse = grains != Grains::own, four_parts = grains != Grains::coarse_then_there;
+  const std::int64_t last = std::max<std::int64_t>(1, points * 2 / (four_parts ? 9 : 7));
+  const auto n_last = static_cast<std::size_t>(last),
+             n_first = static_cast<std::size_t>(points - (four_parts ? 3 : 2) * last);
   std::vector<Batch> batches = {{coarse, false, n_first}, {coarse, false, n_last}};
   if (grains == Grains::coarse_then_own) batches.push_back({false, false, n_last});
   for (std::size_t left = coarse ? n_last : 2 * n_last; left > 0;) {
@@ -435,11 +439,11 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
-  const std::int64_t most = most_points(n_ratios, budget.effort);
   const Grains grains = grains_of(fit.recipe, targets);
+  const std::int64_t most = most_points(n_ratios, budget.effort, grains);
   std::vector<Batch> batches = plan(budget.max_tests, n_compressive, most, grains);
   const std::size_t n_planned = batches.size(), n_further = further_rounds(budget.effort, grains);
-  fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort), n_compressive);
+  fit.longer_by = lengthened_by(budget, most_points(n_ratios, normal_effort, grains), n_compressive);
   report_cut(budget, most, n_compressive, fit);
   std::vector<Point> draws;
   Point estimate;
