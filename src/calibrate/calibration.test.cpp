@@ -203,7 +203,8 @@ double spread_of_ucs(const std::vector<Recipe>& draws, std::size_t shift) {
 
 TEST(Calibrate, TheEnsembleIsJointInTheBoxesAndOnPackingsOfItsOwn) {
   PaperPress press;
-  const Calibration c = calibrated(rock(), press), again = calibrated(rock(), press);
+  const Evidence evidence(rock());
+  const Calibration c = calibrate(evidence, {}, press), again = calibrate(evidence, {}, press);
   ASSERT_EQ(c.ensemble.size(), 20U);
   for (std::size_t k = 0; k < 20; ++k) {
     const Recipe& r = c.ensemble[k];
