@@ -1,7 +1,7 @@
 // The whole calibration on a press of closed forms: what it tells the user beside the numbers.
 #include "calibrate/calibration.hpp"
-#include "calibrate/model_choice.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "base/stats.hpp"
+#include "calibrate/model_choice.hpp"
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"
 #include "calibrate/softening.hpp"
@@ -407,6 +408,18 @@ TEST_F(ARival, LacksAnEThatScatterDoesNotExplain) {
   };
   EXPECT_FALSE(lacks(0.08, 0.2));
   EXPECT_TRUE(lacks(0.20, 0.02));
+}
+
+TEST_F(ARival, IsExpectedTheSameBySeveralThreads) {
+  Rock planes = rock, directions = rock;
+  planes.layers = LayerModel::planes, directions.layers = LayerModel::directions;
+  const auto text = [&](int threads) {
+    press.n_threads = threads;
+    const ModelChoice choice =
+        choose_model(Evidence(rock), {planes, directions}, 1, press, [](const std::string&) {});
+    return fmt::format("{} {}", choice.rivals[0].strength_error, choice.rivals[1].strength_error);
+  };
+  EXPECT_EQ(text(1), text(3));
 }
 
 TEST_F(ARival, OfModuliCostsNoTests) {

@@ -340,7 +340,8 @@ std::optional<Cause> toughness_of_grains(const View& v) {
                         other * 1e3, why)};
 }
 
-/// Packings that differ by more than passes without a word, and by half of what is missed or more.
+/// Packings that differ by more than passes without a word, and by half of what is missed or more. A value
+/// that is farther off than two means over as many packings may lie apart is missed for another reason.
 std::optional<Cause> scattered_packings(const View& v, Part part) {
   const double unit = tolerance(part == moduli        ? Property::E
                                 : part == compression ? Property::ucs
@@ -355,6 +356,8 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
       missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
       continue;
     }
+    const double of_mean = c.sd / c.mean / std::sqrt(std::max(1, c.n_packings));
+    if (std::fabs(c.error()) > surely * std::sqrt(2.0) * of_mean) return {};
     squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
   }
   if (n == 0 || squares <= n || squares < 0.25 * missed || missed_by_nu > missed) return {};

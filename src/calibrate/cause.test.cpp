@@ -232,6 +232,9 @@ TEST(Cause, PackingsThatDifferMuch) {
   EXPECT_THAT(
       sentence({cells(Property::ucs, table, {180, 120, 180}, 0.2)}),  // a factor of three is no scatter
       Not(HasSubstr("packings of this grain")));
+  EXPECT_THAT(sentence({cells(Property::ucs, {57, 42, 49, 67}, {57.5, 49, 52, 69}, 0.08)}),
+              HasSubstr("farthest off is UCS(30)"))
+      << "by 17 %, which the mean over five packings is not";
 }
 
 TEST(Cause, WhatNoRuleExplainsIsNamedByItsFarthestCell) {

@@ -1,12 +1,9 @@
 #include "calibrate/ensemble.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <barrier>
 #include <cmath>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "base/rng.hpp"
 #include "base/stats.hpp"
 
@@ -126,43 +123,24 @@ Move along_a_difference(const std::vector<Point>& walkers, std::size_t i, std::s
 }  // namespace
 
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
-                          std::uint32_t seed, int threads) {
+                          std::uint32_t seed) {
   constexpr double stretches = 0.2;  // share of the moves
   const std::size_t n = walkers.size(), half = n / 2;
   std::vector<double> log_p(n);
-  const auto step_of = [&](std::size_t i, int step) {
-    const Uniforms u{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(i)};
-    const std::size_t others = i < half ? half : 0, n_others = i < half ? n - half : half;
-    Move move = u(0) < stretches ? stretched(walkers, i, others, n_others, u)
-                                 : along_a_difference(walkers, i, others, n_others, u);
-    const double p = density(move.to);
-    if (std::log(u(5)) < move.log_factor + p - log_p[i]) walkers[i] = std::move(move.to), log_p[i] = p;
-  };
-  const auto is_kept = [&](int step) { return step >= steps / 2 && (step + 1) % thin == 0; };
-  std::size_t n_kept = 0;
-  for (int step = 0; step < steps; ++step) n_kept += is_kept(step) ? 1 : 0;
-  std::vector<Point> draws(n_kept * n);
-  const std::size_t n_threads =
-      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, threads)), 1, half);
-  std::barrier all_there(static_cast<std::ptrdiff_t>(n_threads));
-  std::atomic<bool> broken{false};
-  on_threads(
-      n_threads, broken,
-      [&](std::size_t thread) {
-        for (std::size_t i = thread; i < n; i += n_threads) log_p[i] = density(walkers[i]);
-        std::size_t kept = 0;
-        for (int step = 0; step < steps && !broken; ++step) {
-          for (const auto& [from, to] : {std::pair{std::size_t{0}, half}, std::pair{half, n}}) {
-            all_there.arrive_and_wait();  // partners come from the other half, which rests now
-            for (std::size_t i = from + thread; i < to; i += n_threads) {
-              step_of(i, step);
-              if (is_kept(step)) draws[kept * n + i] = walkers[i];
-            }
-          }
-          kept += is_kept(step) ? 1 : 0;
-        }
-      },
-      [&] { all_there.arrive_and_drop(); });
+  for (std::size_t i = 0; i < n; ++i) log_p[i] = density(walkers[i]);
+  std::vector<Point> draws;
+  for (int step = 0; step < steps; ++step) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const Uniforms u{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(i)};
+      const std::size_t others = i < half ? half : 0, n_others = i < half ? n - half : half;
+      Move move = u(0) < stretches ? stretched(walkers, i, others, n_others, u)
+                                   : along_a_difference(walkers, i, others, n_others, u);
+      const double p = density(move.to);
+      if (std::log(u(5)) < move.log_factor + p - log_p[i]) walkers[i] = std::move(move.to), log_p[i] = p;
+    }
+    if (step >= steps / 2 && (step + 1) % thin == 0)
+      draws.insert(draws.end(), walkers.begin(), walkers.end());
+  }
   return draws;
 }
 

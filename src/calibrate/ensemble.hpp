@@ -18,10 +18,9 @@ using Point = std::vector<double>;
 using LogDensity = std::function<double(const Point&)>;  ///< -infinity where nothing is possible
 
 /// Moves `walkers` (more than twice as many as dimensions, at least four and one of them possible) by `steps`
-/// sweeps and returns the states after every `thin`-th sweep of the second half. `threads`: of which each
-/// moves some of the walkers and calls `density`; the draws do not depend on how many there are.
+/// sweeps and returns the states after every `thin`-th sweep of the second half.
 std::vector<Point> sample(const LogDensity& density, std::vector<Point> walkers, int steps, int thin,
-                          std::uint32_t seed, int threads = 1);
+                          std::uint32_t seed);
 
 /// How well draws of `n_walkers` walkers have mixed; the worst dimension. Effective sample size: each walker
 /// a chain, autocorrelation of all chains together, summed over pairs while these are positive and fall

@@ -9,7 +9,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "calibrate/elastic_fit.hpp"
+#include "calibrate/elastic_verdict.hpp"
 #include "calibrate/forecast.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/strength_posterior.hpp"
@@ -54,17 +56,25 @@ Squares modulus_squares(const ElasticFit& fit) {
 /// Every strength that was mapped predicted from the others by what is expected of this model, before any
 /// test.
 Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int threads) {
-  StrengthPosterior posterior(evidence, recipe, nullptr, threads);
+  StrengthPosterior posterior(evidence, recipe);
   posterior.learn();
-  Squares squares;
+  std::vector<std::size_t> mapped;
   for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
     const Target& t = posterior.targets()[i];
-    if (t.confining > 0.0 || t.property == Property::fracture_toughness) continue;
-    const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
-    double mean = 0.0;
-    for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
-    squares.add(std::log(t.mean) - mean);
+    if (t.confining == 0.0 && t.property != Property::fracture_toughness) mapped.push_back(i);
   }
+  std::vector<double> errors(mapped.size());
+  for_all(mapped.size(), threads, [&] {
+    return [&](std::size_t k) {
+      const std::size_t i = mapped[k];
+      const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
+      double mean = 0.0;
+      for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
+      errors[k] = std::log(posterior.targets()[i].mean) - mean;
+    };
+  });
+  Squares squares;
+  for (const double error : errors) squares.add(error);
   return squares;
 }
 
@@ -77,12 +87,8 @@ ElasticFit moduli_of(const Evidence& evidence, std::int64_t seed, Simulator& sim
 Rival rival_of(const Evidence& evidence, const ElasticFit& fit, int threads) {
   const Squares E = modulus_squares(fit);
   const Squares strengths = strength_squares(evidence, with_moduli(evidence.rock.model, fit.recipe), threads);
-  const bool lacks_E = std::any_of(fit.comparisons.begin(), fit.comparisons.end(), [](const Comparison& c) {
-    return c.target.property == Property::E &&
-           (!c.answered() || (misses(c) && std::fabs(c.error()) > modulus_limit));
-  });
   return {evidence.rock, E.root(), strengths.root(), std::sqrt((E.sum + strengths.sum) / (E.n + strengths.n)),
-          lacks_E};
+          judge_elastic(fit, evidence).out_of_reach};
 }
 
 /// What the other matrix does not have falls back to where it says nothing.

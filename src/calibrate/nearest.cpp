@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/least_squares.hpp"
-#include "base/parallel.hpp"
 #include "calibrate/margin.hpp"
 
 namespace phy::calibrate {
@@ -91,12 +90,9 @@ Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>
   for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
   std::sort(order.begin(), order.end());
   order.resize(std::min(order.size(), n_starts));
-  std::vector<Point> bottoms(order.size());
-  for_all(order.size(), posterior.threads(),
-          [&] { return [&](std::size_t i) { bottoms[i] = downhill(misfit, draws[order[i].second]); }; });
   Point best = draws[order.front().second];
-  for (const Point& x : bottoms)
-    if (misfit.at(x) < misfit.at(best)) best = x;
+  for (const auto& [value, k] : order)
+    if (const Point x = downhill(misfit, draws[k]); misfit.at(x) < misfit.at(best)) best = x;
   return best;
 }
 

@@ -30,7 +30,7 @@ class Simulator {
   virtual void announce(const std::vector<Recipe>&) {}
   /// True once the user has asked to stop.
   virtual bool stopped() const = 0;
-  /// As many as the user gives the calibration, also for what is computed between the tests.
+  /// As many as the user gives the calibration, also for what it computes itself.
   virtual int threads() const { return 1; }
 };
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/parallel.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/prior_regression.hpp"
 
@@ -33,14 +32,12 @@ double squared_distance(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read,
-                                     int threads)
+StrengthPosterior::StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read)
     : runs_(evidence.strengths.size()),
       targets_(evidence.strengths),
       parameters_(strength_parameters(evidence)),
       middle_sigma_(std::log(evidence.scales.strength / usual_ratio)),
-      read_(read),
-      threads_(threads) {
+      read_(read) {
   for (const Target& t : targets_)
     prior_.push_back(prior_strength(evidence, recipe, t)), variances_.push_back(variance(t));
   for (const StrengthParameter* p : parameters_) boxes_.push_back(p->box(evidence.scales));
@@ -94,9 +91,8 @@ std::vector<Target> StrengthPosterior::without_runs() const {
 }
 
 void StrengthPosterior::learn() {
-  models_.assign(runs_.size(), Surrogate({}));
-  for_all(runs_.size(), threads_,
-          [&] { return [&](std::size_t i) { models_[i] = Surrogate(runs_[i], prior_[i]); }; });
+  models_.clear();
+  for (std::size_t i = 0; i < runs_.size(); ++i) models_.emplace_back(runs_[i], prior_[i]);
 }
 
 std::vector<double> StrengthPosterior::inputs(const Point& x, std::size_t target) const {
@@ -225,20 +221,16 @@ std::vector<Point> StrengthPosterior::draws(std::size_t left_out, std::uint32_t 
     Point x;
   };
   std::vector<Start> starts;
-  for (Point& x : spread_points(n_starts)) starts.push_back({0.0, std::move(x)});
-  for_all(starts.size(), threads_, [&] {
-    return [&](std::size_t i) {
-      Start& start = starts[i];
-      start.x.front() = best_sigma(start.x, left_out);
-      start.log_p = log_density(start.x, left_out);
-    };
-  });
+  for (Point& x : spread_points(n_starts)) {
+    x.front() = best_sigma(x, left_out);
+    starts.push_back({log_density(x, left_out), x});
+  }
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Start& a, const Start& b) { return a.log_p > b.log_p; });
   std::vector<Point> walkers;
   for (int i = 0; i < n_walkers; ++i) walkers.push_back(starts[static_cast<std::size_t>(i)].x);
   return sample([&](const Point& x) { return log_density(x, left_out); }, std::move(walkers),
-                length * n_sweeps, length * thin, seed, threads_);
+                length * n_sweeps, length * thin, seed);
 }
 
 Mixing StrengthPosterior::mixing_of(const std::vector<Point>& draws) { return mixing(draws, n_walkers); }

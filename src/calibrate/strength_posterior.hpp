@@ -39,11 +39,8 @@ class StrengthPosterior {
 
   /// `recipe`: moduli of the rock. `read`: E and nu as the laboratory reads them, which are wanted beside the
   /// strengths; it outlives the posterior. nullptr: those of small strain, which strengths leave alone.
-  /// `threads`: that learn and draw; what is learnt and drawn does not depend on how many there are.
-  StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read = nullptr,
-                    int threads = 1);
+  StrengthPosterior(const Evidence& evidence, const Recipe& recipe, const ReadModuli* read = nullptr);
 
-  int threads() const { return threads_; }
   const std::vector<Target>& targets() const { return targets_; }
   std::size_t n_targets() const { return targets_.size(); }
   /// sigma_c, then the ratios.
@@ -111,7 +108,6 @@ class StrengthPosterior {
   std::vector<double> variances_;  // of the targets
   const ReadModuli* read_ = nullptr;
   bool errors_count_ = false;
-  int threads_ = 1;
 
   /// What counts of a laboratory's squared scatter.
   double counted(Property property, double squared) const;

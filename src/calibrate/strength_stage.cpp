@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/lines.hpp"
+#include "base/parallel.hpp"
 #include "base/rng.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/margin.hpp"
@@ -28,6 +29,7 @@ enum class Grains : std::uint8_t {
   coarse_then_own,   ///< and a batch over the draws on the recipe's
   coarse_then_there  ///< and then the estimate: half of the rounds
 };
+
 /// What coarse grains leave to be learnt is by how much the recipe's own differ. For UCS alone that counts at
 /// the estimate; strengths of other tests tell parameters that UCS leaves open (friction, slits), and how
 /// they change beside the estimate is best asked of the recipe's own grains (docs/decisions/0006).
@@ -37,6 +39,7 @@ Grains grains_of(const Recipe& recipe, const std::vector<Target>& targets) {
                                      [](const Target& t) { return t.property == Property::ucs; });
   return ucs_alone ? Grains::coarse_then_there : Grains::coarse_then_own;
 }
+
 /// Points of a whole search: the more is sought, the more of them.
 std::int64_t most_points(std::size_t n_ratios, const Effort& effort, Grains grains) {
   constexpr double usual = 36.0, per_ratio = 6.0, without_a_batch = 7.0 / 9.0;
@@ -86,10 +89,11 @@ constexpr double most_uncertain = 0.4;  // tolerances
 std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std::int64_t most,
                         Grains grains) {
   const std::int64_t points = std::clamp(max_tests / n_compressive, least_points, most);
-  const bool coarse = grains != Grains::own, four_parts = grains != Grains::coarse_then_there;
-  const std::int64_t last = std::max<std::int64_t>(1, points * 2 / (four_parts ? 9 : 7));
+  const bool coarse = grains != Grains::own;
+  const std::int64_t n_alike = grains == Grains::coarse_then_there ? 2 : 3,  // parts behind the first
+      last = std::max<std::int64_t>(1, points * 2 / (2 * n_alike + 3));
   const auto n_last = static_cast<std::size_t>(last),
-             n_first = static_cast<std::size_t>(points - (four_parts ? 3 : 2) * last);
+             n_first = static_cast<std::size_t>(points - n_alike * last);
   std::vector<Batch> batches = {{coarse, false, n_first}, {coarse, false, n_last}};
   if (grains == Grains::coarse_then_own) batches.push_back({false, false, n_last});
   for (std::size_t left = coarse ? n_last : 2 * n_last; left > 0;) {
@@ -100,11 +104,8 @@ std::vector<Batch> plan(std::int64_t max_tests, std::int64_t n_compressive, std:
 }
 
 std::size_t further_rounds(const Effort& effort, Grains grains) {
-  switch (grains) {
-    case Grains::own: return effort.further;
-    case Grains::coarse_then_there: return effort.further / 3;
-    default: return 0;
-  }
+  if (grains == Grains::own) return effort.further;
+  return grains == Grains::coarse_then_there ? effort.further / 3 : 0;
 }
 
 /// Deals the packings out. Neighbouring points of a spread batch share one: two points of seven angles fill
@@ -346,7 +347,7 @@ Comparison predicted(const StrengthPosterior& posterior, const std::vector<Point
 
 /// `best`: the estimate.
 void report(const StrengthPosterior& posterior, const std::vector<Point>& draws, const Point& best,
-            std::size_t n_packings, StrengthFit& fit) {
+            std::size_t n_packings, int threads, StrengthFit& fit) {
   fit.recipe = posterior.recipe_at(fit.recipe, best);
   report_parameters(posterior, draws, best, fit);
   for (const Point& x : evenly_taken(draws, ensemble_size))
@@ -357,12 +358,16 @@ void report(const StrengthPosterior& posterior, const std::vector<Point>& draws,
     fit.fitted.push_back(c);
   }
   if (posterior.n_targets() < 4) return;
-  for (std::size_t i = 0; i < posterior.n_targets(); ++i) {
-    const std::vector<Point> others = posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
-    // the estimate that the calibration would have ended with
-    const Point without = nearest_point(posterior, others, i);
-    fit.left_out.push_back(predicted(posterior, others, posterior.predict(without, i).mean, i, true));
-  }
+  fit.left_out.resize(posterior.n_targets());
+  for_all(posterior.n_targets(), threads, [&] {
+    return [&](std::size_t i) {
+      const std::vector<Point> others =
+          posterior.draws(i, sampler_seed + 100U + static_cast<std::uint32_t>(i));
+      // the estimate that the calibration would have ended with
+      const Point without = nearest_point(posterior, others, i);
+      fit.left_out[i] = predicted(posterior, others, posterior.predict(without, i).mean, i, true);
+    };
+  });
 }
 
 /// Those behind the intervals.
@@ -435,7 +440,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   const std::vector<Target>& targets = evidence.strengths;
   fit.recipe = test_settings(recipe, targets, seeds.front(), simulator);
   ReadModuli read(evidence);
-  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr, simulator.threads());
+  StrengthPosterior posterior(evidence, recipe, remodel ? &read : nullptr);
   const StrengthTests tests(fit.recipe, targets, seeds.front(), simulator);
   const std::int64_t n_compressive = evidence.n_compressive();
   const std::size_t n_ratios = posterior.parameters().size() - 1;  // sigma_c costs no run
@@ -485,9 +490,10 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
       posterior.take_moduli(evidence, fit.recipe);
     }
     learn(b + 1);
-    if (b + 1 < batches.size() || grains == Grains::coarse_then_own) continue;
+    // The first tests on the recipe's own grains surprise by what coarse ones are off, whatever the estimate.
+    if (b + 1 < batches.size() || (grains != Grains::own && n_further == 0)) continue;
     const std::string why = unsettled(posterior, estimate, tried, *surprise);
-    if (why.empty() || (grains != Grains::own && n_further == 0)) continue;
+    if (why.empty()) continue;
     const std::int64_t paid =
         fit.n_tests - fit.n_tension + n_compressive * static_cast<std::int64_t>(per_round);
     if (b + 1 < n_planned + n_further && paid <= budget.max_tests)
@@ -497,7 +503,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
   }
   posterior.count_errors();
   draws = final_draws(posterior, sampler_seed + static_cast<std::uint32_t>(batches.size()));
-  report(posterior, draws, estimate, packings.behind(), fit);
+  report(posterior, draws, estimate, packings.behind(), simulator.threads(), fit);
   report_mixing(draws, fit);
   report_without_peak(fit);
   return fit;

@@ -1,10 +1,8 @@
 // The stand-in for the press and the sampler, against functions and densities known in closed form.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "base/rng.hpp"
 #include "calibrate/ensemble.hpp"
@@ -122,28 +120,6 @@ TEST(Ensemble, DrawsFromACorrelatedNormalDensity) {
   EXPECT_NEAR(mean, 1.0, 0.12);  // some 1,000 independent draws: 4 standard errors
   EXPECT_NEAR(square, 1.0, 0.18);
   EXPECT_NEAR(width, 0.01, 0.002);
-}
-
-TEST(Ensemble, SeveralThreadsDrawTheSame) {
-  const LogDensity ridge = [](const Point& x) { return -std::pow(x[1] - x[0], 2.0) - 0.01 * x[0] * x[0]; };
-  std::vector<Point> walkers;
-  for (std::uint32_t i = 0; i < 14; ++i) walkers.push_back(point(i, 2));
-  const std::vector<Point> alone = sample(ridge, walkers, 300, 7, 3);
-  ASSERT_EQ(alone.size(), 21U * 14U);
-  for (const int threads : {2, 3, 7, 64})
-    EXPECT_EQ(sample(ridge, walkers, 300, 7, 3, threads), alone) << threads;
-}
-
-TEST(Ensemble, WhatTheDensityThrowsComesBackFromEveryThread) {
-  std::vector<Point> walkers;
-  for (std::uint32_t i = 0; i < 16; ++i) walkers.push_back(point(i, 2));
-  std::atomic<int> n_calls{0};
-  const LogDensity fails = [&](const Point&) {
-    if (++n_calls == 100) throw std::runtime_error("a hundred");
-    return 0.0;
-  };
-  EXPECT_THROW(sample(fails, walkers, 1000, 10, 4, 4), std::runtime_error);
-  EXPECT_LT(n_calls, 200);
 }
 
 TEST(Ensemble, NeverLeavesWhereTheDensityIsZero) {
