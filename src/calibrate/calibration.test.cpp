@@ -51,14 +51,14 @@ Calibration calibrated(const Rock& rock, PaperPress& press, bool elastic_only = 
 
 TEST(Calibrate, TheModuliOfThePressAtHalfOfTheStrengthStandBesideTheTable) {
   PaperPress press;
-  press.tangent = 0.8;
+  press.tangent = 0.8, press.modulus_scatter = 0.05;
   const Calibration c = calibrated(rock(), press);
   ASSERT_EQ(c.tangent_from_test.size(), 8U);  // E and nu at four angles
   for (const Comparison& p : c.tangent_from_test) {
     const Comparison* small_strain = row_of(c.verification, p.target);
     ASSERT_NE(small_strain, nullptr);
     EXPECT_NEAR(p.mean / small_strain->mean, p.target.property == Property::E ? 0.8 : 1.0, 1e-9);
-    EXPECT_EQ(p.n_packings, 5);
+    EXPECT_EQ(p.n_packings, 1);
   }
   EXPECT_THAT(c.notes, Contains(HasSubstr("-20 %")));
   press.tangent = 0.97;

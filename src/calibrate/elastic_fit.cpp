@@ -48,11 +48,10 @@ void minimise(ElasticProblem& problem, Point& x, int most, double tolerance) {
   x.assign(moved.begin(), moved.end());
 }
 
-/// As many packings as the scatter of E asks for, the first of them `seeds`.
+/// As many packings as the scatter of E asks for, the first of them `seeds`, which it has.
 void take_packings(ElasticProblem& problem, const Point& x, std::vector<std::int64_t> seeds,
                    const std::vector<std::int64_t>& spare) {
   const std::size_t n_first = seeds.size();
-  problem.use_packings(seeds);
   const double wanted = std::ceil(std::pow(problem.worst_scatter(x) / packing_error, 2.0));
   for (const std::int64_t seed : spare)
     if (static_cast<double>(seeds.size()) < wanted) seeds.push_back(seed);
@@ -60,7 +59,7 @@ void take_packings(ElasticProblem& problem, const Point& x, std::vector<std::int
   problem.weigh_packings(x);
 }
 
-/// On all packings, with the effect of one-sided contacts measured on `n_corrected` of them.
+/// On the packings at hand, with the effect of one-sided contacts measured on `n_corrected` of them.
 void refine(ElasticProblem& problem, Point& x, std::size_t n_corrected) {
   problem.correct(x, n_corrected);
   minimise(problem, x, 4, 1e-3);
@@ -214,8 +213,10 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   Point x = problem.first_guess(seeds.front());
   minimise(problem, x, 20, 1e-3);
   say(fmt::format("elastic search done after {} solutions", problem.n_solutions()));
-  take_packings(problem, x, seeds, spare);
+  problem.use_packings(seeds);
+  problem.weigh_packings(x);
   refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it
+  take_packings(problem, x, seeds, spare);
   refine(problem, x, seeds.size());
   if (const std::vector<Comparison> rows = problem.comparisons(x);
       evidence.has(Property::nu) && misses_E(rows)) {

@@ -43,7 +43,7 @@ ElasticProblem::Point ElasticProblem::first_guess(std::int64_t seed) {
   sight.macro = macro_of(evidence_);
   Recipe intact = single_at(model, 0.0, seed);
   intact.bedding.clear();
-  sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, true).front().E_gauge;
+  sight.E_c = intact.matrix.E_c, sight.E = simulator_.elastic({intact}, Statics::two_sided).front().E_gauge;
   ++n_solutions_;
   if (!model.bedding.empty()) sight.joint_length = usual_overlap * model.bedding.front().spacing;
   Point x;
@@ -63,7 +63,7 @@ Recipe ElasticProblem::recipe_at(const Point& x) const {
 }
 
 const std::vector<ElasticAnswer>& ElasticProblem::answers(const Point& x) {
-  if (x_ != x) x_ = x, two_sided_ = solved(x, seeds_, true);
+  if (x_ != x) x_ = x, two_sided_ = solved(x, seeds_, Statics::with_rates);
   answers_ = two_sided_;
   for (std::size_t i = 0; i < n_targets(); ++i) {
     ElasticAnswer& a = answers_[i];
@@ -109,7 +109,8 @@ std::vector<Comparison> ElasticProblem::comparisons(const Point& x) {
 void ElasticProblem::correct(const Point& x, std::size_t n) {
   answers(x);
   const auto count = static_cast<std::ptrdiff_t>(n);
-  const std::vector<ElasticAnswer> one_sided = solved(x, {seeds_.begin(), seeds_.begin() + count}, false);
+  const std::vector<ElasticAnswer> one_sided =
+      solved(x, {seeds_.begin(), seeds_.begin() + count}, Statics::one_sided);
   for (std::size_t i = 0; i < n_targets(); ++i) {
     const std::vector<double>& all = two_sided_[i].values;
     const double before = summarise({all.begin(), all.begin() + count}).mean, after = one_sided[i].mean;
@@ -160,9 +161,9 @@ double ElasticProblem::worst_scatter(const Point& x) {
 }
 
 std::vector<ElasticAnswer> ElasticProblem::solved(const Point& x, const std::vector<std::int64_t>& seeds,
-                                                  bool bilateral) {
+                                                  Statics what) {
   const Recipe recipe = recipe_at(x);
-  const auto solutions = solve_angles(recipe, evidence_.moduli, seeds, bilateral, simulator_);
+  const auto solutions = solve_angles(recipe, evidence_.moduli, seeds, what, simulator_);
   n_solutions_ += static_cast<std::int64_t>(solutions.size() * seeds.size());
   std::vector<ElasticAnswer> answers;
   for (const Row& row : rows_)

@@ -95,7 +95,7 @@ class ElasticProblem {
   Point x_;
   std::vector<ElasticAnswer> two_sided_, answers_;  // at x_; without and with the corrections
 
-  std::vector<ElasticAnswer> solved(const Point& x, const std::vector<std::int64_t>& seeds, bool bilateral);
+  std::vector<ElasticAnswer> solved(const Point& x, const std::vector<std::int64_t>& seeds, Statics what);
   ElasticAnswer mean_of(const std::vector<ElasticResult>& results, Property property,
                         const Recipe& recipe) const;
   double unit_of_misfit(const Row& row) const;

@@ -29,13 +29,13 @@ double reading_of(const ElasticResult& solution, Property property) {
 std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
                                                           const std::vector<Target>& moduli,
                                                           const std::vector<std::int64_t>& seeds,
-                                                          bool bilateral, Simulator& simulator) {
+                                                          Statics what, Simulator& simulator) {
   std::map<double, std::vector<ElasticResult>> at;
   for (const Target& t : moduli) at[t.theta];
   std::vector<Recipe> recipes;  // packing by packing: what a factorisation needs to know of one is made once
   for (const std::int64_t seed : seeds)
     for (const auto& [theta, none] : at) recipes.push_back(single_at(recipe, theta, seed));
-  std::vector<ElasticResult> results = simulator.elastic(recipes, bilateral);
+  std::vector<ElasticResult> results = simulator.elastic(recipes, what);
   auto next = results.begin();
   for (std::size_t p = 0; p < seeds.size(); ++p)
     for (auto& [theta, solutions] : at) solutions.push_back(std::move(*next++));
@@ -44,7 +44,7 @@ std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
 
 std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
                                          const std::vector<std::int64_t>& seeds, Simulator& simulator) {
-  const auto solutions = solve_angles(recipe, moduli, seeds, false, simulator);
+  const auto solutions = solve_angles(recipe, moduli, seeds, Statics::one_sided, simulator);
   std::vector<Comparison> rows;
   for (const Target& t : moduli) {
     std::vector<double> values;

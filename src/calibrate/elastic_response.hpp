@@ -23,7 +23,7 @@ double reading_of(const ElasticResult& solution, Property property);
 std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
                                                           const std::vector<Target>& moduli,
                                                           const std::vector<std::int64_t>& seeds,
-                                                          bool bilateral, Simulator& simulator);
+                                                          Statics what, Simulator& simulator);
 
 /// Mean E and nu at the targets over packings, one-sided contacts.
 std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,

@@ -89,7 +89,7 @@ PlaneStiffness stiffness_of(const Setting& setting, const std::vector<std::int64
   for (const Recipe& r : recipes)
     for (const double theta : angles)
       for (const std::int64_t seed : seeds) singles.push_back(single_at(r, theta, seed));
-  const std::vector<ElasticResult> results = simulator.elastic(singles, true);
+  const std::vector<ElasticResult> results = simulator.elastic(singles, Statics::two_sided);
   std::vector<theory::Eq1Fit> fits;
   const std::size_t n = angles.size() * seeds.size();
   for (std::size_t i = 0; i < recipes.size(); ++i)

@@ -146,16 +146,24 @@ std::int64_t n_beside_search(const Evidence& evidence, bool softens) {
   return n_at_estimate(evidence, softens) * (n_unseen + (softens ? n_softened : 0));
 }
 
-/// E and nu of the press beside those at small strain, of which the table holds values. Where they differ
-/// much, the user must know which of the two the laboratory means.
-void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& from_test) {
+/// E and nu of the press beside those at small strain, of which the table holds values: what tests of one
+/// packing make of the solutions on it (`solved`) is made of the means over all. Where they differ much, the
+/// user must know which of the two the laboratory means.
+void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& from_test,
+                            const std::vector<Comparison>& solved) {
   double worst = 0.0, theta = 0.0;
   for (const Comparison& p : from_test) {
-    const Comparison* small_strain = row_of(result.verification, p.target);
+    const Comparison *small_strain = row_of(result.verification, p.target),
+                     *same_packing = row_of(solved, p.target);
     if (small_strain == nullptr || p.target.confining > 0.0) continue;  // 50 % of UCS
-    result.tangent_from_test.push_back(p);
-    result.tangent_from_test.back().target = small_strain->target;
-    const double change = p.mean / small_strain->mean - 1.0;
+    Comparison c = p;
+    c.target = small_strain->target;
+    const double change = p.mean / same_packing->mean - 1.0;
+    if (p.target.property == Property::nu)
+      c.mean = small_strain->mean + p.mean - same_packing->mean;
+    else
+      c.mean = small_strain->mean * (1.0 + change);
+    result.tangent_from_test.push_back(c);
     if (p.target.property == Property::E && std::fabs(change) > std::fabs(worst))
       worst = change, theta = p.target.theta;
   }
@@ -317,6 +325,12 @@ Recipe with_pictures(Recipe recipe) {
   return recipe;
 }
 
+std::vector<double> means_of(const std::vector<Comparison>& rows) {
+  std::vector<double> means;
+  for (const Comparison& c : rows) means.push_back(c.mean);
+  return means;
+}
+
 /// Strengths on unseen packings, and on more of them where they differ much; the moduli on as many.
 std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::vector<Comparison>& from_test) {
   const Evidence& evidence = work.evidence;
@@ -328,12 +342,13 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   work.pictures = {work.pictures.at_once, with_pictures(result.recipe), tests, work.unseen.front()};
   work.pictures.recipe.name = result.rock + ", on a packing that the fit has not seen";
   const Recipe& pressed = work.pictures.at_once ? work.pictures.recipe : result.recipe;
+  const Loadings loadings = of_verification(work.softens(), means_of(work.strength.fitted));
   std::vector<Comparison> rows;
   for (;;) {
     work.options.listener.say(
         fmt::format("verification of the strengths on {} unseen packings", work.unseen.size()));
     from_test.clear();
-    rows = strength_response(pressed, tests, work.unseen, as_measured, work.simulator, reading, &from_test);
+    rows = strength_response(pressed, tests, work.unseen, loadings, work.simulator, reading, &from_test);
     rows.resize(evidence.strengths.size());
     result.n_strength_tests += n * n_unseen,
         result.n_tension_tests += n_tension * n_unseen;  // the others are known
@@ -361,6 +376,12 @@ void compare_toughness(Calibration& result, const Work& work) {
   const auto n = static_cast<std::int64_t>(compared.size() * work.unseen.size());
   result.n_strength_tests += n, result.n_tension_tests += n;
   result.notes.insert(result.notes.begin(), compared_in_words(result.compared, result.recipe));
+}
+
+/// The moduli of the packing that E at half of the strength is read on.
+std::vector<Comparison> on_first_unseen(Calibration& result, const Work& work) {
+  result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification));
+  return elastic_response(result.recipe, work.evidence.moduli, {work.unseen.front()}, work.simulator);
 }
 
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
@@ -393,7 +414,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
   if (work.softens())
     take_as_measured(result, work, from_test);
   else
-    add_tangents_from_test(result, from_test);
+    add_tangents_from_test(result, from_test, on_first_unseen(result, work));
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
   compare_toughness(result, work);
   return !work.simulator.stopped();

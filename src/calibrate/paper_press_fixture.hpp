@@ -28,13 +28,12 @@ class PaperPress : public Simulator {
   std::int64_t stop_after = -1;  ///< tests, then the user has stopped; -1: never
   std::int64_t n_tests = 0, n_announced = 0;
 
-  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool) override {
+  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics) override {
     if (stops_statics) throw Stopped{};
     std::vector<ElasticResult> results(recipes.size());
     for (std::size_t i = 0; i < recipes.size(); ++i) {
       const theory::JointedRock rock = rock_of(recipes[i]);
-      results[i].E_gauge =
-          theory::goodman_E(rock, theta_of(recipes[i])) * std::exp(modulus_scatter * draw(recipes[i], 0));
+      results[i].E_gauge = modulus(recipes[i]);
       results[i].nu_gauge = theory::goodman_nu(rock, theta_of(recipes[i]));
       if (!carries_load) results[i].E_gauge = results[i].nu_gauge = std::nan("");
     }
@@ -86,7 +85,10 @@ class PaperPress : public Simulator {
   /// At half of the strength.
   double tangent_modulus(const Recipe& r) const {
     const double ratio = tangent + closing * r.test.confining_stress / 10e6;
-    return ratio * theory::goodman_E(rock_of(r), theta_of(r));
+    return ratio * modulus(r);
+  }
+  double modulus(const Recipe& r) const {
+    return theory::goodman_E(rock_of(r), theta_of(r)) * std::exp(modulus_scatter * draw(r, 0));
   }
 
   /// Cracks begin at a share of the strength that slits take most of.

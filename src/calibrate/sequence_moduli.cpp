@@ -124,7 +124,7 @@ class Moduli {
     for (const std::int64_t seed : seeds_) recipes.push_back(single_at(recipe, 0.0, seed));
     for (Recipe& r : recipes) r.bedding.clear();
     std::vector<double> values;
-    for (const ElasticResult& r : simulator_.elastic(recipes, false))
+    for (const ElasticResult& r : simulator_.elastic(recipes, Statics::one_sided))
       values.push_back(reading_of(r, property));
     fit_.n_solutions += n_seeds();
     return summarise(values).mean;

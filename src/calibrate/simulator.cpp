@@ -87,7 +87,7 @@ class OwnSimulator : public Simulator {
     if (!options_.store.empty()) store_ = std::make_unique<study::Store>(options_.store);
   }
 
-  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool bilateral) override {
+  std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what) override {
     load_packings(recipes);
     std::vector<Specimen> specimens(recipes.size());
     for_all(recipes.size(), options_.threads, [&] {
@@ -96,7 +96,8 @@ class OwnSimulator : public Simulator {
       };
     });
     statics::ElasticOptions how;
-    how.bilateral = bilateral;
+    how.bilateral = what != Statics::one_sided;
+    how.sensitivities = what == Statics::with_rates;
     how.tolerance = statics_tolerance;
     how.stop = options_.stop;
     std::vector<ElasticResult> results = statics::solve_all(specimens, how, options_.threads);

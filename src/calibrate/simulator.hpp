@@ -17,13 +17,19 @@ namespace phy::calibrate {
 /// The user has asked to stop: what elastic() throws instead of half an answer.
 struct Stopped {};
 
+/// What a direct solution is asked for.
+enum class Statics {
+  one_sided,   ///< contacts that open carry nothing
+  two_sided,   ///< contacts also pull: one linear system, five times faster
+  with_rates,  ///< two-sided, with derivatives by the stiffness parameters
+};
+
 /// All recipes here stand for one specimen: no test.angles, the bedding at its final angle (or none).
 class Simulator {
  public:
   virtual ~Simulator() = default;
-  /// Small-strain E and nu with derivatives. `bilateral`: contacts also pull, five times faster. May throw
-  /// Stopped.
-  virtual std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, bool bilateral) = 0;
+  /// Small-strain E and nu. May throw Stopped.
+  virtual std::vector<ElasticResult> elastic(const std::vector<Recipe>& recipes, Statics what) = 0;
   /// Laboratory tests. Results in the order of the recipes; Status::interrupted where the user stopped.
   virtual std::vector<TestResult> test(const std::vector<Recipe>& recipes) = 0;
   /// Tests like these will be asked for next, in this order: for the remaining time, for nothing else.

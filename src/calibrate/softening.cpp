@@ -64,7 +64,7 @@ Softenings softenings_of(const Recipe& recipe, const Recipe& model, const std::v
       unbroken.push_back(as_for_moduli(recipes.back(), model));
     }
   const std::vector<TestResult> results = simulator.test(recipes);
-  const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, false);
+  const std::vector<ElasticResult> solutions = simulator.elastic(unbroken, Statics::one_sided);
   Softenings mean;  // over packings: of the factor the geometric one
   for (std::size_t i = 0; i < tests.size(); ++i) {
     double log_factor = 0.0, addition = 0.0;

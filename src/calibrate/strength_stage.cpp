@@ -169,7 +169,7 @@ void learn_softening(ReadModuli& read, const StrengthPosterior& posterior, const
   for (std::size_t k = 0; k < recipes.size(); ++k)
     if (read.reads(target_of(k)) && solved.emplace(name_of(k), specimens.size()).second)
       specimens.push_back(as_for_moduli(recipes[k], model));
-  const std::vector<ElasticResult> solutions = simulator.elastic(specimens, false);
+  const std::vector<ElasticResult> solutions = simulator.elastic(specimens, Statics::one_sided);
   n_solutions += static_cast<std::int64_t>(specimens.size());
   for (std::size_t k = 0; k < recipes.size(); ++k) {
     if (!read.reads(target_of(k))) continue;
@@ -411,18 +411,21 @@ void report_without_peak(StrengthFit& fit) {
 /// All tests to come, the verification included, at the middle of the box.
 void announce(const StrengthPosterior& posterior, const StrengthTests& tests,
               const std::vector<Batch>& batches, const Recipe& recipe, const std::vector<std::int64_t>& seeds,
-              const Loading& loading, Simulator& simulator) {
+              bool learns_moduli, Simulator& simulator) {
   std::vector<Recipe> all;
   const Point middle = posterior.middle_of_box();
   Packings packings(seeds.size());
   for (const Batch& b : batches) {
     const Design design = {b.coarse, std::vector<Point>(b.n_points, middle), packings.of(b)};
-    const std::vector<Recipe> some = tests_at(posterior, tests, design, recipe, seeds, loading);
+    const std::vector<Recipe> some =
+        tests_at(posterior, tests, design, recipe, seeds, loading_of(learns_moduli));
     all.insert(all.end(), some.begin(), some.end());
   }
+  const Loadings verification = of_verification(learns_moduli, {});
   for (std::size_t i = 0; i < posterior.n_targets(); ++i)
     for (int k = 0; k < verification_packings; ++k)
-      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(), as_measured));
+      all.push_back(tests.of(posterior.recipe_at(recipe, middle), i, seeds.front(),
+                             k == 0 ? verification.first : verification.others));
   simulator.announce(all);
 }
 
@@ -460,7 +463,7 @@ StrengthFit fit_strength(const Evidence& evidence, const Recipe& recipe,
     listener.estimates({known.begin(), known.end()});
   };
   learn(0);  // from the prior mean alone
-  announce(posterior, tests, batches, fit.recipe, seeds, loading_of(remodel != nullptr), simulator);
+  announce(posterior, tests, batches, fit.recipe, seeds, remodel != nullptr, simulator);
   Packings packings(seeds.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch batch = batches[b];

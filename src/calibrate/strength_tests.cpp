@@ -35,7 +35,7 @@ std::vector<double> moduli_at(const Recipe& recipe, const std::vector<Target>& t
   std::vector<Recipe> recipes;
   for (const Target& t : targets) recipes.push_back(single_at(recipe, t.theta, seed));
   std::vector<double> moduli;
-  for (const ElasticResult& r : simulator.elastic(recipes, true)) moduli.push_back(r.E_gauge);
+  for (const ElasticResult& r : simulator.elastic(recipes, Statics::two_sided)) moduli.push_back(r.E_gauge);
   return moduli;
 }
 
@@ -133,6 +133,11 @@ Comparison over_packings(const Target& target, std::span<const TestResult> resul
 }
 
 }  // namespace
+
+Loadings of_verification(bool reads_moduli, std::vector<double> foreseen) {
+  if (reads_moduli) return as_measured;
+  return {as_measured, strengths_as_measured, std::move(foreseen)};
+}
 
 StrengthTests::StrengthTests(const Recipe& recipe, const std::vector<Target>& targets, std::int64_t seed,
                              Simulator& simulator)
@@ -241,18 +246,21 @@ Recipe test_settings(Recipe recipe, const std::vector<Target>& targets, const st
 }
 
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, const Loading& loading,
+                                          const std::vector<std::int64_t>& seeds, const Loadings& loadings,
                                           Simulator& simulator, ModulusReading reading,
                                           std::vector<Comparison>* moduli) {
   const StrengthTests tests(recipe, targets, seeds.front(), simulator);
   std::vector<Recipe> recipes;
   for (std::size_t i = 0; i < targets.size(); ++i)
     for (const std::int64_t seed : seeds) {
-      recipes.push_back(tests.of(recipe, i, seed, loading));
-      if (seed != seeds.front() || recipes.back().test.kind != TestKind())
+      const bool first = seed == seeds.front();
+      const double foreseen = first || loadings.foreseen.empty() ? infinity : loadings.foreseen[i];
+      recipes.push_back(tests.of(recipe, i, seed, first ? loadings.first : loadings.others, foreseen));
+      if (!first || recipes.back().test.kind != TestKind())
         recipes.back().test.n_snapshots = recipes.back().test.n_frames = 0;
     }
   const std::vector<TestResult> results = simulator.test(recipes);
+  const std::size_t n_read = loadings.others.reads_moduli() ? seeds.size() : 1;
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
@@ -266,9 +274,10 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
       t.confining = targets[i].confining;
       return t;
     };
-    moduli->push_back(over_packings(without_value(Property::E), some,
+    const auto read = some.first(n_read);
+    moduli->push_back(over_packings(without_value(Property::E), read,
                                     [&](const TestResult& r) { return modulus_of(r, property, reading); }));
-    moduli->push_back(over_packings(without_value(Property::nu), some,
+    moduli->push_back(over_packings(without_value(Property::nu), read,
                                     [](const TestResult& r) { return number_of(r, "nu"); }));
   }
   return rows;

@@ -6,6 +6,7 @@
 // and what the search of the strengths may do faster, is their Loading (docs/calibration.md, "Loading").
 #pragma once
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "calibrate/simulator.hpp"
@@ -20,13 +21,30 @@ bool can_test(Property property);
 struct Loading {
   double speed;     ///< of the platens, over the one at which a wave crosses the specimen a hundred times
   double approach;  ///< share of the expected peak strain, of discs at most as in as_measured; 0: none
+  /// E at half of the strength is read from 40 % of it on, also of a rock with 0.65 of the strength expected.
+  constexpr bool reads_moduli() const { return approach <= 0.25; }
 };
 /// As a laboratory does: tables of twins.
 inline constexpr Loading from_rest = {1.0, 0.0};
-/// Verification, softening at the estimate, the sequence: E is read from 40 % of the strength on.
+/// Verification, softening at the estimate, the sequence.
 inline constexpr Loading as_measured = {1.0, 0.25};
+/// Verification of strengths beside which no modulus is read.
+inline constexpr Loading strengths_as_measured = {1.0, 0.7};
 /// The search of the strengths, where it learns from its tests how E as read softens, and where it does not.
 inline constexpr Loading search_with_moduli = {1.4, 0.25}, search_of_strengths = {1.4, 0.7};
+
+/// How the same tests are loaded on several packings.
+struct Loadings {
+  Loading first, others;  ///< of the first packing, of those behind it
+  /// Of each target for the others, as in StrengthTests::of(); empty: what the table has.
+  std::vector<double> foreseen;
+  Loadings(const Loading& all) : first(all), others(all) {}
+  Loadings(const Loading& a, const Loading& b, std::vector<double> strengths)
+      : first(a), others(b), foreseen(std::move(strengths)) {}
+};
+/// Of the verification. Curves are shown of its first packing, and where no modulus of the table is read in
+/// its tests, E at half of the strength is of that one alone.
+Loadings of_verification(bool reads_moduli, std::vector<double> foreseen);
 
 /// The tests for one packing each.
 class StrengthTests {
@@ -54,10 +72,11 @@ double strength_of(const TestResult& result, Property property);
 double modulus_of(const TestResult& result, Property property, ModulusReading reading);
 
 /// Mean strengths of a recipe at the targets over packings, by the tests themselves. `moduli` gains E as
-/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests in compression; their targets have
-/// no values. A recipe that keeps pictures has them of the tests of UCS on the first packing, and no others.
+/// `reading` has it and nu (over 40 - 60 % of the strength) of the tests in compression, of those packings
+/// whose loading lets them be read; their targets have no values. A recipe that keeps pictures has them of
+/// the tests of UCS on the first packing, and no others.
 std::vector<Comparison> strength_response(const Recipe& recipe, const std::vector<Target>& targets,
-                                          const std::vector<std::int64_t>& seeds, const Loading& loading,
+                                          const std::vector<std::int64_t>& seeds, const Loadings& loadings,
                                           Simulator& simulator,
                                           ModulusReading reading = ModulusReading::tangent_50,
                                           std::vector<Comparison>* moduli = nullptr);

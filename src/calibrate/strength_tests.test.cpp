@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/elastic_response.hpp"
+#include "calibrate/paper_press_fixture.hpp"
 
 namespace phy::calibrate {
 namespace {
@@ -37,6 +38,47 @@ TEST_F(Loaded, TheApproachEndsBeforeAModulusIsRead) {
   EXPECT_EQ(test(0, as_measured).platen_speed, test(0, from_rest).platen_speed);
   EXPECT_NEAR(test(0, as_measured).approach_speed, 3.0 * test(0, from_rest).platen_speed, 1e-12);
   EXPECT_EQ(test(0, search_with_moduli).approach_strain, test(0, as_measured).approach_strain);
+}
+
+TEST_F(Loaded, WhereNoModulusIsReadTheVerificationApproachesFarther) {
+  EXPECT_EQ(test(0, strengths_as_measured).platen_speed, test(0, from_rest).platen_speed);
+  EXPECT_NEAR(test(0, strengths_as_measured).approach_strain, 0.7 * 0.002, 1e-12);
+  EXPECT_TRUE(as_measured.reads_moduli() && search_with_moduli.reads_moduli());
+  EXPECT_FALSE(strengths_as_measured.reads_moduli() || search_of_strengths.reads_moduli());
+}
+
+/// What is pressed: approach strains, packing by packing.
+class Approaches : public PaperPress {
+ public:
+  std::vector<double> strains;
+  std::vector<TestResult> test(const std::vector<Recipe>& recipes) override {
+    for (const Recipe& r : recipes) strains.push_back(r.test.approach_strain);
+    return PaperPress::test(recipes);
+  }
+};
+
+// 200 MPa are expected of a rock with E = 180 GPa on paper (0.9 times twice 100 GPa), 120 of the model.
+TEST(StrengthResponse, ReadsModuliOfThePackingsThatAreApproachedSlowly) {
+  Recipe rock;
+  rock.matrix.E_c = rock.matrix.E_b = 100e9;
+  const Target ucs = {Property::ucs, 0.0, 200e6, 1e6, 3, false};
+  const double peak = 200e6 / 180e9;
+  const auto pressed = [&](const Loadings& loadings, std::vector<Comparison>& moduli) {
+    Approaches press;
+    moduli.clear();
+    strength_response(rock, {ucs}, {7, 8, 9}, loadings, press, ModulusReading::tangent_50, &moduli);
+    return press.strains;
+  };
+  std::vector<Comparison> moduli;
+  std::vector<double> strains = pressed(of_verification(true, {120e6}), moduli);
+  for (const double strain : strains) EXPECT_NEAR(strain, 0.25 * peak, 1e-9);
+  for (const Comparison& c : moduli) EXPECT_EQ(c.n_packings, 3);
+  strains = pressed(of_verification(false, {120e6}), moduli);
+  ASSERT_EQ(strains.size(), 3U);
+  EXPECT_NEAR(strains[0], 0.25 * peak, 1e-9) << "its curve is shown";
+  for (const std::size_t k : {1, 2}) EXPECT_NEAR(strains[k], 0.7 * 0.6 * peak, 1e-9);
+  ASSERT_EQ(moduli.size(), 2U);
+  for (const Comparison& c : moduli) EXPECT_EQ(c.n_packings, 1);
 }
 
 TEST_F(Loaded, TheSearchIsFasterAndApproachesFarther) {

@@ -112,9 +112,9 @@ struct Calibration {
   /// K_Ic of a rock whose grain size nobody has stated, on unseen packings: beside the table, not fitted to
   /// it.
   std::vector<Comparison> compared;
-  /// Where E_is is that of small strain: E (tangent) and nu that the press measures at 40 - 60 % of UCS on
-  /// the unseen packings, beside the table's: what bonds and joints have lost by then is missing from
-  /// `fitted` and `verification`. Where the table holds E or nu, and UCS.
+  /// Where E_is is that of small strain: what is left of E (tangent), and added to nu, at 40 - 60 % of UCS,
+  /// which is missing from `fitted` and `verification`: the latter times the ratio (nu: plus the difference)
+  /// of test and direct solution on the first unseen packing. Where the table holds E or nu, and UCS.
   std::vector<Comparison> tangent_from_test;
   std::vector<PlaneStiffness> eq2;  ///< and how far it moves with what is assumed of the planes
   Verdict verdict;

@@ -47,8 +47,8 @@ inline Recipe drawn_rock(std::uint32_t k, std::uint32_t attempt) {
 
 /// E at 90 over E at 0 degrees.
 inline double modulus_ratio(const Recipe& r, calibrate::Simulator& simulator) {
-  const std::vector<ElasticResult> e =
-      simulator.elastic({calibrate::single_at(r, 0.0, 1), calibrate::single_at(r, 90.0, 1)}, false);
+  const std::vector<ElasticResult> e = simulator.elastic(
+      {calibrate::single_at(r, 0.0, 1), calibrate::single_at(r, 90.0, 1)}, calibrate::Statics::one_sided);
   return e[1].E_gauge / e[0].E_gauge;
 }
 

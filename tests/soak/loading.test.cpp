@@ -162,10 +162,12 @@ void expect_little(const Pairs& moved) {
 TEST(Loading, ApproachAndSpeedMoveStrengthsAndModuliLittle) {
   Ways ways;
   ways.run({{"as measured", calibrate::as_measured},
+            {"strengths", calibrate::strengths_as_measured},
             {"search", calibrate::search_of_strengths},
             {"with moduli", calibrate::search_with_moduli}},
            {{"other draw", [](Recipe& t) { ++t.matrix.bond_seed; }}});
   expect_little(ways.of("as measured").ucs), expect_little(ways.of("as measured").E);
+  expect_little(ways.of("strengths").ucs);
   expect_little(ways.of("with moduli").E);
 }
 
