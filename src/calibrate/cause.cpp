@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "calibrate/effort.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/toughness.hpp"
 
@@ -374,6 +375,11 @@ std::string shown(const Target& t, double value) {
                      unit.name);
 }
 
+/// Strengths have been searched for, and may be for longer.
+bool may_search_longer(const Calibration& c) {
+  return c.longer_by.empty() && !c.effort.empty() && c.effort != efforts.back().name;
+}
+
 Cause farthest_cell(const View& v, Part part) {
   const Comparison* worst = nullptr;
   for (const Comparison& c : v.rows)
@@ -384,7 +390,10 @@ Cause farthest_cell(const View& v, Part part) {
   const Target& t = worst->target;
   return {fmt::format("farthest off is {}, {} instead of {}", cell_name(t), shown(t, worst->mean),
                       shown(t, t.mean)),
-          fmt::format("check {} in the table, or test more specimens there", cell_name(t))};
+          fmt::format("check {} in the table, or test more specimens there{}", cell_name(t),
+                      part != moduli && may_search_longer(v.of)
+                          ? fmt::format(", or search longer (--effort {}, a new folder)", efforts.back().name)
+                          : "")};
 }
 
 Cause cause_of(const View& v, Part part) {
