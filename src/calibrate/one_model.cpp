@@ -170,7 +170,7 @@ void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& 
   if (std::fabs(worst) > modulus_change)
     result.notes.push_back(fmt::format(
         "E and nu of the table are read as those at small strain (E_is). At 40 - 60 % of UCS the press "
-        "measures other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} %",
+        "measures other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} % on one packing",
         theta, 100.0 * worst));
 }
 
