@@ -13,7 +13,7 @@ namespace phy::analysis {
 namespace {
 
 constexpr StressRange elastic_range = {0.1, 0.25};  // of the strength
-constexpr std::size_t enough_rows = 3;
+constexpr std::size_t enough_points = 3;
 constexpr double errors = 3.0;       // standard errors that noise may reach
 constexpr double resolution = 5e-3;  // of gauges, over strength / E
 
@@ -56,7 +56,7 @@ void place(const LoadingBranch& branch, double E, double nu, Number& n) {
   const std::span<const HistoryRow> range = first_passage(branch, elastic_range);
   for (const HistoryRow& r : range)
     if (usable(point(r))) elastic.push_back(point(r));
-  if (elastic.size() < enough_rows) {
+  if (elastic.size() < enough_points) {
     n.note = joined(
         n.note, fmt::format("only {} rows with both gauge strains where E and nu are read", elastic.size()));
     return;

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "calibrate/effort.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/toughness.hpp"
@@ -18,7 +18,6 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double beyond_chance = 1.64;        // standard errors, 5 % to one side
 constexpr double other_strength = 0.10;       // ratios of strengths that differ by as much differ
 constexpr double worth_a_word = 0.15;         // share of the misfit
@@ -80,7 +79,7 @@ struct View {
     return all > 0.0 ? misfit[part] / all : 0.0;
   }
 };
-using Rule = std::optional<Cause>(const View&);
+using CauseRule = std::optional<Cause>(const View&);
 
 /// Planes that somebody asked for may have a better rival; else what the table could tell.
 std::string other_layers(const View& v, const std::string& otherwise) {
@@ -397,13 +396,13 @@ Cause farthest_cell(const View& v, Part part) {
 }
 
 Cause cause_of(const View& v, Part part) {
-  const std::array<std::vector<Rule*>, n_parts> rules = {
+  const std::array<std::vector<CauseRule*>, n_parts> rules = {
       {{nu_of_no_body, stiffening, moduli_as_a_whole, modulus_ratio},
        {weakest_angle, strength_ratio},
        {ratio_to_tension},
        {cracks_begin},
        {toughness_of_grains}}};
-  for (Rule* rule : rules[part])
+  for (CauseRule* rule : rules[part])
     if (const auto cause = rule(v)) return *cause;
   if (const auto cause = scattered_packings(v, part)) return *cause;
   return farthest_cell(v, part);

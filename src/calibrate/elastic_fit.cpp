@@ -25,7 +25,7 @@ constexpr double nu_weights[] = {0.01, 0.03, 0.1, 0.3};
 constexpr double worse_for_nu = 1.2, least_misfit = 0.002;
 constexpr std::size_t n_first_correction = 2;  // packings
 constexpr double packing_error = 0.01;         // of mean E: so many packings are taken that it is no larger
-constexpr std::size_t least_degrees = 4;  // of the scatter of packings: fits have five, those of tests fewer
+constexpr std::size_t scatter_degrees = 4;     // at least, of packings: fits have five, those of tests fewer
 constexpr std::uint32_t draws_seed = 20100102;
 
 Eigen::Map<const VectorXd> vector_of(const std::vector<double>& v) {
@@ -97,7 +97,7 @@ Spread spread_at(ElasticProblem& problem, const Point& x) {
     sizes[i] = units[static_cast<std::size_t>(i)].size,
     by_packings[i] = std::pow(units[static_cast<std::size_t>(i)].packings, 2.0);
   const std::vector<std::vector<double>> deviations = problem.deviations(x);
-  const std::size_t p = deviations.size(), degrees = std::max(least_degrees, p - 1);
+  const std::size_t p = deviations.size(), degrees = std::max(scatter_degrees, p - 1);
   const double of_mean =
       student_t_95(degrees) / z_95 *
       std::sqrt(misfit / std::max(1.0, static_cast<double>(p) * (static_cast<double>(p) - 1.0)));

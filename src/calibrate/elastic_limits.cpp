@@ -13,9 +13,9 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr std::size_t most_named = 4;
+constexpr std::size_t most_cells_named = 4;
 constexpr double far_off = 2.0;  // standard errors, from which a cell is named beside the farthest
-constexpr double clearly =
+constexpr double clear_gain =
     9.21;                     // difference of chi-square that two more free numbers gain once in a hundred
 constexpr double half = 0.5;  // of the misfit: Jaeger's theory is too simple for chi-square alone
 
@@ -40,7 +40,7 @@ std::string number(const theory::LayeredReading& r, double value) {
 }
 
 /// A cell and the value that it should have.
-struct Misfit {
+struct CellMisfit {
   theory::LayeredReading cell;
   double wanted = 0.0;
   double errors() const { return std::fabs(wanted - cell.value) / cell.error; }
@@ -57,17 +57,17 @@ double seen(const theory::LayeredFit& fit, const theory::LayeredReading& cell) {
 }
 
 /// "a, b, c" of the first few.
-std::string list_of(const std::vector<Misfit>& cells, const char* of_wanted) {
+std::string list_of(const std::vector<CellMisfit>& cells, const char* of_wanted) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(cells.size(), most_named); ++i)
+  for (std::size_t i = 0; i < std::min(cells.size(), most_cells_named); ++i)
     text += (i > 0 ? ", " : "") + cells[i].text(of_wanted);
-  if (cells.size() > most_named) text += fmt::format(", and {} more", cells.size() - most_named);
+  if (cells.size() > most_cells_named) text += fmt::format(", and {} more", cells.size() - most_cells_named);
   return text;
 }
 
 /// Cells without which the others are those of a body, with the value that it has there; the nearest first.
-std::vector<Misfit> each_alone(const std::vector<theory::LayeredReading>& readings) {
-  std::vector<Misfit> cells;
+std::vector<CellMisfit> each_alone(const std::vector<theory::LayeredReading>& readings) {
+  std::vector<CellMisfit> cells;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     std::vector<theory::LayeredReading> others = readings;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -76,18 +76,18 @@ std::vector<Misfit> each_alone(const std::vector<theory::LayeredReading>& readin
     if (fit.met()) cells.push_back({readings[i], seen(fit, readings[i])});
   }
   std::stable_sort(cells.begin(), cells.end(),
-                   [](const Misfit& a, const Misfit& b) { return a.errors() < b.errors(); });
+                   [](const CellMisfit& a, const CellMisfit& b) { return a.errors() < b.errors(); });
   return cells;
 }
 
 /// Cells beyond `far_off` of a fit, the farthest in any case; it comes first.
-std::vector<Misfit> farthest(const std::vector<theory::LayeredReading>& readings,
-                             const theory::LayeredFit& fit) {
-  std::vector<Misfit> cells;
+std::vector<CellMisfit> farthest(const std::vector<theory::LayeredReading>& readings,
+                                 const theory::LayeredFit& fit) {
+  std::vector<CellMisfit> cells;
   for (const theory::LayeredReading& r : readings) cells.push_back({r, seen(fit, r)});
   std::stable_sort(cells.begin(), cells.end(),
-                   [](const Misfit& a, const Misfit& b) { return a.errors() > b.errors(); });
-  const auto near = [](const Misfit& m) { return m.errors() < far_off; };
+                   [](const CellMisfit& a, const CellMisfit& b) { return a.errors() > b.errors(); });
+  const auto near = [](const CellMisfit& m) { return m.errors() < far_off; };
   cells.erase(std::find_if(cells.begin() + 1, cells.end(), near), cells.end());
   return cells;
 }
@@ -97,8 +97,8 @@ struct BothWays {
   bool ok = false;
   double chi_square[2] = {0.0, 0.0}, mean_square[2] = {0.0, 0.0};  // the latter relative
   double error(bool exchanged) const { return std::sqrt(mean_square[exchanged]); }
-  bool nearer() const { return ok && chi_square[1] + clearly < chi_square[0]; }
-  bool farther() const { return ok && chi_square[0] + clearly < chi_square[1]; }
+  bool nearer() const { return ok && chi_square[1] + clear_gain < chi_square[0]; }
+  bool farther() const { return ok && chi_square[0] + clear_gain < chi_square[1]; }
 };
 
 /// E alone, by planes in an isotropic rock.
@@ -163,7 +163,7 @@ std::string elastic_limit(const std::vector<Target>& targets) {
     const char* const how = only_E ? ""
                                    : ". nu counts as read in the plane of load and dip; a mean over the "
                                      "circumference is another number";
-    const std::vector<Misfit> alone = each_alone(readings);
+    const std::vector<CellMisfit> alone = each_alone(readings);
     if (alone.empty()) return text + "farthest off " + list_of(farthest(readings, any), "nearest body") + how;
     return text + (alone.size() > 1 ? "the odd one out may be any of " : "the odd one out is ") +
            list_of(alone, "the others want") + how;

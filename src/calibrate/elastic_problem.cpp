@@ -9,7 +9,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double wall = 20.0;          // per logarithm outside the box: a soft but certain stop
+constexpr double box_stop = 20.0;      // per logarithm outside the box: a soft but certain stop
 constexpr double usual_overlap = 1.5;  // joint length per plane length, for the first guess only
 // what one-sided contacts usually make of E and nu, until it is measured
 constexpr double usual_factor = 0.97, usual_addition = 0.05;
@@ -91,7 +91,7 @@ Linearised ElasticProblem::linearised(const Point& x) {
     const double s = 0.5 * (box(j).high - box(j).low);
     at.residuals[n + j] = (x[j] - box(j).usual) / s, J(n + j, j) = 1.0 / s;
     const double out = x[j] - std::clamp(x[j], box(j).low, box(j).high);
-    at.residuals[n + m + j] = wall * out, J(n + m + j, j) = out != 0.0 ? wall : 0.0;
+    at.residuals[n + m + j] = box_stop * out, J(n + m + j, j) = out != 0.0 ? box_stop : 0.0;
   }
   return at;
 }

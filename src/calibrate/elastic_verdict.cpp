@@ -12,11 +12,11 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double at_edge = 0.01;  // of a logarithm
+constexpr double near_edge = 0.01;  // of a logarithm
 
 void report_edges(ElasticVerdict& verdict, const std::vector<Estimate>& parameters) {
   for (const Estimate& e : parameters)
-    if (std::log(e.value / e.box_low) < at_edge || std::log(e.box_high / e.value) < at_edge)
+    if (std::log(e.value / e.box_low) < near_edge || std::log(e.box_high / e.value) < near_edge)
       verdict.findings.push_back(fmt::format("{} lies at the edge of its box ({:.4g})", e.symbol, e.value));
 }
 

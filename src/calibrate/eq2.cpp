@@ -15,10 +15,10 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr std::array angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
-constexpr std::array factors = {0.5, 2.0};  // on the stiffness of the joints, beside 1
-constexpr std::array unsure = {0.7, 1.4};   // about what a spacing or a thickness is known to
-constexpr std::size_t n_recipes = 1 + 2 * factors.size();
+constexpr std::array eq2_angles = {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0};
+constexpr std::array joint_factors = {0.5, 2.0};  // on the stiffness of the joints, beside 1
+constexpr std::array unsure = {0.7, 1.4};         // about what a spacing or a thickness is known to
+constexpr std::size_t n_recipes = 1 + 2 * joint_factors.size();
 
 struct Setting {
   std::string name;
@@ -51,18 +51,18 @@ std::vector<Setting> settings_of(const Recipe& recipe) {
 std::vector<Recipe> with_other_joints(const Recipe& recipe) {
   std::vector<Recipe> all = {recipe};
   for (double BeddingRecipe::*k : {&BeddingRecipe::k_n, &BeddingRecipe::k_s})
-    for (const double f : factors) all.push_back(recipe), all.back().bedding.front().*k *= f;
+    for (const double f : joint_factors) all.push_back(recipe), all.back().bedding.front().*k *= f;
   return all;
 }
 
 /// Eq. 1 through the moduli of one recipe, in the order of angles and seeds.
 theory::Eq1Fit eq1_of(std::span<const ElasticResult> results) {
-  const std::size_t n_seeds = results.size() / angles.size();
+  const std::size_t n_seeds = results.size() / eq2_angles.size();
   std::vector<theory::ModulusReading> readings;
-  for (std::size_t a = 0; a < angles.size(); ++a) {
+  for (std::size_t a = 0; a < eq2_angles.size(); ++a) {
     double sum = 0.0;
     for (const ElasticResult& r : results.subspan(a * n_seeds, n_seeds)) sum += r.E_gauge;
-    readings.push_back({angles[a], sum / static_cast<double>(n_seeds)});
+    readings.push_back({eq2_angles[a], sum / static_cast<double>(n_seeds)});
   }
   theory::Eq1Options options;
   options.reference = theory::Eq1Reference::measured_90;
@@ -87,11 +87,11 @@ PlaneStiffness stiffness_of(const Setting& setting, const std::vector<std::int64
   const std::vector<Recipe> recipes = with_other_joints(setting.recipe);
   std::vector<Recipe> singles;
   for (const Recipe& r : recipes)
-    for (const double theta : angles)
+    for (const double theta : eq2_angles)
       for (const std::int64_t seed : seeds) singles.push_back(single_at(r, theta, seed));
   const std::vector<ElasticResult> results = simulator.elastic(singles, Statics::two_sided);
   std::vector<theory::Eq1Fit> fits;
-  const std::size_t n = angles.size() * seeds.size();
+  const std::size_t n = eq2_angles.size() * seeds.size();
   for (std::size_t i = 0; i < recipes.size(); ++i)
     fits.push_back(eq1_of(std::span(results).subspan(i * n, n)));
   return {setting.name, relation(recipes, fits, &BeddingRecipe::k_n, &theory::Eq1Fit::a),
@@ -113,7 +113,7 @@ std::vector<PlaneStiffness> eq2_band(const Recipe& recipe, const std::vector<std
 }
 
 std::int64_t n_solutions_of(const std::vector<PlaneStiffness>& band, std::size_t n_packings) {
-  return static_cast<std::int64_t>(band.size() * n_recipes * angles.size() * n_packings);
+  return static_cast<std::int64_t>(band.size() * n_recipes * eq2_angles.size() * n_packings);
 }
 
 }  // namespace phy::calibrate

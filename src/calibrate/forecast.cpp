@@ -21,11 +21,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double chance_limit =
+constexpr double quadratic_limit =
     0.6;  // strengths also by so much of what the quadratics miss of single specimens
-constexpr double pull = 0.5, wall = 50.0;   // towards the middle of the range; back into it
-constexpr double edge = 0.99, step = 1e-4;  // of places
-constexpr std::size_t n_starts = 6, most_named = 4;
+constexpr double range_pull = 0.5, range_wall = 50.0;  // towards the middle of the range; back into it
+constexpr double edge = 0.99, place_step = 1e-4;       // of places
+constexpr std::size_t n_map_starts = 6, most_values_named = 4;
 
 /// A value of the table and what the family answers.
 struct Answer {
@@ -87,7 +87,7 @@ bool is_elastic(const Lever& lever, const Recipe& recipe) {
 
 /// Unknowns: log E_c, log sigma_c, then the places that are sought. In the form of Eigen's
 /// Levenberg-Marquardt.
-struct Problem {
+struct ForecastProblem {
   using Scalar = double;
   std::vector<Answer> answers;
   std::vector<double> places;       // of all levers, as the recipe has them
@@ -118,14 +118,14 @@ struct Problem {
       r[n++] = softened(2.0 * miss / tolerance(a.target.property));
     }
     for (std::size_t j = 0; j < sought.size(); ++j)
-      r[n++] = pull * x[place(j)], r[n++] = wall * (x[place(j)] - at[sought[j]]);
+      r[n++] = range_pull * x[place(j)], r[n++] = range_wall * (x[place(j)] - at[sought[j]]);
   }
   void df(const VectorXd& x, Eigen::MatrixXd& J) const {
     VectorXd here(values()), ahead(values()), moved = x;
     operator()(x, here);
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      moved[j] = x[j] + step, operator()(moved, ahead);
-      J.col(j) = (ahead - here) / step, moved[j] = x[j];
+      moved[j] = x[j] + place_step, operator()(moved, ahead);
+      J.col(j) = (ahead - here) / place_step, moved[j] = x[j];
     }
   }
   double at(const VectorXd& x) const {
@@ -148,8 +148,8 @@ struct Problem {
   }
 };
 
-Problem problem_of(const Evidence& evidence, const ModelFamily& family, int fold) {
-  Problem problem{answers_of(evidence, family, fold), {}, {}, {}};
+ForecastProblem problem_of(const Evidence& evidence, const ModelFamily& family, int fold) {
+  ForecastProblem problem{answers_of(evidence, family, fold), {}, {}, {}};
   const Recipe& recipe = evidence.rock.model;
   const std::vector<const StrengthParameter*> ratios = strength_ratios(evidence);
   for (std::size_t l = 0; l < family.levers.size(); ++l) {
@@ -162,12 +162,12 @@ Problem problem_of(const Evidence& evidence, const ModelFamily& family, int fold
   return problem;
 }
 
-VectorXd nearest_of(Problem& problem, const ReachTable& table) {
+VectorXd nearest_of(ForecastProblem& problem, const ReachTable& table) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     if (table.is_dense(row)) order.emplace_back(problem.at(problem.start(table.places(row))), row);
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), n_starts));
+  order.resize(std::min(order.size(), n_map_starts));
   VectorXd best = problem.start(table.places(order.front().second));
   for (const auto& [value, row] : order) {
     const VectorXd x = least_squares(misfits_of(problem), problem.start(table.places(row)), {60, 1e-4, 1.0});
@@ -207,7 +207,7 @@ bool strengths_out_of_reach(const Forecast& f) {
     const double chance = std::hypot(ignorance(*f.family, c.target), c.target.normal_error() / c.target.mean);
     scaled += std::pow(std::log1p(c.error()) / chance, 2.0);
   }
-  return std::sqrt(scaled / n) > chance_limit;
+  return std::sqrt(scaled / n) > quadratic_limit;
 }
 
 /// As judge() does, with the limits of a forecast.
@@ -227,7 +227,7 @@ VerdictStatus status_of(const Forecast& f) {
 std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
   const ModelFamily* family = family_of(evidence.rock.model);
   if (family == nullptr) return std::nullopt;
-  Problem problem = problem_of(evidence, *family, fold);
+  ForecastProblem problem = problem_of(evidence, *family, fold);
   if (problem.answers.empty()) return std::nullopt;
   const VectorXd x = nearest_of(problem, reach_of(*family));
   Forecast f;
@@ -244,7 +244,7 @@ std::optional<Forecast> foretell_one(const Evidence& evidence, int fold) {
         f.silent.push_back(name);
   bool at_edge = false;
   for (std::size_t j = 0; j < problem.sought.size(); ++j)
-    at_edge = at_edge || (problem.elastic[j] && std::fabs(x[Problem::place(j)]) > edge);
+    at_edge = at_edge || (problem.elastic[j] && std::fabs(x[ForecastProblem::place(j)]) > edge);
   f.beyond_map = at_edge && f.rms(Property::E) > modulus_limit &&
                  elastic_limit(of_property(evidence.moduli, Property::E)).empty();
   return f;
@@ -273,13 +273,14 @@ std::string farthest_rows(const Forecast& f) {
   std::stable_sort(beyond.begin(), beyond.end(),
                    [&](const Comparison* a, const Comparison* b) { return over(a) > over(b); });
   std::string text;
-  for (std::size_t i = 0; i < std::min(beyond.size(), most_named); ++i) {
+  for (std::size_t i = 0; i < std::min(beyond.size(), most_values_named); ++i) {
     const Comparison& c = *beyond[i];
     text += (i > 0 ? ", " : "") + cell_name(c.target) +
             (c.target.property == Property::nu ? fmt::format(" ({:+.2f})", miss_of(c))
                                                : fmt::format(" ({:+.0f} %)", 100.0 * miss_of(c)));
   }
-  if (beyond.size() > most_named) text += fmt::format(" and {} more", beyond.size() - most_named);
+  if (beyond.size() > most_values_named)
+    text += fmt::format(" and {} more", beyond.size() - most_values_named);
   return text;
 }
 

@@ -20,7 +20,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr std::uint32_t sampler_seed = 20261122;
+constexpr std::uint32_t choice_seed = 20261122;
 // Of the error of the others, from where on flat joints are taken. Most tables do not tell the two apart: of
 // eight rocks of parallel bonds by planes three, by a little, are predicted better by flat joints, and of
 // eight of flat joints five by parallel bonds, which know more models of the layers and cost half as much.
@@ -67,7 +67,7 @@ Squares strength_squares(const Evidence& evidence, const Recipe& recipe, int thr
   for_all(mapped.size(), threads, [&] {
     return [&](std::size_t k) {
       const std::size_t i = mapped[k];
-      const std::vector<Point> draws = posterior.draws(i, sampler_seed + static_cast<std::uint32_t>(i));
+      const std::vector<Point> draws = posterior.draws(i, choice_seed + static_cast<std::uint32_t>(i));
       double mean = 0.0;
       for (const Point& x : draws) mean += posterior.predict(x, i).mean / static_cast<double>(draws.size());
       errors[k] = std::log(posterior.targets()[i].mean) - mean;

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double pull = 0.3, wall = 50.0;  // towards the draws; back into the box
-constexpr double step = 1e-4;              // of the derivatives
-constexpr std::size_t n_starts = 6;
+constexpr double draws_pull = 0.3, box_wall = 50.0;  // towards the draws; back into the box
+constexpr double slope_step = 1e-4;                  // of the derivatives
+constexpr std::size_t n_draw_starts = 6;
 
 struct Misfit {
   const StrengthPosterior& posterior;
@@ -38,17 +38,17 @@ struct Misfit {
       r[n + i] = counts ? std::sqrt(miss.variance) / unit : 0.0;
     }
     for (Eigen::Index j = 0; j < m; ++j) {
-      r[2 * n + j] = pull * (x[j] - mean[j]) / sd[j];
-      r[2 * n + m + j] = wall * (x[j] - held[static_cast<std::size_t>(j)]);
+      r[2 * n + j] = draws_pull * (x[j] - mean[j]) / sd[j];
+      r[2 * n + m + j] = box_wall * (x[j] - held[static_cast<std::size_t>(j)]);
     }
   }
   /// By differences of one step: places run from -1 to 1, sigma_c by its logarithm.
   void df(const VectorXd& x, Eigen::MatrixXd& J) const {
     VectorXd ahead(values()), behind(values()), moved = x;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      moved[j] = x[j] + step, operator()(moved, ahead);
-      moved[j] = x[j] - step, operator()(moved, behind);
-      J.col(j) = (ahead - behind) / (2.0 * step), moved[j] = x[j];
+      moved[j] = x[j] + slope_step, operator()(moved, ahead);
+      moved[j] = x[j] - slope_step, operator()(moved, behind);
+      J.col(j) = (ahead - behind) / (2.0 * slope_step), moved[j] = x[j];
     }
   }
   double at(const Point& x) const {
@@ -89,7 +89,7 @@ Point nearest_point(const StrengthPosterior& posterior, const std::vector<Point>
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < draws.size(); ++k) order.emplace_back(misfit.at(draws[k]), k);
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), n_starts));
+  order.resize(std::min(order.size(), n_draw_starts));
   Point best = draws[order.front().second];
   for (const auto& [value, k] : order)
     if (const Point x = downhill(misfit, draws[k]); misfit.at(x) < misfit.at(best)) best = x;

@@ -18,8 +18,8 @@ namespace {
 struct Belief {
   double constant, slope, curvature;
 };
-constexpr Belief compression = {0.15, 0.06, 0.04}, tension = {0.3, 0.15, 0.06}, stand_in = {0.4, 0.2, 0.06},
-                 confinement = {0.2, 0.1, 0.06};
+constexpr Belief compression_belief = {0.15, 0.06, 0.04}, tension_belief = {0.3, 0.15, 0.06},
+                 stand_in_belief = {0.4, 0.2, 0.06}, confinement_belief = {0.2, 0.1, 0.06};
 
 using LogAnswer = std::function<double(std::size_t row)>;
 
@@ -137,7 +137,7 @@ PriorMean confined_strength(const Evidence& evidence, const Recipe& recipe, cons
             const double sigma_c = std::exp(std::lerp(sigma.low, sigma.high, 0.5 * (z.back() + 1.0)));
             return std::log(std::exp(ucs.at(z)) + std::exp(growth.at(z)) * stress / sigma_c);
           },
-          confinement.constant, confinement.slope, confinement.curvature};
+          confinement_belief.constant, confinement_belief.slope, confinement_belief.curvature};
 }
 
 }  // namespace
@@ -162,9 +162,10 @@ PriorMean prior_strength(const Evidence& evidence, const Recipe& recipe, const T
     return {
         [disc = std::move(known), ratio = PriorRegression(ratios, recipe, intact, tension_ratio_of(intact))](
             std::span<const double> z) { return disc.at(z) + ratio.at(z); },
-        stand_in.constant, stand_in.slope, stand_in.curvature};
+        stand_in_belief.constant, stand_in_belief.slope, stand_in_belief.curvature};
   }
-  const Belief& believed = property == Property::ucs ? compression : tension;  // sigma_ci as roughly
+  const Belief& believed =
+      property == Property::ucs ? compression_belief : tension_belief;  // sigma_ci as roughly
   return {[k = std::move(known)](std::span<const double> z) { return k.at(z); }, believed.constant,
           believed.slope, believed.curvature};
 }

@@ -12,7 +12,7 @@ namespace phy::calibrate {
 namespace {
 
 constexpr int fewest_points = 64;  // of a family that says something by what it does not reach
-constexpr double clearly = 1.1;    // times as near
+constexpr double times_nearer = 1.1;
 
 /// A number as models are compared by it: its logarithm, but nu, which may be negative, as it is.
 double compared(Property property, double value) {
@@ -52,7 +52,7 @@ double answer(const ReachTable& table, std::size_t row, const Evidence& evidence
 }
 
 /// Weighted sum of squares of differences of logarithms about their mean: one scale is free.
-struct Spread {
+struct LogSpread {
   double weights = 0.0, sum = 0.0, squares = 0.0;
   int n = 0;
   void add(double difference, double weight) {
@@ -73,7 +73,7 @@ double relative(Property property) { return property == Property::nu ? nan : 1.0
 /// scales.
 template <class Answer>
 double error_of(const ReachTable& table, const Evidence& evidence, Unit unit, const Answer& answer_to) {
-  Spread moduli, strengths;
+  LogSpread moduli, strengths;
   double squares = 0.0;  // of nu, which has no scale
   int n_nu = 0;
   for (const Target& t : evidence.targets) {
@@ -175,7 +175,7 @@ std::string against_maps(const Evidence& evidence, const std::vector<Recipe>& tr
       "{} missed by {:.2f} tolerances (rms, scales free), by {:.2f} at the nearest of {} mapped specimens of "
       "{} models: ",
       with_nu ? "E, nu and strengths" : "E and strengths", own, nearest.error, n_points, n_families);
-  if (nearest.error > own / clearly) return numbers + "no sign there of a nearer model";
+  if (nearest.error > own / times_nearer) return numbers + "no sign there of a nearer model";
   const auto is_it = [&](const Recipe& model) { return nearest.family->has(model); };
   if (is_it(tried.front())) return numbers + "another search (--effort, packing.seed) may come nearer";
   const bool was_tried = std::any_of(tried.begin(), tried.end(), is_it);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/sequence.hpp"
@@ -14,8 +14,7 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double factors[] = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
+constexpr double k_factors[] = {0.25, 0.5, 1.0, 1.5, 2.0};  // on k: docs/paper.md, Fig. 4
 constexpr int most_bases = 4;
 constexpr double usual_slope = 1.5;   // K/k, for the first base only
 constexpr double nu_settled = 0.005;  // of the logarithm of k_s/k_n
@@ -162,7 +161,7 @@ class Moduli {
 
   LineFit line_about(const ElasticParameter& p, double Macro::*K, double base) {
     std::vector<double> micro, macro;
-    for (const double factor : factors) {
+    for (const double factor : k_factors) {
       Recipe recipe = fit_.recipe;
       p.set(recipe, factor * base);
       const double found = macro_at(recipe).*K / spacing();
@@ -182,7 +181,7 @@ class Moduli {
       line = line_about(p, K, base);
       if (!(line.slope > 0.0)) break;
       k = in_box(p, std::max(0.0, (wanted - line.intercept) / line.slope));
-      if (k >= factors[0] * base && k <= 2.0 * base) break;
+      if (k >= k_factors[0] * base && k <= 2.0 * base) break;
     }
     fit_.notes.push_back(
         fmt::format("Eq. 2 on these packings: K_{0} = {1:.4g} k_{0} {2:+.4g} GPa/m, R2 = "

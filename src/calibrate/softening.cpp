@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "analysis/analyse.hpp"
@@ -15,8 +14,7 @@ namespace phy::calibrate {
 namespace {
 
 constexpr double least_change = 0.01;  // of E, and to nu, that is none
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double step = 0.65;
+constexpr double softening_step = 0.65;
 constexpr double most_nu = 0.9;  // share of nu that an addition may take away
 
 double number(const TestResult& result, const char* name) {
@@ -89,8 +87,8 @@ Softenings stepped(const Softenings& used, const Softenings& measured) {
   Softenings next = measured;
   for (auto& [test, s] : next) {
     const Softening before = softening_at(used, test);
-    s.factor = before.factor * std::pow(s.factor / before.factor, step);
-    s.addition = std::lerp(before.addition, s.addition, step);
+    s.factor = before.factor * std::pow(s.factor / before.factor, softening_step);
+    s.addition = std::lerp(before.addition, s.addition, softening_step);
   }
   return next;
 }

@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/prior_regression.hpp"
 
@@ -14,7 +14,6 @@ namespace phy::calibrate {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_starts = 2048, n_walkers = 64, n_sweeps = 600, thin = 15;
 constexpr double usual_ratio = 2.2;  // largest UCS over sigma_c
 // What a packing does to one strength in compression, and to another at another angle: the correlation. Over

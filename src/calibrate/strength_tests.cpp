@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "analysis/analyse.hpp"
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/toughness.hpp"
@@ -19,7 +19,6 @@
 namespace phy::calibrate {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double coarse_factor = 2.5;     // magnification of the grains
 constexpr double fewest_grains = 1000.0;  // of a coarse packing
 constexpr double wave_transits = 100.0;

@@ -31,7 +31,7 @@ bool speaks_utf8() {
 }
 
 /// Columns for the picture; 0: none.
-int room() {
+int picture_columns() {
   const TerminalSize size = terminal_size(STDERR_FILENO);
   const std::string terminal = environment("TERM");
   if (size.columns < least_columns || size.lines < least_rows || terminal.empty() || terminal == "dumb")
@@ -48,7 +48,7 @@ void LivePlot::add(std::size_t specimen, double strain, double stress) {
 }
 
 std::vector<std::string> LivePlot::lines() const {
-  const int columns = room();
+  const int columns = picture_columns();
   if (columns == 0) return {};
   return report::terminal_plot(curves_, "%", "MPa", columns, height, environment("NO_COLOR").empty());
 }

@@ -13,7 +13,7 @@ namespace phy::cli {
 namespace {
 
 /// A line that fills the terminal would push the cursor onto the next one.
-std::size_t room() {
+std::size_t line_columns() {
   const int columns = terminal_size(STDERR_FILENO).columns;
   return static_cast<std::size_t>(columns > 1 ? columns - 1 : 79);
 }
@@ -40,7 +40,7 @@ void ProgressLine::show(const std::function<std::string(double)>& say) {
   shown_ = Clock::now();
   std::string text = terminal_text(say(seconds_since(start_)));
   if (terminal_) {
-    text.resize(std::min(text.size(), room()));
+    text.resize(std::min(text.size(), line_columns()));
     clear();
     draw_lines();
     write_err(text);
@@ -67,7 +67,7 @@ void ProgressLine::draw_lines() {
 void ProgressLine::note(const std::string& text) {
   clear();
   const std::string safe = terminal_text(text);
-  write_err((terminal_ ? wrapped(safe, static_cast<int>(room()), 2) : safe) + "\n");
+  write_err((terminal_ ? wrapped(safe, static_cast<int>(line_columns()), 2) : safe) + "\n");
 }
 
 void ProgressLine::finish() {

@@ -10,9 +10,7 @@
 namespace phy::contact {
 namespace {
 
-double radius(const Specimen& s, std::uint32_t grain) { return s.packing->discs[grain].r; }
-
-constexpr ElasticParameter elastic_list[] = {
+constexpr ElasticParameter flat_joint_elasticity[] = {
     {"E_c", "Pa", &MatrixRecipe::E_c},
     {"ks_over_kn", "1", &MatrixRecipe::ks_over_kn},
 };
@@ -76,11 +74,11 @@ class FlatJointModel final : public ContactModel {
     const bool interface = c.kind == ContactKind::bonded;
     if (interface && c.sigma_c > 0.0) return {none, stiffness(s, c, true)};
     const double closing = interface ? c.gap : gap;
-    const bool closed = closing <= touching_gap * 0.5 * (radius(s, c.a) + radius(s, c.b));
+    const bool closed = closing <= touching_gap * 0.5 * (radius_of(s, c.a) + radius_of(s, c.b));
     return {closed ? stiffness(s, c, true) : none, none};
   }
 
-  std::span<const ElasticParameter> elastic_parameters() const override { return elastic_list; }
+  std::span<const ElasticParameter> elastic_parameters() const override { return flat_joint_elasticity; }
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
                            const ElasticParameter& p) const override {
@@ -133,11 +131,11 @@ class FlatJointModel final : public ContactModel {
 
  private:
   static double half_length(const Specimen& s, const Contact& c) {
-    return s.matrix.radius_multiplier * std::min(radius(s, c.a), radius(s, c.b));
+    return s.matrix.radius_multiplier * std::min(radius_of(s, c.a), radius_of(s, c.b));
   }
   /// k_n 2R over E_c lambda.
   static double factor(const Specimen& s, const Contact& c) {
-    return laws::linear::stiffness_factor(true, radius(s, c.a), radius(s, c.b));
+    return laws::linear::stiffness_factor(true, radius_of(s, c.a), radius_of(s, c.b));
   }
 
   /// `bonds` of a whole interface, as the law counts them.

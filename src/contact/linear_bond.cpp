@@ -16,12 +16,11 @@ double linear_stiffness_factor(const MatrixRecipe& m, double r1, double r2) {
 double tan_phi_of(const MatrixRecipe& m) {
   return m.shear_strength == ShearStrength::constant ? 0.0 : tan_degrees(m.phi);
 }
-double radius(const Specimen& s, std::uint32_t grain) { return s.packing->discs[grain].r; }
 laws::parallel_bond::Geometry bond_of(const Specimen& s, const Contact& c) {
-  return laws::parallel_bond::geometry(s.matrix.radius_multiplier, radius(s, c.a), radius(s, c.b));
+  return laws::parallel_bond::geometry(s.matrix.radius_multiplier, radius_of(s, c.a), radius_of(s, c.b));
 }
 
-constexpr ElasticParameter elastic_list[] = {
+constexpr ElasticParameter bond_elasticity[] = {
     {"E_c", "Pa", &MatrixRecipe::E_c},
     {"E_b", "Pa", &MatrixRecipe::E_b},
     {"ks_over_kn", "1", &MatrixRecipe::ks_over_kn, nullptr, "ks_over_kn"},
@@ -87,7 +86,7 @@ class LinearBondModel final : public ContactModel {
 
   laws::Tangent<double> stiffness(const Specimen& s, const Contact& c, bool unbroken) const override {
     const MatrixRecipe& m = s.matrix;
-    const double k_n = m.E_c * linear_stiffness_factor(m, radius(s, c.a), radius(s, c.b));
+    const double k_n = m.E_c * linear_stiffness_factor(m, radius_of(s, c.a), radius_of(s, c.b));
     laws::Tangent<double> k{k_n, m.ks_over_kn * k_n, 0.0};
     if (c.kind == ContactKind::bonded && unbroken) {
       const laws::parallel_bond::Geometry g = bond_of(s, c);
@@ -106,7 +105,7 @@ class LinearBondModel final : public ContactModel {
   }
 
   std::span<const ElasticParameter> elastic_parameters() const override {
-    return std::span(elastic_list).first(std::size(elastic_list) - (uneven ? 0 : 1));
+    return std::span(bond_elasticity).first(std::size(bond_elasticity) - (uneven ? 0 : 1));
   }
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double gap,
@@ -183,7 +182,7 @@ class LinearBondModel final : public ContactModel {
     double linear = 0.0, bond = 0.0, bend = 0.0;
   };
   static Factors factors(const Specimen& s, const Contact& c, double gap) {
-    const double r1 = radius(s, c.a), r2 = radius(s, c.b), factor = stiffness_factor(s, c);
+    const double r1 = radius_of(s, c.a), r2 = radius_of(s, c.b), factor = stiffness_factor(s, c);
     Factors f;
     if (gap <= touching_gap * 0.5 * (r1 + r2)) f.linear = factor * linear_stiffness_factor(s.matrix, r1, r2);
     if (c.kind != ContactKind::bonded) return f;

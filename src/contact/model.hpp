@@ -57,6 +57,8 @@ struct ElasticParameter {
   const char* together = nullptr;  ///< parameters of this name are also varied by the same amount
 };
 
+inline double radius_of(const Specimen& s, std::uint32_t grain) { return s.packing->discs[grain].r; }
+
 class ContactModel {
  public:
   struct Size {

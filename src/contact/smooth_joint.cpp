@@ -9,7 +9,7 @@
 namespace phy::contact {
 namespace {
 
-constexpr ElasticParameter elastic_list[] = {
+constexpr ElasticParameter joint_elasticity[] = {
     {"k_n", "Pa/m", nullptr, &BeddingRecipe::k_n},
     {"k_s", "Pa/m", nullptr, &BeddingRecipe::k_s},
 };
@@ -70,7 +70,7 @@ class SmoothJointModel final : public ContactModel {
     return {{0.0, 0.0, 0.0}, stiffness(s, c, true)};
   }
 
-  std::span<const ElasticParameter> elastic_parameters() const override { return elastic_list; }
+  std::span<const ElasticParameter> elastic_parameters() const override { return joint_elasticity; }
 
   ElasticPart elastic_rate(const Specimen& s, const Contact& c, double,
                            const ElasticParameter& p) const override {

@@ -10,7 +10,7 @@
 namespace phy::desk {
 namespace {
 
-constexpr const char* table = "test";
+constexpr const char* test_table = "test";
 
 const char* kind_in_words(FieldKind kind) {
   switch (kind) {
@@ -63,7 +63,7 @@ bool take(const Field& field, const io::TomlValue& value, Recipe& recipe, std::s
 Json keys_json() {
   Json keys = Json::array();
   for (const Field& f : recipe_fields()) {
-    if (f.table != table) continue;
+    if (f.table != test_table) continue;
     Json key = {{"path", f.path()},
                 {"meaning", f.meaning},
                 {"range", range_text(f)},
@@ -93,7 +93,7 @@ Json recipe_answer(const std::string& base, const std::map<std::string, std::str
   };
   for (const auto& [path, text] : changes) {
     const Field* field = find_field(recipe_fields(), path);
-    if (field == nullptr || field->table != table) {
+    if (field == nullptr || field->table != test_table) {
       problem(path, "no key of a test; " + io::recipe_key_hint(path));
       continue;
     }

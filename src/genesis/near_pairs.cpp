@@ -9,7 +9,8 @@
 namespace phy::genesis {
 namespace {
 
-constexpr double rounding = 1e-9;  // of the largest radius: what the search finds too much is looked at again
+constexpr double search_rounding =
+    1e-9;  // of the largest radius: what the search finds too much is looked at again
 
 std::size_t first(PairKey key) { return static_cast<std::size_t>(key_a(key)); }
 std::size_t second(PairKey key) { return static_cast<std::size_t>(key_b(key)); }
@@ -45,7 +46,7 @@ std::vector<Pair> near_pairs(const std::vector<Disc>& discs, double reach) {
   double r_max = 0.0;
   for (const Disc& d : discs) x.push_back({d.x, d.y}), r.push_back(d.r), r_max = std::max(r_max, d.r);
   std::vector<PairKey> found;
-  phy::near_pairs(x, r, reach + rounding * r_max, found);
+  phy::near_pairs(x, r, reach + search_rounding * r_max, found);
   std::erase_if(found, [&](PairKey key) { return gap(discs[first(key)], discs[second(key)]) > reach; });
   return in_order(found, discs.size());
 }

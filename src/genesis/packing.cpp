@@ -27,8 +27,8 @@ constexpr double roughly_balanced = 1e-3;  // enough to see how far the stress i
 constexpr std::size_t many_discs = 200000;
 constexpr double stress_tolerance = 0.01;  // of the target
 constexpr double loose_growth = 2e-3;      // radii, when nothing touches yet
-constexpr double loose_overlap = 1e-9;     // of the mean radius: no force
-constexpr long max_iterations = 200000;
+constexpr double no_force_overlap = 1e-9;  // of the mean radius: no force
+constexpr long max_settle_iterations = 200000;
 constexpr int max_stress_steps = 200;
 constexpr int max_rattler_passes = 3;  // two thirds are gone then; further passes gain little
 
@@ -84,7 +84,7 @@ Equilibrium settle_to_pressure(const SettleBox& box, std::vector<Disc>& discs, d
     // Below a thousandth of the target the packing counts as loose: the overlap of one contact is about
     // pressure times the diameter.
     const double no_force = 1e-3 * target * mean_radius(discs);
-    e = settle(box, discs, tolerance, no_force, max_iterations);
+    e = settle(box, discs, tolerance, no_force, max_settle_iterations);
     const double error = e.pressure / target - 1.0;
     if (e.loose) {
       if (has_held) growth *= 0.5;  // overshot: approach in smaller steps
@@ -201,7 +201,7 @@ Packing make_packing(const SpecimenSize& size, const PackingRecipe& recipe, cons
       recipe.initial_stress == InitialStress::isotropic ? recipe.isotropic_stress / matrix.E_c : 0.0;
   const auto balance = [&](double tolerance) {
     if (pressure > 0.0) return settle_to_pressure(box, discs, pressure, tolerance);
-    return settle(box, discs, tolerance, loose_overlap * mean_radius(discs), max_iterations);
+    return settle(box, discs, tolerance, no_force_overlap * mean_radius(discs), max_settle_iterations);
   };
   const double to_find_rattlers = many ? roughly_balanced : nearly_balanced;
   Equilibrium e = balance(to_find_rattlers);

@@ -53,7 +53,7 @@ const std::vector<Role>& roles() {
   return list;
 }
 
-struct Column {
+struct CurveColumn {
   const Role* role;
   std::size_t cell;
   double factor;
@@ -77,7 +77,7 @@ class CurveReader {
   std::string where_;
   Table table_;
   std::vector<Problem> problems_;
-  std::vector<Column> columns_;
+  std::vector<CurveColumn> columns_;
   ForeignCurve curve_;
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
@@ -121,7 +121,7 @@ class CurveReader {
     for (const TableRow& row : table_.rows) {
       HistoryRow r;
       r.n_cracks = nan;  // where no column counts them
-      for (const Column& c : columns_) {
+      for (const CurveColumn& c : columns_) {
         const std::string& cell = row.cells[c.cell];
         double value = 0.0;
         const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);

@@ -17,7 +17,7 @@ constexpr Dimension dimensions[] = {Dimension::none,      Dimension::length, Dim
                                     Dimension::stiffness, Dimension::angle,  Dimension::speed,
                                     Dimension::density};
 
-Field entry(FieldKind kind, const char* key, const char* meaning) {
+Field line_key(FieldKind kind, const char* key, const char* meaning) {
   Field f;
   f.kind = kind, f.table = "line", f.key = key, f.meaning = meaning;
   // Published lines may have any sign and size.
@@ -26,14 +26,15 @@ Field entry(FieldKind kind, const char* key, const char* meaning) {
 }
 
 Fields regression_fields() {
-  Field R2 = entry(FieldKind::number, "R2", "its coefficient of determination, where it is given");
+  Field R2 = line_key(FieldKind::number, "R2", "its coefficient of determination, where it is given");
   R2.min = 0.0, R2.max = 1.0;
-  return {entry(FieldKind::text, "source", "who found it, and where it stands"),
-          entry(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
-          entry(FieldKind::text, "key", "a key of the recipe: \"bedding.k_n\""),
-          entry(FieldKind::number, "slope", "SI units of the number per SI unit of the key"),
-          entry(FieldKind::value, "intercept", "where the key is 0, with its unit"),
-          R2};
+  return {
+      line_key(FieldKind::text, "source", "who found it, and where it stands"),
+      line_key(FieldKind::text, "number", "what depends on the key, as results name it: \"K_n\", \"ucs\""),
+      line_key(FieldKind::text, "key", "a key of the recipe: \"bedding.k_n\""),
+      line_key(FieldKind::number, "slope", "SI units of the number per SI unit of the key"),
+      line_key(FieldKind::value, "intercept", "where the key is 0, with its unit"),
+      R2};
 }
 
 /// A number with any unit.

@@ -110,7 +110,7 @@ const std::map<std::string, ModulusReading>& moduli() {
   return names;
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 26> letters = {{
+constexpr std::array<std::pair<const char*, const char*>, 26> signs_in_words = {{
     {"σ", "sigma"},
     {"Σ", "sigma"},
     {"θ", "theta"},
@@ -143,9 +143,9 @@ constexpr std::array<std::pair<const char*, const char*>, 26> letters = {{
 std::string key_of(std::string_view name) {
   std::string key;
   while (!name.empty()) {
-    const auto letter = std::find_if(letters.begin(), letters.end(),
+    const auto letter = std::find_if(signs_in_words.begin(), signs_in_words.end(),
                                      [&](const auto& l) { return name.starts_with(l.first); });
-    if (letter != letters.end()) {
+    if (letter != signs_in_words.end()) {
       key += letter->second;
       name.remove_prefix(std::string_view(letter->first).size());
       continue;

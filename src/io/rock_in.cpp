@@ -25,7 +25,7 @@ namespace {
 // Fewer angles cannot show a minimum between 0 and 90 degrees.
 constexpr std::size_t least_angles = 3;
 
-Field entry(FieldKind kind, const char* key, const char* meaning) {
+Field rock_key(FieldKind kind, const char* key, const char* meaning) {
   Field f;
   f.kind = kind, f.key = key, f.meaning = meaning;
   return f;
@@ -41,28 +41,30 @@ Field as_in_recipe(const char* path, const char* table, const char* key, const c
 const Fields& rock_fields() {
   static const Fields fields = [] {
     using K = FieldKind;
-    Field reading = entry(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
+    Field reading =
+        rock_key(K::choice, "elastic_reading", "how moduli of cylinders are read in two dimensions");
     reading.choices = {"plane stress", "plane strain"};
     reading.otherwise = "\"plane stress\"";
-    Field E_is = entry(K::choice, "E_is",
-                       "what the table's E is; without UCS, and without E under confinement, it is compared "
-                       "at small strain whatever it is");
+    Field E_is =
+        rock_key(K::choice, "E_is",
+                 "what the table's E is; without UCS, and without E under confinement, it is compared "
+                 "at small strain whatever it is");
     for (const ModulusReading r :
          {ModulusReading::tangent_50, ModulusReading::average, ModulusReading::secant_50,
           ModulusReading::secant_at_peak, ModulusReading::small_strain})
       E_is.choices.emplace_back(to_string(r));
     E_is.otherwise = "\"tangent 50 %\"";
-    Field layers = entry(K::choice, "layers",
-                         "what makes the model's layers: joints on planes, directions of the bonds, both, "
-                         "joints on a share of the planes (rock bridges), or what predicts best; with a "
-                         "recipe what that has");
+    Field layers = rock_key(K::choice, "layers",
+                            "what makes the model's layers: joints on planes, directions of the bonds, both, "
+                            "joints on a share of the planes (rock bridges), or what predicts best; with a "
+                            "recipe what that has");
     for (const LayerModel l : {LayerModel::choose, LayerModel::planes, LayerModel::directions,
                                LayerModel::planes_and_directions, LayerModel::planes_with_bridges})
       layers.choices.emplace_back(to_string(l));
     layers.otherwise = "\"choose\"";
-    Field matrix = entry(K::choice, "matrix",
-                         "what holds the grains together, flat joints where UCS is many times the tensile "
-                         "strength, or what predicts best; with a recipe what that has");
+    Field matrix = rock_key(K::choice, "matrix",
+                            "what holds the grains together, flat joints where UCS is many times the tensile "
+                            "strength, or what predicts best; with a recipe what that has");
     matrix.choices = {"choose", "parallel_bond", "flat_joint"};
     matrix.otherwise = "\"choose\"";
     Field confining =
@@ -74,23 +76,23 @@ const Fields& rock_fields() {
         "mean diameter of the model's grains, radii in proportion; default: those of the paper's specimen. "
         "K_Ic is fitted only where this or a recipe states it");
     grain_size.otherwise.clear();
-    Field column = entry(K::choice, "\"header\"",
-                         "what a column of the table holds, by its header; \"-\" passes it over");
+    Field column = rock_key(K::choice, "\"header\"",
+                            "what a column of the table holds, by its header; \"-\" passes it over");
     column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");
     return Fields{
-        entry(K::text, "name", "name of the rock; default: the file's name"),
-        entry(K::text, "data", "table of tests, CSV or .xlsx, counted from the folder of this file"),
-        entry(K::text, "sheet", "of a workbook (.xlsx); default: the first"),
-        entry(K::text, "recipe",
-              "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
-              "[specimen]"),
+        rock_key(K::text, "name", "name of the rock; default: the file's name"),
+        rock_key(K::text, "data", "table of tests, CSV or .xlsx, counted from the folder of this file"),
+        rock_key(K::text, "sheet", "of a workbook (.xlsx); default: the first"),
+        rock_key(K::text, "recipe",
+                 "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
+                 "[specimen]"),
         reading,
         E_is,
         layers,
         matrix,
         confining,
         grain_size,
-        entry(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
+        rock_key(K::boolean, "bedded", "the rock has bedding; default: where the table has angles"),
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe("bedding.spacing", "bedding", "spacing",

@@ -45,7 +45,7 @@ height = "76 mm"
 # "peak stress" = "UCS"         # header = name; "-": passed over
 )";
 
-constexpr const char* table =
+constexpr const char* table_template =
     R"(# One row per angle, or per angle and test; repeated rows are replicates. Units stand in the header.
 # theta: inclination of the bedding, load along y: 0 = bedding across the load, 90 = along it.
 # Or a column beta [deg], the angle between load and bedding (beta = 90 - theta). Three angles at least.
@@ -72,6 +72,6 @@ std::string rock_template(const std::string& name, const std::string& file) {
   return before_name + name + before_table + toml_string(file) + after_table;
 }
 
-std::string rock_table_template() { return table; }
+std::string rock_table_template() { return table_template; }
 
 }  // namespace phy::io

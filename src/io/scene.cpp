@@ -31,7 +31,7 @@ std::uint32_t zigzag(std::int32_t v) {
 std::int32_t unzigzag(std::uint32_t v) { return static_cast<std::int32_t>((v >> 1U) ^ (~(v & 1U) + 1U)); }
 
 /// Appends sections of numbers as byte planes and lists them as [count, planes].
-struct Writer {
+struct SectionWriter {
   std::string bytes;
   std::int64_t n_lost = 0;  // displacements and forces that no picture can show
   Json sections = Json::array();
@@ -47,7 +47,7 @@ struct Writer {
   }
 };
 
-struct Reader {
+struct SectionReader {
   const std::string& bytes;
   const Json& sections;
   std::size_t at = 0, section = 0;
@@ -74,7 +74,7 @@ std::int32_t steps(double value, double quantum) {
   return static_cast<std::int32_t>(std::lround(value / quantum));
 }
 
-void add_discs(Writer& w, const Scene& scene, double quantum) {
+void add_discs(SectionWriter& w, const Scene& scene, double quantum) {
   for (double Disc::*part : {&Disc::x, &Disc::y, &Disc::r}) {
     Numbers numbers;
     for (const Disc& d : scene.discs) numbers.push_back(steps(d.*part, quantum));
@@ -88,7 +88,7 @@ bool is_shown(const Scene& scene, float u) {
 }
 
 /// Second differences over the frames, all x then all y. What is lost stays where it was in the frame before.
-void add_frames(Writer& w, const Scene& scene, double quantum) {
+void add_frames(SectionWriter& w, const Scene& scene, double quantum) {
   const std::size_t n = scene.discs.size();
   Numbers before(2 * n, 0), change(2 * n, 0);
   for (const Frame& frame : scene.frames) {
@@ -110,7 +110,7 @@ void add_frames(Writer& w, const Scene& scene, double quantum) {
   }
 }
 
-void add_links(Writer& w, const std::vector<SceneLink>& links) {
+void add_links(SectionWriter& w, const std::vector<SceneLink>& links) {
   Numbers a, b, kind;
   std::uint32_t last = 0;
   for (const SceneLink& l : links) {
@@ -130,7 +130,7 @@ double largest_of(const std::vector<float>& values) {
   return largest;
 }
 
-void add_forces(Writer& w, const ForceField& field) {
+void add_forces(SectionWriter& w, const ForceField& field) {
   const double largest = largest_of(field.F_n);
   Numbers numbers;
   for (const float f : field.F_n) {
@@ -194,7 +194,7 @@ double side_in(const Json& head, const char* key) {
   return within(side, largest_side);
 }
 
-void read_frames(Reader& r, Scene& scene, double quantum) {
+void read_frames(SectionReader& r, Scene& scene, double quantum) {
   const std::size_t n = scene.discs.size();
   std::vector<std::int64_t> now(2 * n, 0), change(2 * n, 0);
   for (Frame& frame : scene.frames) {
@@ -208,7 +208,7 @@ void read_frames(Reader& r, Scene& scene, double quantum) {
   }
 }
 
-void read_links(Reader& r, std::vector<SceneLink>& links, std::size_t n_discs) {
+void read_links(SectionReader& r, std::vector<SceneLink>& links, std::size_t n_discs) {
   const Numbers a = r.next(links.size()), b = r.next(links.size()), kind = r.next(links.size());
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -236,7 +236,7 @@ Scene read_scene(std::string_view bytes) {
   for (const char* count : {"n_discs", "n_links"})
     if (whole_number<std::size_t>(head.at(count)) > size / 3)
       throw std::out_of_range(std::string(count) + " beyond the stream");
-  Reader r{*plain, head.at("sections")};
+  SectionReader r{*plain, head.at("sections")};
   Scene scene;
   scene.width = side_in(head, "width [m]"), scene.height = side_in(head, "height [m]");
   scene.discs.resize(head.at("n_discs").get<std::size_t>());
@@ -269,7 +269,7 @@ Scene read_scene(std::string_view bytes) {
 std::string pack_scene(const Scene& scene, TestKind kind) {
   const double size_quantum = std::max({scene.width, scene.height, 1e-9}) / size_steps;
   const double quantum = displacement_quantum(scene);
-  Writer w;
+  SectionWriter w;
   add_discs(w, scene, size_quantum);
   add_frames(w, scene, quantum);
   add_links(w, scene.links);

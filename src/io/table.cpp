@@ -52,9 +52,9 @@ bool is_point_number(std::string cell) {
   return is_comma_number(cell);
 }
 
-class Reader {
+class TableReader {
  public:
-  Reader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
+  TableReader(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
     table_.where = where_;
   }
 
@@ -197,7 +197,7 @@ std::string plain_text(std::string_view text) {
 
 Table parse_table(std::string_view bytes, const std::string& where, const std::string& sheet) {
   if (is_archive(bytes)) return parse_workbook(bytes, sheet, where);
-  if (!bytes.starts_with("\xD0\xCF\x11\xE0") && sheet.empty()) return Reader(bytes, where).read();
+  if (!bytes.starts_with("\xD0\xCF\x11\xE0") && sheet.empty()) return TableReader(bytes, where).read();
   Table none;
   none.where = where;
   if (sheet.empty())

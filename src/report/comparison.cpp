@@ -5,7 +5,7 @@
 namespace phy::report {
 namespace {
 
-constexpr double width = 90.0, height = 65.0;  // [mm] one column of a journal
+constexpr double column_width = 90.0, column_height = 65.0;  // [mm] one column of a journal
 
 std::vector<GnuplotScript::Row> rows_of(const History& h) {
   std::vector<GnuplotScript::Row> rows;
@@ -25,7 +25,7 @@ std::string comparison_script(const History& ours, const History& theirs, const 
   };
   s.plot({line(ours, our_name, "lw 1.5 lc rgb '#0072b2'"),
           line(theirs, their_name, "dt 2 lw 1.5 lc rgb '#9a3f7d'")});
-  return gnuplot_head(format, width, height, out) + s.text();
+  return gnuplot_head(format, column_width, column_height, out) + s.text();
 }
 
 }  // namespace phy::report

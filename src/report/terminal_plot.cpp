@@ -11,7 +11,7 @@
 namespace phy::report {
 namespace {
 
-constexpr int left = 8;  // characters for the numbers of the y axis, its line included
+constexpr int axis_columns = 8;  // characters for the numbers of the y axis, its line included
 
 /// Two dots by four per character, and the colour of the curve that came last.
 class Dots {
@@ -91,7 +91,7 @@ void draw(Dots& dots, const TerminalCurve& c, double x_end, double y_end) {
 /// The line below the axis: the end of x, then the names of the curves as long as there is room.
 std::string legend(const std::vector<TerminalCurve>& curves, const std::string& x, int columns,
                    bool colored) {
-  std::string text = fmt::format("{:>{}} 0 ... {}", "", left - 2, x);
+  std::string text = fmt::format("{:>{}} 0 ... {}", "", axis_columns - 2, x);
   int used = static_cast<int>(text.size());  // ASCII so far
   for (const TerminalCurve& c : curves) {
     const int length = static_cast<int>(c.label.size());
@@ -109,7 +109,7 @@ std::vector<std::string> terminal_plot(const std::vector<TerminalCurve>& curves,
   PHY_CHECK(rows >= 4 && columns >= 30, "room for a plot");
   const double x_end = largest(curves, &TerminalCurve::x), y_end = largest(curves, &TerminalCurve::y);
   const int inner = rows - 2;
-  Dots dots(columns - left, inner);
+  Dots dots(columns - axis_columns, inner);
   if (x_end > 0.0 && y_end > 0.0)
     for (const TerminalCurve& c : curves) draw(dots, c, x_end, y_end);
   std::vector<std::string> lines;
@@ -118,10 +118,10 @@ std::vector<std::string> terminal_plot(const std::vector<TerminalCurve>& curves,
                                : row == 1         ? y_unit
                                : row == inner - 1 ? "0"
                                                   : "";
-    lines.push_back(fmt::format("{:>{}}│{}", number, left - 1, dots.line(row, colored)));
+    lines.push_back(fmt::format("{:>{}}│{}", number, axis_columns - 1, dots.line(row, colored)));
   }
-  std::string axis = fmt::format("{:>{}}└", "", left - 1);
-  for (int i = left; i < columns; ++i) axis += "─";
+  std::string axis = fmt::format("{:>{}}└", "", axis_columns - 1);
+  for (int i = axis_columns; i < columns; ++i) axis += "─";
   lines.push_back(axis);
   lines.push_back(legend(curves, fmt::format("{:.3g} {}", x_end, x_unit), columns, colored));
   return lines;

@@ -32,7 +32,7 @@ constexpr long nfs_magic = 0x6969, smb_magic = 0xFE534D42L, lustre_magic = 0x0BD
 
 // Keyed by fingerprint. Numbers are rows of their own, so that any can be selected by SQL; `place` keeps
 // their order.
-constexpr const char* tables = R"(
+constexpr const char* store_tables = R"(
 CREATE TABLE IF NOT EXISTS specimen (
   key TEXT PRIMARY KEY, recipe TEXT NOT NULL, name TEXT NOT NULL, intact INTEGER NOT NULL, theta REAL,
   status TEXT NOT NULL, reason TEXT NOT NULL, advice TEXT NOT NULL, result_hash TEXT NOT NULL,
@@ -356,7 +356,7 @@ void Store::make_tables(Sharing sharing) {
   database_.transaction([&] {
     const std::int64_t found = format();
     if (found == 0)
-      database_.execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(store_format));
+      database_.execute(std::string(store_tables) + "PRAGMA user_version = " + std::to_string(store_format));
     else if (found < store_format)
       upgrade(found);
   });

@@ -12,7 +12,7 @@ namespace phy::theory {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr Complex i{0.0, 1.0};
+constexpr Complex imaginary{0.0, 1.0};
 /// Roots nearer than this are told apart: equal ones (an isotropic body) have another solution.
 constexpr double apart = 1e-4;
 /// Harmonics beyond this carry less than 1e-6 of the stress a tenth of a radius below the rim.
@@ -37,8 +37,8 @@ struct Traction {
 Traction traction(double p, double alpha, int n) {
   const double low = n == 1 ? alpha : std::sin((n - 1) * alpha) / (n - 1);
   const double high = std::sin((n + 1) * alpha) / (n + 1);
-  const Complex turn = n % 4 == 1 ? -i : i;  // (-i)^n
-  return {-p / pi * turn * i * (low - high), -p / pi * turn * (low + high)};
+  const Complex turn = n % 4 == 1 ? -imaginary : imaginary;  // (-i)^n
+  return {-p / pi * turn * imaginary * (low - high), -p / pi * turn * (low + high)};
 }
 
 /// a of a_1 + conj(a_1 t_1^n) + ... = f, mu_1 a_1 + conj(mu_1 a_1 t_1^n) + ... = g.
@@ -59,14 +59,14 @@ AnisotropicDisc::AnisotropicDisc(const PressedDisc& disc)
   PHY_CHECK(disc.diameter > 0.0 && disc.alpha > 0.0 && disc.alpha < 90.0, "a disc and loaded arcs");
   const double alpha = disc.alpha * pi / 180.0, p = disc.P / (disc.diameter * std::sin(alpha));
   for (std::size_t k = 0; k < 2; ++k)
-    c_[k] = 0.5 * (1.0 - i * mu_[k]), t_[k] = (1.0 + i * mu_[k]) / (1.0 - i * mu_[k]);
+    c_[k] = 0.5 * (1.0 - imaginary * mu_[k]), t_[k] = (1.0 + imaginary * mu_[k]) / (1.0 - imaginary * mu_[k]);
   const Traction first = traction(p, alpha, 1);
   uniform_ = {2.0 * first.x.real(), -2.0 * first.y.imag(), 2.0 * first.y.real()};
   for (int n = 3; n <= last_harmonic; n += 2) {
     const Traction q = traction(p, alpha, n);
     const std::array<Complex, 2> t_n = {std::pow(t_[0], n), std::pow(t_[1], n)};
-    const Eigen::Vector2cd a =
-        harmonic(mu_, t_n, -q.y / (i * static_cast<double>(n)), q.x / (i * static_cast<double>(n)));
+    const Eigen::Vector2cd a = harmonic(mu_, t_n, -q.y / (imaginary * static_cast<double>(n)),
+                                        q.x / (imaginary * static_cast<double>(n)));
     for (std::size_t k = 0; k < 2; ++k) a_[k].push_back(a[static_cast<Eigen::Index>(k)]);
   }
 }

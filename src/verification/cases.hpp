@@ -2,10 +2,13 @@
 // run the same list. This is the only room that holds theory against the engine.
 #pragma once
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace phy::verification {
+
+constexpr double root3 = std::numbers::sqrt3;  // of a hexagonal lattice: rows over the radius
 
 /// One comparison of a case.
 struct Check {

@@ -12,7 +12,7 @@ namespace {
 using Exact = std::variant<theory::ExactLinear, theory::ExactBond, theory::ExactJoint, theory::ExactFlat>;
 
 /// The closed form of a law, and the seconds that one step takes (dashpots).
-std::optional<Exact> exact(std::string_view law, std::span<const double> v, double& dt) {
+std::optional<Exact> exact_form(std::string_view law, std::span<const double> v, double& dt) {
   if (law == "linear") {
     theory::ExactLinear e;
     e.slider = {v[0], v[1], v[2]};
@@ -45,7 +45,7 @@ std::optional<Exact> exact(std::string_view law, std::span<const double> v, doub
 std::vector<ContactForces> witness(std::string_view law, std::span<const double> parameters,
                                    std::span<const ContactPoint> corners, int steps) {
   double dt = 0.0;
-  std::optional<Exact> at_corner = exact(law, parameters, dt);
+  std::optional<Exact> at_corner = exact_form(law, parameters, dt);
   if (!at_corner) return {};
   std::vector<ContactForces> forces(1);
   ContactPoint from;

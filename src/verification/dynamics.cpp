@@ -57,16 +57,16 @@ double frequency(Bench& b, const Read& read, int cycles) {
   return std::sqrt(2.0 - 2.0 * cosine) / b.dt();
 }
 
-constexpr double R = 1e-3;
+constexpr double R_disc = 1e-3;
 
 Specimen bonded_pair() {
-  Specimen s = assembly({{0.0, 0.0, R}, {2.0 * R, 0.0, R}}, soft_contact());
+  Specimen s = assembly({{0.0, 0.0, R_disc}, {2.0 * R_disc, 0.0, R_disc}}, soft_contact());
   bond_touching(s);
   return s;
 }
 
 std::vector<Check> rigid_motion() {
-  Specimen s = assembly(hexagonal(7, 7, R), soft_contact());
+  Specimen s = assembly(hexagonal(7, 7, R_disc), soft_contact());
   bond_touching(s);
   const double w0 = std::sqrt(s.matrix.E_b / mass(s, 0));
   const double spin = 1e-6 * w0;
@@ -85,10 +85,10 @@ std::vector<Check> chain() {
   std::vector<Check> checks;
   for (const int mode : {1, 7, 20, 39}) {
     std::vector<Disc> discs;
-    for (int i = 0; i < n; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+    for (int i = 0; i < n; ++i) discs.push_back({2.0 * R_disc * i, 0.0, R_disc});
     Specimen s = assembly(discs, soft_contact());
     bond_touching(s);
-    const double K = s.matrix.E_b / (2.0 * R) * 2.0 * R, m = mass(s, 0);
+    const double K = s.matrix.E_b / (2.0 * R_disc) * 2.0 * R_disc, m = mass(s, 0);
     Bench b(std::move(s), 0.0);
     for (std::uint32_t i = 0; i < n; ++i)
       b.group->set_motion(0, i, {}, {1e-6 * std::cos(mode * pi * (i + 0.5) / n), 0.0}, 0.0);
@@ -109,15 +109,15 @@ std::vector<Check> vibration_of(const Specimen& s, double k_n, double k_s, doubl
     b.group->set_motion(0, 1, {}, vb, wb);
     return frequency(b, read, 400);
   };
-  const double m = mass(s, 0), J = 0.5 * m * R * R;
+  const double m = mass(s, 0), J = 0.5 * m * R_disc * R_disc;
   const double v = 1e-6;
   const double axial = run({-v, 0}, 0, {v, 0}, 0, [](const Bench& b) { return b.grain(0).ux; });
   const double bending =
-      run({0, 0}, -v / R, {0, 0}, v / R, [](const Bench& b) { return b.grain(0).rotation; });
+      run({0, 0}, -v / R_disc, {0, 0}, v / R_disc, [](const Bench& b) { return b.grain(0).rotation; });
   // shear mode: both discs turn alike while they move apart across; m u R-amplitudes follow from K_s(2/m + 2
   // R^2/J)
-  const double shear =
-      run({0, -v}, -2.0 * v / R, {0, v}, -2.0 * v / R, [](const Bench& b) { return b.grain(0).uy; });
+  const double shear = run({0, -v}, -2.0 * v / R_disc, {0, v}, -2.0 * v / R_disc,
+                           [](const Bench& b) { return b.grain(0).uy; });
   return {{"axial [1/s]", std::sqrt(2.0 * k_n / m), axial, 1e-6},
           {"bending [1/s]", std::sqrt(2.0 * k_m / J), bending, 1e-6},
           {"shear [1/s]", std::sqrt(6.0 * k_s / m), shear, 1e-6}};
@@ -126,7 +126,7 @@ std::vector<Check> vibration_of(const Specimen& s, double k_n, double k_s, doubl
 std::vector<Check> pair_vibration() {
   const Specimen s = bonded_pair();
   const double E = s.matrix.E_b;  // over 2R, times the length 2R and the moment (2/3) R^3
-  return vibration_of(s, E, s.matrix.bond_ks_over_kn * E, E * R * R / 3.0);
+  return vibration_of(s, E, s.matrix.bond_ks_over_kn * E, E * R_disc * R_disc / 3.0);
 }
 
 Specimen flat_pair(double r1, double r2) {
@@ -139,8 +139,9 @@ Specimen flat_pair(double r1, double r2) {
 }
 
 std::vector<Check> flat_pair_vibration() {
-  const Specimen s = flat_pair(R, R);
-  return vibration_of(s, s.matrix.E_c, s.matrix.ks_over_kn * s.matrix.E_c, s.matrix.E_c * R * R / 3.0);
+  const Specimen s = flat_pair(R_disc, R_disc);
+  return vibration_of(s, s.matrix.E_c, s.matrix.ks_over_kn * s.matrix.E_c,
+                      s.matrix.E_c * R_disc * R_disc / 3.0);
 }
 
 /// Two discs turned as one body by 1 rad, in steps whose chords stand for their arcs: each slides by
@@ -200,11 +201,11 @@ std::vector<Check> wave_through_joint() {
   constexpr int n = 1200, at = 600;
   constexpr double q = 0.10, centre = 300.0, width = 40.0;  // phase per disc; disc numbers
   std::vector<Disc> discs;
-  for (int i = 0; i < n; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+  for (int i = 0; i < n; ++i) discs.push_back({2.0 * R_disc * i, 0.0, R_disc});
   Specimen s = assembly(discs, soft_contact());
   BeddingRecipe set;
   set.theta = 90.0;  // plane across the chain
-  set.k_n = 0.05 * s.matrix.E_b / (2.0 * R);
+  set.k_n = 0.05 * s.matrix.E_b / (2.0 * R_disc);
   set.k_s = set.k_n;
   set.sigma_n = set.cohesion = 1e30;
   s.bedding = {set};
@@ -212,7 +213,7 @@ std::vector<Check> wave_through_joint() {
   bond_touching(s);
   for (Contact& c : s.contacts)
     if (c.b == at) c.kind = ContactKind::joint, c.side = -1;  // n_j = (-1, 0) against the branch (1, 0)
-  const double K = s.matrix.E_b, m = mass(s, 0), k_j = set.k_n * 2.0 * R;
+  const double K = s.matrix.E_b, m = mass(s, 0), k_j = set.k_n * 2.0 * R_disc;
   Bench b(std::move(s), 0.0, 50, 0.25);
   const double w = 2.0 / b.dt() * std::asin(b.dt() * std::sqrt(K / m) * std::sin(0.5 * q));
   const double speed = std::sqrt(K / m) * std::cos(0.5 * q);
@@ -277,16 +278,17 @@ std::vector<Check> stable_step() {
            exact;
   };
   Specimen pair = bonded_pair();
-  const double A = 2.0 * R, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
+  const double A = 2.0 * R_disc, m = mass(pair, 0), Kn = pair.matrix.E_b / A * A + pair.matrix.E_c;
   const double Ks = pair.matrix.bond_ks_over_kn * pair.matrix.E_b + pair.matrix.ks_over_kn * pair.matrix.E_c;
   const double highest = std::sqrt(std::max(2.0 * Kn, 6.0 * Ks) / m);
   std::vector<Disc> discs;
-  for (int i = 0; i < 200; ++i) discs.push_back({2.0 * R * i, 0.0, R});
+  for (int i = 0; i < 200; ++i) discs.push_back({2.0 * R_disc * i, 0.0, R_disc});
   Specimen line = assembly(discs, soft_contact());
   bond_touching(line);
   // alternating spins: shear and bending act together, w^2 = (2/J)(2 K_s R^2 + 2 k_m), against 4 K_n/m along
   // the chain
-  const double J = 0.5 * m * R * R, k_m = line.matrix.E_b / A * (2.0 / 3.0 * R * R * R);
+  const double J = 0.5 * m * R_disc * R_disc,
+               k_m = line.matrix.E_b / A * (2.0 / 3.0 * R_disc * R_disc * R_disc);
   const double top = std::sqrt(std::max(4.0 * Kn / m, std::max(4.0 * k_m / J, 12.0 * Ks / m)));
   return {{"bound / exact highest frequency of a pair, 1 to 1.2 [-]", 1.1, ratio(pair, highest), 1.0 / 11.0},
           {"bound / exact highest frequency of a chain, 1 to 1.2 [-]", 1.1, ratio(line, top), 1.0 / 11.0}};
@@ -311,15 +313,15 @@ struct Column {
 Column layered_column(int axis) {
   Column c;
   c.axis = axis;
-  const double row = std::sqrt(3.0) * R;
+  const double row = std::sqrt(3.0) * R_disc;
   const int n_x = axis == 0 ? 161 : 6, n_y = axis == 0 ? 12 : 184;
-  c.specimen = assembly(hexagonal(n_x, n_y, R), soft_contact());
+  c.specimen = assembly(hexagonal(n_x, n_y, R_disc), soft_contact());
   bond_touching(c.specimen);
   BeddingRecipe set;
   set.k_n = 33.6e11, set.k_s = 9.6e11, set.spacing = c.spacing = 4.0 * row;
   c.specimen.bedding.push_back(set);
   joint_crossing(c.specimen);
-  c.length = axis == 0 ? 2.0 * R * n_x : row * n_y;
+  c.length = axis == 0 ? 2.0 * R_disc * n_x : row * n_y;
   c.line_mass = mass(c.specimen, 0) * n_x * n_y / c.length;
   return c;
 }
@@ -329,13 +331,14 @@ Column layered_column(int axis) {
 double static_stiffness(const Column& c) {
   const statics::Network net = statics::make_network(c.specimen);
   statics::Boundary pull;
-  const double end = (c.axis == 0 ? 4.0 : 1.5) * R;  // both rows of a lattice that is pulled along its rows
+  const double end =
+      (c.axis == 0 ? 4.0 : 1.5) * R_disc;  // both rows of a lattice that is pulled along its rows
   double last = 0.0, n_end = 0.0;
   for (std::size_t i = 0; i < net.n_grains; ++i) last = std::max(last, c.at(i));
   for (std::size_t i = 0; i < net.n_grains; ++i) n_end += c.at(i) < end ? 1.0 : 0.0;
   for (std::uint32_t i = 0; i < net.n_grains; ++i) {
     if (c.at(i) < end) pull.loads.push_back({{i, c.axis}, -1.0 / n_end});
-    if (c.at(i) > last + R - end) pull.loads.push_back({{i, c.axis}, 1.0 / n_end});
+    if (c.at(i) > last + R_disc - end) pull.loads.push_back({{i, c.axis}, 1.0 / n_end});
   }
   for (int component = 0; component < 3; ++component) pull.movements.push_back({{0, component}, 0.0});
   const statics::Movements u = statics::solve_once(net, pull).u;
@@ -357,9 +360,9 @@ double speed_of_wave(const Column& c, int halves) {
   const std::size_t n = c.specimen.packing->discs.size();
   std::vector<double> shape(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    shape[i] =
-        std::cos(halves * pi *
-                 (c.axis == 0 ? c.at(i) - 0.5 * R : c.at(i) + R * (0.5 * std::sqrt(3.0) - 1.0)) / c.length);
+    shape[i] = std::cos(
+        halves * pi *
+        (c.axis == 0 ? c.at(i) - 0.5 * R_disc : c.at(i) + R_disc * (0.5 * std::sqrt(3.0) - 1.0)) / c.length);
     const double v = 1e-6 * shape[i];
     b.group->set_motion(0, i, {}, c.axis == 0 ? Vec2{v, 0.0} : Vec2{0.0, v}, 0.0);
   }

@@ -12,14 +12,15 @@
 namespace phy::verification {
 namespace {
 
-constexpr double R = 3e-4, k = 76e9 / 6.6e-4, sigma_c = 20e6, cohesion = 100e6, mu = 0.5;
-constexpr double A = 2.0 * R, I = 2.0 / 3.0 * R * R * R;
+constexpr double R_f = 3e-4, k_f = 76e9 / 6.6e-4, sigma_c = 20e6, cohesion = 100e6, mu = 0.5;
+constexpr double A_f = 2.0 * R_f, I_f = 2.0 / 3.0 * R_f * R_f * R_f;
 
-/// An interface of N elements, its stiffness k [Pa/m].
+/// An interface of N elements, its stiffness k_f [Pa/m].
 template <int N>
 struct Interface {
-  laws::flat_joint::Parameters<double> p{k * A, 0.3 * k* A, 1.0 / (0.3 * k * A), R,  mu, cohesion* A,
-                                         0.0,   0.0,        sigma_c* A,          0.0};
+  laws::flat_joint::Parameters<double> p{
+      k_f * A_f, 0.3 * k_f* A_f, 1.0 / (0.3 * k_f * A_f), R_f, mu, cohesion* A_f, 0.0, 0.0, sigma_c* A_f,
+      0.0};
   laws::flat_joint::State<double, N> s{laws::flat_joint::whole<N>, 0.0, {}};
   laws::flat_joint::Cracks<double, N> cracks{};
   int n_cracks = 0;
@@ -53,9 +54,9 @@ void pulled(std::vector<Check>& checks) {
   double opening = 0.0, most = 0.0;
   laws::Reaction<double> r{};
   for (; i.n_cracks == 0; opening += 1e-13, most = std::max(most, -r.F_n)) r = i.to(-opening, 0.0, 0.0);
-  checks.push_back({of + "tension at break 2R sigma_c [N/m]", A * sigma_c, most, 1e-6});
+  checks.push_back({of + "tension at break 2R sigma_c [N/m]", A_f * sigma_c, most, 1e-6});
   checks.push_back({of + "elements that break at once", N, static_cast<double>(i.n_cracks), 0.0});
-  checks.push_back({of + "released sigma_c^2 R/k [J/m]", sigma_c * sigma_c * R / k, r.released, 2e-6});
+  checks.push_back({of + "released sigma_c^2 R/k [J/m]", sigma_c * sigma_c * R_f / k_f, r.released, 2e-6});
 }
 
 std::vector<Check> tension() {
@@ -69,13 +70,13 @@ std::vector<Check> shear() {
   for (const double p : {0.0, 50e6, -10e6}) {
     Interface<3> i;
     i.p.tan_phi = std::tan(0.5);
-    const double peak = A * (cohesion + p * i.p.tan_phi), d = peak / i.p.k_s * 1e-6;
+    const double peak = A_f * (cohesion + p * i.p.tan_phi), d = peak / i.p.k_s * 1e-6;
     double most = 0.0;
-    laws::Reaction<double> r = i.to(p / k, 0.0, 0.0);
-    for (; i.n_cracks == 0; r = i.to(p / k, d, 0.0)) most = std::fabs(r.F_s);
+    laws::Reaction<double> r = i.to(p / k_f, 0.0, 0.0);
+    for (; i.n_cracks == 0; r = i.to(p / k_f, d, 0.0)) most = std::fabs(r.F_s);
     const std::string at = "at " + print_number(p * 1e-6) + " MPa: ";
     checks.push_back({at + "shear force at break 2R (c + p tan phi) [N/m]", peak, most, 3e-6});
-    checks.push_back({at + "and after it, mu p 2R, none if pulled [N/m]", mu * std::max(p, 0.0) * A,
+    checks.push_back({at + "and after it, mu p 2R, none if pulled [N/m]", mu * std::max(p, 0.0) * A_f,
                       std::fabs(r.F_s), 1e-9});
   }
   return checks;
@@ -90,16 +91,16 @@ void bent(std::vector<Check>& checks) {
   laws::Reaction<double> r{};
   double M = 0.0;
   for (double turn = 0.0; i.n_cracks == 0; turn += 1e-9) r = i.to(0.0, 0.0, turn), M = std::max(M, -r.M);
-  const double first = 2.0 / 3.0 * sigma_c * R * R / (1.0 - 1.0 / N), inner = R - 2.0 * R / N;
+  const double first = 2.0 / 3.0 * sigma_c * R_f * R_f / (1.0 - 1.0 / N), inner = R_f - 2.0 * R_f / N;
   checks.push_back({of + "moment at first break (2/3) sigma_c R^2/(1 - 1/N) [N]", first, M, 3e-6});
   checks.push_back({of + "moment after it, by the second moment of what is left [N]",
-                    first * (R * R * R + inner * inner * inner) / (2.0 * R * R * R), -r.M, 3e-6});
+                    first * (R_f * R_f * R_f + inner * inner * inner) / (2.0 * R_f * R_f * R_f), -r.M, 3e-6});
 }
 
 std::vector<Check> bending() {
   std::vector<Check> checks;
   Interface<3> whole;
-  checks.push_back({"moment over rotation of a whole interface (2/3) k R^3 [N]", k * I,
+  checks.push_back({"moment over rotation of a whole interface (2/3) k R^3 [N]", k_f * I_f,
                     -whole.to(0.0, 0.0, 1e-6).M / 1e-6, 1e-12});
   bent<2>(checks), bent<3>(checks), bent<4>(checks);
   return checks;
@@ -109,11 +110,11 @@ std::vector<Check> bending() {
 /// a triangle that acts l/3 from the closed edge.
 std::vector<Check> opening() {
   std::vector<Check> checks;
-  const double P = 20e3, theta_0 = P / (2.0 * k * R * R);
+  const double P = 20e3, theta_0 = P / (2.0 * k_f * R_f * R_f);
   for (const double turn : {0.5, 1.5, 3.0, 10.0, 100.0}) {
     Interface<3> i;
     i.s.bonds = 0.0;
-    const double M = turn <= 1.0 ? k * I * turn * theta_0 : P * (R - A / std::sqrt(turn) / 3.0);
+    const double M = turn <= 1.0 ? k_f * I_f * turn * theta_0 : P * (R_f - A_f / std::sqrt(turn) / 3.0);
     checks.push_back({"moment at constant force, " + print_number(turn) + " times the turn that opens it [N]",
                       M, -i.hold(P, turn * theta_0).M, 1e-10});
   }
@@ -129,7 +130,7 @@ void breaks_of(std::vector<Check>& checks, std::initializer_list<double> expecte
     const int before = i.n_cracks;
     for (; i.n_cracks == before; turn += 1e-7) i.hold(0.0, turn);
     checks.push_back({of + "rotation at break " + std::to_string(i.n_cracks) + " [rad]",
-                      at * sigma_c / (k * R), turn, 3e-4});
+                      at * sigma_c / (k_f * R_f), turn, 3e-4});
   }
   i.hold(0.0, 10.0 * turn);
   checks.push_back(
@@ -154,17 +155,17 @@ std::vector<Check> what_is_left() {
   };
   const laws::Tangent<double> t = left(6.0),
                               middle = left(2.0);  // without the first of three; without both ends
-  return {{"normal stiffness (2/3) k 2R [N/m per m]", 2.0 / 3.0 * k * A, t.k_n, 1e-12},
-          {"shear stiffness (2/3) k_s 2R [N/m per m]", 0.2 * k * A, t.k_s, 1e-12},
-          {"coupling (2/3) k 2R R/3 [N/m]", 2.0 / 9.0 * k * A * R, t.k_nm, 1e-12},
-          {"bending stiffness k (R^3 + (R/3)^3)/3 [N]", k * R * R * R * (28.0 / 81.0), t.k_m, 1e-12},
-          {"of the middle one alone (2/3) k (R/3)^3 [N]", k * I / 27.0, middle.k_m, 1e-12}};
+  return {{"normal stiffness (2/3) k 2R [N/m per m]", 2.0 / 3.0 * k_f * A_f, t.k_n, 1e-12},
+          {"shear stiffness (2/3) k_s 2R [N/m per m]", 0.2 * k_f * A_f, t.k_s, 1e-12},
+          {"coupling (2/3) k 2R R/3 [N/m]", 2.0 / 9.0 * k_f * A_f * R_f, t.k_nm, 1e-12},
+          {"bending stiffness k (R^3 + (R/3)^3)/3 [N]", k_f * R_f * R_f * R_f * (28.0 / 81.0), t.k_m, 1e-12},
+          {"of the middle one alone (2/3) k (R/3)^3 [N]", k_f * I_f / 27.0, middle.k_m, 1e-12}};
 }
 
 /// Friction of all elements together is mu P, however far the interface has opened.
 std::vector<Check> residual_sliding() {
   std::vector<Check> checks;
-  const double P = 20e3, theta_0 = P / (2.0 * k * R * R);
+  const double P = 20e3, theta_0 = P / (2.0 * k_f * R_f * R_f);
   for (const double turn : {0.0, 0.5, 2.0, 20.0}) {
     Interface<3> i;
     i.s.bonds = 0.0;

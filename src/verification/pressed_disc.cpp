@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "base/exact_math.hpp"
@@ -25,7 +24,7 @@
 namespace phy::verification {
 namespace {
 
-constexpr double alpha = 7.5;  // half a loaded arc [deg]
+constexpr double half_arc = 7.5;  // half a loaded arc [deg]
 constexpr std::array<double, 5> thetas = {0.0, 22.5, 45.0, 67.5, 90.0};
 
 /// Grains that no load can rest on: they are not held, as the grain in the middle is.
@@ -45,7 +44,7 @@ statics::Boundary pressed(const Specimen& s, const std::vector<char>& loose, dou
   constexpr int rays = 400;
   for (const double side : {1.0, -1.0}) {
     for (int k = 0; k < rays; ++k) {
-      const double turn = (2.0 * (k + 0.5) / rays - 1.0) * alpha * pi / 180.0;
+      const double turn = (2.0 * (k + 0.5) / rays - 1.0) * half_arc * pi / 180.0;
       const Vec2 d = side * (std::cos(turn) * load + std::sin(turn) * tangent(load));
       double reach = 0.0;
       std::uint32_t met = 0;
@@ -55,7 +54,7 @@ statics::Boundary pressed(const Specimen& s, const std::vector<char>& loose, dou
         if (loose[g] != 0 || room < 0.0 || dot(d, x) + std::sqrt(room) <= reach) continue;
         reach = dot(d, x) + std::sqrt(room), met = g;
       }
-      const double force = radius * 2.0 * alpha * pi / 180.0 / rays;
+      const double force = radius * 2.0 * half_arc * pi / 180.0 / rays;
       boundary.loads.push_back({{met, 0}, -force * d.x});
       boundary.loads.push_back({{met, 1}, -force * d.y});
     }
@@ -122,9 +121,9 @@ Middle middle_of(const Specimen& s, double D, Vec2 load) {
   const auto seen = [&](Vec2 a, Vec2 b) {
     return m[0] * a.x * b.x + m[1] * a.y * b.y + m[2] * (a.x * b.y + a.y * b.x);
   };
-  const double P = D * std::sin(alpha * pi / 180.0), margin = 4.0 * s.packing->discs.front().r;
+  const double P = D * std::sin(half_arc * pi / 180.0), margin = 4.0 * s.packing->discs.front().r;
   const theory::PlaneCompliance S = compliance_seen(net, 0.5 * D, margin, load);
-  const theory::DiscStress t = theory::AnisotropicDisc({S, D, alpha, P}).mean(D / 8.0);
+  const theory::DiscStress t = theory::AnisotropicDisc({S, D, half_arc, P}).mean(D / 8.0);
   return {seen(across, across) / t.x, seen(load, load) / t.y, (seen(across, load) - t.xy) / t.y};
 }
 
@@ -140,7 +139,6 @@ void move_to_origin(Specimen& s) {
 /// A disc of hexagonal lattice with a smooth joint after every `rows` rows, about the origin.
 Specimen layered_lattice(double diameter, int rows) {
   constexpr double R = 2e-4;
-  const double root3 = std::numbers::sqrt3;
   const int n = 2 * static_cast<int>(0.5 * diameter / (root3 * R)) + 4;  // even: no row on a plane
   Specimen s;
   auto packing = std::make_shared<Packing>();

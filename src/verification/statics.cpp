@@ -12,9 +12,8 @@
 namespace phy::verification {
 namespace {
 
-constexpr double R = 1e-3;
+constexpr double R_cell = 1e-3;
 constexpr double exact = 1e-10;
-const double root3 = std::sqrt(3.0);
 
 MatrixRecipe parallel_bonds() {
   MatrixRecipe m;
@@ -23,7 +22,7 @@ MatrixRecipe parallel_bonds() {
 }
 
 /// Its E_c is k_n 2R of equal discs, as that of a linear contact; nothing lies beside it.
-MatrixRecipe flat_joints() {
+MatrixRecipe elastic_flat_joints() {
   MatrixRecipe m;
   m.model = MatrixModel::flat_joint;
   m.E_c = 43e9, m.ks_over_kn = 0.35;
@@ -49,7 +48,7 @@ struct Cell {
     for (std::uint32_t a = 0; a < discs.size(); ++a) {
       for (std::uint32_t b = a + 1; b < discs.size(); ++b) {
         const Vec2 d{nearest(discs[b].x - discs[a].x, period.x), nearest(discs[b].y - discs[a].y, period.y)};
-        if (norm(d) > 2.0 * R * (1.0 + 1e-6)) continue;
+        if (norm(d) > 2.0 * R_cell * (1.0 + 1e-6)) continue;
         Contact c;
         c.a = a, c.b = b, c.sigma_c = m.sigma_c, c.tau_c = m.tau_c;
         specimen.contacts.push_back(c);
@@ -67,7 +66,7 @@ struct Cell {
 };
 
 Cell hexagonal_cell(int n_x, int n_y, const MatrixRecipe& m = parallel_bonds()) {
-  return {hexagonal(n_x, n_y, R), {2.0 * R * n_x, root3 * R * n_y}, m};
+  return {hexagonal(n_x, n_y, R_cell), {2.0 * R_cell * n_x, root3 * R_cell * n_y}, m};
 }
 
 std::vector<Check> moduli_of(const Cell& cell) {
@@ -125,8 +124,8 @@ std::vector<Check> square_lattice() {
   std::vector<Disc> discs;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
-      discs.push_back({R * (1.0 + 2.0 * column), R * (1.0 + 2.0 * row), R});
-  const Cell cell(discs, {8.0 * R, 8.0 * R}, parallel_bonds());
+      discs.push_back({R_cell * (1.0 + 2.0 * column), R_cell * (1.0 + 2.0 * row), R_cell});
+  const Cell cell(discs, {8.0 * R_cell, 8.0 * R_cell}, parallel_bonds());
   const double n = cell.K_n(), s = cell.K_s();
   const Eigen::Matrix3d C = cell.stiffness(), S = C.inverse();
   const Eigen::Vector3d along_diagonal = S * Eigen::Vector3d(0.5, 0.5, 0.5);
@@ -155,16 +154,16 @@ std::vector<Check> joint_rows() {
   for (const int m : {2, 4, 16}) {
     Cell cell = hexagonal_cell(4, 2 * m);
     add_joint_rows(cell, 4, m);
-    const double n = cell.K_n(), s = cell.K_s(), A = 2.0 * R, rows = m, q = root3 / 4.0;
+    const double n = cell.K_n(), s = cell.K_s(), A = 2.0 * R_cell, rows = m, q = root3 / 4.0;
     const BeddingRecipe& set = cell.specimen.bedding[0];
     Eigen::Matrix3d M;  // lateral strain, opening of a bonded row, opening of a joint row; stress 1
-    M << q * (n - s) * R, (3.0 * n + s) / 4.0, 0.0, 0.0, 0.0, set.k_n * A,
-        2.0 * rows * R * n + (rows - 1.0) * (n + 3.0 * s) / 4.0 * R + set.k_s * A * R,
+    M << q * (n - s) * R_cell, (3.0 * n + s) / 4.0, 0.0, 0.0, 0.0, set.k_n * A,
+        2.0 * rows * R_cell * n + (rows - 1.0) * (n + 3.0 * s) / 4.0 * R_cell + set.k_s * A * R_cell,
         (rows - 1.0) * q * (n - s), 0.0;
-    const Eigen::Vector3d x = M.fullPivLu().solve(Eigen::Vector3d(R, R, 0.0));
+    const Eigen::Vector3d x = M.fullPivLu().solve(Eigen::Vector3d(R_cell, R_cell, 0.0));
     const Eigen::Matrix3d S = cell.stiffness().inverse();
     checks.push_back({"E across a joint row every " + std::to_string(m) + " rows [Pa]",
-                      rows * root3 * R / ((rows - 1.0) * x[1] + x[2]), 1.0 / S(1, 1), exact});
+                      rows * root3 * R_cell / ((rows - 1.0) * x[1] + x[2]), 1.0 / S(1, 1), exact});
   }
   return checks;
 }
@@ -174,7 +173,7 @@ std::vector<Check> cantilever_of(const MatrixRecipe& matrix, double k_s, double 
   constexpr std::uint32_t n = 12;
   const double N = n, P = 5.0;
   std::vector<Disc> discs;
-  for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R + 2.0 * R * i, R, R});
+  for (std::uint32_t i = 0; i <= n; ++i) discs.push_back({R_cell + 2.0 * R_cell * i, R_cell, R_cell});
   Specimen s = assembly(discs, matrix);
   bond_touching(s);
   const statics::Network net = statics::make_network(s);
@@ -185,17 +184,17 @@ std::vector<Check> cantilever_of(const MatrixRecipe& matrix, double k_s, double 
   const statics::Movements force = statics::solve_once(net, boundary, bonds_only).u;
   boundary.loads = {{{n, 2}, P}};
   const statics::Movements moment = statics::solve_once(net, boundary, bonds_only).u;
-  const double sag = P * (N * (4.0 * N * N - 1.0) * R * R / (3.0 * k_m) + N / k_s);
+  const double sag = P * (N * (4.0 * N * N - 1.0) * R_cell * R_cell / (3.0 * k_m) + N / k_s);
   return {{"deflection under a tip force [m]", sag, force[3 * n + 1], exact},
-          {"rotation under a tip force [rad]", P * N * N * R / k_m, force[3 * n + 2], exact},
-          {"deflection under an end moment [m]", P * N * N * R / k_m, moment[3 * n + 1], exact},
+          {"rotation under a tip force [rad]", P * N * N * R_cell / k_m, force[3 * n + 2], exact},
+          {"deflection under an end moment [m]", P * N * N * R_cell / k_m, moment[3 * n + 1], exact},
           {"rotation under an end moment [rad]", N * P / k_m, moment[3 * n + 2], exact}};
 }
 
 /// k_m of a bond of length 2R between equal discs: E_b/(2R) (2/3) R^3.
 std::vector<Check> cantilever() {
   const MatrixRecipe m;
-  return cantilever_of(m, m.bond_ks_over_kn * m.E_b, m.E_b * R * R / 3.0);
+  return cantilever_of(m, m.bond_ks_over_kn * m.E_b, m.E_b * R_cell * R_cell / 3.0);
 }
 
 std::vector<Check> forces_of(const Cell& cell) {
@@ -209,31 +208,32 @@ std::vector<Check> forces_of(const Cell& cell) {
   double inclined_n = 0.0, inclined_s = 0.0, level_n = 0.0, couple = 0.0, level = 0.0, inclined = 0.0;
   for (const statics::Link& l : net.links) {
     const auto q = statics::forces(statics::stiffness(l, true), statics::strains(l, u, boundary.gradient));
-    couple = std::max(couple, std::fabs(q[2]) / (stress * R * R));
+    couple = std::max(couple, std::fabs(q[2]) / (stress * R_cell * R_cell));
     if (std::fabs(l.n.y) < 0.1)
       level_n += q[0], level += 1.0;
     else
       inclined_n += q[0], inclined_s += std::fabs(q[1]), inclined += 1.0;
   }
-  return {{"normal force, inclined contacts [N/m]", stress * R * (2.0 * n + s) / (root3 * (n + s)),
-           inclined_n / inclined, exact},
-          {"shear force, inclined contacts [N/m]", stress * R * s / (n + s), inclined_s / inclined, exact},
-          {"normal force, contacts across the load [N/m]", -stress * R * (n - s) / (root3 * (n + s)),
-           level_n / level, exact},
-          {"largest couple / (stress R^2) [-]", 0.0, couple, exact}};
+  return {
+      {"normal force, inclined contacts [N/m]", stress * R_cell * (2.0 * n + s) / (root3 * (n + s)),
+       inclined_n / inclined, exact},
+      {"shear force, inclined contacts [N/m]", stress * R_cell * s / (n + s), inclined_s / inclined, exact},
+      {"normal force, contacts across the load [N/m]", -stress * R_cell * (n - s) / (root3 * (n + s)),
+       level_n / level, exact},
+      {"largest couple / (stress R^2) [-]", 0.0, couple, exact}};
 }
 
 std::vector<Check> contact_forces() { return forces_of(hexagonal_cell(4, 4)); }
 
 /// V1, V5 and V13 over again; no contact only pushes, so they hold in tension as in compression.
 std::vector<Check> lattice_of_flat_joints() {
-  const Cell cell = hexagonal_cell(4, 4, flat_joints());
+  const Cell cell = hexagonal_cell(4, 4, elastic_flat_joints());
   const auto& links = cell.network().links;
   const auto n = std::count_if(links.begin(), links.end(), [](const auto& l) { return l.unilateral; });
   std::vector<Check> checks = {{"contacts that only push", 0.0, static_cast<double>(n), 0.0}};
   const MatrixRecipe& m = cell.specimen.matrix;
-  for (const auto& part :
-       {moduli_of(cell), forces_of(cell), cantilever_of(m, m.ks_over_kn * m.E_c, m.E_c * R * R / 3.0)})
+  for (const auto& part : {moduli_of(cell), forces_of(cell),
+                           cantilever_of(m, m.ks_over_kn * m.E_c, m.E_c * R_cell * R_cell / 3.0)})
     checks.insert(checks.end(), part.begin(), part.end());
   return checks;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -25,7 +24,7 @@
 namespace phy::verification {
 namespace {
 
-constexpr double R = 3e-4;
+constexpr double R_grain = 3e-4;
 
 TestResult run(Specimen s, const Recipe& recipe) {
   return lab::run_alone(std::make_shared<const Specimen>(std::move(s)), recipe);
@@ -40,7 +39,7 @@ double value(const TestResult& r, const char* name) {
 // are made stronger, and the stress counts on the 2 n_x - 1 inclined contacts between two rows.
 std::vector<Check> tension_of_lattice(const MatrixRecipe& m, double K_n, double k) {
   constexpr std::uint32_t n_x = 24, n_y = 30;
-  Specimen s = assembly(hexagonal(n_x, n_y, R), m);
+  Specimen s = assembly(hexagonal(n_x, n_y, R_grain), m);
   bond_touching(s);
   const auto outer = [&](std::uint32_t g) {
     return std::min({g % n_x, n_x - 1 - g % n_x, g / n_x, n_y - 1 - g / n_x}) < 5;
@@ -49,17 +48,16 @@ std::vector<Check> tension_of_lattice(const MatrixRecipe& m, double K_n, double 
     if (outer(c.a) || outer(c.b)) c.sigma_c *= 2.0;
   Recipe r;
   r.test.kind = TestKind("direct_tension");
-  r.test.grip_thickness = 2.0 * R;
+  r.test.grip_thickness = 2.0 * R_grain;
   r.test.platen_speed = 0.01;
   r.test.history_interval = 20;
   const double width = s.packing->width;
   const TestResult result = run(std::move(s), r);
-  const double root3 = std::numbers::sqrt3;
   const double E = 2.0 * root3 * K_n * (1.0 + k) / (3.0 + k);
   return {{"direct tensile strength [Pa]", 2.0 * root3 * m.sigma_c * (1.0 + k) / (2.0 + k),
-           value(result, "sigma_t") * width / ((2.0 * n_x - 1.0) * R), 0.02},
-          {"modulus in tension, gauge [Pa]", E, value(result, "E_tangent") * width / ((2.0 * n_x - 1.0) * R),
-           0.02}};
+           value(result, "sigma_t") * width / ((2.0 * n_x - 1.0) * R_grain), 0.02},
+          {"modulus in tension, gauge [Pa]", E,
+           value(result, "E_tangent") * width / ((2.0 * n_x - 1.0) * R_grain), 0.02}};
 }
 
 std::vector<Check> lattice_tension() {
@@ -68,7 +66,7 @@ std::vector<Check> lattice_tension() {
   return tension_of_lattice(m, m.E_b, m.bond_ks_over_kn);
 }
 
-MatrixRecipe flat_joints() {
+MatrixRecipe breaking_flat_joints() {
   MatrixRecipe m;
   m.model = MatrixModel::flat_joint;
   m.E_c = 76e9, m.mu = 0.5;
@@ -77,7 +75,7 @@ MatrixRecipe flat_joints() {
 }
 
 std::vector<Check> flat_joint_tension() {
-  MatrixRecipe m = flat_joints();
+  MatrixRecipe m = breaking_flat_joints();
   m.sigma_c = 10e6, m.sigma_c_sd = m.tau_c_sd = 0.0;
   return tension_of_lattice(m, m.E_c, m.ks_over_kn);
 }
@@ -90,7 +88,7 @@ std::vector<Check> flat_joint_energy() {
     Recipe r;
     r.specimen = {0.01, 0.01};
     r.packing.n_grains = 250;
-    r.matrix = flat_joints();
+    r.matrix = breaking_flat_joints();
     r.matrix.sigma_c_sd = 2e6, r.matrix.tau_c_sd = 10e6;
     r.test.kind = TestKind(kind);
     r.test.platen_speed = speed;
@@ -149,7 +147,7 @@ std::vector<Check> brazilian_centre() {
   Packing lattice;
   constexpr double r = 2e-4;
   lattice.discs = hexagonal(54, 62, r);
-  lattice.width = r * 109.0, lattice.height = r * (2.0 + std::numbers::sqrt3 * 61.0);
+  lattice.width = r * 109.0, lattice.height = r * (2.0 + root3 * 61.0);
   const CentreStress hexagonal_disc = centre_stress(lattice, D);
   CentreStress mean;
   for (std::int64_t seed = 1; seed <= 5; ++seed) {
@@ -209,7 +207,7 @@ std::vector<Check> notched_bending() {
   constexpr double r = 2e-4, radius = 0.032;  // 80 grains
   Packing lattice;
   lattice.discs = hexagonal(166, 104, r);
-  lattice.width = r * 333.0, lattice.height = r * (2.0 + std::numbers::sqrt3 * 103.0);
+  lattice.width = r * 333.0, lattice.height = r * (2.0 + root3 * 103.0);
   std::vector<Check> checks;
   for (const auto& [notch, span] : {std::pair{0.42, 0.5}, {0.5, 0.8}, {0.58, 0.8}}) {
     const Intensity K = notched_half_disc(lattice, radius, notch, span);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "analysis/analyse.hpp"
@@ -21,8 +20,7 @@
 namespace phy::verification {
 namespace {
 
-constexpr double R = 2e-4;
-const double root3 = std::numbers::sqrt3;
+constexpr double R_body = 2e-4;
 
 // --- V26: energy release of a cracked plate
 
@@ -33,10 +31,10 @@ struct CrackedPlate {
 
 /// Pulls a lattice along y by 1 Pa; the bonds that cross its middle left of `a` are cut.
 CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
-  Specimen s = assembly(hexagonal(n_x, n_y, R), soft_contact());
+  Specimen s = assembly(hexagonal(n_x, n_y, R_body), soft_contact());
   bond_touching(s);
   const auto& d = s.packing->discs;
-  const double middle = R * (1.0 + root3 * (0.5 * n_y - 0.5));
+  const double middle = R_body * (1.0 + root3 * (0.5 * n_y - 0.5));
   std::erase_if(s.contacts, [&](const Contact& c) {
     return (d[c.a].y < middle) != (d[c.b].y < middle) && 0.5 * (d[c.a].x + d[c.b].x) < a;
   });
@@ -44,8 +42,8 @@ CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
   statics::Boundary boundary;
   const auto top = static_cast<std::uint32_t>(n_x * (n_y - 1));
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n_x); ++i) {
-    boundary.loads.push_back({{i, 1}, -2.0 * R});
-    boundary.loads.push_back({{top + i, 1}, 2.0 * R});
+    boundary.loads.push_back({{i, 1}, -2.0 * R_body});
+    boundary.loads.push_back({{top + i, 1}, 2.0 * R_body});
   }
   const auto right = static_cast<std::uint32_t>(n_x * (n_y / 2) - 1);  // far from the crack
   for (int component = 0; component < 3; ++component) boundary.movements.push_back({{right, component}, 0.0});
@@ -56,7 +54,7 @@ CrackedPlate cracked_plate(int n_x, int n_y, double a, double E, double nu) {
                     u[std::size_t{3} * load.where.body + static_cast<std::size_t>(load.where.component)];
   const statics::Compliance S = {
       {{1.0 / E, -nu / E, 0.0}, {-nu / E, 1.0 / E, 0.0}, {0.0, 0.0, 2.0 * (1.0 + nu) / E}}};
-  plate.K_I = statics::stress_intensity(net, u, {{a, middle}, {1.0, 0.0}, 8.0 * R, 0.4 * a}, S).K_I;
+  plate.K_I = statics::stress_intensity(net, u, {{a, middle}, {1.0, 0.0}, 8.0 * R_body, 0.4 * a}, S).K_I;
   return plate;
 }
 
@@ -68,14 +66,14 @@ std::vector<Check> energy_release() {
   std::vector<Check> checks;
   for (const double share : {0.3, 0.4, 0.5}) {
     // Ends half-way between the bonds that cross the middle, one every R.
-    const double a = R * (std::round(share * 2.0 * n_x) + 1.0), step = 4.0 * R;
+    const double a = R_body * (std::round(share * 2.0 * n_x) + 1.0), step = 4.0 * R_body;
     const double G =
         (cracked_plate(n_x, n_y, a + step, E, nu).energy - cracked_plate(n_x, n_y, a - step, E, nu).energy) /
         (2.0 * step);
     const double K = cracked_plate(n_x, n_y, a, E, nu).K_I;
     checks.push_back(
-        {fmt::format("crack over width {:.2f}: G of the energies over K_I^2/E [-]", a / (2.0 * R * n_x)), 1.0,
-         G / (K * K / E), 0.03});
+        {fmt::format("crack over width {:.2f}: G of the energies over K_I^2/E [-]", a / (2.0 * R_body * n_x)),
+         1.0, G / (K * K / E), 0.03});
   }
   return checks;
 }
