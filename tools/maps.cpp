@@ -280,7 +280,7 @@ std::vector<MapRow> rows_of(const ModelFamily& family, std::vector<Begun> begun,
   for (const Begun& b : begun)
     for (const Target& t : wanted(b))
       specimens.push_back(calibrate::single_at(b.recipe, t.theta, b.row.packing));
-  const std::vector<ElasticResult> solved = simulator.elastic(specimens, true);
+  const std::vector<ElasticResult> solved = simulator.elastic(specimens, calibrate::Statics::two_sided);
   std::vector<MapRow> rows;
   auto next = solved.begin();
   for (Begun& b : begun) {

@@ -11,7 +11,6 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
-#include "calibrate/effort.hpp"
 #include "calibrate/margin.hpp"
 #include "calibrate/toughness.hpp"
 
@@ -374,11 +373,6 @@ std::string shown(const Target& t, double value) {
                      unit.name);
 }
 
-/// Strengths have been searched for, and may be for longer.
-bool may_search_longer(const Calibration& c) {
-  return c.longer_by.empty() && !c.effort.empty() && c.effort != efforts.back().name;
-}
-
 Cause farthest_cell(const View& v, Part part) {
   const Comparison* worst = nullptr;
   for (const Comparison& c : v.rows)
@@ -389,10 +383,7 @@ Cause farthest_cell(const View& v, Part part) {
   const Target& t = worst->target;
   return {fmt::format("farthest off is {}, {} instead of {}", cell_name(t), shown(t, worst->mean),
                       shown(t, t.mean)),
-          fmt::format("check {} in the table, or test more specimens there{}", cell_name(t),
-                      part != moduli && may_search_longer(v.of)
-                          ? fmt::format(", or search longer (--effort {}, a new folder)", efforts.back().name)
-                          : "")};
+          fmt::format("check {} in the table, or test more specimens there", cell_name(t))};
 }
 
 Cause cause_of(const View& v, Part part) {

@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/lines.hpp"
+#include "base/stats.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/eq2.hpp"
@@ -146,34 +147,6 @@ std::int64_t n_beside_search(const Evidence& evidence, bool softens) {
   return n_at_estimate(evidence, softens) * (n_unseen + (softens ? n_softened : 0));
 }
 
-/// E and nu of the press beside those at small strain, of which the table holds values: what tests of one
-/// packing make of the solutions on it (`solved`) is made of the means over all. Where they differ much, the
-/// user must know which of the two the laboratory means.
-void add_tangents_from_test(Calibration& result, const std::vector<Comparison>& from_test,
-                            const std::vector<Comparison>& solved) {
-  double worst = 0.0, theta = 0.0;
-  for (const Comparison& p : from_test) {
-    const Comparison *small_strain = row_of(result.verification, p.target),
-                     *same_packing = row_of(solved, p.target);
-    if (small_strain == nullptr || p.target.confining > 0.0) continue;  // 50 % of UCS
-    Comparison c = p;
-    c.target = small_strain->target;
-    const double change = p.mean / same_packing->mean - 1.0;
-    if (p.target.property == Property::nu)
-      c.mean = small_strain->mean + p.mean - same_packing->mean;
-    else
-      c.mean = small_strain->mean * (1.0 + change);
-    result.tangent_from_test.push_back(c);
-    if (p.target.property == Property::E && std::fabs(change) > std::fabs(worst))
-      worst = change, theta = p.target.theta;
-  }
-  if (std::fabs(worst) > modulus_change)
-    result.notes.push_back(fmt::format(
-        "E and nu of the table are read as those at small strain (E_is). At 40 - 60 % of UCS the press "
-        "measures other ones (column \"at 50 % UCS\"): E({:g}) {:+.0f} % on one packing",
-        theta, 100.0 * worst));
-}
-
 /// What stages hand on.
 struct Work {
   const Evidence& evidence;
@@ -218,6 +191,38 @@ void soften(Comparison& c, const Softening& s) {
   const bool modulus = c.target.property == Property::E;
   for (double* v : {&c.mean, &c.low, &c.high}) *v = modulus ? *v * s.factor : *v + s.addition;
   if (modulus) c.sd *= s.factor;
+}
+
+/// E and nu of the press beside those at small strain, of which the table holds values: what tests make of
+/// the solutions on their packings is made of the means over all. Where they differ much, the user must know
+/// which of the two the laboratory means.
+void add_tangents_from_test(Calibration& result, const Work& work, const std::vector<Comparison>& from_test) {
+  std::vector<Comparison> read;  // 50 % of UCS
+  for (const Comparison& p : from_test)
+    if (p.target.confining == 0.0 && row_of(result.verification, p.target) != nullptr) read.push_back(p);
+  if (read.empty()) return;
+  const auto on_several = [](const Comparison& c) { return c.n_packings > 1; };
+  std::vector<Comparison> solved = result.verification;  // on the packings of these tests
+  if (std::none_of(read.begin(), read.end(), on_several)) {
+    solved = elastic_response(result.recipe, work.evidence.moduli, {work.unseen.front()}, work.simulator);
+    result.n_elastic += static_cast<std::int64_t>(n_angles(solved));
+  }
+  std::vector<double> changes;  // of E, logarithms
+  for (Comparison& c : read) {
+    const Comparison &small_strain = *row_of(result.verification, c.target),
+                     &same = *row_of(solved, c.target);
+    const bool modulus = c.target.property == Property::E;
+    if (modulus && c.answered()) changes.push_back(std::log(c.mean / same.mean));
+    c.target = small_strain.target;
+    c.mean = modulus ? small_strain.mean * c.mean / same.mean : small_strain.mean + c.mean - same.mean;
+  }
+  result.tangent_from_test = read;
+  const double change = std::expm1(summarise(changes).mean);
+  if (std::fabs(change) > modulus_change)
+    result.notes.push_back(fmt::format(
+        "E and nu of the table are read as those at small strain (E_is). At 40 - 60 % of UCS the press "
+        "measures other ones (column \"at 50 % UCS\"): E {:+.0f} % in the mean over the angles",
+        100.0 * change));
 }
 
 /// Moduli as the laboratory reads them, fitted and on unseen packings, in place of those at small strain.
@@ -378,12 +383,6 @@ void compare_toughness(Calibration& result, const Work& work) {
   result.notes.insert(result.notes.begin(), compared_in_words(result.compared, result.recipe));
 }
 
-/// The moduli of the packing that E at half of the strength is read on.
-std::vector<Comparison> on_first_unseen(Calibration& result, const Work& work) {
-  result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification));
-  return elastic_response(result.recipe, work.evidence.moduli, {work.unseen.front()}, work.simulator);
-}
-
 /// Strengths against the table, then on unseen packings. False: stopped by the user.
 bool calibrate_strength(Calibration& result, Work& work) {
   const Evidence& evidence = work.evidence;
@@ -414,7 +413,7 @@ bool calibrate_strength(Calibration& result, Work& work) {
   if (work.softens())
     take_as_measured(result, work, from_test);
   else
-    add_tangents_from_test(result, from_test, on_first_unseen(result, work));
+    add_tangents_from_test(result, work, from_test);
   result.verification.insert(result.verification.end(), rows.begin(), rows.end());
   compare_toughness(result, work);
   return !work.simulator.stopped();

@@ -259,7 +259,6 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
         recipes.back().test.n_snapshots = recipes.back().test.n_frames = 0;
     }
   const std::vector<TestResult> results = simulator.test(recipes);
-  const std::size_t n_read = loadings.others.reads_moduli() ? seeds.size() : 1;
   std::vector<Comparison> rows;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const std::span<const TestResult> some(results.begin() + static_cast<std::ptrdiff_t>(i * seeds.size()),
@@ -273,7 +272,8 @@ std::vector<Comparison> strength_response(const Recipe& recipe, const std::vecto
       t.confining = targets[i].confining;
       return t;
     };
-    const auto read = some.first(n_read);
+    const auto approach = [&](std::size_t k) { return recipes[i * seeds.size() + k].test.approach_strain; };
+    const auto read = some.first(approach(seeds.size() - 1) > approach(0) ? 1 : seeds.size());
     moduli->push_back(over_packings(without_value(Property::E), read,
                                     [&](const TestResult& r) { return modulus_of(r, property, reading); }));
     moduli->push_back(over_packings(without_value(Property::nu), read,

@@ -42,9 +42,7 @@ TEST_F(Loaded, TheApproachEndsBeforeAModulusIsRead) {
 
 TEST_F(Loaded, WhereNoModulusIsReadTheVerificationApproachesFarther) {
   EXPECT_EQ(test(0, strengths_as_measured).platen_speed, test(0, from_rest).platen_speed);
-  EXPECT_NEAR(test(0, strengths_as_measured).approach_strain, 0.7 * 0.002, 1e-12);
-  EXPECT_TRUE(as_measured.reads_moduli() && search_with_moduli.reads_moduli());
-  EXPECT_FALSE(strengths_as_measured.reads_moduli() || search_of_strengths.reads_moduli());
+  EXPECT_NEAR(test(0, strengths_as_measured).approach_strain, 0.6 * 0.002, 1e-12);
 }
 
 /// What is pressed: approach strains, packing by packing.
@@ -76,7 +74,7 @@ TEST(StrengthResponse, ReadsModuliOfThePackingsThatAreApproachedSlowly) {
   strains = pressed(of_verification(false, {120e6}), moduli);
   ASSERT_EQ(strains.size(), 3U);
   EXPECT_NEAR(strains[0], 0.25 * peak, 1e-9) << "its curve is shown";
-  for (const std::size_t k : {1, 2}) EXPECT_NEAR(strains[k], 0.7 * 0.6 * peak, 1e-9);
+  for (const std::size_t k : {1, 2}) EXPECT_NEAR(strains[k], 0.6 * 0.6 * peak, 1e-9);
   ASSERT_EQ(moduli.size(), 2U);
   for (const Comparison& c : moduli) EXPECT_EQ(c.n_packings, 1);
 }

@@ -218,8 +218,9 @@ TEST(Loading, ApproachMovesOtherStrengthsLittle) {
     };
     const std::vector<TestResult> from_rest = tested(calibrate::from_rest);
     std::printf("%s\n", r.name.c_str());
-    for (const auto& [name, loading] :
-         {std::pair{"as measured", calibrate::as_measured}, {"search", calibrate::search_of_strengths}}) {
+    for (const auto& [name, loading] : {std::pair{"as measured", calibrate::as_measured},
+                                        {"strengths", calibrate::strengths_as_measured},
+                                        {"search", calibrate::search_of_strengths}}) {
       const std::vector<TestResult> hurried = tested(loading);
       for (std::size_t i = 0; i < targets.size(); ++i)
         for (std::size_t k = i * static_cast<std::size_t>(n); k < (i + 1) * static_cast<std::size_t>(n);
