@@ -619,7 +619,7 @@ function calibration() {
     calibrationLegend(c),
     h("div", { class: "grid four compact" }, h("div", {}, ...parameterTables(c)), h("div", {}, angleTable(c), errorTable(c), cost(c))),
     lines.length > 0 && h("ul", { class: "findings" }, ...lines.map((f) => h("li", {}, f))),
-    fold(`All ${c.verdict.findings.length} findings and ${c.notes.length} notes`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
+    fold(`All findings (${c.verdict.findings.length}) and notes (${c.notes.length})`, ...c.verdict.findings.map((f) => h("p", {}, f)), ...c.notes.map((n) => h("p", { class: "muted" }, n))),
     fold("What the data determine", whatIsDetermined(c)),
     c.eq2 !== undefined &&
       fold(
