@@ -26,11 +26,9 @@ double reading_of(const ElasticResult& solution, Property property) {
   return property == Property::E ? solution.E_gauge : solution.nu_gauge;
 }
 
-std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
-                                                          const std::vector<Target>& moduli,
-                                                          const std::vector<std::int64_t>& seeds,
-                                                          Statics what, Simulator& simulator) {
-  std::map<double, std::vector<ElasticResult>> at;
+Solutions solve_angles(const Recipe& recipe, const std::vector<Target>& moduli,
+                       const std::vector<std::int64_t>& seeds, Statics what, Simulator& simulator) {
+  Solutions at;
   for (const Target& t : moduli) at[t.theta];
   std::vector<Recipe> recipes;  // packing by packing: what a factorisation needs to know of one is made once
   for (const std::int64_t seed : seeds)
@@ -42,19 +40,22 @@ std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
   return at;
 }
 
-std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
-                                         const std::vector<std::int64_t>& seeds, Simulator& simulator) {
-  const auto solutions = solve_angles(recipe, moduli, seeds, Statics::one_sided, simulator);
+std::vector<Comparison> over_packings(const Solutions& solutions, const std::vector<Target>& moduli) {
   std::vector<Comparison> rows;
   for (const Target& t : moduli) {
     std::vector<double> values;
     for (const ElasticResult& r : solutions.at(t.theta)) values.push_back(reading_of(r, t.property));
     const Summary s = summarise(values);
     Comparison c;
-    c.target = t, c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(seeds.size());
+    c.target = t, c.mean = s.mean, c.sd = s.sd, c.n_packings = static_cast<int>(values.size());
     rows.push_back(c);
   }
   return rows;
+}
+
+std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
+                                         const std::vector<std::int64_t>& seeds, Simulator& simulator) {
+  return over_packings(solve_angles(recipe, moduli, seeds, Statics::one_sided, simulator), moduli);
 }
 
 }  // namespace phy::calibrate

@@ -19,13 +19,15 @@ Recipe single_at(const Recipe& recipe, double theta, std::int64_t seed);
 /// What a target of E or nu is compared with.
 double reading_of(const ElasticResult& solution, Property property);
 
-/// Solutions by the angle of the targets, each list in the order of the seeds.
-std::map<double, std::vector<ElasticResult>> solve_angles(const Recipe& recipe,
-                                                          const std::vector<Target>& moduli,
-                                                          const std::vector<std::int64_t>& seeds,
-                                                          Statics what, Simulator& simulator);
+/// By the angle of the targets, each list in the order of the packings.
+using Solutions = std::map<double, std::vector<ElasticResult>>;
+Solutions solve_angles(const Recipe& recipe, const std::vector<Target>& moduli,
+                       const std::vector<std::int64_t>& seeds, Statics what, Simulator& simulator);
 
-/// Mean E and nu at the targets over packings, one-sided contacts.
+/// Mean E and nu at the targets.
+std::vector<Comparison> over_packings(const Solutions& solutions, const std::vector<Target>& moduli);
+
+/// The same over the packings `seeds`, one-sided contacts.
 std::vector<Comparison> elastic_response(const Recipe& recipe, const std::vector<Target>& moduli,
                                          const std::vector<std::int64_t>& seeds, Simulator& simulator);
 

@@ -156,6 +156,7 @@ struct Work {
   std::int64_t next_unseen = 0;        ///< of the verification, where it asks for more packings
   std::int64_t first_of_ensemble = 0;  ///< of those that nothing before has seen
   ElasticFit elastic;
+  std::vector<Comparison> first_unseen;  ///< moduli, of which the verification has the means
   StrengthFit strength;
   Pictures& pictures;
 
@@ -186,6 +187,15 @@ struct Work {
   }
 };
 
+/// Moduli of small strain on the unseen packings.
+void verify_moduli(Calibration& result, Work& work) {
+  const std::vector<Target>& moduli = work.evidence.moduli;
+  Solutions solutions = solve_angles(result.recipe, moduli, work.unseen, Statics::one_sided, work.simulator);
+  result.verification = over_packings(solutions, moduli);
+  for (auto& [theta, on_packings] : solutions) on_packings.resize(1);
+  work.first_unseen = over_packings(solutions, moduli);
+}
+
 /// A modulus at small strain as the laboratory would read it.
 void soften(Comparison& c, const Softening& s) {
   const bool modulus = c.target.property == Property::E;
@@ -202,11 +212,8 @@ void add_tangents_from_test(Calibration& result, const Work& work, const std::ve
     if (p.target.confining == 0.0 && row_of(result.verification, p.target) != nullptr) read.push_back(p);
   if (read.empty()) return;
   const auto on_several = [](const Comparison& c) { return c.n_packings > 1; };
-  std::vector<Comparison> solved = result.verification;  // on the packings of these tests
-  if (std::none_of(read.begin(), read.end(), on_several)) {
-    solved = elastic_response(result.recipe, work.evidence.moduli, {work.unseen.front()}, work.simulator);
-    result.n_elastic += static_cast<std::int64_t>(n_angles(solved));
-  }
+  const std::vector<Comparison>& solved =  // on the packings of these tests
+      std::any_of(read.begin(), read.end(), on_several) ? result.verification : work.first_unseen;
   std::vector<double> changes;  // of E, logarithms
   for (Comparison& c : read) {
     const Comparison &small_strain = *row_of(result.verification, c.target),
@@ -368,7 +375,7 @@ std::vector<Comparison> verify_strength(Calibration& result, Work& work, std::ve
   if (work.softens()) return rows;
   result.n_elastic +=
       static_cast<std::int64_t>(n_angles(result.verification) * (work.unseen.size() - n_unseen));
-  result.verification = elastic_response(result.recipe, evidence.moduli, work.unseen, work.simulator);
+  verify_moduli(result, work);
   return rows;
 }
 
@@ -458,7 +465,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   result.fitted = work.elastic.comparisons;
   result.n_elastic += work.elastic.n_solutions;
   options.listener.say("verification of the moduli on unseen packings");
-  result.verification = elastic_response(result.recipe, evidence.moduli, work.unseen, simulator);
+  verify_moduli(result, work);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   strength = strength && all_answered(work.elastic.comparisons);
   if (strength && !calibrate_strength(result, work)) return false;

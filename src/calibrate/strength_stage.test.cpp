@@ -1,5 +1,5 @@
-// The strength stage on synthetic rocks: it must recover responses that it is told only through noise, say
-// honestly how well it knows them, and keep to its budget.
+// The strength stage on synthetic rocks: it must recover responses that it is told only through noise and say
+// honestly how well it knows them. What it may spend: strength_budget.test.cpp.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,69 +14,11 @@
 #include "calibrate/paper_press_fixture.hpp"
 #include "calibrate/reading_fixture.hpp"
 #include "calibrate/strength_posterior.hpp"
+#include "calibrate/strength_rocks_fixture.hpp"
 #include "calibrate/strength_stage.hpp"
 
 namespace phy::calibrate {
 namespace {
-
-const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 90};
-const std::vector<std::int64_t> seeds = {1, 2, 3, 4, 5};
-constexpr double noise = 0.05;
-constexpr int n_specimens = 3;
-
-/// Synthetic rock k: strengths anywhere in the box of the twin trials.
-Recipe truth(std::uint32_t k) {
-  const auto between = [&](double low, double high, std::uint32_t what) {
-    return low * std::pow(high / low, uniform(11, Stream::test, k, what));
-  };
-  Recipe r;
-  r.bedding.resize(1);
-  r.matrix.sigma_c = between(20e6, 120e6, 0), r.matrix.tau_c = r.matrix.sigma_c * between(1.0, 4.0, 1);
-  r.matrix.mu = between(0.3, 0.9, 2);
-  r.bedding[0].cohesion = r.matrix.tau_c * between(0.1, 0.6, 3);
-  r.bedding[0].sigma_n = r.bedding[0].cohesion * between(0.1, 1.0, 4);
-  r.bedding[0].mu = between(0.2, 0.8, 5);
-  return r;
-}
-
-double response(Recipe r, double theta) {
-  r.bedding[0].theta = theta;
-  return PaperPress::ucs(r);
-}
-
-std::vector<Target> laboratory(const Recipe& rock, std::uint32_t k) {
-  std::vector<Target> targets;
-  for (const double theta : angles) {
-    Target t{Property::ucs, theta, 0.0, 0.0, n_specimens, false};
-    const double error =
-        noise / std::sqrt(n_specimens) * normal(5, Stream::test, k, static_cast<std::uint32_t>(theta));
-    t.mean = response(rock, theta) * (1.0 + error), t.sd = noise * t.mean;
-    targets.push_back(t);
-  }
-  return targets;
-}
-
-/// Five of the seven angles: enough for what a search counts.
-std::vector<Target> some_of(std::vector<Target> targets) {
-  std::erase_if(targets, [](const Target& t) { return t.theta == 15.0 || t.theta == 75.0; });
-  return targets;
-}
-
-StrengthFit fit(const std::vector<Target>& targets, PaperPress& press, const Budget& budget = 252) {
-  Rock rock;
-  rock.model.bedding.resize(1);
-  return fit_strength(Evidence(rock, targets), rock.model, seeds, budget, press, Listener{});
-}
-
-/// A rock of strengths only.
-Rock rock_of(const std::vector<std::tuple<Property, double, double>>& values, bool bedded) {
-  Rock rock;
-  rock.bedded = bedded;
-  if (bedded) rock.model.bedding.resize(1);
-  for (const auto& [property, theta, value] : values)
-    rock.readings.push_back(reading(property, theta, value));
-  return rock;
-}
 
 /// Three rocks and their fits, made once.
 struct Case {
@@ -131,124 +73,6 @@ TEST(StrengthStage, ParameterIntervalsHoldTheTruthAndOpenOnesAreSaidToBeOpen) {
   }
   EXPECT_GE(inside, n - 4);
   EXPECT_GE(open, 3);  // UCS alone cannot tell the friction of the matrix from its strength
-}
-
-TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
-  PaperPress press;
-  const StrengthFit f = fit(laboratory(truth(1), 1), press, 200);
-  EXPECT_EQ(f.n_tests, press.n_tests);
-  EXPECT_EQ(f.n_tests, 28 * 7) << "a whole search, and no round beyond the budget";
-  EXPECT_EQ(f.longer_by, "");
-  EXPECT_GT(f.n_coarse, 0);
-  EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
-}
-
-TEST(StrengthStage, SeveralThreadsFindTheSame) {
-  const auto found = [](int threads) {
-    PaperPress press;
-    press.n_threads = threads;
-    return fit(laboratory(truth(1), 1), press, {70, efforts[0]});
-  };
-  const StrengthFit one = found(1), three = found(3);
-  ASSERT_EQ(one.parameters.size(), three.parameters.size());
-  for (std::size_t i = 0; i < one.parameters.size(); ++i) {
-    EXPECT_EQ(one.parameters[i].value, three.parameters[i].value) << one.parameters[i].symbol;
-    EXPECT_EQ(one.parameters[i].low, three.parameters[i].low) << one.parameters[i].symbol;
-  }
-  for (std::size_t i = 0; i < one.left_out.size(); ++i)
-    EXPECT_EQ(one.left_out[i].mean, three.left_out[i].mean) << i;
-}
-
-// Two of four packings, and two more where these surprise.
-TEST(StrengthStage, AfterCoarseGrainsFewRoundsAtTheEstimateFollow) {
-  const auto rounds_of = [](double scatter) {
-    PaperPress press;
-    press.packing_scatter = scatter;
-    const StrengthFit f = fit(laboratory(truth(1), 1), press, 1000);
-    EXPECT_EQ(f.n_coarse, 20 * 7);
-    return static_cast<double>(f.n_tests - f.n_coarse) / (4 * 7);
-  };
-  EXPECT_EQ(rounds_of(0.002), 2.0);
-  EXPECT_EQ(rounds_of(0.2), 4.0);
-}
-
-// Packings that differ much surprise: rounds of four go on, six at most, as far as the budget goes.
-TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
-  const auto found = [](double scatter, const Budget& budget) {
-    PaperPress press;
-    press.packing_scatter = scatter;
-    Rock rock;
-    rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
-    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
-                        Listener{});
-  };
-  const auto unsettled = [](const StrengthFit& f) {
-    return std::any_of(f.notes.begin(), f.notes.end(),
-                       [](const std::string& note) { return note.find("had not settled") != note.npos; });
-  };
-  constexpr std::int64_t usual = 36 * 5, round = 4 * 5;  // tests at five angles
-  const StrengthFit calm = found(0.005, 1000), wild = found(0.2, 1000),
-                    short_of_money = found(0.2, usual + round);
-  EXPECT_FALSE(unsettled(calm));
-  EXPECT_LT(calm.n_tests, wild.n_tests);
-  EXPECT_GT(wild.n_tests, usual + round);
-  EXPECT_LE(wild.n_tests, usual + 6 * round);
-  EXPECT_EQ(short_of_money.n_tests, usual + round);
-  EXPECT_TRUE(unsettled(short_of_money));
-  EXPECT_EQ(calm.longer_by, "");
-}
-
-TEST(StrengthStage, EffortIsTheNumberOfPoints) {
-  const auto found = [](const Budget& budget) {
-    PaperPress press;
-    press.packing_scatter = 0.005;
-    Rock rock;
-    rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
-    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
-                        Listener{});
-  };
-  constexpr std::int64_t n_angles = 5;
-  const StrengthFit quick = found({1000, efforts[0]}), thorough = found({72 * n_angles, efforts[2]}),
-                    cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
-                    both = found({20 * n_angles, efforts[0]});
-  EXPECT_EQ(quick.n_tests, 18 * n_angles);
-  EXPECT_EQ(quick.longer_by, "--effort normal");
-  EXPECT_EQ(thorough.n_tests, 72 * n_angles);
-  EXPECT_EQ(thorough.longer_by, "");
-  EXPECT_EQ(cut.n_tests, 20 * n_angles);
-  EXPECT_EQ(cut.longer_by, "a larger --max-tests");
-  EXPECT_EQ(both.longer_by, "--effort normal and a larger --max-tests");
-  EXPECT_EQ(part.longer_by, "") << "more than a usual search";
-  EXPECT_THAT(part.notes, testing::Contains("of the 72 points of a thorough search --max-tests paid for 50"));
-}
-
-TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
-  PaperPress press;
-  Rock rock;
-  rock.model.bedding.resize(1);
-  const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-  const auto packings = [&](std::int64_t budget) {
-    const StrengthFit f =
-        fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget, press, Listener{});
-    return f.fitted.front().n_packings;
-  };
-  // Five and two points, two to a packing, and the estimate on two more.
-  EXPECT_EQ(packings(63), 6);
-  EXPECT_EQ(packings(252), 12);
-}
-
-TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
-  Rock rock;
-  rock.model.bedding.resize(1);
-  rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
-  const auto n_coarse = [&] {
-    PaperPress press;
-    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press, Listener{})
-        .n_coarse;
-  };
-  EXPECT_EQ(n_coarse(), 7 * 7);
-  rock.model.packing.radius_min *= 1.5, rock.model.packing.radius_max *= 1.5;  // some 3,300 grains: too few
-  EXPECT_EQ(n_coarse(), 0);
 }
 
 TEST(StrengthStage, JointsThatDilateMoreThanTheyMayRubAreRefused) {
@@ -337,31 +161,6 @@ TEST(StrengthStage, TheSameRatioAtEveryAngleIsOutOfReachToo) {
   const Calibration c = calibrate(Evidence(rock_of(values, true)), {}, press);
   EXPECT_EQ(c.verdict.status, VerdictStatus::out_of_reach);
   EXPECT_THAT(c.verdict.findings, testing::Contains(testing::HasSubstr("UCS/BTS(0) = 15.0")));
-}
-
-TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
-  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
-  rock.model.packing.n_grains = 1197;
-  std::int64_t n_search = 18;
-  const auto n_unseen = [&](double scatter, std::int64_t max_tests) {
-    PaperPress press;
-    press.packing_scatter = scatter;
-    CalibrationOptions options;
-    options.max_tests = max_tests, options.effort = efforts[0];  // 18 points, no further rounds
-    const Calibration c = calibrate(Evidence(rock), options, press);
-    for (const Comparison& row : c.verification) EXPECT_EQ(row.n_packings, c.verification.front().n_packings);
-    const bool told = std::any_of(c.notes.begin(), c.notes.end(), [](const std::string& note) {
-      return note.find("unseen ones were taken") != note.npos;
-    });
-    EXPECT_EQ(told, c.verification.front().n_packings > 5);
-    EXPECT_EQ(c.n_strength_tests, n_search + c.verification.front().n_packings);
-    return c.verification.front().n_packings;
-  };
-  EXPECT_EQ(n_unseen(0.02, 1000), 5);
-  EXPECT_EQ(n_unseen(0.12, 1000), 15);
-  EXPECT_EQ(n_unseen(0.12, 18 + 10), 10);
-  rock.model.packing.n_grains = 7481, n_search = 14;  // ten of them coarse; more are too dear
-  EXPECT_EQ(n_unseen(0.12, 1000), 5);
 }
 
 /// Mean logarithm of UCS at four angles over the posterior, for a table with BTS(0) of UCS(0)/ratio and
@@ -608,14 +407,6 @@ TEST(StrengthStage, NoJointDilatesMoreThanItRubs) {
   EXPECT_GE(least, std::tan(20.0 * 3.14159265358979323846 / 180.0));
   EXPECT_LT(least, 0.5);  // and near it the box is searched
   EXPECT_GE(c.recipe.bedding[0].mu, least);
-}
-
-TEST(StrengthStage, StopsWhenTheUserDoes) {
-  PaperPress press;
-  press.stop_after = 100;
-  const StrengthFit f = fit(laboratory(truth(1), 1), press);
-  EXPECT_TRUE(f.interrupted);
-  EXPECT_TRUE(f.parameters.empty());
 }
 
 }  // namespace

@@ -288,8 +288,9 @@ std::string macro_table(const Calibration& c, int terminal_width) {
     groups.push_back(
         {column("at 50 % UCS", [&](R r) { return value(row_of(c.tangent_from_test, r.target)); })});
     legend +=
-        "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests of one "
-        "packing make of its E and nu at 40 - 60 % of UCS\n";
+        "at 50 % UCS: fit and unseen are at small strain; these are the unseen ones with what tests on "
+        "unseen "
+        "packings (on one, where the others are hurried) make of E and nu at 40 - 60 % of UCS\n";
   }
   return text_table(label, groups, terminal_width) + wrapped(legend, terminal_width, 2);
 }

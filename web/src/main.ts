@@ -632,7 +632,7 @@ function calibration() {
       h("div", { class: "grid small" }, ...tests.filter(ofNu).map((t) => compared(c, t))),
       comparisonTable(c.fitted, "On the packings of the fit"),
       comparisonTable(c.verification, "On packings that the fit has not seen"),
-      comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests of one of these make of its own; above: at small strain"),
+      comparisonTable(c.tangent_from_test ?? [], "E and ν at 40 – 60 % of UCS: those on unseen packings with what tests there make of them; above: at small strain"),
       comparisonTable(c.left_out, "Each value predicted without it"),
     ),
   );

@@ -1,0 +1,165 @@
+// What a search of strengths may spend, and what it says of that: points, rounds, packings, threads.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "calibrate/calibration.hpp"
+#include "calibrate/strength_rocks_fixture.hpp"
+
+namespace phy::calibrate {
+namespace {
+
+TEST(StrengthStage, KeepsToItsBudgetAndAnnouncesWhatComes) {
+  PaperPress press;
+  const StrengthFit f = fit(laboratory(truth(1), 1), press, 200);
+  EXPECT_EQ(f.n_tests, press.n_tests);
+  EXPECT_EQ(f.n_tests, 28 * 7) << "a whole search, and no round beyond the budget";
+  EXPECT_EQ(f.longer_by, "");
+  EXPECT_GT(f.n_coarse, 0);
+  EXPECT_EQ(press.n_announced, f.n_tests + static_cast<std::int64_t>(angles.size() * seeds.size()));
+}
+
+TEST(StrengthStage, SeveralThreadsFindTheSame) {
+  const auto found = [](int threads) {
+    PaperPress press;
+    press.n_threads = threads;
+    return fit(laboratory(truth(1), 1), press, {70, efforts[0]});
+  };
+  const StrengthFit one = found(1), three = found(3);
+  ASSERT_EQ(one.parameters.size(), three.parameters.size());
+  for (std::size_t i = 0; i < one.parameters.size(); ++i) {
+    EXPECT_EQ(one.parameters[i].value, three.parameters[i].value) << one.parameters[i].symbol;
+    EXPECT_EQ(one.parameters[i].low, three.parameters[i].low) << one.parameters[i].symbol;
+  }
+  for (std::size_t i = 0; i < one.left_out.size(); ++i)
+    EXPECT_EQ(one.left_out[i].mean, three.left_out[i].mean) << i;
+}
+
+// Two of four packings, and two more where these surprise.
+TEST(StrengthStage, AfterCoarseGrainsFewRoundsAtTheEstimateFollow) {
+  const auto rounds_of = [](double scatter) {
+    PaperPress press;
+    press.packing_scatter = scatter;
+    const StrengthFit f = fit(laboratory(truth(1), 1), press, 1000);
+    EXPECT_EQ(f.n_coarse, 20 * 7);
+    return static_cast<double>(f.n_tests - f.n_coarse) / (4 * 7);
+  };
+  EXPECT_EQ(rounds_of(0.002), 2.0);
+  EXPECT_EQ(rounds_of(0.2), 4.0);
+}
+
+// Packings that differ much surprise: rounds of four go on, six at most, as far as the budget goes.
+TEST(StrengthStage, TheSearchGoesOnWhileTheEstimateIsNotSettled) {
+  const auto found = [](double scatter, const Budget& budget) {
+    PaperPress press;
+    press.packing_scatter = scatter;
+    Rock rock;
+    rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
+    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
+                        Listener{});
+  };
+  const auto unsettled = [](const StrengthFit& f) {
+    return std::any_of(f.notes.begin(), f.notes.end(),
+                       [](const std::string& note) { return note.find("had not settled") != note.npos; });
+  };
+  constexpr std::int64_t usual = 36 * 5, round = 4 * 5;  // tests at five angles
+  const StrengthFit calm = found(0.005, 1000), wild = found(0.2, 1000),
+                    short_of_money = found(0.2, usual + round);
+  EXPECT_FALSE(unsettled(calm));
+  EXPECT_LT(calm.n_tests, wild.n_tests);
+  EXPECT_GT(wild.n_tests, usual + round);
+  EXPECT_LE(wild.n_tests, usual + 6 * round);
+  EXPECT_EQ(short_of_money.n_tests, usual + round);
+  EXPECT_TRUE(unsettled(short_of_money));
+  EXPECT_EQ(calm.longer_by, "");
+}
+
+TEST(StrengthStage, EffortIsTheNumberOfPoints) {
+  const auto found = [](const Budget& budget) {
+    PaperPress press;
+    press.packing_scatter = 0.005;
+    Rock rock;
+    rock.model.bedding.resize(1), rock.model.packing.n_grains = 1197;  // no coarse grains
+    return fit_strength(Evidence(rock, some_of(laboratory(truth(1), 1))), rock.model, seeds, budget, press,
+                        Listener{});
+  };
+  constexpr std::int64_t n_angles = 5;
+  const StrengthFit quick = found({1000, efforts[0]}), thorough = found({72 * n_angles, efforts[2]}),
+                    cut = found({20 * n_angles, efforts[2]}), part = found({50 * n_angles, efforts[2]}),
+                    both = found({20 * n_angles, efforts[0]});
+  EXPECT_EQ(quick.n_tests, 18 * n_angles);
+  EXPECT_EQ(quick.longer_by, "--effort normal");
+  EXPECT_EQ(thorough.n_tests, 72 * n_angles);
+  EXPECT_EQ(thorough.longer_by, "");
+  EXPECT_EQ(cut.n_tests, 20 * n_angles);
+  EXPECT_EQ(cut.longer_by, "a larger --max-tests");
+  EXPECT_EQ(both.longer_by, "--effort normal and a larger --max-tests");
+  EXPECT_EQ(part.longer_by, "") << "more than a usual search";
+  EXPECT_THAT(part.notes, testing::Contains("of the 72 points of a thorough search --max-tests paid for 50"));
+}
+
+TEST(StrengthStage, AShortSearchTellsHowManyPackingsItSaw) {
+  PaperPress press;
+  Rock rock;
+  rock.model.bedding.resize(1);
+  const std::vector<std::int64_t> twelve = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  const auto packings = [&](std::int64_t budget) {
+    const StrengthFit f =
+        fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, twelve, budget, press, Listener{});
+    return f.fitted.front().n_packings;
+  };
+  // Five and two points, two to a packing, and the estimate on two more.
+  EXPECT_EQ(packings(63), 6);
+  EXPECT_EQ(packings(252), 12);
+}
+
+TEST(StrengthStage, PackingsByPorosityAreSearchedOnCoarseGrainsToo) {
+  Rock rock;
+  rock.model.bedding.resize(1);
+  rock.model.packing.n_grains = 0, rock.model.packing.porosity = 0.082;
+  const auto n_coarse = [&] {
+    PaperPress press;
+    return fit_strength(Evidence(rock, laboratory(truth(1), 1)), rock.model, seeds, 63, press, Listener{})
+        .n_coarse;
+  };
+  EXPECT_EQ(n_coarse(), 7 * 7);
+  rock.model.packing.radius_min *= 1.5, rock.model.packing.radius_max *= 1.5;  // some 3,300 grains: too few
+  EXPECT_EQ(n_coarse(), 0);
+}
+
+TEST(StrengthStage, WherePackingsDifferMuchMoreOfThemVerifyAsFarAsTheBudgetGoes) {
+  Rock rock = rock_of({{Property::ucs, 0.0, 150e6}}, false);
+  rock.model.packing.n_grains = 1197;
+  std::int64_t n_search = 18;
+  const auto n_unseen = [&](double scatter, std::int64_t max_tests) {
+    PaperPress press;
+    press.packing_scatter = scatter;
+    CalibrationOptions options;
+    options.max_tests = max_tests, options.effort = efforts[0];  // 18 points, no further rounds
+    const Calibration c = calibrate(Evidence(rock), options, press);
+    for (const Comparison& row : c.verification) EXPECT_EQ(row.n_packings, c.verification.front().n_packings);
+    const bool told = std::any_of(c.notes.begin(), c.notes.end(), [](const std::string& note) {
+      return note.find("unseen ones were taken") != note.npos;
+    });
+    EXPECT_EQ(told, c.verification.front().n_packings > 5);
+    EXPECT_EQ(c.n_strength_tests, n_search + c.verification.front().n_packings);
+    return c.verification.front().n_packings;
+  };
+  EXPECT_EQ(n_unseen(0.02, 1000), 5);
+  EXPECT_EQ(n_unseen(0.12, 1000), 15);
+  EXPECT_EQ(n_unseen(0.12, 18 + 10), 10);
+  rock.model.packing.n_grains = 7481, n_search = 14;  // ten of them coarse; more are too dear
+  EXPECT_EQ(n_unseen(0.12, 1000), 5);
+}
+
+TEST(StrengthStage, StopsWhenTheUserDoes) {
+  PaperPress press;
+  press.stop_after = 100;
+  const StrengthFit f = fit(laboratory(truth(1), 1), press);
+  EXPECT_TRUE(f.interrupted);
+  EXPECT_TRUE(f.parameters.empty());
+}
+
+}  // namespace
+}  // namespace phy::calibrate
