@@ -10,23 +10,8 @@
 #include <span>
 
 #include "base/check.hpp"
+#include "base/embedded.hpp"
 #include "base/nan.hpp"
-
-// The tables, taken into the program by the assembler.
-#define PHY_TAKE(name, file)                                                         \
-  asm(".section .rodata\n" #name "_begin: .incbin \"" PHY_MAPS "/" file "\"\n" #name \
-      "_end: .byte 0\n.previous\n");                                                 \
-  extern "C" const char name##_begin[], name##_end[]
-PHY_TAKE(phy_parallel_bond, "parallel-bond.csv");
-PHY_TAKE(phy_parallel_bond_crossing, "parallel-bond-crossing.csv");
-PHY_TAKE(phy_parallel_bond_zone, "parallel-bond-zone.csv");
-PHY_TAKE(phy_parallel_bond_directions, "parallel-bond-directions.csv");
-PHY_TAKE(phy_parallel_bond_directions_crossing, "parallel-bond-directions-crossing.csv");
-PHY_TAKE(phy_parallel_bond_bridges_crossing, "parallel-bond-bridges-crossing.csv");
-PHY_TAKE(phy_flat_joint, "flat-joint.csv");
-PHY_TAKE(phy_flat_joint_crossing, "flat-joint-crossing.csv");
-PHY_TAKE(phy_flat_joint_zone, "flat-joint-zone.csv");
-#undef PHY_TAKE
 
 namespace phy::calibrate {
 namespace {
@@ -43,21 +28,7 @@ constexpr double noise = 0.11, slope = 0.4, second = 0.1;
 constexpr double most_broken = 0.2, largest_nu = 0.6, least_initiation = 0.3;
 
 std::string_view text_of(const ModelFamily& family) {
-  const std::map<std::string_view, std::string_view> texts = {
-      {"parallel-bond", {phy_parallel_bond_begin, phy_parallel_bond_end}},
-      {"parallel-bond-crossing", {phy_parallel_bond_crossing_begin, phy_parallel_bond_crossing_end}},
-      {"parallel-bond-zone", {phy_parallel_bond_zone_begin, phy_parallel_bond_zone_end}},
-      {"parallel-bond-directions", {phy_parallel_bond_directions_begin, phy_parallel_bond_directions_end}},
-      {"parallel-bond-directions-crossing",
-       {phy_parallel_bond_directions_crossing_begin, phy_parallel_bond_directions_crossing_end}},
-      {"parallel-bond-bridges-crossing",
-       {phy_parallel_bond_bridges_crossing_begin, phy_parallel_bond_bridges_crossing_end}},
-      {"flat-joint", {phy_flat_joint_begin, phy_flat_joint_end}},
-      {"flat-joint-crossing", {phy_flat_joint_crossing_begin, phy_flat_joint_crossing_end}},
-      {"flat-joint-zone", {phy_flat_joint_zone_begin, phy_flat_joint_zone_end}}};
-  const auto it = texts.find(family.name);
-  PHY_CHECK(it != texts.end(), "a table of every family");
-  return it->second;
+  return embedded(fmt::format("data/maps/{}.csv", family.name));
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {

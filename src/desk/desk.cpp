@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/embedded.hpp"
 #include "desk/project.hpp"
 #include "desk/recipes.hpp"
 #include "io/file.hpp"
@@ -22,14 +23,6 @@
 #include "jobs/folder_lock.hpp"
 #include "jobs/machine.hpp"
 #include "records/test_description.hpp"
-
-// The page, taken into the program by the assembler.
-asm(".section .rodata\n"
-    "phy_lab_page_begin: .incbin \"" PHY_LAB_PAGE
-    "\"\n"
-    "phy_lab_page_end: .byte 0\n"
-    ".previous\n");
-extern "C" const char phy_lab_page_begin[], phy_lab_page_end[];
 
 namespace phy::desk {
 
@@ -154,7 +147,7 @@ Response Desk::answer(const Request& request) {
 Response Desk::route(const Request& request) {
   const bool get = request.method == "GET";
   if (get && request.path == "/")
-    return {200, "text/html; charset=utf-8", {phy_lab_page_begin, phy_lab_page_end}};
+    return {200, "text/html; charset=utf-8", std::string(embedded("web/lab.html"))};
   if (get && request.path.starts_with("/files/")) {
     const auto file = served_file(request.path.substr(7));
     if (!file) return error(404, "no such file in the folder of `phyllite lab`");

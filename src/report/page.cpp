@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/check.hpp"
+#include "base/embedded.hpp"
 #include "base/quote.hpp"
 #include "base/units.hpp"
 #include "io/base64.hpp"
@@ -14,14 +15,6 @@
 #include "report/curves.hpp"
 #include "report/methods.hpp"
 #include "report/palette.hpp"
-
-// The page without data, taken into the program by the assembler.
-asm(".section .rodata\n"
-    "phy_page_begin: .incbin \"" PHY_PAGE
-    "\"\n"
-    "phy_page_end: .byte 0\n"
-    ".previous\n");
-extern "C" const char phy_page_begin[], phy_page_end[];
 
 namespace phy::report {
 namespace {
@@ -152,7 +145,7 @@ Json report_json(const RunRecord& run, const PageExtras& extras) {
 }  // namespace
 
 std::string report_page(const RunRecord& run, const PageExtras& extras) {
-  const std::string_view page(phy_page_begin, static_cast<std::size_t>(phy_page_end - phy_page_begin));
+  const std::string_view page = embedded("web/report.html");
   constexpr std::string_view place = "<!--data-->";
   const std::size_t at = page.find(place);
   PHY_CHECK(at != page.npos, "the page has a place for the data");

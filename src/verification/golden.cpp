@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/check.hpp"
+#include "base/embedded.hpp"
 #include "base/parallel.hpp"
 #include "contact/model.hpp"
 #include "contact/models.hpp"
@@ -12,14 +13,6 @@
 #include "records/test_description.hpp"
 #include "study/experiment.hpp"
 #include "study/scheduler.hpp"
-
-// The recorded numbers, taken into the program by the assembler.
-asm(".section .rodata\n"
-    "phy_recorded_begin: .incbin \"" PHY_RECORDED
-    "\"\n"
-    "phy_recorded_end: .byte 0\n"
-    ".previous\n");
-extern "C" const char phy_recorded_begin[], phy_recorded_end[];
 
 namespace phy::verification {
 namespace {
@@ -78,7 +71,7 @@ std::vector<GoldenTest> make_tests() {
 
 /// The value of a line of the recorded numbers; empty: there is none.
 std::string recorded(const std::string& name) {
-  const std::string_view text(phy_recorded_begin, phy_recorded_end);
+  const std::string_view text = embedded("tests/recorded.txt");
   const std::string key = name + " ";
   std::size_t at = text.starts_with(key) ? 0 : text.find("\n" + key);
   if (at == text.npos) return "";
