@@ -55,7 +55,7 @@ python: deps
 
 # As `cmake --install`: a plain copy, which remembers no prefix. What was copied stands in install_manifest_program.txt.
 PREFIX := /usr/local
-install:
+install: deps
 	@cmake --preset release >/dev/null && cmake --build $(BUILD) -j $(JOBS) --target manual
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)" --component program | tail -1
 	@echo "install: phyllite is in $(DESTDIR)$(PREFIX)"

@@ -68,6 +68,10 @@ struct View {
       if (c.target.property == p && c.answered()) some.push_back(c);
     return some;
   }
+  bool moduli_alone() const {
+    return std::none_of(rows.begin(), rows.end(),
+                        [](const Comparison& c) { return is_strength(c.target.property); });
+  }
   const Comparison* at(Property p, double theta) const {
     for (const Comparison& c : rows)
       if (c.target.property == p && c.target.theta == theta && c.answered()) return &c;
@@ -79,6 +83,8 @@ struct View {
   }
 };
 using CauseRule = std::optional<Cause>(const View&);
+
+constexpr const char* strengths_of_recipe = "its strengths are those of the recipe, not of the rock";
 
 /// Planes that somebody asked for may have a better rival; else what the table could tell.
 std::string other_layers(const View& v, const std::string& otherwise) {
@@ -340,7 +346,8 @@ std::optional<Cause> toughness_of_grains(const View& v) {
 }
 
 /// Packings that differ by more than passes without a word, and by half of what is missed or more. A value
-/// that is farther off than two means over as many packings may lie apart is missed for another reason.
+/// that is farther off than two means over as many packings may lie apart is missed for another reason, and
+/// so is nu where E is met: what packings differ by is told of E.
 std::optional<Cause> scattered_packings(const View& v, Part part) {
   const double unit = tolerance(part == moduli        ? Property::E
                                 : part == compression ? Property::ucs
@@ -349,8 +356,10 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
                                                       : Property::fracture_toughness);
   double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
   int n = 0;
+  bool some_missed = false, only_nu_missed = true;
   for (const Comparison& c : v.rows) {
     if (part_of(c.target.property) != part || !c.answered() || !std::isfinite(c.sd)) continue;
+    if (misses(c)) some_missed = true, only_nu_missed = only_nu_missed && c.target.property == Property::nu;
     if (c.target.property == Property::nu) {
       missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
       continue;
@@ -360,6 +369,7 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
     squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
   }
   if (n == 0 || squares <= n || squares < 0.25 * missed || missed_by_nu > missed) return {};
+  if (some_missed && only_nu_missed) return {};
   return Cause{fmt::format("packings of this grain size differ by {:.0f} % from each other, the model from "
                            "the table by {:.0f} %",
                            100.0 * unit * std::sqrt(squares / n), 100.0 * unit * std::sqrt(missed / n)),
@@ -456,10 +466,10 @@ std::string misses_text(const View& v) {
 /// Of a search without all points of a usual one; else empty.
 std::string short_search(const Calibration& c) {
   if (c.longer_by.empty()) return "";
-  return fmt::format("the search was short ({} tests in compression in all{}; {} lengthens it)",
-                     c.n_strength_tests - c.n_tension_tests,
-                     c.discarded.empty() ? "" : fmt::format(" by {} models", c.discarded.size() + 1),
-                     c.longer_by);
+  return fmt::format(
+      "the search was short ({} tests in compression in all{}; longer with {} in a new folder)",
+      c.n_strength_tests - c.n_tension_tests,
+      c.discarded.empty() ? "" : fmt::format(" by {} models", c.discarded.size() + 1), c.longer_by);
 }
 
 /// What remains open of a model that meets its table, and which test would close most of it.
@@ -474,18 +484,16 @@ std::string good_news(const View& v) {
     if (!e.next_test.empty()) next.push_back(e.next_test);
   }
   const std::string gap = gap_of(v);
-  const bool moduli_alone = std::none_of(
-      v.rows.begin(), v.rows.end(), [](const Comparison& row) { return is_strength(row.target.property); });
-  if (moduli_alone) text += "; its strengths are those of the recipe, not of the rock";
+  if (v.moduli_alone()) text += std::string("; ") + strengths_of_recipe;
   text += c.method == CalibrationMethod::sequence ? "; a sequence does not tell what its data leave open"
           : open.empty()                          ? "; the data determine every parameter"
                          : fmt::format("; its data leave {} open", fmt::join(open, ", "));
   if (!gap.empty()) text += "; " + gap;
   if (!c.longer_by.empty()) text += "; " + short_search(c);
   if (!next.empty()) return text + "; next: " + next.front();
-  return text + (moduli_alone  ? "; next: a calibration with strengths"
-                 : gap.empty() ? "; next: run it (calibrated.toml)"
-                               : "; next: specimens in that gap");
+  return text + (v.moduli_alone() ? "; next: a calibration with strengths"
+                 : gap.empty()    ? "; next: run it (calibrated.toml)"
+                                  : "; next: specimens in that gap");
 }
 
 bool is_coarse(const Comparison& c) { return c.answered() && !misses(c) && unresolved(c); }
@@ -500,10 +508,12 @@ std::string coarse_news(const View& v) {
       specimens_help = specimens_help && specimens_missing(c).has_value();
     }
   const std::string cut = short_search(v.of);
-  return fmt::format("{} of the table, but scatter tells no miss from chance at {}{}{}; next: {}",
-                     misses_text(v), fmt::join(cells, ", "), cut.empty() ? "" : "; ", cut,
-                     specimens_help ? "more specimens there (the findings say how many)"
-                                    : "smaller grains in the rock's recipe, since packings differ too much");
+  return fmt::format(
+      "{} of the table, but at {} a miss that matters could not be told from chance{}{}{}; next: {}",
+      misses_text(v), fmt::join(cells, ", "), v.moduli_alone() ? std::string("; ") + strengths_of_recipe : "",
+      cut.empty() ? "" : "; ", cut,
+      specimens_help ? "more specimens there (the findings say how many)"
+                     : "smaller grains in the rock's recipe, since packings differ too much");
 }
 
 /// What most of the misfit is about.
@@ -515,8 +525,10 @@ std::string bad_news(const View& v) {
   for (const Part part : ranked(v)) {
     if (clauses.size() == 2) break;
     const Cause cause = cause_of(v, part);
-    clauses.push_back(fmt::format("{:.0f} % {}in {}: {}", 100.0 * v.share(part),
-                                  next.empty() ? "of the misfit is " : "", name_of(v, part), cause.text));
+    const std::string share = v.share(part) == 1.0 ? "the misfit is"
+                                                   : fmt::format("{:.0f} %{}", 100.0 * v.share(part),
+                                                                 next.empty() ? " of the misfit is" : "");
+    clauses.push_back(fmt::format("{} in {}: {}", share, name_of(v, part), cause.text));
     if (next.empty()) next = cause.next;
   }
   if (v.of.verdict.status == VerdictStatus::out_of_reach && !v.of.rival.empty() && gives_up(next))
@@ -530,6 +542,7 @@ std::string bad_news(const View& v) {
       n > 0 && v.of.verdict.status != VerdictStatus::out_of_reach)
     clauses.push_back(fmt::format("{} of {} values are not resolved", n, v.rows.size()));
   if (clauses.empty()) clauses = v.of.verdict.findings;
+  if (v.moduli_alone()) clauses.emplace_back(strengths_of_recipe);
   return fmt::format("{}; next: {}", fmt::join(clauses, "; "), next.empty() ? "see the findings" : next);
 }
 

@@ -212,7 +212,7 @@ ElasticFit fit_elastic(const Evidence& evidence, const std::vector<std::int64_t>
   problem.use_packings({seeds.front()});
   Point x = problem.first_guess(seeds.front());
   minimise(problem, x, 20, 1e-3);
-  say(fmt::format("elastic search done after {} solutions", problem.n_solutions()));
+  say(fmt::format("moduli fitted on one packing by {} direct solutions, now on more", problem.n_solutions()));
   problem.use_packings(seeds);
   problem.weigh_packings(x);
   refine(problem, x, std::min(n_first_correction, seeds.size()));  // near the answer, then at it

@@ -234,6 +234,7 @@ void add_tangents_from_test(Calibration& result, const Work& work, const std::ve
 
 /// Moduli as the laboratory reads them, fitted and on unseen packings, in place of those at small strain.
 void take_as_measured(Calibration& result, const Work& work, const std::vector<Comparison>& from_test) {
+  result.E_is = work.evidence.rock.E_is;
   for (std::size_t i = 0; i < work.elastic.comparisons.size(); ++i) {
     Comparison& c = result.fitted[i];
     c = work.elastic.comparisons[i], c.target = work.evidence.moduli[i];
@@ -457,7 +458,7 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
                 const CalibrationOptions& options, Simulator& simulator, Pictures& pictures) {
   bool strength = fits_strength(result, evidence, options);
   Work work(evidence, options, simulator, pictures);
-  if (!work.softens()) result.E_is = ModulusReading::small_strain;
+  result.E_is = ModulusReading::small_strain;  // until tests have been read as the laboratory reads its own
   if (strength) check_model(evidence);
   work.fit_moduli(evidence);
   estimates = work.elastic.parameters;

@@ -54,7 +54,7 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   machine.on_work = [&](const study::WorkReport& some) {
     work.cpu_seconds += some.cpu_seconds, work.lanes.add(some.lanes);
   };
-  options.listener.say = [&](const std::string& text) { line.note(text), watch.say(text); };
+  options.listener.say = [&](const std::string& text) { line.stage(text), watch.say(text); };
   options.listener.estimates = [&](const std::vector<ParameterEstimate>& known) { watch.estimates(known); };
   const auto simulator = calibrate::make_simulator(machine);
   const Calibration result = calibrate::calibrate(evidence, options, *simulator);
@@ -62,8 +62,9 @@ int run_calibration(const jobs::CalibrationRequest& args, const Session& session
   const bool interrupted = result.verdict.status == VerdictStatus::interrupted;
   if (!interrupted) jobs::write_calibration(args.out, result);  // first: the output may be full
   const std::string lanes = lanes_text(work.lanes);
-  print_out("{}{:.1f} s in all{}\n", jobs::screen_of(result, width), result.seconds,
-            lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
+  print_out("{}", jobs::screen_of(result, width));
+  print_wrapped(width, 2, "{:.1f} s in all{}\n", result.seconds,
+                lanes.empty() ? "" : fmt::format("; tests {:.1f} s CPU, {}", work.cpu_seconds, lanes));
   if (interrupted) {
     watch.end("stopped");
     print_wrapped(width, 2, "to go on: {}\n", resume_command(args));

@@ -18,6 +18,8 @@ std::size_t line_columns() {
   return static_cast<std::size_t>(columns > 1 ? columns - 1 : 79);
 }
 
+constexpr double between_drawings = 0.2, between_lines = 10.0;  // [s] on a terminal, on a pipe
+
 }  // namespace
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
@@ -36,9 +38,10 @@ void ProgressLine::update(const study::Progress& p) {
 }
 
 void ProgressLine::show(const std::function<std::string(double)>& say) {
-  if (seconds_since(shown_) < (terminal_ ? 0.2 : 10.0)) return;
+  if (seconds_since(shown_) < (terminal_ ? between_drawings : between_lines)) return;
   shown_ = Clock::now();
-  std::string text = terminal_text(say(seconds_since(start_)));
+  std::string text = terminal_text(stage_ + say(seconds_since(start_)));
+  stage_.clear();
   if (terminal_) {
     text.resize(std::min(text.size(), line_columns()));
     clear();
@@ -68,6 +71,14 @@ void ProgressLine::note(const std::string& text) {
   clear();
   const std::string safe = terminal_text(text);
   write_err((terminal_ ? wrapped(safe, static_cast<int>(line_columns()), 2) : safe) + "\n");
+}
+
+void ProgressLine::stage(const std::string& text) {
+  if (terminal_) return note(text);
+  stage_ = text + "; ";
+  if (seconds_since(shown_) < between_lines) return;
+  note(text);
+  shown_ = Clock::now(), stage_.clear();
 }
 
 void ProgressLine::finish() {

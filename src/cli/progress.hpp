@@ -20,6 +20,9 @@ class ProgressLine {
   void draw_above(std::function<std::vector<std::string>()> lines) { lines_ = std::move(lines); }
   /// A message that stays.
   void note(const std::string& text);
+  /// What begins now: a message on a terminal; on a pipe it stands before the progress in its next line, so
+  /// that there is one in ten seconds at most.
+  void stage(const std::string& text);
   void finish();
 
  private:
@@ -28,6 +31,7 @@ class ProgressLine {
   void draw_lines();
   bool terminal_;            // asked once; its width with every line
   std::size_t n_drawn_ = 0;  // lines above
+  std::string stage_;        // not told yet
   std::function<std::vector<std::string>()> lines_;
   Clock::time_point start_, shown_;
 };

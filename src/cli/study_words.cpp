@@ -104,7 +104,8 @@ std::size_t n_unfinished(const study::Plan& plan, const study::StudyRows& rows) 
 std::string lanes_text(const study::LaneUse& use) {
   if (!(use.contact_steps > 0.0)) return "";
   const std::string full =
-      use.alone() < 1.0 ? fmt::format("lanes {:.0f} % full, ", 100.0 * use.occupancy()) : "";
+      use.alone() < 1.0 ? fmt::format("lanes of tests side by side {:.0f} % full, ", 100.0 * use.occupancy())
+                        : "";
   const std::string alone =
       use.alone() > 0.0 ? fmt::format("{:.0f} % of the cycles one test alone, ", 100.0 * use.alone()) : "";
   return fmt::format("{}{}{:.1f} ns per contact, cycle and test", full, alone, 1e9 * use.seconds_per_step());

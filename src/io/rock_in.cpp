@@ -96,7 +96,9 @@ const Fields& rock_fields() {
         as_in_recipe("specimen.width", "specimen", "width", "width of the specimens of compression"),
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe("bedding.spacing", "bedding", "spacing",
-                     "distance of the planes of bedding or foliation; with a recipe what that has"),
+                     "distance of the planes of bedding or foliation; default on specimens of another size: "
+                     "in proportion to "
+                     "the paper's; with a recipe what that has"),
         as_in_recipe(
             "test.disc_diameter", "brazilian", "diameter",
             "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
@@ -331,6 +333,22 @@ class RockReader {
     }
     return found;
   }
+  /// Grains too large or too small for a specimen are one mistake, whatever keys of the recipe tell it.
+  void tell_of_grains(std::vector<Problem>& found) const {
+    const auto of_grains = [](const Problem& p) {
+      return p.key.starts_with("specimen.") || p.key.starts_with("packing.") || p.key.ends_with(".spacing");
+    };
+    const auto first = std::find_if(found.begin(), found.end(), of_grains);
+    if (first == found.end()) return;
+    const bool too_many = rock_.model.packing.n_grains > PackingRecipe().n_grains;
+    Problem one{file_.place("grain_size"), "grain_size",
+                print_quantity(file_.number("grain_size", 0.0), Dimension::length),
+                fmt::format("grains that suit the specimen and its planes ({} = {}: {})", first->key,
+                            first->value, first->expected),
+                too_many ? "state larger grains, or leave it out" : "state smaller grains, or leave it out"};
+    std::erase_if(found, of_grains);
+    found.push_back(std::move(one));
+  }
   /// What `phyllite run` would refuse: the recipe's own ranges and checks, after all of the rock file.
   void check_model() {
     const Where where = [&](const std::string& path) { return file_.place(said_here(path)); };
@@ -341,16 +359,12 @@ class RockReader {
     for (Problem& p :
          cross_checks(rock_.model, where, [&](const std::string& key) { return !odd.contains(key); }))
       found.push_back(std::move(p));
+    if (is_given("grain_size")) tell_of_grains(found);
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
-      if (key == "grain_size" && p.key == "packing.n_grains")
-        p.value += " grains in the specimen", p.remedy = "state larger grains";
       // The user wrote the key of the rock file: it is named in place of the recipe's.
-      if ((key.starts_with("brazilian.") || key == "bedding.spacing" || key == "grain_size") && is_given(key))
-        p.key = key;
-      if (p.key.starts_with("specimen.") && is_given("grain_size"))
-        p.remedy = "state smaller grains (grain_size), or leave it out";
-      else if (key.starts_with("specimen."))
+      if ((key.starts_with("brazilian.") || key == "bedding.spacing") && is_given(key)) p.key = key;
+      if (key.starts_with("specimen."))
         p.remedy =
             "[specimen] magnifies the paper's specimen, grains and all: nearer to its shape, 1 : 2, or a "
             "recipe with grains of its own";
@@ -359,6 +373,8 @@ class RockReader {
   }
   /// The same for every disc of the table.
   void check_discs() {
+    const auto of_grains = [](const Problem& p) { return p.key == "grain_size"; };
+    if (std::any_of(problems_.begin(), problems_.end(), of_grains)) return;  // discs would tell it again
     // Without a diameter of its own the disc is the model's, which has been checked.
     for (const RockReading& r : rock_.readings) {
       if (!is_of_discs(r.property) || r.diameter == 0.0) continue;

@@ -290,6 +290,7 @@ class ReadingReader {
     const Dimension d = dimension_of(h);
     const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
     if (d == Dimension::none ? bare : parse_quantity("1 " + h.unit, d).ok) return;
+    const bool other_unit = !bare || h.title.find_first_of("[(") != std::string::npos;
     const std::string otherwise =
         fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
     if (d == Dimension::none)
@@ -298,7 +299,8 @@ class ReadingReader {
     else
       report_problem(table_.header[i], h.unit,
                      fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
-                     "write for example " + (d == Dimension::toughness ? h.name : h.title) +
+                     (other_unit ? "convert the values, and write for example " : "write for example ") +
+                         (other_unit || d == Dimension::toughness ? h.name : h.title) +
                          (d == Dimension::angle                                  ? " [deg]"
                           : d == Dimension::toughness                            ? " [MPa sqrt(m)]"
                           : h.property == Property::E && h.kind == Column::value ? " [GPa]"
@@ -334,7 +336,7 @@ class ReadingReader {
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
       const bool read = error == std::errc();
       problems_.push_back({at(row.line), h.shown(), cell,
-                           "a bare number in " + (h.unit.empty() ? "1" : h.unit), remedy_of(cell, read)});
+                           "a bare number" + (h.unit.empty() ? "" : " in " + h.unit), remedy_of(cell, read)});
       return false;
     }
     if (const Dimension d = dimension_of(h); d != Dimension::none) {
@@ -349,7 +351,8 @@ class ReadingReader {
     problems_.push_back({at(row.line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
                          angle ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
                          : strength && value < 0.0 ? "strengths are positive, those in tension too"
-                                                   : ""});
+                         : h.unit.empty()          ? ""
+                                                   : "check the unit in the header"});
     return false;
   }
 

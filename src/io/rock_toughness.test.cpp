@@ -9,6 +9,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -75,11 +76,15 @@ TEST_F(RockFile, StatedGrainsFillTheSameSpecimen) {
 
 TEST_F(RockFile, GrainsThatTheSpecimenDoesNotTakeAreRefused) {
   EXPECT_THAT(problems(table, "grain_size = \"5 mm\"\n"),
-              Contains(AllOf(HasSubstr("at least ten mean grain diameters, 50 mm"),
-                             HasSubstr("state smaller grains"))));
+              ElementsAre(AllOf(HasSubstr("r.toml:2: grain_size = 5 mm"),
+                                HasSubstr("at least ten mean grain diameters, 50 mm"),
+                                HasSubstr("state smaller grains"))));
+  EXPECT_THAT(
+      problems(table, "grain_size = \"20 mm\"\n"),
+      ElementsAre(AllOf(HasSubstr("r.toml:2: grain_size = 20 mm"), HasSubstr("state smaller grains"))));
   EXPECT_THAT(problems(table, "grain_size = \"0.01 mm\"\n"),
-              Contains(AllOf(HasSubstr("r.toml:2: grain_size"), HasSubstr("grains in the specimen: expected"),
-                             HasSubstr("1000000"), HasSubstr("state larger grains"))));
+              ElementsAre(AllOf(HasSubstr("r.toml:2: grain_size = 10 um"), HasSubstr("1000000"),
+                                HasSubstr("state larger grains"))));
   EXPECT_THAT(problems(table, "grain_size = 1.2\n"), Contains(HasSubstr("has no unit")));
   EXPECT_THAT(problems(table, "grain_size = \"1.2 mm\"\n"), IsEmpty());
 }

@@ -1,5 +1,8 @@
 #include "jobs/run_folder.hpp"
 
+#include <fmt/format.h>
+
+#include <exception>
 #include <filesystem>
 #include <map>
 
@@ -54,6 +57,7 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
 
 std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe& recipe,
                                          const std::string& path, bool replace) {
+  if (std::optional<Problem> p = problem_of_page(folder, PageOf::run)) return {*std::move(p)};
   for (const std::string& name : specimen_names(recipe))
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
   if (!replace)
@@ -68,18 +72,41 @@ bool holds_results(const std::string& folder) {
   return std::filesystem::is_directory(folder, none) && !io::result_folders(folder).empty();
 }
 
+std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
+  const auto has = [&](const char* file) {
+    return std::filesystem::exists(std::filesystem::path(folder) / file);
+  };
+  const auto problem = [&](const char* what) {
+    return Problem{"command line", "--out", folder, fmt::format("a folder without {}", what),
+                   "its report.html would be replaced: use another --out"};
+  };
+  if (own != PageOf::calibration && has("calibration.json")) return problem("a calibration");
+  if (own != PageOf::study && has("study.sqlite")) return problem("a study");
+  if (own != PageOf::run && holds_results(folder)) return problem("the results of a run");
+  return {};
+}
+
 std::string page_of(const std::string& folder) {
   return (std::filesystem::path(folder) / "report.html").string();
 }
 
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
   RunRecord run;
+  std::vector<std::string> others = io::result_folders(folder);
   for (const TestResult& r : results) {
     const auto place = std::filesystem::path(folder) / io::folder_name(r.name);
+    std::erase(others, place.string());
     if (r.outcome.status == Status::interrupted)
       run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
     else
       run.tests.push_back(io::read_result(place.string()));
+  }
+  for (const std::string& other : others) {
+    try {
+      run.tests.push_back(io::read_result(other));
+    } catch (const std::exception& e) {  // one that cannot be read does not hide the others
+      run.missing.push_back({other, e.what(), true});
+    }
   }
   io::write_output(page_of(folder), report::report_page(run));
 }

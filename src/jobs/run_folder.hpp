@@ -1,6 +1,7 @@
 // The folder of a run: what may stand in it before, and its page.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,14 @@ bool holds_results(const std::string& folder);
 /// report.html in a folder.
 std::string page_of(const std::string& folder);
 
-/// One page for the whole run, from the folders of its specimens; interrupted tests are told as missing.
+/// Whose page a folder has: of a run, a study or a calibration.
+enum class PageOf { run, study, calibration };
+
+/// A folder has one page: the problem with one that has that of something else.
+std::optional<Problem> problem_of_page(const std::string& folder, PageOf own);
+
+/// One page for the whole run, from the folders of its specimens, with those that stand there from before;
+/// interrupted tests are told as missing.
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results);
 
 /// Makes a folder for results; where nothing comes into it, it goes again.

@@ -38,7 +38,8 @@ const std::vector<QualityLimit>& quality_limits() {
        "lower test.platen_speed"},
       {"peak_confirmed", true, 1.0, 0.5,
        "the test ended before it showed that the largest stress is the peak",
-       "lower test.stop_at to 0.8 or less, raise test.post_peak to 0.5 or more, or raise test.max_strain"},
+       "raise test.max_strain where the test came that far; else lower test.stop_at to 0.8 or less, or raise "
+       "test.post_peak to 0.5 or more"},
       {"fall_seen", true, 1.0, -1.0,
        "the test ended before the stress fell as far as its recipe asks: a higher peak may follow",
        "raise test.max_strain"},

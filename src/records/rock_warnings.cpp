@@ -21,6 +21,7 @@ constexpr double least_E = 0.1e9, most_E = 200e9;        // [Pa]
 constexpr double least_K_Ic = 0.03e6, most_K_Ic = 10e6;  // [Pa sqrt(m)] 0.1 to 4 of most rocks
 constexpr double most_tension = 0.5;                     // of UCS; a tenth is usual
 constexpr double replicates_apart = 1.5;                 // factor
+constexpr double most_scatter = 0.5;                     // SD over the value; a tenth is usual
 constexpr double least_intercept = 0.7, most_intercept = 1.6;  // of UCS; envelopes bend down from a line
 constexpr double along = 80.0;  // [deg], from which a load runs along the bedding
 
@@ -151,6 +152,15 @@ void doubt_replicates(const Rock& rock, std::vector<std::string>& warnings) {
   warn(warnings, apart, "a slip of the pen, or two rocks?");
 }
 
+void doubt_scatter(const Rock& rock, std::vector<std::string>& warnings) {
+  std::vector<std::string> wide;
+  for (const RockReading& r : rock.readings)
+    if (r.property != Property::nu && r.sd > most_scatter * r.value)
+      wide.push_back(fmt::format("the SD of {} (line {}) is {:.2g} of the value",
+                                 name_at(rock, to_string(r.property), r.theta), r.line, r.sd / r.value));
+  warn(warnings, wide, "hardly any rock scatters so much; check the unit and the column");
+}
+
 /// What the conversion to plane stress takes for the rock along its bedding, and what it cannot convert.
 void report_conversion(const Rock& rock, const std::vector<Target>& targets,
                        std::vector<std::string>& warnings) {
@@ -185,6 +195,7 @@ std::vector<std::string> warnings_about(const Rock& rock) {
   doubt_ratios(rock, targets, warnings);
   doubt_confined(rock, targets, warnings);
   doubt_replicates(rock, warnings);
+  doubt_scatter(rock, warnings);
   const bool moduli = !of_property(targets, Property::E).empty(),
              nu = !of_property(targets, Property::nu).empty();
   if (rock.reading == ElasticReading::plane_strain && moduli && nu)

@@ -54,8 +54,17 @@ TEST(RockWarnings, ReplicatesFarApartAreDoubtedWhereNoScatterIsGiven) {
   Rock rock =
       with({cell(Property::E, 0, 23e9, 2), cell(Property::E, 0, 80e9, 4), cell(Property::E, 0, 23.2e9, 3)});
   EXPECT_THAT(warnings_about(rock), ElementsAre(HasSubstr("E(0) of lines 2 and 4 differs by a factor 3.5")));
-  for (RockReading& r : rock.readings) r.sd = 30e9;
+  for (RockReading& r : rock.readings) r.sd = 11e9;
   EXPECT_THAT(warnings_about(rock), IsEmpty());
+}
+
+TEST(RockWarnings, AnSdAsLargeAsItsValueIsDoubted) {
+  Rock rock = with({cell(Property::ucs, 0, 100e6, 2), cell(Property::ucs, 45, 60e6, 3)});
+  rock.readings[0].n = rock.readings[1].n = 3;
+  rock.readings[0].sd = 300e6, rock.readings[1].sd = 6e6;
+  EXPECT_THAT(warnings_about(rock),
+              ElementsAre(AllOf(HasSubstr("the SD of UCS(0) (line 2) is 3 of the value"),
+                                HasSubstr("check the unit and the column"))));
 }
 
 RockReading confined(double theta, double sigma_3, double value) {

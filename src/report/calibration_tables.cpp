@@ -20,13 +20,15 @@ namespace {
 double shown(Property p) { return shown_unit(p).factor; }
 
 /// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
-/// was not fitted stands alone, with the word for that.
+/// was not fitted stands alone, with the word for that. A calibration that was stopped may have been about
+/// to.
 std::string cell(const Calibration& c, const double& number, double unit, const char* otherwise = "given") {
   for (const ParameterEstimate& e : c.parameters)
     if (e.number != nullptr && &e.number(c.recipe) == &number)
       return !e.has_interval() ? fmt::format("{:.4g}", number / unit)
                                : fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit,
                                              e.high / unit, e.determined ? "" : " open");
+  if (c.verdict.status == VerdictStatus::interrupted) otherwise = "so far";
   return fmt::format("{:.4g} ({})", number / unit, otherwise);
 }
 
@@ -95,7 +97,11 @@ std::string target_table(const std::vector<Target>& targets, int terminal_width)
     if (is_of_discs(p) && sizes) groups.back().push_back(disc);
   }
   return text_table(theta, groups, terminal_width) +
-         (assumed ? "* hardly any scatter in the table: the usual one is assumed\n" : "");
+         wrapped(fmt::format(
+                     "SD: of single specimens as it counts, that of the cell drawn towards all cells' and "
+                     "the usual one{}\n",
+                     assumed ? "; *: most of it is the usual one" : ""),
+                 terminal_width, 2);
 }
 
 std::string identifiability_table(const std::vector<ParameterEstimate>& estimates, int terminal_width) {
@@ -213,6 +219,7 @@ std::vector<std::map<double, Comparison>> by_test(const Calibration& c) {
 }
 
 std::string angle_table(const Calibration& c, int terminal_width) {
+  if (c.fitted.empty()) return "";
   const std::vector<std::map<double, Comparison>> tests = by_test(c);
   std::set<double> angles;
   for (const auto& cells : tests)
@@ -328,6 +335,7 @@ std::string eq2_table(const Calibration& c, int terminal_width) {
 }
 
 std::string error_table(const Calibration& c, int terminal_width) {
+  if (c.fitted.empty()) return "";
   const std::vector<ErrorRow> rows = error_rows(c);
   Column label{"root mean square error", "", {}, true};
   for (const ErrorRow& r : rows) label.cells.push_back(r.of);
@@ -363,16 +371,17 @@ std::string sentence_text(const Calibration& c, int terminal_width) {
 }
 
 std::string budget_text(const Calibration& c, int terminal_width) {
-  const bool cut = c.verdict.status == VerdictStatus::interrupted;  // batches that did not end count nowhere
-  return wrapped(
-      fmt::format(
-          "{}{} tests in compression{}; {} of all tests on coarse grains; {} direct elastic solutions\n",
-          cut ? "of batches that ended: " : "", c.n_strength_tests - c.n_tension_tests,
-          c.n_tension_tests > 0
-              ? fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "")
-              : "",
-          c.n_coarse_tests, c.n_elastic),
-      terminal_width, 2);
+  if (c.verdict.status == VerdictStatus::interrupted)
+    return "";  // the stage that was cut has counted nothing
+  std::string text;
+  if (c.n_strength_tests > 0) {
+    text = fmt::format("{} tests in compression", c.n_strength_tests - c.n_tension_tests);
+    if (c.n_tension_tests > 0)
+      text += fmt::format(" and {} in tension{}", c.n_tension_tests, has_bend_tests(c) ? " or bending" : "");
+    if (c.n_coarse_tests > 0) text += fmt::format("; {} of all tests on coarse grains", c.n_coarse_tests);
+    text += "; ";
+  }
+  return wrapped(text + fmt::format("{} direct elastic solutions\n", c.n_elastic), terminal_width, 2);
 }
 
 }  // namespace phy::report

@@ -358,6 +358,7 @@ TEST(PaperStudy, TheFastOneIsOfTheSameSpecimens) {
     Recipe one = a.tests[a.runs[i].test].recipe, other = b.tests[b.runs[i].test].recipe;
     EXPECT_GE(other.test.platen_speed, one.test.platen_speed);
     other.test.platen_speed = one.test.platen_speed, other.engine.grain_inertia = one.engine.grain_inertia;
+    other.engine.step_safety = one.engine.step_safety;
     other.name = one.name;
     EXPECT_EQ(specimen_key(one), specimen_key(other));
   }

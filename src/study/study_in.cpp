@@ -297,7 +297,8 @@ class Reader {
       return report_problem(*from, name, "values for this key", "a range is for numbers");
     if (!value_in(f, *from, name + ".from", f.from) || !value_in(f, *to, name + ".to", f.to)) return;
     if (!(f.from < f.to))
-      report_problem(*to, name + ".to", "above from = " + f.key.print(f.from), "exchange the two");
+      report_problem(*to, name + ".to", "above from = " + f.key.print(f.from),
+                     f.from == f.to ? "give values = [...] for a single one" : "exchange the two");
     f.logarithmic = file_.number(name + ".scale", 0.0) == 1.0;
     if (f.logarithmic && !(f.from > 0.0))
       report_problem(*from, name + ".from", "above 0 on a logarithmic scale", "");

@@ -20,7 +20,7 @@ std::string refusal(const std::vector<EnvelopeReading>& readings) {
       return "a strength is not above its confining stress";
     confining.insert(r.sigma_3);
   }
-  return confining.size() < 2 ? "fewer than two confining stresses" : "";
+  return confining.size() < 2 ? "fewer than two confining stresses have a strength" : "";
 }
 
 double total_squares(const std::vector<EnvelopeReading>& readings) {

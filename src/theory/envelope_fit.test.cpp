@@ -72,7 +72,8 @@ TEST(EnvelopeFits, StandardErrorsAreThoseOfRepetitions) {
 }
 
 TEST(EnvelopeFits, SayWhyNot) {
-  EXPECT_EQ(fit_mohr_coulomb({{0.0, 90e6}, {0.0, 91e6}}).reason, "fewer than two confining stresses");
+  EXPECT_EQ(fit_mohr_coulomb({{0.0, 90e6}, {0.0, 91e6}}).reason,
+            "fewer than two confining stresses have a strength");
   EXPECT_EQ(fit_mohr_coulomb({{0.0, 90e6}, {10e6, 95e6}}).reason, "the strength grows less than sigma_3");
   EXPECT_EQ(fit_hoek_brown({{0.0, 90e6}, {10e6, 95e6}}).reason,
             "the strength does not grow faster than sigma_3");

@@ -1,0 +1,46 @@
+// Whose page does a folder have?
+#include "jobs/run_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/in_folder_fixture.hpp"
+#include "io/file.hpp"
+#include "jobs/study_folder.hpp"
+
+namespace phy::jobs {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class FolderOfARun : public InFolder {
+ protected:
+  std::vector<std::string> problems(bool replace = false) const {
+    std::vector<std::string> all;
+    for (const Problem& p : run_folder_problems(at("folder"), Recipe(), "r.toml", replace))
+      all.push_back(to_line(p));
+    return all;
+  }
+};
+
+TEST_F(FolderOfARun, HasOnePage) {
+  EXPECT_THAT(problems(), IsEmpty()) << "there is none yet";
+  io::write_file(at("folder/calibration.json"), "{}");
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a calibration")));
+  EXPECT_THAT(problems(true), ElementsAre(HasSubstr("use another --out"))) << "--replace is about results";
+  EXPECT_FALSE(problem_of_page(at("folder"), PageOf::calibration));
+  EXPECT_TRUE(problem_of_page(at("folder"), PageOf::study));
+}
+
+TEST_F(FolderOfARun, IsNotThatOfAStudy) {
+  io::write_file(at("folder/study.sqlite"), "");
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a study")));
+  EXPECT_FALSE(problem_of_page(at("folder"), PageOf::study));
+  io::write_file(at("one/specimen/result.json"), "{}");
+  EXPECT_TRUE(problem_of_page(at("one"), PageOf::study));
+  EXPECT_FALSE(problem_of_page(at("one"), PageOf::run));
+}
+
+}  // namespace
+}  // namespace phy::jobs
