@@ -84,7 +84,7 @@ struct View {
 };
 using CauseRule = std::optional<Cause>(const View&);
 
-constexpr const char* strengths_of_recipe = "its strengths are those of the recipe, not of the rock";
+constexpr const char* strengths_of_recipe = "the model's strengths are those of the recipe, not of the rock";
 
 /// Planes that somebody asked for may have a better rival; else what the table could tell.
 std::string other_layers(const View& v, const std::string& otherwise) {

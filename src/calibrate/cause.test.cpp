@@ -143,8 +143,8 @@ TEST(Cause, UcsAcrossOverUcsAlong) {
 TEST(Cause, ModuliAsAWhole) {
   const std::vector<double> table = {20, 21, 23, 26, 30, 36, 40}, low = {16, 17, 18.4, 21, 24, 29, 32};
   EXPECT_THAT(sentence({cells(Property::E, table, low, 0.1)}),
-              HasSubstr("E as a whole is 0.80 times that of the table; its strengths are those of "
-                        "the recipe, not of the rock; next: check E_is"));
+              HasSubstr("E as a whole is 0.80 times that of the table; the model's strengths "
+                        "are those of the recipe, not of the rock; next: check E_is"));
   Calibration c;
   c.verdict.status = VerdictStatus::out_of_reach, c.method = CalibrationMethod::sequence;
   c.fitted = c.verification = cells(Property::E, table, low);

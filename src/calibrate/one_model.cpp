@@ -433,7 +433,8 @@ void make_ready(Recipe& recipe, const Evidence& evidence) {
   recipe = with_pictures(std::move(recipe));
   take_packing(recipe, recipe.packing.seed);
   TestRecipe& test = recipe.test;
-  test.kind = usual.kind;
+  test.kind = usual.kind;  // which keeps no stress
+  test.confining_stress = test.normal_stress = test.normal_stiffness = 0.0;
   test.stop_at = usual.stop_at, test.post_peak = usual.post_peak;
   std::set<double> angles;
   if (evidence.rock.bedded)

@@ -39,7 +39,7 @@ void ProgressLine::update(const study::Progress& p) {
 
 void ProgressLine::show(const std::function<std::string(double)>& say) {
   if (seconds_since(shown_) < (terminal_ ? between_drawings : between_lines)) return;
-  shown_ = Clock::now();
+  shown_ = Clock::now(), started_ = true;
   std::string text = terminal_text(stage_ + say(seconds_since(start_)));
   stage_.clear();
   if (terminal_) {
@@ -75,13 +75,19 @@ void ProgressLine::note(const std::string& text) {
 
 void ProgressLine::stage(const std::string& text) {
   if (terminal_) return note(text);
-  stage_ = text + "; ";
-  if (seconds_since(shown_) < between_lines) return;
-  note(text);
-  shown_ = Clock::now(), stage_.clear();
+  if (stage_.find(text + "; ") == std::string::npos) stage_ += text + "; ";  // some come round again
+  if (started_ && seconds_since(shown_) < between_lines) return;
+  tell_stages();
+}
+
+void ProgressLine::tell_stages() {
+  if (stage_.empty()) return;
+  note(stage_.substr(0, stage_.size() - 2));
+  shown_ = Clock::now(), started_ = true, stage_.clear();
 }
 
 void ProgressLine::finish() {
+  tell_stages();
   clear();
   draw_lines();
   n_drawn_ = 0;  // what stands now stays

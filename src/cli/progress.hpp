@@ -20,8 +20,8 @@ class ProgressLine {
   void draw_above(std::function<std::vector<std::string>()> lines) { lines_ = std::move(lines); }
   /// A message that stays.
   void note(const std::string& text);
-  /// What begins now: a message on a terminal; on a pipe it stands before the progress in its next line, so
-  /// that there is one in ten seconds at most.
+  /// What begins now: a message on a terminal; on a pipe it may wait for the next line, so that there is one
+  /// in ten seconds at most.
   void stage(const std::string& text);
   void finish();
 
@@ -29,9 +29,11 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   void clear();
   void draw_lines();
+  void tell_stages();
   bool terminal_;            // asked once; its width with every line
   std::size_t n_drawn_ = 0;  // lines above
-  std::string stage_;        // not told yet
+  bool started_ = false;     // a line has been told
+  std::string stage_;        // not told yet, each with "; " behind it
   std::function<std::vector<std::string>()> lines_;
   Clock::time_point start_, shown_;
 };

@@ -128,7 +128,7 @@ TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {
   EXPECT_THAT(problems("theta [deg],E\n0,23\n45,20\n90,59\n"),
               Contains(HasSubstr("a unit of E in the header")));
   EXPECT_THAT(problems("theta [deg],UCS [psi]\n0,14500\n45,8000\n90,20000\n"),
-              Contains(HasSubstr("convert the values, and write for example UCS [MPa]")));
+              Contains(HasSubstr("write for example UCS [MPa] and convert the values")));
 }
 
 TEST_F(RockFile, ABeddedRockNeedsThreeAnglesAnIsotropicOneNone) {

@@ -308,6 +308,7 @@ class RockReader {
   /// The key of the rock file that a key of the recipe comes from; "" if none was given. It gives the line
   /// for messages.
   std::string said_here(const std::string& path) const {
+    if (path == "grain_size") return path;
     if (path == "test.disc_diameter") return "brazilian.diameter";
     if (path == "test.loading_angle") return "brazilian.loading_angle";
     if (path == "bedding[0].spacing" && is_given("bedding.spacing")) return "bedding.spacing";
@@ -336,11 +337,13 @@ class RockReader {
   /// Grains too large or too small for a specimen are one mistake, whatever keys of the recipe tell it.
   void tell_of_grains(std::vector<Problem>& found) const {
     const auto of_grains = [](const Problem& p) {
-      return p.key.starts_with("specimen.") || p.key.starts_with("packing.") || p.key.ends_with(".spacing");
+      return p.key.starts_with("specimen.") || p.key.starts_with("packing.") || p.key.ends_with(".spacing") ||
+             p.key == "test.disc_diameter";
     };
     const auto first = std::find_if(found.begin(), found.end(), of_grains);
     if (first == found.end()) return;
-    const bool too_many = rock_.model.packing.n_grains > PackingRecipe().n_grains;
+    const bool too_many =
+        rock_.model.packing.n_grains > PackingRecipe().n_grains && first->key.starts_with("packing.");
     Problem one{file_.place("grain_size"), "grain_size",
                 print_quantity(file_.number("grain_size", 0.0), Dimension::length),
                 fmt::format("grains that suit the specimen and its planes ({} = {}: {})", first->key,

@@ -290,7 +290,8 @@ class ReadingReader {
     const Dimension d = dimension_of(h);
     const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
     if (d == Dimension::none ? bare : parse_quantity("1 " + h.unit, d).ok) return;
-    const bool other_unit = !bare || h.title.find_first_of("[(") != std::string::npos;
+    const std::size_t bracket = h.title.find('[');
+    const std::string title(trimmed(std::string_view(h.title).substr(0, bracket), " "));
     const std::string otherwise =
         fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
     if (d == Dimension::none)
@@ -299,13 +300,12 @@ class ReadingReader {
     else
       report_problem(table_.header[i], h.unit,
                      fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
-                     (other_unit ? "convert the values, and write for example " : "write for example ") +
-                         (other_unit || d == Dimension::toughness ? h.name : h.title) +
+                     "write for example " + (d == Dimension::toughness ? h.name : title) +
                          (d == Dimension::angle                                  ? " [deg]"
                           : d == Dimension::toughness                            ? " [MPa sqrt(m)]"
                           : h.property == Property::E && h.kind == Column::value ? " [GPa]"
                                                                                  : " [MPa]") +
-                         otherwise);
+                         (bare && bracket == h.title.npos ? "" : " and convert the values") + otherwise);
   }
 
   std::ptrdiff_t n_envelope_columns() const {
@@ -350,9 +350,9 @@ class ReadingReader {
     const bool strength = h.kind == Column::value && is_strength(h.property);
     problems_.push_back({at(row.line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
                          angle ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
-                         : strength && value < 0.0 ? "strengths are positive, those in tension too"
-                         : h.unit.empty()          ? ""
-                                                   : "check the unit in the header"});
+                         : strength && value < 0.0       ? "strengths are positive, those in tension too"
+                         : h.unit.empty() || value < 0.0 ? ""
+                                                         : "check the unit in the header"});
     return false;
   }
 

@@ -85,6 +85,11 @@ TEST_F(RockFile, GrainsThatTheSpecimenDoesNotTakeAreRefused) {
   EXPECT_THAT(problems(table, "grain_size = \"0.01 mm\"\n"),
               ElementsAre(AllOf(HasSubstr("r.toml:2: grain_size = 10 um"), HasSubstr("1000000"),
                                 HasSubstr("state larger grains"))));
+  const std::string size = "[specimen]\nwidth = \"38 mm\"\nheight = \"76 mm\"\n";
+  EXPECT_THAT(problems(table, "grain_size = \"5 mm\"\n" + size),
+              ElementsAre(HasSubstr("state smaller grains")));
+  EXPECT_THAT(problems(table, "grain_size = \"0.6 mm\"\n[bedding]\nspacing = \"0.5 mm\"\n"),
+              ElementsAre(HasSubstr("state smaller grains")));
   EXPECT_THAT(problems(table, "grain_size = 1.2\n"), Contains(HasSubstr("has no unit")));
   EXPECT_THAT(problems(table, "grain_size = \"1.2 mm\"\n"), IsEmpty());
 }

@@ -205,7 +205,7 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
     throw InputError(Problem{"command line", "--out", request.out, "a folder without " + others,
                              "results of before lie there: move them, or use another --out"});
-  if (std::optional<Problem> p = problem_of_page(request.out, PageOf::calibration))
+  if (std::optional<Problem> p = problem_of_page(request.out, PageOf::calibration); p && !begun)
     throw InputError(*std::move(p));
   FolderLock lock(request.out);
   io::write_output(label_file, text);

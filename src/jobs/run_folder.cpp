@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
 #include <map>
 
+#include "base/units.hpp"
 #include "io/load.hpp"
 #include "io/output.hpp"
 #include "io/store.hpp"
 #include "jobs/another_recipe.hpp"
+#include "records/test_description.hpp"
 #include "report/page.hpp"
 
 namespace phy::jobs {
@@ -55,9 +56,30 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
   return problems;
 }
 
+namespace {
+
+/// Stresses that another kind of test keeps. A recipe that was stored, or whose kind a study varies, may hold
+/// them; of one that is run they are a mistake.
+std::vector<Problem> idle_stresses(const Recipe& recipe, const std::string& path) {
+  std::vector<Problem> problems;
+  const TestKind& kind = recipe.test.kind;
+  for (const TestDescription* other : laboratory_tests())
+    if (const KeptStress& stress = other->kept_stress;
+        stress.value != nullptr && other != &*kind && recipe.test.*stress.value > 0.0)
+      problems.push_back(
+          {path, std::string("test.") + stress.key,
+           print_quantity(recipe.test.*stress.value, Dimension::pressure),
+           fmt::format("0 with kind = \"{}\"", kind->name),
+           fmt::format("leave it out with what belongs to it, or set kind = \"{}\"", other->name)});
+  return problems;
+}
+
+}  // namespace
+
 std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe& recipe,
                                          const std::string& path, bool replace) {
   if (std::optional<Problem> p = problem_of_page(folder, PageOf::run)) return {*std::move(p)};
+  if (std::vector<Problem> idle = idle_stresses(recipe, path); !idle.empty()) return idle;
   for (const std::string& name : specimen_names(recipe))
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
   if (!replace)
@@ -78,10 +100,11 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
   };
   const auto problem = [&](const char* what) {
     return Problem{"command line", "--out", folder, fmt::format("a folder without {}", what),
-                   "its report.html would be replaced: use another --out"};
+                   "its report.html can be that of one thing: use another --out"};
   };
-  if (own != PageOf::calibration && has("calibration.json")) return problem("a calibration");
-  if (own != PageOf::study && has("study.sqlite")) return problem("a study");
+  if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
+    return problem("a calibration");
+  if (own != PageOf::study && has("study.toml")) return problem("a study");
   if (own != PageOf::run && holds_results(folder)) return problem("the results of a run");
   return {};
 }
@@ -91,22 +114,13 @@ std::string page_of(const std::string& folder) {
 }
 
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results) {
-  RunRecord run;
-  std::vector<std::string> others = io::result_folders(folder);
+  RunRecord run = holds_results(folder) ? io::read_run(folder) : RunRecord();
   for (const TestResult& r : results) {
-    const auto place = std::filesystem::path(folder) / io::folder_name(r.name);
-    std::erase(others, place.string());
-    if (r.outcome.status == Status::interrupted)
-      run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
-    else
-      run.tests.push_back(io::read_result(place.string()));
-  }
-  for (const std::string& other : others) {
-    try {
-      run.tests.push_back(io::read_result(other));
-    } catch (const std::exception& e) {  // one that cannot be read does not hide the others
-      run.missing.push_back({other, e.what(), true});
-    }
+    if (r.outcome.status != Status::interrupted) continue;
+    const std::string name = io::folder_name(r.name);
+    std::erase_if(run.missing,
+                  [&](const MissingTest& m) { return std::filesystem::path(m.name).filename() == name; });
+    run.missing.push_back({r.name, r.outcome.reason + "; " + r.outcome.advice});
   }
   io::write_output(page_of(folder), report::report_page(run));
 }

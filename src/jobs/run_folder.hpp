@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> result
 std::vector<Problem> problems_of_others(const std::string& folder, const Recipe& recipe,
                                         const std::string& path, const std::string& remedy);
 
-/// Problems with the folder of a run before it begins; `replace`: results of another recipe will be removed.
+/// Problems with a run and its folder before it begins; `replace`: results of another recipe will be removed.
 /// Throws IoError where something else stands in the place of a result.
 std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe& recipe,
                                          const std::string& path, bool replace);
@@ -37,8 +37,8 @@ enum class PageOf { run, study, calibration };
 /// A folder has one page: the problem with one that has that of something else.
 std::optional<Problem> problem_of_page(const std::string& folder, PageOf own);
 
-/// One page for the whole run, from the folders of its specimens, with those that stand there from before;
-/// interrupted tests are told as missing.
+/// One page for the whole folder, with results that stand there from before; tests that were interrupted now
+/// are told as missing.
 void write_run_report(const std::string& folder, const std::vector<TestResult>& results);
 
 /// Makes a folder for results; where nothing comes into it, it goes again.

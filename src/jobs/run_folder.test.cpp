@@ -16,9 +16,9 @@ using testing::IsEmpty;
 
 class FolderOfARun : public InFolder {
  protected:
-  std::vector<std::string> problems(bool replace = false) const {
+  std::vector<std::string> problems(bool replace = false, const Recipe& recipe = {}) const {
     std::vector<std::string> all;
-    for (const Problem& p : run_folder_problems(at("folder"), Recipe(), "r.toml", replace))
+    for (const Problem& p : run_folder_problems(at("folder"), recipe, "r.toml", replace))
       all.push_back(to_line(p));
     return all;
   }
@@ -33,13 +33,29 @@ TEST_F(FolderOfARun, HasOnePage) {
   EXPECT_TRUE(problem_of_page(at("folder"), PageOf::study));
 }
 
+TEST_F(FolderOfARun, IsNotThatOfACalibrationThatWasStopped) {
+  io::write_file(at("folder/calibration-of.txt"), "");
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a calibration")));
+}
+
 TEST_F(FolderOfARun, IsNotThatOfAStudy) {
-  io::write_file(at("folder/study.sqlite"), "");
+  io::write_file(at("folder/study.toml"), "");
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("a folder without a study")));
   EXPECT_FALSE(problem_of_page(at("folder"), PageOf::study));
   io::write_file(at("one/specimen/result.json"), "{}");
   EXPECT_TRUE(problem_of_page(at("one"), PageOf::study));
   EXPECT_FALSE(problem_of_page(at("one"), PageOf::run));
+}
+
+TEST_F(FolderOfARun, AStressOfAnotherTestIsAMistake) {
+  Recipe r;
+  r.test.confining_stress = 10e6;
+  EXPECT_THAT(problems(false, r), ElementsAre(HasSubstr("or set kind = \"biaxial\"")));
+  r.test.kind = TestKind("biaxial");
+  EXPECT_THAT(problems(false, r), IsEmpty());
+  r.test.normal_stress = 1e6;
+  EXPECT_THAT(problems(false, r), ElementsAre(testing::AllOf(HasSubstr("test.normal_stress"),
+                                                             HasSubstr("0 with kind = \"biaxial\""))));
 }
 
 }  // namespace

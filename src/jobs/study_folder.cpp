@@ -98,9 +98,11 @@ std::vector<study::RecipeDifference> differences_by_angle(const study::Study& th
 }  // namespace
 
 void refuse_other_study(const study::Study& study, const std::string& folder) {
-  if (std::optional<Problem> p = problem_of_page(folder, PageOf::study)) throw InputError(*std::move(p));
   std::error_code none;
-  if (!fs::exists(fs::path(folder) / "study.toml", none)) return;
+  if (!fs::exists(fs::path(folder) / "study.toml", none)) {
+    if (std::optional<Problem> p = problem_of_page(folder, PageOf::study)) throw InputError(*std::move(p));
+    return;
+  }
   const study::Study there = study_in(folder);
   const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
   std::vector<study::RecipeDifference> heads;

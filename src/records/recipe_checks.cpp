@@ -1,6 +1,4 @@
 // Problems between keys of a recipe that are each in range (cross_checks).
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -310,13 +308,6 @@ class CrossChecks {
     if (t.normal_stiffness > 0.0 && t.normal_stress == 0.0)
       report_problem({"test.normal_stiffness", "test.normal_stress"}, "given", "0 without normal_stress",
                      "give test.normal_stress, from which it grows");
-    for (const TestDescription* other : laboratory_tests())
-      if (const KeptStress& stress = other->kept_stress;
-          stress.value != nullptr && other != &*t.kind && t.*stress.value > 0.0)
-        report_problem({std::string("test.") + stress.key, "test.kind"},
-                       print_quantity(t.*stress.value, Dimension::pressure),
-                       fmt::format("0 with kind = \"{}\"", t.kind->name),
-                       fmt::format("leave it out, or set kind = \"{}\"", other->name));
     if (t.pre_strain > 0.0 && !t.kind->may_pre_strain)
       report_problem({"test.pre_strain", "test.kind"}, print_number(t.pre_strain), "0 for this kind of test",
                      "only the uniaxial press can start loaded");

@@ -142,7 +142,8 @@ std::string summary_text(const Calibration& c, int terminal_width) {
     else
       ++left;
   }
-  return text + (left > 0 ? fmt::format("- {} more in tables.txt\n", left) : "");
+  const bool told_elsewhere = left > 0 && c.verdict.status != VerdictStatus::interrupted;
+  return text + (told_elsewhere ? fmt::format("- {} more in tables.txt\n", left) : "");
 }
 
 }  // namespace phy::report

@@ -20,15 +20,15 @@ namespace {
 double shown(Property p) { return shown_unit(p).factor; }
 
 /// "38.0 [36.9, 39.2]": a number of the calibration's recipe and its interval in a friendly unit; one that
-/// was not fitted stands alone, with the word for that. A calibration that was stopped may have been about
-/// to.
+/// was not fitted stands alone, with the word for that. A calibration that was stopped may have been about to
+/// fit it.
 std::string cell(const Calibration& c, const double& number, double unit, const char* otherwise = "given") {
   for (const ParameterEstimate& e : c.parameters)
     if (e.number != nullptr && &e.number(c.recipe) == &number)
       return !e.has_interval() ? fmt::format("{:.4g}", number / unit)
                                : fmt::format("{:.4g} [{:.3g}, {:.3g}]{}", number / unit, e.low / unit,
                                              e.high / unit, e.determined ? "" : " open");
-  if (c.verdict.status == VerdictStatus::interrupted) otherwise = "so far";
+  if (c.verdict.status == VerdictStatus::interrupted) otherwise = "as in the recipe";
   return fmt::format("{:.4g} ({})", number / unit, otherwise);
 }
 
