@@ -204,6 +204,15 @@ TEST(Calibrate, TheNameOfTheRecipeTellsWhatIsCalibrated) {
             "shale, strengths calibrated, moduli given");
 }
 
+TEST(Calibrate, WhatComesOutIsRunInUniaxialCompressionWhateverTheRecipeWas) {
+  PaperPress press;
+  Rock confined = rock();
+  confined.model.test.kind = TestKind("biaxial"), confined.model.test.confining_stress = 5e6;
+  const TestRecipe out = calibrated(confined, press, true).recipe.test;
+  EXPECT_EQ(out.kind, TestKind());
+  EXPECT_EQ(out.confining_stress, 0.0) << "no stress that this test does not keep";
+}
+
 TEST(Calibrate, AnOpenStrengthIsPinnedByWhatPinsTheNearestOpenRatio) {
   PaperPress press;
   const Calibration c = calibrated(rock(), press);
