@@ -356,10 +356,10 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
                                                       : Property::fracture_toughness);
   double squares = 0.0, missed = 0.0, missed_by_nu = 0.0;
   int n = 0;
-  bool some_missed = false, only_nu_missed = true;
+  bool nu_missed = false, others_missed = false;
   for (const Comparison& c : v.rows) {
     if (part_of(c.target.property) != part || !c.answered() || !std::isfinite(c.sd)) continue;
-    if (misses(c)) some_missed = true, only_nu_missed = only_nu_missed && c.target.property == Property::nu;
+    (c.target.property == Property::nu ? nu_missed : others_missed) |= misses(c);
     if (c.target.property == Property::nu) {
       missed_by_nu += std::pow(miss_of(c) / tolerance(Property::nu), 2.0);
       continue;
@@ -369,7 +369,7 @@ std::optional<Cause> scattered_packings(const View& v, Part part) {
     squares += std::pow(c.sd / c.mean / unit, 2.0), missed += std::pow(c.error() / unit, 2.0), ++n;
   }
   if (n == 0 || squares <= n || squares < 0.25 * missed || missed_by_nu > missed) return {};
-  if (some_missed && only_nu_missed) return {};
+  if (nu_missed && !others_missed) return {};
   return Cause{fmt::format("packings of this grain size differ by {:.0f} % from each other, the model from "
                            "the table by {:.0f} %",
                            100.0 * unit * std::sqrt(squares / n), 100.0 * unit * std::sqrt(missed / n)),

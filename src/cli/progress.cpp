@@ -39,7 +39,7 @@ void ProgressLine::update(const study::Progress& p) {
 
 void ProgressLine::show(const std::function<std::string(double)>& say) {
   if (seconds_since(shown_) < (terminal_ ? between_drawings : between_lines)) return;
-  shown_ = Clock::now(), started_ = true;
+  shown_ = Clock::now();
   std::string text = terminal_text(stage_ + say(seconds_since(start_)));
   stage_.clear();
   if (terminal_) {
@@ -76,14 +76,14 @@ void ProgressLine::note(const std::string& text) {
 void ProgressLine::stage(const std::string& text) {
   if (terminal_) return note(text);
   if (stage_.find(text + "; ") == std::string::npos) stage_ += text + "; ";  // some come round again
-  if (started_ && seconds_since(shown_) < between_lines) return;
+  if (shown_ != start_ && seconds_since(shown_) < between_lines) return;     // the first is told at once
   tell_stages();
 }
 
 void ProgressLine::tell_stages() {
   if (stage_.empty()) return;
   note(stage_.substr(0, stage_.size() - 2));
-  shown_ = Clock::now(), started_ = true, stage_.clear();
+  shown_ = Clock::now(), stage_.clear();
 }
 
 void ProgressLine::finish() {

@@ -32,10 +32,9 @@ class ProgressLine {
   void tell_stages();
   bool terminal_;            // asked once; its width with every line
   std::size_t n_drawn_ = 0;  // lines above
-  bool started_ = false;     // a line has been told
   std::string stage_;        // not told yet, each with "; " behind it
   std::function<std::vector<std::string>()> lines_;
-  Clock::time_point start_, shown_;
+  Clock::time_point start_, shown_;  // alike until a line is shown
 };
 
 }  // namespace phy::cli

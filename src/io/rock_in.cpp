@@ -97,8 +97,7 @@ const Fields& rock_fields() {
         as_in_recipe("specimen.height", "specimen", "height", "their height, along the load"),
         as_in_recipe("bedding.spacing", "bedding", "spacing",
                      "distance of the planes of bedding or foliation; default on specimens of another size: "
-                     "in proportion to "
-                     "the paper's; with a recipe what that has"),
+                     "in proportion to the paper's; with a recipe what that has"),
         as_in_recipe(
             "test.disc_diameter", "brazilian", "diameter",
             "discs of the BTS column without a diameter of their own; 0: the specimen's smaller side"),
@@ -334,23 +333,18 @@ class RockReader {
     }
     return found;
   }
-  /// Grains too large or too small for a specimen are one mistake, whatever keys of the recipe tell it.
-  void tell_of_grains(std::vector<Problem>& found) const {
-    const auto of_grains = [](const Problem& p) {
-      return p.key.starts_with("specimen.") || p.key.starts_with("packing.") || p.key.ends_with(".spacing") ||
-             p.key == "test.disc_diameter";
-    };
-    const auto first = std::find_if(found.begin(), found.end(), of_grains);
-    if (first == found.end()) return;
+  /// Grains too large or too small for a specimen are one mistake, whatever key of the recipe tells it.
+  Problem problem_of_grains(const Problem& told) const {
     const bool too_many =
-        rock_.model.packing.n_grains > PackingRecipe().n_grains && first->key.starts_with("packing.");
-    Problem one{file_.place("grain_size"), "grain_size",
-                print_quantity(file_.number("grain_size", 0.0), Dimension::length),
-                fmt::format("grains that suit the specimen and its planes ({} = {}: {})", first->key,
-                            first->value, first->expected),
-                too_many ? "state larger grains, or leave it out" : "state smaller grains, or leave it out"};
-    std::erase_if(found, of_grains);
-    found.push_back(std::move(one));
+        told.key.starts_with("packing.") && rock_.model.packing.n_grains > PackingRecipe().n_grains;
+    return {file_.place("grain_size"), "grain_size",
+            print_quantity(file_.number("grain_size", 0.0), Dimension::length),
+            fmt::format("grains that suit the specimen and its planes ({} = {}: {})", told.key, told.value,
+                        told.expected),
+            too_many ? "state larger grains, or leave it out" : "state smaller grains, or leave it out"};
+  }
+  bool about_grains(const std::string& key) const {
+    return is_given("grain_size") && key.starts_with("packing.");
   }
   /// What `phyllite run` would refuse: the recipe's own ranges and checks, after all of the rock file.
   void check_model() {
@@ -359,10 +353,22 @@ class RockReader {
     // Keys that are out of range take no part in the cross checks: their messages would be consequences.
     std::set<std::string> odd;
     for (const Problem& p : found) odd.insert(p.key);
-    for (Problem& p :
-         cross_checks(rock_.model, where, [&](const std::string& key) { return !odd.contains(key); }))
-      found.push_back(std::move(p));
-    if (is_given("grain_size")) tell_of_grains(found);
+    const auto cross = [&](bool with_grains) {
+      return cross_checks(rock_.model, where, [&](const std::string& key) {
+        return !odd.contains(key) && (with_grains || !about_grains(key));
+      });
+    };
+    // A check names the grains where it is about them.
+    std::vector<Problem> of_grains = found, all = cross(true), others = cross(false);
+    std::erase_if(of_grains, [&](const Problem& p) { return !about_grains(p.key); });
+    std::erase_if(found, [&](const Problem& p) { return about_grains(p.key); });
+    for (std::size_t i = 0, next = 0; i < all.size(); ++i)
+      if (next < others.size() && to_line(all[i]) == to_line(others[next]))
+        ++next;
+      else
+        of_grains.push_back(all[i]);
+    std::move(others.begin(), others.end(), std::back_inserter(found));
+    if (!of_grains.empty()) found.push_back(problem_of_grains(of_grains.front()));
     for (Problem& p : found) {
       const std::string key = said_here(p.key);
       // The user wrote the key of the rock file: it is named in place of the recipe's.
@@ -376,8 +382,9 @@ class RockReader {
   }
   /// The same for every disc of the table.
   void check_discs() {
-    const auto of_grains = [](const Problem& p) { return p.key == "grain_size"; };
-    if (std::any_of(problems_.begin(), problems_.end(), of_grains)) return;  // discs would tell it again
+    const bool grains_told = std::any_of(problems_.begin(), problems_.end(),
+                                         [](const Problem& p) { return p.key == "grain_size"; });
+    const auto known = [&](const std::string& key) { return !grains_told || !about_grains(key); };
     // Without a diameter of its own the disc is the model's, which has been checked.
     for (const RockReading& r : rock_.readings) {
       if (!is_of_discs(r.property) || r.diameter == 0.0) continue;
@@ -386,7 +393,8 @@ class RockReader {
       if (r.property == Property::fracture_toughness) disc.test.kind = TestKind("semi_circular_bend");
       std::string where = table_ + ":" + std::to_string(r.line);
       // Everything but the diameter is the model again.
-      for (Problem& p : cross_checks(disc, [&](const std::string&) { return where; }))
+      for (Problem& p : cross_checks(
+               disc, [&](const std::string&) { return where; }, known))
         if (p.key == "test.disc_diameter") p.key = "diameter", problems_.push_back(std::move(p));
     }
   }

@@ -90,6 +90,9 @@ TEST_F(RockFile, GrainsThatTheSpecimenDoesNotTakeAreRefused) {
               ElementsAre(HasSubstr("state smaller grains")));
   EXPECT_THAT(problems(table, "grain_size = \"0.6 mm\"\n[bedding]\nspacing = \"0.5 mm\"\n"),
               ElementsAre(HasSubstr("state smaller grains")));
+  EXPECT_THAT(problems(table, "grain_size = \"1.2 mm\"\n[brazilian]\ndiameter = \"900 mm\"\n"),
+              ElementsAre(AllOf(HasSubstr("brazilian.diameter"), HasSubstr("at most the smaller side"))))
+      << "which no grains mend";
   EXPECT_THAT(problems(table, "grain_size = 1.2\n"), Contains(HasSubstr("has no unit")));
   EXPECT_THAT(problems(table, "grain_size = \"1.2 mm\"\n"), IsEmpty());
 }

@@ -14,6 +14,25 @@
 #include "report/page.hpp"
 
 namespace phy::jobs {
+namespace {
+
+/// Stresses that another kind of test keeps. A recipe that was stored, or whose kind a study varies, may hold
+/// them; of one that is run they are a mistake.
+std::vector<Problem> idle_stresses(const Recipe& recipe, const std::string& path) {
+  std::vector<Problem> problems;
+  const TestKind& kind = recipe.test.kind;
+  for (const TestDescription* other : laboratory_tests())
+    if (const KeptStress& stress = other->kept_stress;
+        stress.value != nullptr && other != &*kind && recipe.test.*stress.value > 0.0)
+      problems.push_back(
+          {path, std::string("test.") + stress.key,
+           print_quantity(recipe.test.*stress.value, Dimension::pressure),
+           fmt::format("0 with kind = \"{}\"", kind->name),
+           fmt::format("leave it out with what belongs to it, or set kind = \"{}\"", other->name)});
+  return problems;
+}
+
+}  // namespace
 
 std::vector<std::pair<std::string, std::vector<study::RecipeDifference>>> results_of_others(
     const std::string& folder, const Recipe& recipe) {
@@ -56,30 +75,11 @@ std::vector<Problem> problems_of_others(const std::string& folder, const Recipe&
   return problems;
 }
 
-namespace {
-
-/// Stresses that another kind of test keeps. A recipe that was stored, or whose kind a study varies, may hold
-/// them; of one that is run they are a mistake.
-std::vector<Problem> idle_stresses(const Recipe& recipe, const std::string& path) {
-  std::vector<Problem> problems;
-  const TestKind& kind = recipe.test.kind;
-  for (const TestDescription* other : laboratory_tests())
-    if (const KeptStress& stress = other->kept_stress;
-        stress.value != nullptr && other != &*kind && recipe.test.*stress.value > 0.0)
-      problems.push_back(
-          {path, std::string("test.") + stress.key,
-           print_quantity(recipe.test.*stress.value, Dimension::pressure),
-           fmt::format("0 with kind = \"{}\"", kind->name),
-           fmt::format("leave it out with what belongs to it, or set kind = \"{}\"", other->name)});
-  return problems;
-}
-
-}  // namespace
-
 std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe& recipe,
                                          const std::string& path, bool replace) {
-  if (std::optional<Problem> p = problem_of_page(folder, PageOf::run)) return {*std::move(p)};
-  if (std::vector<Problem> idle = idle_stresses(recipe, path); !idle.empty()) return idle;
+  std::vector<Problem> problems = idle_stresses(recipe, path);
+  if (std::optional<Problem> p = problem_of_page(folder, PageOf::run)) problems.push_back(*std::move(p));
+  if (!problems.empty()) return problems;
   for (const std::string& name : specimen_names(recipe))
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
   if (!replace)

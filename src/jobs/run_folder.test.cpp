@@ -5,7 +5,6 @@
 
 #include "base/in_folder_fixture.hpp"
 #include "io/file.hpp"
-#include "jobs/study_folder.hpp"
 
 namespace phy::jobs {
 namespace {

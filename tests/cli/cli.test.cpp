@@ -267,6 +267,8 @@ TEST_F(Cli, AFolderHoldsResultsOfOneRecipe) {
   ASSERT_EQ(run("run " + recipe("3000 GPa/m", "\"45 deg\"") + line), 0) << output;
   ASSERT_EQ(run("run " + recipe("3000 GPa/m", "\"60 deg\"") + line), 0) << output;
   EXPECT_EQ(n_results(out()), 2) << "other angles are added";
+  EXPECT_THAT(read(out() + "/report.html"),
+              testing::AllOf(HasSubstr("theta = 45 deg"), HasSubstr("theta = 60 deg")));
   fs::create_directories(fs::path(out()) / "mine");
   EXPECT_EQ(run("run " + recipe("1000 GPa/m", "\"45 deg\"") + line), 2);
   EXPECT_THAT(output, testing::AllOf(HasSubstr("out (2 results): bedding[0].k_n = \"3000 GPa/m\""),

@@ -51,13 +51,16 @@ function crackLegend(): HTMLElement {
 
 // --- what is missing ----------------------------------------------------------------------------------------
 
+/** As many digits as tell a value from its limit: not "3.0", below 3. */
+const besideLimit = (value: number, limit: number) => [2, 3, 4, 5].map((n) => value.toPrecision(n)).find((text) => Number(text) !== limit) ?? value.toPrecision(6);
+
 /** What is warned of in tests that count, each once with the tests that it is said of. */
 function warnings(): [string, string[]][] {
   const told = new Map<string, string[]>();
   for (const t of report.tests.filter((t) => t.outcome.status === "peaked"))
     for (const m of t.quality.marks) {
       const says = `${m.number} ${m.says.slice(m.says.indexOf(", ") + 2)}; ${m.advice}`;
-      told.set(says, [...(told.get(says) ?? []), `${t.name}: ${m.value.toPrecision(2)}`]);
+      told.set(says, [...(told.get(says) ?? []), `${t.name}: ${besideLimit(m.value, m.limit)}`]);
     }
   return [...told];
 }
