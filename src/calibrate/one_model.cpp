@@ -470,9 +470,15 @@ bool run_stages(Calibration& result, std::vector<Estimate>& estimates, const Evi
   verify_moduli(result, work);
   result.n_elastic += static_cast<std::int64_t>(n_angles(result.verification) * work.unseen.size());
   strength = strength && all_answered(work.elastic.comparisons);
-  if (strength && !calibrate_strength(result, work)) return false;
-  estimates = work.elastic.parameters;
+  bool finished = true;
+  try {
+    finished = !strength || calibrate_strength(result, work);
+  } catch (const Stopped&) {  // in the middle of elastic solutions
+    finished = false;
+  }
+  estimates = work.elastic.parameters;  // what is known, also where it ends here
   estimates.insert(estimates.end(), work.strength.parameters.begin(), work.strength.parameters.end());
+  if (!finished) return false;
   make_ready(result.recipe, evidence);
   report_validity(result), report_quality(result),
       report_missing(result, static_cast<int>(work.unseen.size()));
