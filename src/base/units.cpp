@@ -6,51 +6,200 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 #include "base/trimmed.hpp"
 
 namespace phy {
 namespace {
 
+constexpr double foreign = -1.0;
+constexpr double degrees_of_radian = 57.295779513082320877;  // 180/pi
+
 struct Unit {
   Dimension dimension;
   const char* name;
-  int power;     ///< 1 unit = 10^power in SI
-  double least;  ///< from this number on the unit is used for printing, up to 1e4; 0: read only
+  int power;     ///< 1 unit = factor 10^power in SI
+  double least;  ///< printed from this number on, up to 1e4; 0: read, and proposed; foreign: read only
+  const char* spellings;  ///< others that are read, as spelling() has them, separated by blanks
+  double factor = 1.0;
 };
 
 // In the order in which a value is tried for printing; the first unit of a dimension takes what fits nowhere.
+// Pound and inch by international definition (0.45359237 kg, 25.4 mm), g = 9.80665 m/s^2.
 constexpr Unit units[] = {
-    {Dimension::length, "mm", -3, 0.1},
-    {Dimension::length, "m", 0, 1.0},
-    {Dimension::length, "um", -6, 0.1},
-    {Dimension::length, "cm", -2, 0.0},
-    {Dimension::pressure, "GPa", 9, 1.0},
-    {Dimension::pressure, "MPa", 6, 0.1},
-    {Dimension::pressure, "kPa", 3, 0.1},
-    {Dimension::pressure, "Pa", 0, 0.1},
-    {Dimension::stiffness, "GPa/m", 9, 1.0},
-    {Dimension::stiffness, "MPa/m", 6, 1.0},
-    {Dimension::stiffness, "Pa/m", 0, 0.1},
-    {Dimension::stiffness, "MPa/mm", 9, 0.0},
-    {Dimension::angle, "deg", 0, 0.0},
-    {Dimension::speed, "m/s", 0, 0.001},
-    {Dimension::speed, "mm/s", -3, 0.0},
-    {Dimension::density, "kg/m^3", 0, 0.0},
-    {Dimension::density, "kg/m3", 0, 0.0},
-    {Dimension::density, "g/cm^3", 3, 0.0},
-    {Dimension::toughness, "MPa sqrt(m)", 6, 0.1},
-    {Dimension::toughness, "kPa sqrt(m)", 3, 0.1},
-    {Dimension::toughness, "Pa sqrt(m)", 0, 0.1},
+    {Dimension::length, "mm", -3, 0.1, "мм"},
+    {Dimension::length, "m", 0, 1.0, "м"},
+    {Dimension::length, "um", -6, 0.1, "micron microns мкм"},
+    {Dimension::length, "cm", -2, 0.0, "см"},
+    {Dimension::length, "in", -4, foreign, "inch inches \"", 254.0},
+    {Dimension::length, "ft", -4, foreign, "foot feet", 3048.0},
+    {Dimension::pressure, "GPa", 9, 1.0, "kn/mm2 gn/m2 ГПа"},
+    {Dimension::pressure, "MPa", 6, 0.1, "n/mm2 mn/m2 nmm-2 mnm-2 МПа Н/мм2 МН/м2"},
+    {Dimension::pressure, "kPa", 3, 0.1, "kn/m2 knm-2 кПа"},
+    {Dimension::pressure, "Pa", 0, 0.1, "n/m2 nm-2 Па"},
+    {Dimension::pressure, "psi", 0, foreign, "lb/in2 lbf/in2 lbs/in2", 6894.757293168361},
+    {Dimension::pressure, "ksi", 3, foreign, "kpsi kip/in2", 6894.757293168361},
+    {Dimension::pressure, "Mpsi", 6, foreign, "msi", 6894.757293168361},
+    {Dimension::pressure, "bar", 5, foreign, "bars бар"},
+    {Dimension::pressure, "kbar", 8, foreign, "кбар"},
+    {Dimension::pressure, "atm", 0, foreign, "", 101325.0},
+    {Dimension::pressure, "kgf/cm2", 0, foreign, "kg/cm2 kp/cm2 kgfcm-2 кгс/см2 кг/см2", 98066.5},
+    {Dimension::pressure, "kgf/mm2", 2, foreign, "kg/mm2 kp/mm2 kgfmm-2 кгс/мм2 кг/мм2", 98066.5},
+    {Dimension::pressure, "tf/m2", 0, foreign, "t/m2 тс/м2", 9806.65},
+    {Dimension::stiffness, "GPa/m", 9, 1.0, "gn/m3"},
+    {Dimension::stiffness, "MPa/m", 6, 1.0, "mn/m3"},
+    {Dimension::stiffness, "Pa/m", 0, 0.1, "n/m3 nm-3"},
+    {Dimension::stiffness, "MPa/mm", 9, 0.0, "n/mm3"},
+    {Dimension::stiffness, "kPa/m", 3, foreign, "kn/m3"},
+    {Dimension::stiffness, "GPa/mm", 12, foreign, "kn/mm3"},
+    {Dimension::stiffness, "psi/in", 4, foreign, "lb/in3 lbf/in3", 6894.757293168361 / 254.0},
+    {Dimension::angle, "deg", 0, 0.0, "° º ˚ degree degrees град градус"},
+    {Dimension::angle, "rad", 0, foreign, "radian radians рад", degrees_of_radian},
+    {Dimension::speed, "m/s", 0, 0.001, "ms-1 м/с"},
+    {Dimension::speed, "mm/s", -3, 0.0, "mms-1 мм/с"},
+    {Dimension::speed, "cm/s", -2, foreign, "cms-1"},
+    {Dimension::speed, "um/s", -6, foreign, "ums-1"},
+    {Dimension::speed, "mm/min", 0, foreign, "mmmin-1 мм/мин", 1e-3 / 60.0},
+    {Dimension::density, "kg/m^3", 0, 0.0, "kgm-3 кг/м3"},
+    {Dimension::density, "g/cm^3", 3, 0.0, "g/cc gcm-3 t/m3 mg/m3 г/см3 т/м3"},
+    {Dimension::density, "pcf", 0, foreign, "lb/ft3 lbf/ft3 lbs/ft3", 16.018463373960142},
+    {Dimension::toughness, "MPa sqrt(m)", 6, 0.1,
+     "mpam05 mpam1/2 mparootm mn/m15 mn/m3/2 mnm-15 mnm-3/2 МПаsqrtм МПам05"},
+    {Dimension::toughness, "kPa sqrt(m)", 3, 0.1, "kpam05 kpam1/2 kparootm kn/m15 kn/m3/2 knm-15 knm-3/2"},
+    {Dimension::toughness, "Pa sqrt(m)", 0, 0.1, "pam05 pam1/2 parootm n/m15 n/m3/2 nm-15 nm-3/2"},
+    {Dimension::strain, "1", 0, foreign, "- mm/mm m/m in/in"},
+    {Dimension::strain, "%", -2, foreign, "percent"},
+    {Dimension::strain, "permille", -3, foreign, "‰ mm/m millistrain mstrain"},
+    {Dimension::strain, "microstrain", -6, foreign, "um/m ustrain uε ue"},
 };
 
-constexpr const char* beyond = "is larger or smaller than a number can be";
+/// Signs that mean the same: powers, products, roots, Greek and full-width letters.
+constexpr std::pair<const char*, const char*> same_signs[] = {
+    {"⁰", "^0"},
+    {"¹", "^1"},
+    {"²", "^2"},
+    {"³", "^3"},
+    {"⁴", "^4"},
+    {"⁵", "^5"},
+    {"⁶", "^6"},
+    {"⁷", "^7"},
+    {"⁸", "^8"},
+    {"⁹", "^9"},
+    {"⁻", "^-"},
+    {"−", "-"},
+    {"–", "-"},
+    {"—", "-"},
+    {"·", "*"},
+    {"⋅", "*"},
+    {"•", "*"},
+    {"×", "x"},
+    {"✕", "x"},
+    {"√", "sqrt"},
+    {"½", "1/2"},
+    {"µ", "u"},
+    {"μ", "u"},
+    {"／", "/"},
+    {"％", "%"},
+    {"″", "\""},
+    {"”", "\""},
+    {"㎜", "mm"},
+    {"㎝", "cm"},
+    {"㎫", "MPa"},
+    {"㎬", "GPa"},
+    {"㎪", "kPa"},
+    {"㎩", "Pa"},
+    {"㎏", "kg"},
+    {"\xC2\xA0", " "},
+    {"\xE2\x80\x89", " "},
+    {"\xE2\x80\xAF", " "},
+    {"\xE3\x80\x80", " "},
+    {"ɛ", "ε"},
+};
 
-bool same_but_for_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
+/// A unit with one sign for one thing, and one "^" before a power.
+std::string with_same_signs(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto sign = std::find_if(std::begin(same_signs), std::end(same_signs),
+                                   [&](const auto& s) { return text.starts_with(s.first); });
+    if (sign == std::end(same_signs)) {
+      out += text.front(), text.remove_prefix(1);
+      continue;
+    }
+    // "10⁻⁶" is one power of three signs.
+    std::string_view same = sign->second;
+    const std::size_t power = out.find_last_not_of("-0123456789");
+    if (same.size() > 1 && same.front() == '^' && power != out.npos && out[power] == '^')
+      same.remove_prefix(1);
+    out += same;
+    text.remove_prefix(std::string_view(sign->first).size());
+  }
+  return out;
 }
+
+/// A unit as spellings are compared: without blanks, signs of powers and products, brackets. Lower case, but
+/// for a single letter: "M" is no metre.
+std::string spelling(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    if (std::string_view(" \t_*.^(){}").find(c) == std::string_view::npos) out += c;
+  if (out.size() > 1)
+    for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+bool is_spelled(const Unit& u, const std::string& text) {
+  if (text.empty()) return false;
+  if (text == spelling(u.name)) return true;
+  std::string_view rest = u.spellings;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    if (rest.substr(0, end) == text) return true;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
+}
+
+/// Takes "x10^4", "10^5", "x 10" or "1e4" from the front. Without a sign of product or power it is no factor.
+int take_power(std::string_view& text) {
+  std::string_view s = trimmed(text, " \t");
+  const bool times = s.starts_with('x') || s.starts_with('X') || s.starts_with('*');
+  if (times) s = trimmed(s.substr(1), " \t");
+  int power = 1;
+  const bool exponential = s.starts_with("1e") || s.starts_with("1E");
+  if (!exponential && !s.starts_with("10")) return 0;
+  s.remove_prefix(2);
+  if (exponential || s.starts_with('^') || s.starts_with("**")) {
+    while (!exponential && (s.starts_with('^') || s.starts_with('*'))) s.remove_prefix(1);
+    if (s.starts_with('+')) s.remove_prefix(1);
+    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), power);
+    if (error != std::errc() || std::abs(power) > 12) return 0;
+    s.remove_prefix(static_cast<std::size_t>(end - s.data()));
+  } else if (!times) {
+    return 0;
+  }
+  text = s;
+  return power;
+}
+
+struct ScaledUnit {
+  const Unit* unit = nullptr;
+  int power = 0;  // of the unit and of what stands in front of it
+};
+
+std::optional<ScaledUnit> scaled_unit(std::string_view text) {
+  const std::string same = with_same_signs(text);
+  std::string_view rest = same;
+  const int power = take_power(rest);
+  const std::string spelled = power != 0 && trimmed(rest).empty() ? "1" : spelling(rest);
+  for (const Unit& u : units)
+    if (is_spelled(u, spelled)) return ScaledUnit{&u, u.power + power};
+  return {};
+}
+
+constexpr const char* beyond = "is larger or smaller than a number can be";
 
 /// A decimal number with its point moved: 10^power times what the text says, rounded once. False where it is
 /// beyond all numbers; an exponent of more digits than these is not read at all.
@@ -116,7 +265,7 @@ std::string likely_unit(double number, double usual, Dimension dimension) {
   };
   const Unit* nearest = nullptr;
   for (const Unit& u : units) {
-    if (u.dimension != dimension) continue;
+    if (u.dimension != dimension || u.least < 0.0) continue;
     if (u.name == plain && farness(u) <= far) return plain;
     if (nearest == nullptr || farness(u) < farness(*nearest)) nearest = &u;
   }
@@ -125,15 +274,6 @@ std::string likely_unit(double number, double usual, Dimension dimension) {
 
 /// "-0" is 0: an angle has one name.
 double unsigned_zero(double value) { return value == 0.0 ? 0.0 : value; }
-
-/// What is wrong with a unit that was not found, with the likeliest cause first.
-std::string unit_problem(std::string_view unit, Dimension dimension) {
-  std::string text = "has the wrong unit \"" + std::string(unit) + "\"; ";
-  for (const Unit& u : units)
-    if (u.dimension == dimension && same_but_for_case(unit, u.name))
-      text += "did you mean \"" + std::string(u.name) + "\"? ";
-  return text + "known here: " + unit_names(dimension);
-}
 
 }  // namespace
 
@@ -155,6 +295,43 @@ std::string unit_names(Dimension dimension) {
   for (const Unit& u : units)
     if (u.dimension == dimension) names += (names.empty() ? "" : ", ") + std::string(u.name);
   return names;
+}
+
+std::optional<UnitName> find_unit(std::string_view text) {
+  const auto found = scaled_unit(text);
+  if (!found) return {};
+  const int times = found->power - found->unit->power;
+  const std::string power = times == 0 ? "" : "10^" + std::to_string(times) + " ";
+  return UnitName{found->unit->dimension, power + found->unit->name};
+}
+
+const std::vector<UnitRow>& unit_rows() {
+  static const std::vector<UnitRow> rows = [] {
+    std::vector<UnitRow> all;
+    for (const Unit& u : units) {
+      const std::string size = u.factor == 1.0 ? fmt::format("1e{}", u.power)
+                                               : fmt::format("{:.10g}", u.factor * std::pow(10.0, u.power));
+      all.push_back(
+          {u.dimension, u.name, u.spellings, (size == "1e0" ? "1" : size) + " " + inner_unit(u.dimension)});
+    }
+    return all;
+  }();
+  return rows;
+}
+
+std::string to_string(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::none: return "number";
+    case Dimension::length: return "length";
+    case Dimension::pressure: return "stress";
+    case Dimension::stiffness: return "stiffness";
+    case Dimension::angle: return "angle";
+    case Dimension::speed: return "speed";
+    case Dimension::density: return "density";
+    case Dimension::toughness: return "fracture toughness";
+    case Dimension::strain: return "strain";
+  }
+  return "";
 }
 
 std::string inner_unit(Dimension dimension) {
@@ -180,13 +357,17 @@ Quantity parse_quantity(std::string_view text, Dimension dimension, double usual
     return {false, 0.0,
             "has no unit; write for example \"" + std::string(s.substr(0, length)) + " " +
                 likely_unit(number, usual, dimension) + "\""};
-  for (const Unit& u : units) {
-    if (u.dimension != dimension || unit != u.name) continue;
-    double value = 0.0;
-    if (!read_shifted(s.substr(0, length), u.power, value)) return {false, 0.0, beyond};
-    return {true, unsigned_zero(value), ""};
-  }
-  return {false, 0.0, unit_problem(unit, dimension)};
+  const auto known = scaled_unit(unit);
+  if (!known || known->unit->dimension != dimension)
+    return {false, 0.0,
+            "has the wrong unit \"" + std::string(unit) + "\"; known here: " + unit_names(dimension)};
+  // A factor goes to the number before its point is moved: 3 in are 762e-4 m.
+  const double factor = known->unit->factor;
+  const std::string shown = factor == 1.0 ? std::string(s.substr(0, length)) : print_number(number * factor);
+  double value = 0.0;
+  if (!std::isfinite(number * factor) || !read_shifted(shown, known->power, value))
+    return {false, 0.0, beyond};
+  return {true, unsigned_zero(value), ""};
 }
 
 std::string print_quantity(double value, Dimension dimension) {
@@ -196,7 +377,7 @@ std::string print_quantity(double value, Dimension dimension) {
     if (u.dimension != dimension) continue;
     if (chosen == nullptr) chosen = &u;
     const double number = std::fabs(value) / std::pow(10.0, u.power);  // only to choose; the text is exact
-    if (u.least == 0.0 || number < u.least || number >= 1e4) continue;
+    if (u.least <= 0.0 || number < u.least || number >= 1e4) continue;
     chosen = &u;
     break;
   }

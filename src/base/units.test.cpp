@@ -8,6 +8,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 #include "base/rng.hpp"
 
@@ -16,9 +20,9 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Dimension dimensions[] = {Dimension::length,   Dimension::pressure, Dimension::stiffness,
-                                    Dimension::angle,    Dimension::speed,    Dimension::density,
-                                    Dimension::toughness};
+constexpr Dimension dimensions[] = {Dimension::length,    Dimension::pressure, Dimension::stiffness,
+                                    Dimension::angle,     Dimension::speed,    Dimension::density,
+                                    Dimension::toughness, Dimension::strain};
 
 double value_of(const char* text, Dimension d) {
   const Quantity q = parse_quantity(text, d);
@@ -48,6 +52,66 @@ TEST(Units, AreReadByHandCalculation) {
   EXPECT_EQ(value_of("850 kPa sqrt(m)", Dimension::toughness), 0.85e6);
   EXPECT_FALSE(parse_quantity("1.5 MPa", Dimension::toughness).ok);
   EXPECT_EQ(value_of("0.3", Dimension::none), 0.3);
+}
+
+// By definition: 1 lb = 0.45359237 kg, 1 in = 25.4 mm, g = 9.80665 m/s^2.
+TEST(Units, UnitsOfLaboratoriesAreReadByDefinition) {
+  const double psi = 0.45359237 * 9.80665 / (0.0254 * 0.0254), kgf_cm2 = 9.80665e4;
+  EXPECT_DOUBLE_EQ(value_of("1 psi", Dimension::pressure), psi);
+  EXPECT_DOUBLE_EQ(value_of("11.6 ksi", Dimension::pressure), 11600 * psi);
+  EXPECT_DOUBLE_EQ(value_of("3 Mpsi", Dimension::pressure), 3e6 * psi);
+  EXPECT_DOUBLE_EQ(value_of("816 kgf/cm2", Dimension::pressure), 816 * kgf_cm2);
+  EXPECT_DOUBLE_EQ(value_of("8.2 kgf/mm²", Dimension::pressure), 820 * kgf_cm2);
+  EXPECT_EQ(value_of("800 bar", Dimension::pressure), 80e6);
+  EXPECT_EQ(value_of("3 in", Dimension::length), 0.0762);
+  EXPECT_EQ(value_of("2.49 inch", Dimension::length), 0.063246);
+  EXPECT_EQ(value_of("1.5e8 N/m2", Dimension::pressure), 1.5e8);
+  EXPECT_EQ(value_of("1e13 N/m3", Dimension::stiffness), 1e13);
+  EXPECT_DOUBLE_EQ(value_of("1 psi/in", Dimension::stiffness), psi / 0.0254);
+  EXPECT_DOUBLE_EQ(value_of("0.5235987755982988 rad", Dimension::angle), 30.0);
+  EXPECT_EQ(value_of("5 cm/s", Dimension::speed), 0.05);
+  EXPECT_DOUBLE_EQ(value_of("6 mm/min", Dimension::speed), 1e-4);
+  EXPECT_EQ(value_of("2.7 t/m3", Dimension::density), 2700.0);
+  EXPECT_DOUBLE_EQ(value_of("142 pcf", Dimension::density), 142 * 0.45359237 / (0.3048 * 0.3048 * 0.3048));
+  EXPECT_EQ(value_of("300 µε", Dimension::strain), 300e-6);
+  EXPECT_EQ(value_of("0.3 ‰", Dimension::strain), 3e-4);
+  EXPECT_EQ(value_of("2 ×10⁴ MPa", Dimension::pressure), 2e10);
+}
+
+TEST(Units, OneUnitHasManySpellings) {
+  const std::pair<const char*, std::vector<const char*>> all[] = {
+      {"MPa", {"mpa", "Mpa", "N/mm2", "N/mm²", "N/mm^2", "N mm⁻²", "MN/m2", "MN m^-2", "МПа", "M\xC2\xA0Pa"}},
+      {"kgf/cm2", {"kg/cm²", "kgf/cm^2", "кгс/см2", "KGF/CM2"}},
+      {"psi", {"PSI", "lb/in²", "lbf/in2", "p.s.i."}},
+      {"deg", {"°", "º", "˚", "degrees", "deg.", "град."}},
+      {"um", {"µm", "μm", "micron"}},
+      {"10^4 MPa", {"x10^4 MPa", "×10⁴ MPa", "10^4MPa", "1e4 MPa", "x 10^4 N/mm2", "10**4 MPa"}},
+      {"10^5 Pa", {"10⁵ Pa", "×10^5 Pa"}},
+      {"10^-6 1", {"10^-6", "10⁻⁶", "x10^-6"}},
+      {"microstrain", {"µε", "με", "um/m", "Microstrain"}},
+      {"MPa sqrt(m)", {"MPa m^0.5", "MPa√m", "MN/m^1.5", "MPa·m^(1/2)", "MPa m½"}}};
+  for (const auto& [name, spellings] : all)
+    for (const char* text : spellings) {
+      const auto unit = find_unit(text);
+      ASSERT_TRUE(unit) << text;
+      EXPECT_EQ(unit->name, name) << text;
+      EXPECT_EQ(find_unit(unit->name)->name, name);
+    }
+  for (const char* none : {"", "100", "10", "kN", "E", "M", "mean", "UCS", "x", "10 MPa"})
+    EXPECT_FALSE(find_unit(none)) << none;
+}
+
+TEST(Units, NoSpellingMeansTwoThings) {
+  std::map<std::string, std::string> meaning;
+  for (const UnitRow& row : unit_rows()) {
+    std::istringstream words(row.spellings);
+    for (std::string word; words >> word;) {
+      ASSERT_TRUE(find_unit(word)) << word;
+      EXPECT_EQ(find_unit(word)->name, row.name) << word;
+      EXPECT_TRUE(meaning.emplace(word, row.name).second) << word;
+    }
+    EXPECT_EQ(find_unit(row.name)->dimension, row.dimension) << row.name;
+  }
 }
 
 TEST(Units, BlanksSignsAndExponentsAreAllowed) {
@@ -124,7 +188,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"bare_angle", "35.5", Dimension::angle, "\"35.5 deg\""},
                     Bad{"other_dimension", "38 mm", Dimension::pressure,
                         "wrong unit \"mm\"; known here: GPa, MPa"},
-                    Bad{"letter_case", "65 Mpa", Dimension::pressure, "did you mean \"MPa\"?"},
+                    Bad{"one_letter", "65 M", Dimension::length, "wrong unit \"M\""},
+                    Bad{"psi_is_no_angle", "30 psi", Dimension::angle, "wrong unit \"psi\""},
+                    Bad{"bare_power", "80 10", Dimension::pressure, "wrong unit \"10\""},
+                    Bad{"no_sign_of_a_power", "8 10 MPa", Dimension::pressure, "wrong unit \"10 MPa\""},
                     Bad{"trailing", "38 mm x", Dimension::length, "wrong unit \"mm x\""},
                     Bad{"empty", "", Dimension::length, "does not start with a number"},
                     Bad{"word", "wide", Dimension::length, "does not start with a number"},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/nan.hpp"
+#include "base/trimmed.hpp"
 #include "base/units.hpp"
 #include "io/rock_columns.hpp"
 #include "io/table.hpp"
