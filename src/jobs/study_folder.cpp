@@ -10,6 +10,7 @@
 #include "io/file.hpp"
 #include "io/output.hpp"
 #include "jobs/another_recipe.hpp"
+#include "jobs/run_folder.hpp"
 #include "records/specimen_record.hpp"
 #include "study/experiment.hpp"
 #include "study/study_in.hpp"
