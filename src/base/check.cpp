@@ -64,7 +64,7 @@ std::string to_line(const Problem& p) {
   if (!p.key.empty()) line += (line.empty() ? "" : ": ") + p.key;
   if (!p.value.empty()) line += " = " + p.value;
   if (!p.expected.empty()) line += (line.empty() ? "" : ": ") + std::string("expected ") + p.expected;
-  if (!p.remedy.empty()) line += (line.empty() ? "" : "; ") + p.remedy;
+  if (!p.remedy.empty()) line += (line.empty() ? "" : p.expected.empty() ? ": " : "; ") + p.remedy;
   return line;
 }
 

@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"control", "name = \"a\x01\"\n", "odd character (byte 1)"},
         Bad{"long_line", "name = \"" + std::string(5000, 'x') + "\"\n", "break the line"},
         Bad{"long_file", std::string(2U << 20U, '\n'), "at most 1 MB"},
-        Bad{"letter_case", "[matrix]\nE_c = \"38 Gpa\"\n", "did you mean \"GPa\"?"},
+        Bad{"other_unit", "[matrix]\nE_c = \"38 mm\"\n", "wrong unit \"mm\""},
         Bad{"number_in_quotes", "[matrix]\nmu = \"0.8\"\n", "write a bare number"},
         Bad{"other_table", "[specimen]\nspacing = \"5 mm\"\n", "it belongs to [[bedding]]"},
         Bad{"pfc_name", "[matrix]\nkratio = 3\n", "matrix.ks_over_kn (1/kratio)"},

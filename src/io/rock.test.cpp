@@ -127,14 +127,14 @@ TEST_F(RockFile, MixedUnitsOfTwoColumnsAreRefused) {
               Contains(HasSubstr("its units are mixed: GPa and MPa")));
   EXPECT_THAT(problems("theta [deg],E\n0,23\n45,20\n90,59\n"),
               Contains(HasSubstr("a unit of E in the header")));
-  EXPECT_THAT(problems("theta [deg],UCS [psi]\n0,14500\n45,8000\n90,20000\n"),
+  EXPECT_THAT(problems("theta [deg],UCS [tons]\n0,14500\n45,8000\n90,20000\n"),
               Contains(HasSubstr("write for example UCS [MPa] and convert the values")));
 }
 
 TEST_F(RockFile, ABeddedRockNeedsThreeAnglesAnIsotropicOneNone) {
   EXPECT_THAT(problems("theta [deg],E [GPa]\n0,23\n90,59\n0,24\n"),
               Contains(HasSubstr("at least three angles")));
-  const Rock isotropic = rock("E [GPa],UCS [MPa]\n60,150\n62,140\n");
+  const Rock isotropic = rock("E [GPa],UCS [MPa]\n60,150\n62,140\n", "bedded = false\n");
   EXPECT_FALSE(isotropic.bedded);
   EXPECT_THAT(isotropic.model.bedding, IsEmpty());
 }
@@ -362,7 +362,8 @@ TEST_F(RockFile, SingleSpecimensStayWithTheirTarget) {
   const auto t = targets_of(rock("theta [deg],UCS [MPa],n\n0,100,1\n0,104,1\n45,50,3\n90,130,1\n"));
   EXPECT_THAT(t[0].specimens, testing::ElementsAre(testing::DoubleEq(100e6), testing::DoubleEq(104e6)));
   EXPECT_TRUE(t[1].specimens.empty());  // a mean is no specimen
-  const auto plane_stress = targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\n"));
+  const auto plane_stress =
+      targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\nbedded = false\n"));
   for (const Target& cell : plane_stress) {  // the only one is the mean, converted too
     ASSERT_EQ(cell.specimens.size(), 1U);
     EXPECT_DOUBLE_EQ(cell.specimens[0], cell.mean);
@@ -388,10 +389,11 @@ TEST_F(RockFile, ManyReplicatesSpeakForThemselves) {
 
 // Isotropic: E_2D = E/(1 - nu^2), nu_2D = nu/(1 - nu).
 TEST_F(RockFile, PlaneStrainIsConverted) {
-  const auto t = targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\n"));
+  const auto t =
+      targets_of(rock("E [GPa],nu\n60,0.25\n", "elastic_reading = \"plane strain\"\nbedded = false\n"));
   EXPECT_NEAR(t[0].mean, 60e9 / (1.0 - 0.0625), 1.0);
   EXPECT_NEAR(t[1].mean, 0.25 / 0.75, 1e-12);
-  EXPECT_THAT(problems("E [GPa]\n60\n", "elastic_reading = \"plane strain\"\n"),
+  EXPECT_THAT(problems("E [GPa]\n60\n", "elastic_reading = \"plane strain\"\nbedded = false\n"),
               Contains(HasSubstr("a column nu")));
 }
 
@@ -410,8 +412,8 @@ TEST_F(RockFile, PlaneStrainIsConvertedUnderEachStressByItself) {
 // d nu_2D/d nu = 1/(1 - nu)^2 in an isotropic rock: what two tables that differ in nu differ by.
 TEST_F(RockFile, PlaneStrainConvertsTheScatterOfNuToo) {
   const auto nu_2D = [&](const std::string& nu) {
-    return targets_of(
-        rock("E [GPa],nu,nu_sd\n60," + nu + ",0.03\n", "elastic_reading = \"plane strain\"\n"))[1];
+    return targets_of(rock("E [GPa],nu,nu_sd\n60," + nu + ",0.03\n",
+                           "elastic_reading = \"plane strain\"\nbedded = false\n"))[1];
   };
   const double slope = (nu_2D("0.251").mean - nu_2D("0.249").mean) / 0.002;
   EXPECT_NEAR(nu_2D("0.25").sd, 0.03 * slope, 1e-6);

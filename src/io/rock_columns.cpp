@@ -33,14 +33,14 @@ const std::vector<Known>& known_columns() {
       {"E",
        C::value,
        P::E,
-       {"e50", "young", "youngmodulus", "youngsmodulus", "elasticmodulus", "modulusofelasticity",
-        "deformationmodulus", "modulusofdeformation"}},
-      {"nu", C::value, P::nu, {"v", "poisson", "poissonratio", "poissonsratio"}},
+       {"e50", "young", "youngmodulus", "youngsmodulus", "elasticmodulus", "elasticitymodulus",
+        "modulusofelasticity", "deformationmodulus", "modulusofdeformation", "rucse"}},
+      {"nu", C::value, P::nu, {"v", "poisson", "poissonratio", "poissonsratio", "rucsmu"}},
       {"UCS",
        C::value,
        P::ucs,
        {"sigmac", "sigmaucs", "qu", "uniaxialcompressivestrength", "unconfinedcompressivestrength",
-        "uniaxialstrength", "compressivestrength", "peakstrength"}},
+        "uniaxialstrength", "compressivestrength", "peakstrength", "rucsucs"}},
       {"DTS",
        C::value,
        P::direct_tension,
@@ -74,15 +74,26 @@ const std::vector<Known>& known_columns() {
        C::friction,
        P::E,
        {"frictionangle", "angleoffriction", "internalfrictionangle", "angleofinternalfriction"}},
+      {"sigma_2", C::intermediate, P::E, {"s2", "intermediateprincipalstress"}},
       {"confining_min", C::least_confining, P::E, {"sigma3min"}},
       {"confining_max", C::most_confining, P::E, {"sigma3max"}}};
   return known;
 }
 
-/// Words of angles, which count from the load in some laboratories, from the horizontal in others.
-constexpr std::array angle_words = {"angle",     "orientation", "inclination", "bedding",
-                                    "foliation", "schistosity", "theta",       "beta",
-                                    "alpha",     "psi",         "dip"};
+/// Words of directions, which count from the load in some laboratories, from the horizontal in others.
+constexpr std::array angle_words = {"angle",     "orientation", "direction", "inclination", "bedding",
+                                    "foliation", "schistosity", "cleavage",  "lamination",  "loading",
+                                    "plug",      "theta",       "beta",      "alpha",       "dip",
+                                    "winkel",    "neigung",     "schicht",   "schieferung", "倾角",
+                                    "层理",      "угол"};
+/// Words of what is read, and of what is not told apart from it.
+constexpr std::array value_words = {"strength",   "stress", "modulus",  "poisson",  "young",
+                                    "ucs",        "bts",    "dts",      "cohesion", "friction",
+                                    "toughness",  "kic",    "compress", "tensile",  "brazil",
+                                    "festigkeit", "强度",   "模量",     "泊松",     "прочность"};
+/// Words around the name of an angle that leave its meaning to the name: "Bedding angle, θ".
+constexpr std::array words_beside_names = {"angle",       "bedding", "foliation", "inclination",
+                                           "orientation", "of",      "the"};
 
 /// Moduli whose name says how they are read (ISRM's suggested methods; waves).
 const std::map<std::string, ModulusReading>& moduli() {
@@ -110,7 +121,7 @@ const std::map<std::string, ModulusReading>& moduli() {
   return names;
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 26> signs_in_words = {{
+constexpr std::pair<const char*, const char*> signs_in_words[] = {
     {"σ", "sigma"},
     {"Σ", "sigma"},
     {"θ", "theta"},
@@ -122,7 +133,8 @@ constexpr std::array<std::pair<const char*, const char*>, 26> signs_in_words = {
     {"ϕ", "phi"},
     {"Φ", "phi"},
     {"α", "alpha"},
-    {"ψ", "psi"},
+    {"ψ", "angle"},  // "psi" is a unit of stress
+    {"₂", "2"},
     {"₀", "0"},
     {"₁", "1"},
     {"₃", "3"},
@@ -137,15 +149,19 @@ constexpr std::array<std::pair<const char*, const char*>, 26> signs_in_words = {
     {"”", ""},
     {"\xC2\xA0", ""},      // a blank that breaks no line
     {"\xE2\x80\x89", ""},  // a thin one
-}};
+    {"（", ""},            // of full width
+    {"）", ""},
+    {"：", ""},
+    {"，", ""},
+};
 
 /// A name as names are compared: lower case, no blanks and signs, Greek letters by their names.
 std::string key_of(std::string_view name) {
   std::string key;
   while (!name.empty()) {
-    const auto letter = std::find_if(signs_in_words.begin(), signs_in_words.end(),
+    const auto letter = std::find_if(std::begin(signs_in_words), std::end(signs_in_words),
                                      [&](const auto& l) { return name.starts_with(l.first); });
-    if (letter != signs_in_words.end()) {
+    if (letter != std::end(signs_in_words)) {
       key += letter->second;
       name.remove_prefix(std::string_view(letter->first).size());
       continue;
@@ -164,74 +180,67 @@ bool contains(const List& list, const std::string& key) {
 
 std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
 
-std::string without(std::string text, const std::vector<std::string>& parts) {
-  for (const std::string& part : parts)
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at))
-      text.erase(at, part.size());
-  return text;
-}
-
-/// "MPa m^0.5", "MPa√m", "MN/m^1.5", "kPa·m^(1/2)" and so on: the program's word for a unit of fracture
-/// toughness; nothing for any other. `text`: in lower case.
-std::string toughness_word(const std::string& text) {
-  const std::string bare =
-      without(text, {" ", "_", "\xC2\xA0", "·", "⋅", "*", ".", "^", "(", ")", "{", "}"});  // "m^0.5" is "m05"
-  for (const auto& [stress, force, ours] :
-       {std::array{"mpa", "mn", "MPa sqrt(m)"}, std::array{"kpa", "kn", "kPa sqrt(m)"},
-        std::array{"pa", "n", "Pa sqrt(m)"}}) {
-    for (const char* root : {"m05", "m1/2", "m½", "√m", "sqrtm", "rootm"})
-      if (bare == stress + std::string(root)) return ours;
-    for (const char* power : {"/m15", "/m3/2", "m-15", "m-3/2", "m−15", "m−3/2"})
-      if (bare == force + std::string(power)) return ours;
-  }
-  return "";
-}
-
 std::string lower_case(const std::string& text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return lower;
 }
 
-/// The program's word for a unit; nothing for what is no unit of a table.
-std::string unit_word(std::string text) {
-  static const std::map<std::string, std::string> same = {
-      {"°", "deg"},       {"º", "deg"},      {"degree", "deg"}, {"degrees", "deg"}, {"n/mm²", "MPa"},
-      {"n/mm2", "MPa"},   {"n/mm^2", "MPa"}, {"mn/m²", "MPa"},  {"mn/m2", "MPa"},   {"mn/m^2", "MPa"},
-      {"kn/m²", "kPa"},   {"kn/m2", "kPa"},  {"kn/m^2", "kPa"}, {"kn/mm²", "GPa"},  {"kn/mm2", "GPa"},
-      {"kn/mm^2", "GPa"}, {"gn/m2", "GPa"},  {"pa", "Pa"},      {"kpa", "kPa"},     {"mpa", "MPa"},
-      {"gpa", "GPa"},     {"deg", "deg"}};
-  text = without(std::move(text), {"\xC2\xA0", " "});
-  if (text.ends_with('.')) text.pop_back();
-  const std::string lower = lower_case(text);
-  if (std::string toughness = toughness_word(lower); !toughness.empty()) return toughness;
-  if (const auto found = same.find(lower); found != same.end()) return found->second;
-  return parse_quantity("1 " + text, Dimension::length).ok ? text : "";
+/// A header with the brackets and separators of ASCII, which those of Chinese and Japanese text mean too.
+std::string with_plain_signs(std::string text) {
+  for (const auto& [wide, plain] : {std::pair{"（", "("},
+                                    {"）", ")"},
+                                    {"［", "["},
+                                    {"］", "]"},
+                                    {"【", "["},
+                                    {"】", "]"},
+                                    {"：", ":"},
+                                    {"，", ","},
+                                    {"；", ";"},
+                                    {"／", "/"},
+                                    {"\xE3\x80\x80", " "},
+                                    {"\xC2\xA0", " "}})
+    for (std::size_t at = text.find(wide); at != text.npos; at = text.find(wide, at))
+      text.replace(at, std::string_view(wide).size(), plain);
+  return text;
 }
+
+/// The program's word for a unit; nothing for what is none.
+std::string unit_word(std::string_view text) {
+  const auto unit = find_unit(text);
+  return unit ? unit->name : "";
+}
+bool is_toughness(std::string_view text) {
+  const auto unit = find_unit(text);
+  return unit && unit->dimension == Dimension::toughness;
+}
+
+constexpr const char* opening = "[({";
+constexpr const char* closings = "])}";
 
 /// The bracket that closes the one at `open`; where none does, the first that closes any.
 std::size_t closing(const std::string& cell, std::size_t open) {
   int depth = 0;
   for (std::size_t at = open; at < cell.size(); ++at) {
-    if (cell[at] == '[' || cell[at] == '(') ++depth;
-    if ((cell[at] == ']' || cell[at] == ')') && --depth == 0) return at;
+    if (std::string_view(opening).find(cell[at]) != std::string_view::npos) ++depth;
+    if (std::string_view(closings).find(cell[at]) != std::string_view::npos && --depth == 0) return at;
   }
-  return cell.find_first_of("])", open);
+  return cell.find_first_of(closings, open);
 }
 
-/// Takes "[GPa]" and "(GPa)" out of a header, wherever they stand; the last one is its unit.
+/// Takes "[GPa]", "(GPa)" and "{GPa}" out of a header, wherever they stand; the last one is its unit.
 std::string take_units(std::string cell, std::string& unit) {
-  for (std::size_t open = cell.find_first_of("[("); open != cell.npos;
-       open = cell.find_first_of("[(", open)) {
+  for (std::size_t open = cell.find_first_of(opening); open != cell.npos;
+       open = cell.find_first_of(opening, open)) {
     const std::size_t close = closing(cell, open);
     if (close == cell.npos) break;
     const std::string inside = bare(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
-    const bool counts = inside.empty() || inside == "-" || inside == "1" || inside == "%";
+    const bool counts = inside.empty() || inside == "-" || inside == "1";
     if (known.empty() && !counts) {
       ++open;
       continue;
     }
-    unit = known.empty() ? inside : known;
+    unit = counts ? inside : known;
     cell = bare(cell.substr(0, open)) + " " + bare(cell.substr(close + 1));
   }
   return bare(cell);
@@ -245,27 +254,29 @@ bool is_name(const std::string& key) {
 
 /// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
-std::pair<std::string, std::string> split_head(const std::string& cell) {
+std::pair<std::string, std::string> split_head(const std::string& header) {
+  const std::string cell = with_plain_signs(header);
   // Units of toughness hold separators and brackets themselves, "K_Ic MPa sqrt(m)": the longest tail first.
-  const char* const separators = "_ ,;/";
+  const char* const separators = "_ ,;:/";
   for (std::size_t at = cell.find_first_of(separators); at != cell.npos;
        at = cell.find_first_of(separators, at + 1))
-    if (std::string word = toughness_word(lower_case(cell.substr(at + 1))); at > 0 && !word.empty())
-      return {bare(cell.substr(0, at), " \t_,;/"), word};
+    if (at > 0 && is_toughness(cell.substr(at + 1)))
+      return {bare(cell.substr(0, at), " \t_,;:/"), unit_word(cell.substr(at + 1))};
   std::string unit;
   std::string title = take_units(cell, unit);
   if (!unit.empty() || title != bare(cell)) return {title, unit};
-  for (const std::string degree : {"°", "º"})
+  for (const std::string degree : {"°", "º", "˚"})
     if (title.ends_with(degree)) return {bare(title.substr(0, title.size() - degree.size())), "deg"};
-  // "N/mm2" holds a separator itself: the tail that begins a word earlier is tried too.
-  for (std::size_t at = title.find_last_of("_ ,;/"); at != title.npos && at > 0;
-       at = title.find_last_of("_ ,;/", at - 1)) {
-    if (unit = unit_word(title.substr(at + 1)); !unit.empty())
-      return {bare(title.substr(0, at), " \t_,;/"), unit};
-    if (title[at] != '/') break;
-  }
+  // "N/mm2" and "x10^4 MPa" hold separators themselves: tails that begin a word or two earlier are tried too.
+  std::pair<std::string, std::string> found{title, ""};
+  std::size_t at = title.find_last_of(separators);
+  for (int words = 0; words < 3 && at != title.npos && at > 0;
+       ++words, at = title.find_last_of(separators, at - 1))
+    if (std::string known = unit_word(title.substr(at + 1)); !known.empty() && known != "1")
+      found = {bare(title.substr(0, at), " \t_,;:/"), known};
+  if (!found.second.empty()) return found;
   // A unit of none of our columns, "[km/s]": the last brackets hold it.
-  const std::size_t open = title.find_last_of("[("), close = title.find_last_of("])");
+  const std::size_t open = title.find_last_of(opening), close = title.find_last_of(closings);
   if (open != title.npos && open > 0 && close == title.size() - 1 && close > open)
     if (const std::string inside = bare(title.substr(open + 1, close - open - 1));
         (inside.find('/') != inside.npos || inside.size() <= 2) && !is_name(key_of(inside)))
@@ -310,14 +321,86 @@ bool take_name(const std::string& key, Head& h) {
 
 /// "mean UCS" is UCS; how far the errors of c and phi go together no table says.
 void take_reading(const std::string& key, Head& h) {
-  const std::string name = key.starts_with("mean") ? key.substr(4)
-                           : key.ends_with("mean") ? key.substr(0, key.size() - 4)
-                                                   : key;
+  std::string name = key;
+  for (const std::string_view word : {"mean", "average"}) {
+    if (name.starts_with(word)) name = name.substr(word.size()), h.summary = true;
+    if (name.ends_with(word)) name = name.substr(0, name.size() - word.size()), h.summary = true;
+  }
+  if (take_name(name, h)) return;
   const std::string of = without_scatter(key);
-  if (take_name(name, h) || of.empty() || !take_name(of, h)) return;
+  h.summary = !of.empty();
+  if (of.empty() || !take_name(of, h)) return;
   const bool scatters = h.kind == Column::value;
   h.kind = scatters ? Column::scatter : Column::other;
   h.name = scatters ? h.name + "_sd" : key, h.deviatoric = false, h.E_is.reset();
+}
+
+/// The words of a title, as names are compared.
+std::vector<std::string> words_of(const std::string& title) {
+  std::vector<std::string> words;
+  std::size_t from = 0;
+  for (std::size_t at = 0; at <= title.size(); ++at)
+    if (at == title.size() ||
+        std::string_view(" \t_-,;:/()[]{}#.").find(title[at]) != std::string_view::npos) {
+      if (std::string key = key_of(title.substr(from, at - from)); !key.empty())
+        words.push_back(std::move(key));
+      from = at + 1;
+    }
+  return words;
+}
+
+/// "Bedding angle, θ" names an angle, with nothing beside the name that could turn it.
+void take_angle(const std::string& title, Head& h) {
+  std::string name;
+  for (const std::string& word : words_of(title))
+    if ((word == "theta" || word == "beta") && name.empty())
+      name = word;
+    else if (!contains(words_beside_names, word))
+      return;
+  if (!name.empty()) take_name(name, h);
+}
+
+/// What tells specimens of one row apart: "2", "S2", "b", "specimen 2"; nothing for any other word.
+std::string replicate_mark(std::string_view key) {
+  for (const std::string_view word : {"specimen", "sample", "test", "no", "nr", "s", "t"})
+    if (key.starts_with(word) && key.size() > word.size()) {
+      key.remove_prefix(word.size());
+      break;
+    }
+  const bool letter = key.size() == 1 && key[0] >= 'a' && key[0] <= 'f';
+  const bool number = !key.empty() && key.size() <= 2 &&
+                      std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return letter || number ? std::string(key) : "";
+}
+
+/// "UCS2", "UCS (S2)", "E b", "Specimen 2 UCS": a value of one of several specimens.
+void take_replicate(const std::string& title, Head& h) {
+  const std::string key = key_of(title);
+  const std::vector<std::string> words = words_of(title);
+  const auto take = [&](const std::string& name, const std::string& mark) {
+    Head made;
+    if (h.kind != Column::other || mark.empty() || !take_name(name, made) || made.kind != Column::value)
+      return;
+    h.kind = made.kind, h.property = made.property, h.name = made.name, h.deviatoric = made.deviatoric;
+    h.E_is = made.E_is, h.replicate = mark;
+  };
+  // A mark is a word or two of its own, or digits behind the name.
+  for (std::size_t n = 1; n <= 2 && n < words.size(); ++n) {
+    std::string front, behind;
+    for (std::size_t i = 0; i < words.size(); ++i) (i < n ? front : behind) += words[i];
+    take(behind, replicate_mark(front));
+    front.clear(), behind.clear();
+    for (std::size_t i = 0; i < words.size(); ++i) (i + n < words.size() ? front : behind) += words[i];
+    take(front, replicate_mark(behind));
+  }
+  const std::size_t digits = key.find_last_not_of("0123456789") + 1;
+  if (digits > 0 && digits < key.size()) take(key.substr(0, digits), replicate_mark(key.substr(digits)));
+}
+
+template <class List>
+bool holds_any(const std::string& key, const List& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return key.find(word) != key.npos; });
 }
 
 }  // namespace
@@ -330,23 +413,71 @@ Head head_of(const std::string& cell, const std::string& meant) {
     h.kind = Column::passed;
     return h;
   }
-  for (const std::string& reading : readings_of(meant.empty() ? h.title : meant))
+  const std::string said = meant.empty() ? h.title : meant;
+  for (const std::string& reading : readings_of(said))
     if (h.kind == Column::other) take_reading(key_of(reading), h);
+  if (h.kind == Column::other) take_angle(said, h);
+  if (h.kind == Column::other && !h.summary) take_replicate(said, h);
   const std::string key = key_of(h.title);
-  h.speaks_of_toughness =
-      h.kind == Column::other && (key.starts_with("kic") || key.find("toughness") != key.npos);
-  if (h.kind == Column::other)
-    h.speaks_of_angles = std::any_of(angle_words.begin(), angle_words.end(),
-                                     [&](const char* word) { return key.find(word) != key.npos; });
-  const std::string own = meant.empty() ? h.title : meant;
-  h.own = own.size() == h.name.size() && key_of(own) == key_of(h.name);
+  h.summary = h.summary || is_summary(h.title);
+  h.speaks_of_angles = h.kind == Column::other && holds_any(key, angle_words);
+  h.speaks_of_values = h.kind == Column::other && holds_any(key, value_words);
+  h.own = said.size() == h.name.size() && key_of(said) == key_of(h.name);
   return h;
 }
 
+bool names_an_axis(const std::string& header) {
+  return holds_any(key_of(header), std::array{"load", "plug", "core", "drill", "axis", "sample", "specimen"});
+}
+
+std::optional<double> direction_in_words(const std::string& cell, bool of_axis) {
+  const std::string key = lower_case(cell);
+  const bool along = holds_any(key, std::array{"parall", "paral", "∥", "||", "//", "параллел", "平行"});
+  const bool across =
+      holds_any(key, std::array{"perpend", "normal to", "⊥", "_|_", "senkrecht", "перпенд", "垂直"}) ||
+      key == "normal" || key == "perp" || key == "perp.";
+  if (along != across) return along ? 90.0 : 0.0;
+  const bool upright = key == "v" || key == "vertical", flat = key == "h" || key == "horizontal";
+  if (along || upright == flat) return {};
+  return upright != of_axis ? 90.0 : 0.0;
+}
+
+std::optional<std::string> without_degree_sign(const std::string& cell) {
+  const std::size_t digits = cell.find_last_of("0123456789");
+  if (digits == cell.npos || digits + 1 == cell.size() || unit_word(cell.substr(digits + 1)) != "deg")
+    return {};
+  return cell.substr(0, digits + 1);
+}
+
 bool is_summary(const std::string& cell) {
-  constexpr std::array words = {
-      "mean",    "average", "avg",     "sd",     "std", "stdev", "stddev", "standarddeviation", "min",
-      "minimum", "max",     "maximum", "median", "cov", "cv",    "range",  "variance"};
+  constexpr std::array words = {"mean",
+                                "average",
+                                "avg",
+                                "sd",
+                                "std",
+                                "stdev",
+                                "stddev",
+                                "min",
+                                "max",
+                                "minimum",
+                                "maximum",
+                                "median",
+                                "cov",
+                                "cv",
+                                "range",
+                                "variance",
+                                "mittel",
+                                "mittelwert",
+                                "meanvalue",
+                                "averagevalue",
+                                "moyenne",
+                                "media",
+                                "среднее",
+                                "standarddeviation",
+                                "coefficientofvariation",
+                                "averageofall",
+                                "平均",
+                                "平均值"};
   return contains(words, key_of(cell));
 }
 
@@ -364,6 +495,18 @@ Dimension dimension_of(const Head& h) {
   if (h.kind == Column::n || h.property == Property::nu) return Dimension::none;
   if (h.property == Property::fracture_toughness) return Dimension::toughness;
   return Dimension::pressure;
+}
+
+std::string usual_unit(const Head& h) {
+  switch (dimension_of(h)) {
+    case Dimension::angle: return "deg";
+    case Dimension::length: return "mm";
+    case Dimension::toughness: return "MPa sqrt(m)";
+    case Dimension::none: return "";
+    default: break;
+  }
+  const bool modulus = h.property == Property::E && (h.kind == Column::value || h.kind == Column::scatter);
+  return modulus ? "GPa" : "MPa";
 }
 
 const std::vector<std::string>& column_names() {

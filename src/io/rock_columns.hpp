@@ -25,7 +25,8 @@ enum class Column {
   friction,
   least_confining,
   most_confining,
-  passed,  ///< by the user's word
+  intermediate,  ///< sigma_2, which has to be the confining stress
+  passed,        ///< by the user's word, or beside replicates
   other
 };
 
@@ -36,9 +37,11 @@ struct Head {
   std::string unit;                    ///< as the program reads it: "deg" for a degree sign
   std::string title;                   ///< the header without its unit
   bool own = true;                     ///< the header is our name
+  std::string replicate;               ///< of "UCS 2" or "UCS (S2)" what tells specimens of a row apart
+  bool summary = false;                ///< "mean UCS", "UCS_sd", "SD": made of other cells
   bool deviatoric = false;             ///< the axial stress less the confining stress
   bool speaks_of_angles = false;       ///< a name that is not understood, with a word such as "dip" in it
-  bool speaks_of_toughness = false;    ///< the same with "toughness" in it, or K_Ic before it
+  bool speaks_of_values = false;       ///< the same with a word of what is read, "residual strength"
   std::optional<ModulusReading> E_is;  ///< what the header says of E
 
   /// For messages: the title, with our name where it is another.
@@ -50,6 +53,15 @@ struct Head {
 /// What the header of a column says; `meant`: the name that the user gives the column, "-" to pass it over.
 Head head_of(const std::string& cell, const std::string& meant = {});
 Dimension dimension_of(const Head& head);
+/// The unit that examples of a column are written in: "GPa" of E.
+std::string usual_unit(const Head& head);
+/// The inclination that words of a cell mean [deg]: 90 where the layers are parallel to the load, 0 where they are
+/// perpendicular. V and H say it of the layers, or of the axis of a plug (`of_axis`) in layers that lie flat.
+std::optional<double> direction_in_words(const std::string& cell, bool of_axis);
+/// Is it the axis of a plug or of the load that a header names?
+bool names_an_axis(const std::string& header);
+/// A cell without its degree sign, "30°"; nothing where it has none.
+std::optional<std::string> without_degree_sign(const std::string& cell);
 
 /// The header without its unit.
 std::string title_of(const std::string& cell);

@@ -54,6 +54,7 @@ TEST(RockColumns, AreKnownByTheNamesOfLaboratories) {
                         Case{"friction angle [deg]", Column::friction, "phi", "deg"},
                         Case{"φ (°)", Column::friction, "phi", "deg"},
                         Case{"c [MPa]", Column::cohesion, "c", "MPa"},
+                        Case{"E/10^4 MPa", Column::value, "E", "10^4 MPa"},
                         Case{"number of specimens", Column::n, "n", ""}}) {
     const Head h = head_of(c.header);
     EXPECT_EQ(h.kind, c.kind) << c.header;
@@ -88,7 +89,6 @@ TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
                             "UCS (MPa) residual",
                             "UCS (MPa) dry",
                             "E (MPa) x 10^4",
-                            "E/10^4 MPa",
                             "E [GPa] ± SD",
                             "Vp (km/s)",
                             "Porosity (n)",
@@ -99,7 +99,7 @@ TEST(RockColumns, WhatMeansSeveralThingsIsNotGuessed) {
     EXPECT_FALSE(head_of(other).speaks_of_angles) << other;
   }
   EXPECT_EQ(head_of("Is(50) [MPa]").unit, "MPa");
-  EXPECT_EQ(head_of("density (g/cm³)").unit, "g/cm³");
+  EXPECT_EQ(head_of("density (g/cm³)").unit, "g/cm^3");
 }
 
 // 1 MN/m^1.5 = 1 MPa m^0.5: a stress times a root of length is a force over length to 3/2.
@@ -126,8 +126,8 @@ TEST(RockColumns, ToughnessIsKnownByItsNamesAndUnits) {
     EXPECT_EQ(head_of(name).kind, Column::value) << name;
     EXPECT_EQ(head_of(name).unit, "MPa sqrt(m)") << name;
   }
-  EXPECT_TRUE(head_of("K_Ic of the second series [N/mm^(3/2)]").speaks_of_toughness);
-  EXPECT_FALSE(head_of("K_Ic [MPa√m]").speaks_of_toughness);
+  EXPECT_TRUE(head_of("K_Ic of the second series [N/mm^(3/2)]").speaks_of_values);
+  EXPECT_FALSE(head_of("K_Ic [MPa√m]").speaks_of_values);
   const Head sd = head_of("K_Ic_sd [MPa m^0.5]");
   EXPECT_EQ(sd.kind, Column::scatter);
   EXPECT_EQ(sd.unit, "MPa sqrt(m)");

@@ -407,7 +407,8 @@ class RockReader {
     table_ = parts_.table ? file_.text("data", "") : file_.beside(file_.text("data", ""));
     const std::string& where = table_;
     const std::size_t n_before = problems_.size();
-    const TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns()};
+    TableKeys keys{file_.number("confining", nan), file_.text("sheet", ""), columns(), {}};
+    if (is_given("bedded")) keys.bedded = file_.number("bedded", 1.0) == 1.0;
     auto readings = file_.read_named("data", [&](const std::string& table) {
       return parse_readings(parts_.table ? *parts_.table : read_file(table), table_, keys, problems_,
                             rock_.notes);
@@ -421,6 +422,10 @@ class RockReader {
     if (rock_.bedded && !has_angles)
       problems_.push_back(
           {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
+    else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings->asked_for_angles)
+      problems_.push_back({where, "", "", "",
+                           "no column of angles: all rows would be one rock without layers. If it has layers, "
+                           "add theta [deg]; if not, write bedded = false in the rock file"});
     if (!rock_.bedded) {
       // Angles of a rock without bedding have no meaning: all rows become replicates.
       remove_layers(rock_.model), rock_.model.test.angles.clear();

@@ -71,7 +71,7 @@ TEST_F(RockFile, WhatARunWouldRefuseIsRefusedHere) {
   EXPECT_THAT(
       problems(good, "recipe = \"m.toml\"\n"),
       testing::ElementsAre(AllOf(HasSubstr("r.toml:2: bedding[0].spacing"), HasSubstr("largest grain"))));
-  EXPECT_THAT(problems("UCS [MPa]\n100\n", "recipe = \"m.toml\"\n"), IsEmpty());
+  EXPECT_THAT(problems("UCS [MPa]\n100\n", "recipe = \"m.toml\"\nbedded = false\n"), IsEmpty());
 }
 
 TEST_F(RockFile, PlanesAreByCrossingUnlessTheRecipeSaysOtherwise) {

@@ -12,9 +12,7 @@
 #include <vector>
 
 #include "base/nan.hpp"
-#include "base/trimmed.hpp"
 #include "base/units.hpp"
-#include "io/rock_columns.hpp"
 #include "io/table.hpp"
 #include "io/workbook.hpp"
 #include "theory/jaeger.hpp"
@@ -25,6 +23,7 @@ namespace {
 constexpr double most_apart = 5.0;  // standard deviations between two rows of one cell
 constexpr int least_with_sd = 2;    // specimens
 constexpr int least_of_envelope = 3;
+constexpr double most_radians = 1.6;      // pi/2, rounded up
 constexpr double least_over_sides = 1.1;  // sigma_1 over sigma_3; a friction angle of 3 degrees has as much
 
 /// What can be computed with at all. Values that are merely doubtful are a matter of
@@ -40,6 +39,7 @@ Range range_of(const Head& h) {
     case Column::n: return {1.0, 1e6, "a whole number of specimens, at least 1"};
     case Column::diameter: return {1e-3, 10.0, "1 mm <= diameter of the disc <= 10 m"};
     case Column::confining:
+    case Column::intermediate:
     case Column::least_confining:
     case Column::most_confining: return {0.0, 5e9, "0 Pa <= confining pressure <= 5 GPa"};
     case Column::cohesion: return {0.0, 5e9, "0 Pa <= cohesion <= 5 GPa"};
@@ -62,13 +62,16 @@ class ReadingReader {
  public:
   ReadingReader(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
                 std::vector<std::string>& notes)
-      : table_(table), where_(table.where), keys_(keys), problems_(problems), notes_(notes) {}
+      : heads_(read_heads(table, keys, problems, notes)),
+        table_(table),
+        where_(table.where),
+        keys_(keys),
+        problems_(problems),
+        notes_(notes) {}
 
   Readings read() {
-    name_heads();
-    take_row_of_units();
-    check_heads();
     for (const TableRow& row : table_.rows) read_row(row, keys_.confining);
+    check_angles();
     check_repeats();
     check_confined();
     check_initiation();
@@ -96,19 +99,19 @@ class ReadingReader {
                       "means of {}, "
                       "the fewest that have one",
                       n_assumed_, readings_.size(), least_with_sd));
-    Readings made{std::move(readings_), find(Column::theta) || find(Column::beta), {}, {}};
+    Readings made{std::move(readings_), heads_.has_angles(), heads_.asked_for_angles, {}, {}};
     if (const auto E = find(Column::value, Property::E))
-      made.E_is = heads_[*E].E_is, made.E_title = heads_[*E].title;
+      made.E_is = heads_.all[*E].E_is, made.E_title = heads_.all[*E].title;
     return made;
   }
 
  private:
-  Table& table_;
+  const Heads heads_;  // before the rows: it may take a row of units out of the table
+  const Table& table_;
   const std::string& where_;
   const TableKeys& keys_;
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
-  std::vector<Head> heads_;
   std::vector<RockReading> readings_;
   int n_merged_ = 0;            // cells that are one with that above
   int n_assumed_ = 0;           // values with an SD of an unknown number of specimens
@@ -117,222 +120,33 @@ class ReadingReader {
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
   std::optional<std::size_t> find(Column kind, Property p = Property::E) const {
-    // Kinds other than values and scatter occur once, whatever their property.
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (heads_[i].kind == kind &&
-          (heads_[i].property == p || (kind != Column::value && kind != Column::scatter)))
-        return i;
-    return std::nullopt;
+    return heads_.find(kind, p);
   }
-  void report_problem(const std::string& key, const std::string& value, const std::string& expected,
-                      const std::string& remedy) {
-    problems_.push_back({at(table_.header_line), key, value, expected, remedy});
+  bool is_read(std::size_t column) const {
+    return heads_.all[column].kind != Column::other && heads_.all[column].kind != Column::passed;
   }
 
-  /// What the user says of a header: the header, whole or without its unit where no other has that title, and
-  /// our name.
-  const std::pair<const std::string, std::string>* said_of(const std::string& cell) const {
-    if (const auto whole = keys_.columns.find(cell); whole != keys_.columns.end()) return &*whole;
-    const std::string title = title_of(cell);
-    const auto alike = std::count_if(table_.header.begin(), table_.header.end(),
-                                     [&](const std::string& other) { return title_of(other) == title; });
-    for (const auto& said : keys_.columns)
-      if (alike == 1 && title_of(said.first) == title) return &said;
-    return nullptr;
-  }
-
-  void name_heads() {
-    std::set<std::string> said, used;  // names of ours; headers
-    for (const std::string& cell : table_.header) {
-      const auto* meant = said_of(cell);
-      heads_.push_back(head_of(cell, meant != nullptr ? meant->second : ""));
-      if (meant == nullptr) continue;
-      used.insert(meant->first), said.insert(heads_.back().name);
-      if (heads_.back().unit.empty()) heads_.back().unit = head_of(meant->first).unit;
-    }
-    // The user's word goes before what a header seems to say.
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (said_of(table_.header[i]) == nullptr && heads_[i].kind != Column::other &&
-          said.contains(heads_[i].name))
-        heads_[i].kind = Column::passed;
-    for (const auto& [header, name] : keys_.columns)
-      if (!used.contains(header))
-        report_problem("[columns]", header, "a header of this table",
-                       fmt::format("it has: {}", fmt::join(table_.header, ", ")));
-  }
-
-  /// Units in a row of their own, below headers that have none: in each column that is read a unit or
-  /// nothing, and somewhere a unit.
-  void take_row_of_units() {
-    if (table_.rows.empty()) return;
-    const std::vector<std::string>& cells = table_.rows.front().cells;
-    bool any = false;
-    for (std::size_t i = 0; i < heads_.size(); ++i) {
-      if (heads_[i].kind == Column::passed || heads_[i].kind == Column::other) continue;
-      const std::string& cell = cells[i];
-      const bool unit = !unit_of_cell(cell).empty();
-      any = any || unit;
-      if (!unit && !cell.empty() && cell != "-" && cell != "[-]" && cell != "(-)" && cell != "%") return;
-    }
-    if (!any) return;
-    for (std::size_t i = 0; i < heads_.size(); ++i) {
-      const std::string known = unit_of_cell(cells[i]), unit = known.empty() && cells[i] == "%" ? "%" : known;
-      std::string& of_head = heads_[i].unit;
-      if (!unit.empty() && !of_head.empty() && unit != of_head)
-        report_problem(table_.header[i], cells[i], "one unit",
-                       "the row below the header has another: correct one");
-      if (of_head.empty()) of_head = unit;
-    }
-    table_.rows.erase(table_.rows.begin());
-    notes_.push_back(where_ + ": units stand in a row of their own");
-  }
-
-  void check_heads() {
-    std::vector<std::string> passed, named;
-    std::map<std::string, std::size_t> seen;
-    for (std::size_t i = 0; i < heads_.size(); ++i) {
-      const Head& h = heads_[i];
-      const std::string& cell = table_.header[i];
-      if (h.kind == Column::passed) {
-        passed.push_back(cell);
-      } else if (h.kind == Column::other) {
-        check_other(i, passed);
-      } else if (const auto [it, fresh] = seen.emplace(h.name, i); !fresh) {
-        check_second(i, it->second);
-      } else {
-        check_unit(i);
-        if (!h.own) named.push_back(fmt::format("{} is {}", cell, h.name));
-      }
-    }
-    if (find(Column::theta) && find(Column::beta))
-      report_problem("beta", "", "one convention of angles", "keep theta or beta, not both");
-    if (seen.contains("sigma_1") && seen.contains("deviator"))
-      report_problem("deviator", "", "sigma_1 or the deviator stress",
-                     "pass one of the two over in the rock file: [columns] \"" +
-                         heads_[seen.at("deviator")].title + "\" = \"-\"");
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (heads_[i].kind == Column::scatter && !find(Column::value, heads_[i].property))
-        report_problem(table_.header[i], "", "a column of the values themselves", "");
-    const bool any = std::any_of(heads_.begin(), heads_.end(), [](const Head& h) {
-      return h.kind == Column::value || h.kind == Column::cohesion;
-    });
-    if (!any)
-      report_problem(
-          "header", fmt::format("{}", fmt::join(table_.header, ", ")),
-          "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c",
-          "is this the line of the headers? Take away what stands above it; the rock file can say which "
-          "is which: [columns] \"peak stress\" = \"UCS\"");
-    check_envelope_columns();
-    // Both conventions are in use, so the conversion is mentioned.
-    if (find(Column::beta))
-      notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
-    if (!named.empty())
-      notes_.push_back(fmt::format("columns by other names: {} ([columns] in the rock file changes that)",
-                                   fmt::join(named, ", ")));
-    if (!passed.empty()) notes_.push_back(fmt::format("columns passed over: {}", fmt::join(passed, ", ")));
-  }
-
-  /// Numbers that may be meant for the model are not dropped in silence: those of a column that has no name,
-  /// or a name that is not understood with the unit of a stress or an angle.
-  void check_other(std::size_t i, std::vector<std::string>& passed) {
-    const std::string& cell = table_.header[i];
-    if (cell.empty()) {
-      for (const TableRow& row : table_.rows)
-        if (!row.cells[i].empty()) {
-          report_problem(fmt::format("column {}", i + 1), "", "a header",
-                         fmt::format("line {} has a value there", row.line));
-          return;
-        }
-      return;
-    }
-    const std::string one = "1 " + heads_[i].unit;
-    const bool angle = parse_quantity(one, Dimension::angle).ok;
-    if (heads_[i].speaks_of_angles && (angle || (heads_[i].unit.empty() && holds_numbers(i)))) {
-      report_problem(
-          cell, "", "an angle that says from where it counts",
-          fmt::format("name it theta (from the horizontal, load upright) or beta (from the load), with its "
-                      "unit, or write it in the rock file: [columns] \"{} [deg]\" = \"beta\"; \"-\" passes "
-                      "it over",
-                      heads_[i].title));
-    } else if (angle || parse_quantity(one, Dimension::pressure).ok ||
-               (heads_[i].speaks_of_toughness && holds_numbers(i))) {
-      report_problem(
-          cell, "", fmt::format("a known column: {}", fmt::join(column_names(), ", ")),
-          fmt::format("say in the rock file what it is: [columns] \"{}\" = one of these, or \"-\" to pass it "
-                      "over",
-                      heads_[i].title));
-    } else {
-      passed.push_back(cell);
-    }
-  }
-  bool holds_numbers(std::size_t column) const {
-    bool any = false;
-    for (const TableRow& row : table_.rows) {
-      const std::string& cell = row.cells[column];
-      double value = 0.0;
-      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-      if (!cell.empty() && (error != std::errc() || end != cell.data() + cell.size())) return false;
-      any = any || !cell.empty();
-    }
-    return any;
-  }
-  void check_second(std::size_t i, std::size_t first) {
-    const Head &a = heads_[first], &b = heads_[i];
-    const std::string remedy = a.title != b.title ? fmt::format(
-                                                        "{} is read as that too: the rock file chooses, "
-                                                        "[columns] \"{}\" = \"{}\" and \"{}\" = \"-\"",
-                                                        table_.header[first], b.title, b.name, a.title)
-                               : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
-                                                  : "two headers are the same: rename one";
-    report_problem(table_.header[i], "", "one column of " + b.name, remedy);
-  }
-  void check_unit(std::size_t i) {
-    const Head& h = heads_[i];
-    const Dimension d = dimension_of(h);
-    const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
-    if (d == Dimension::none ? bare : parse_quantity("1 " + h.unit, d).ok) return;
-    const std::size_t bracket = h.title.find('[');
-    const std::string title(trimmed(std::string_view(h.title).substr(0, bracket), " "));
-    const std::string otherwise =
-        fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
-    if (d == Dimension::none)
-      report_problem(table_.header[i], h.unit, fmt::format("{} without a unit", h.name),
-                     "write it as a bare number" + otherwise);
-    else
-      report_problem(table_.header[i], h.unit,
-                     fmt::format("a unit of {} in the header: {}", h.name, unit_names(d)),
-                     "write for example " + (d == Dimension::toughness ? h.name : title) +
-                         (d == Dimension::angle                                  ? " [deg]"
-                          : d == Dimension::toughness                            ? " [MPa sqrt(m)]"
-                          : h.property == Property::E && h.kind == Column::value ? " [GPa]"
-                                                                                 : " [MPa]") +
-                         (bare && bracket == h.title.npos ? "" : " and convert the values") + otherwise);
-  }
-
-  std::ptrdiff_t n_envelope_columns() const {
-    const Column all[] = {Column::cohesion, Column::friction, Column::least_confining,
-                          Column::most_confining};
-    return std::count_if(std::begin(all), std::end(all), [&](Column c) { return find(c).has_value(); });
-  }
-  /// A line over confining stress needs both of its numbers, and where it was measured.
-  void check_envelope_columns() {
-    if (const std::ptrdiff_t n = n_envelope_columns(); n != 0 && n != 4)
-      report_problem("c, phi", "", "the columns c, phi, confining_min and confining_max together",
-                     "an envelope is read as strengths, and only inside the pressures that were tested");
+  bool has_envelope() const {
+    return find(Column::cohesion) && find(Column::friction) && find(Column::least_confining) &&
+           find(Column::most_confining);
   }
 
   /// One cell in SI units; NaN if it is empty. False: a problem has been reported.
   bool number(const TableRow& row, std::size_t column, double& value) {
-    const Head& h = heads_[column];
-    const std::string& cell = row.cells[column];
+    const Head& h = heads_.all[column];
+    const bool angle = h.kind == Column::theta || h.kind == Column::beta;
     value = nan;
-    if (cell.empty() || cell == "-") return true;
-    if (row.merged.contains(column) && h.kind != Column::theta && h.kind != Column::beta &&
-        h.kind != Column::confining) {
+    if (row.cells[column].empty() || row.cells[column] == "-") return true;
+    if (row.merged.contains(column) && !angle && h.kind != Column::confining) {
       ++n_merged_;  // one value over several rows is one specimen's
       return true;
     }
-    const Range range = range_of(h);
+    if (angle)
+      if (const auto theta = direction_in_words(row.cells[column], names_an_axis(table_.header[column])))
+        return value = h.kind == Column::theta ? *theta : 90.0 - *theta, true;
+    const std::string cell = angle && h.unit == "deg"
+                                 ? without_degree_sign(row.cells[column]).value_or(row.cells[column])
+                                 : row.cells[column];
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
       const bool read = error == std::errc();
@@ -340,16 +154,29 @@ class ReadingReader {
                            "a bare number" + (h.unit.empty() ? "" : " in " + h.unit), remedy_of(cell, read)});
       return false;
     }
-    if (const Dimension d = dimension_of(h); d != Dimension::none) {
-      const Quantity q = parse_quantity(cell + " " + h.unit, d);
-      if (!q.ok) return false;  // the unit of the header has been reported
-      value = q.value;
-    }
+    return in_si(row.line, h, cell, value) && in_range(row.line, h, cell, value);
+  }
+  /// False: a problem has been reported, here or with the header.
+  bool in_si(int line, const Head& h, const std::string& cell, double& value) {
+    const Dimension d = dimension_of(h);
+    const auto unit = find_unit(h.unit);
+    if (d == Dimension::none) return true;
+    if (!unit || unit->dimension != d) return false;  // the unit of the header has been reported
+    const Quantity q = parse_quantity(cell + " " + h.unit, d);
+    // Radians are written with four digits: 1.5708 is 90 degrees.
+    value = h.unit == "rad" ? std::round(q.value * 100.0) / 100.0 : q.value;
+    if (!q.ok)
+      problems_.push_back({at(line), h.shown(), cell + " " + h.unit, range_of(h).text,
+                           "a mark for a missing value? Leave the cell empty"});
+    return q.ok;
+  }
+  bool in_range(int line, const Head& h, const std::string& cell, double value) {
+    const Range range = range_of(h);
     const bool whole = h.kind != Column::n || value == std::floor(value);
     if (value >= range.low && value <= range.high && whole) return true;
     const bool angle = h.kind == Column::theta || h.kind == Column::beta;
     const bool strength = h.kind == Column::value && is_strength(h.property);
-    problems_.push_back({at(row.line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
+    problems_.push_back({at(line), h.shown(), cell + (h.unit.empty() ? "" : " " + h.unit), range.text,
                          angle ? "fold the angle: bedding at 120 deg is the mirror image of 60 deg"
                          : strength && value < 0.0       ? "strengths are positive, those in tension too"
                          : h.unit.empty() || value < 0.0 ? ""
@@ -374,10 +201,8 @@ class ReadingReader {
 
   /// A row that holds nothing of what is read: blank, or a remark.
   bool is_empty(const TableRow& row) const {
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (heads_[i].kind != Column::other && heads_[i].kind != Column::passed && !row.cells[i].empty() &&
-          !row.merged.contains(i))
-        return false;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (is_read(i) && !row.cells[i].empty() && !row.merged.contains(i)) return false;
     return true;
   }
 
@@ -391,63 +216,94 @@ class ReadingReader {
            "column ..._sd and their number in n"});
       return;
     }
-    std::vector<double> v(heads_.size(), nan);
+    std::vector<double> v(heads_.all.size(), nan);
     bool good = true;
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-      if (heads_[i].kind != Column::other && heads_[i].kind != Column::passed)
-        good = number(row, i, v[i]) && good;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (is_read(i)) good = number(row, i, v[i]) && good;
     RockReading r;
     r.line = row.line;
-    const auto theta = find(Column::theta), beta = find(Column::beta), n = find(Column::n);
-    if (theta || beta) {
-      const double angle = v[theta ? *theta : *beta];
-      if (good && !std::isfinite(angle))
-        problems_.push_back({at(row.line), theta ? "theta" : "beta", "", "an angle in every row", ""}),
-            good = false;
-      r.theta = theta ? angle : 90.0 - angle;
-    }
+    good = read_angle(r, v, good);
     // After all cells are read, so that every bad cell of the row is reported.
     if (!good) return;
     if (const auto c = find(Column::confining); c && std::isfinite(v[*c])) r.confining = v[*c];
+    if (const auto n = find(Column::n); n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
+    if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
+    check_intermediate(r, v);
     // E and nu under another confining pressure than the one asked for are left out; NaN asks for none.
     const bool asked = !std::isfinite(confining) || same_stress(r.confining, confining);
-    if (n && std::isfinite(v[*n])) r.n = static_cast<int>(v[*n]);
-    if (const auto d = find(Column::diameter); d && std::isfinite(v[*d])) r.diameter = v[*d];
-    for (std::size_t i = 0; i < heads_.size(); ++i) {
-      if (heads_[i].kind != Column::value || !std::isfinite(v[i])) continue;
-      r.property = heads_[i].property, r.value = v[i] + (heads_[i].deviatoric ? r.confining : 0.0);
-      if (!asked && !is_strength(r.property)) {
-        elsewhere_.insert(r.confining);
-        continue;
-      }
-      if (is_compressive(r.property)) {
-        const auto other =
-            find(Column::value, r.property == Property::ucs ? Property::confined : Property::ucs);
-        if (r.property == Property::confined && other && std::isfinite(v[*other]))
-          problems_.push_back({at(row.line), "sigma_1", "", "UCS or sigma_1 in a row, not both",
-                               "they are the same number under `confining`: a row of its own for each test"});
-        r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
-      }
-      const auto sd = find(Column::scatter, heads_[i].property);
-      // A scatter of zero is no measurement of scatter.
-      r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
-      readings_.push_back(r);
-      if (std::isfinite(r.sd) && r.n < least_with_sd) readings_.back().n = least_with_sd, ++n_assumed_;
-    }
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (heads_.all[i].kind == Column::value && std::isfinite(v[i])) read_value(r, v, i, asked);
     read_envelope(r, v);
+  }
+  bool read_angle(RockReading& r, const std::vector<double>& v, bool good) {
+    const auto theta = find(Column::theta), beta = find(Column::beta);
+    if (!theta && !beta) return good;
+    const double angle = v[theta ? *theta : *beta];
+    r.theta = theta ? angle : 90.0 - angle;
+    if (!good || std::isfinite(angle)) return good;
+    problems_.push_back(
+        {at(r.line), theta ? "theta" : "beta", "", "an angle in every row",
+         "give the layers of this specimen an angle; a row without any (massive rock, not measured) goes "
+         "out of the table, or behind a # at its beginning"});
+    return false;
+  }
+  /// Only the ordinary triaxial test has one pressure around the specimen.
+  void check_intermediate(const RockReading& r, const std::vector<double>& v) {
+    const auto i = find(Column::intermediate);
+    if (!i || !std::isfinite(v[*i]) || same_stress(v[*i], r.confining)) return;
+    problems_.push_back({at(r.line), "sigma_2", fmt::format("{:g} MPa", v[*i] * 1e-6),
+                         fmt::format("the confining stress, {:g} MPa", r.confining * 1e-6),
+                         "a true triaxial test is not modelled in two dimensions: take such rows out"});
+  }
+  void read_value(RockReading r, const std::vector<double>& v, std::size_t i, bool asked) {
+    const Head& h = heads_.all[i];
+    r.property = h.property, r.value = v[i] + (h.deviatoric ? r.confining : 0.0);
+    if (!h.replicate.empty()) r.n = 1;
+    if (!asked && !is_strength(r.property)) {
+      elsewhere_.insert(r.confining);
+      return;
+    }
+    if (is_compressive(r.property)) {
+      const auto other =
+          find(Column::value, r.property == Property::ucs ? Property::confined : Property::ucs);
+      if (r.property == Property::confined && other && std::isfinite(v[*other]))
+        problems_.push_back({at(r.line), "sigma_1", "", "UCS or sigma_1 in a row, not both",
+                             "they are the same number under `confining`: a row of its own for each test"});
+      r.property = r.confining > 0.0 ? Property::confined : Property::ucs;
+    }
+    const auto sd = find(Column::scatter, h.property);
+    // A scatter of zero is no measurement of scatter.
+    r.sd = sd && v[*sd] > 0.0 ? v[*sd] : nan;
+    if (std::isfinite(r.sd) && r.n < least_with_sd) r.n = least_with_sd, ++n_assumed_;
+    readings_.push_back(r);
+  }
+  /// Angles that are told in degrees and can only be radians.
+  void check_angles() {
+    const auto column = heads_.find(Column::theta) ? heads_.find(Column::theta) : heads_.find(Column::beta);
+    if (!column || heads_.all[*column].unit != "deg") return;
+    double least = nan, most = nan;
+    for (const RockReading& r : readings_) {
+      const double angle = heads_.all[*column].kind == Column::theta ? r.theta : 90.0 - r.theta;
+      least = std::fmin(least, angle), most = std::fmax(most, angle);
+    }
+    if (!(most > 0.0 && most < most_radians)) return;
+    problems_.push_back({at(table_.header_line), table_.header[*column],
+                         fmt::format("{:g} ... {:g} deg", least, most), "",
+                         "all angles lie below 1.6 degrees. Are they radians? Then the header is " +
+                             heads_.all[*column].name + " [rad]"});
   }
 
   /// c and phi become two strengths. The line is one through `n` tests evenly spread over the pressures: at
   /// their mean plus and minus their standard deviation its errors do not depend on each other, and each is
   /// that of half of the tests.
   void read_envelope(RockReading r, const std::vector<double>& v) {
-    const auto value = [&](Column c) { return find(c) ? v[*find(c)] : nan; };
+    const auto value = [&](Column kind) { return find(kind) ? v[*find(kind)] : nan; };
     const double c = value(Column::cohesion), phi = value(Column::friction);
     const double from = value(Column::least_confining), to = value(Column::most_confining);
     const double all[] = {c, phi, from, to};
     const auto given =
         std::count_if(std::begin(all), std::end(all), [](double x) { return std::isfinite(x); });
-    if (given == 0 || n_envelope_columns() < 4) return;  // columns that are missing were told once
+    if (given == 0 || !has_envelope()) return;  // columns that are missing were told once
     if (given < 4 || !(from < to)) {
       problems_.push_back({at(r.line), "c, phi", "",
                            "c, phi, and confining_min below confining_max in the same row",

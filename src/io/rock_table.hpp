@@ -1,27 +1,20 @@
 // The table of laboratory tests behind a rock file: CSV or a workbook (docs/formats.md, "Rock").
 #pragma once
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/check.hpp"
-#include "base/nan.hpp"
+#include "io/rock_heads.hpp"
 #include "records/rock.hpp"
 
 namespace phy::io {
 
-/// What a rock file says of its table.
-struct TableKeys {
-  double confining = nan;  ///< [Pa] of several confining pressures these rows alone give E and nu; NaN: all
-  std::string sheet;       ///< of a workbook; "": the first
-  std::map<std::string, std::string> columns;  ///< header, with or without its unit -> our name, or "-"
-};
-
 struct Readings {
   std::vector<RockReading> values;
   bool bedded = false;                 ///< there is a column of angles
+  bool asked_for_angles = false;       ///< a column may hold them: that is among the problems
   std::optional<ModulusReading> E_is;  ///< what the header of E says
   std::string E_title;                 ///< that header
 };

@@ -1,0 +1,432 @@
+#include "io/rock_heads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "base/trimmed.hpp"
+#include "base/units.hpp"
+
+namespace phy::io {
+namespace {
+
+constexpr std::size_t most_examples = 3;  // of cells, in a question
+
+bool is_read(const Head& h) { return h.kind != Column::other && h.kind != Column::passed; }
+
+bool is_number(const std::string& cell) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size();
+}
+
+bool is_nothing(const std::string& cell) {
+  return cell.empty() || cell == "-" || cell == "[-]" || cell == "(-)";
+}
+
+std::string quoted(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "\"" : ", \"") + text + '"';
+  return all;
+}
+
+class HeadsReader {
+ public:
+  HeadsReader(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+              std::vector<std::string>& notes)
+      : table_(table), keys_(keys), problems_(problems), notes_(notes) {}
+
+  Heads read() {
+    name_heads();
+    take_row_of_units();
+    take_degree_signs();
+    settle_replicates();
+    check_names();
+    check_combinations();
+    tell();
+    return std::move(heads_);
+  }
+
+ private:
+  Table& table_;
+  const TableKeys& keys_;
+  std::vector<Problem>& problems_;
+  std::vector<std::string>& notes_;
+  Heads heads_;
+  std::vector<std::string> titles_;   // of the headers
+  std::vector<std::string> unknown_;  // headers that are asked for
+  std::vector<std::string> passed_, named_, converted_, replicates_, set_aside_;
+  std::set<std::size_t> told_;  // columns whose unit has been told to be none
+
+  void report_problem(const std::string& key, const std::string& value, const std::string& expected,
+                      const std::string& remedy) {
+    problems_.push_back(
+        {table_.where + ":" + std::to_string(table_.header_line), key, value, expected, remedy});
+  }
+  const std::string& header(std::size_t i) const { return table_.header[i]; }
+
+  std::vector<std::string> cells_of(std::size_t column) const {
+    std::vector<std::string> cells;
+    for (const TableRow& row : table_.rows)
+      if (!is_nothing(row.cells[column])) cells.push_back(row.cells[column]);
+    return cells;
+  }
+  template <class Is>
+  bool all_cells(std::size_t column, const Is& is) const {
+    const std::vector<std::string> cells = cells_of(column);
+    return !cells.empty() && std::all_of(cells.begin(), cells.end(), is);
+  }
+
+  /// What the user says of a header: the header, whole or without its unit where no other has that title, and
+  /// our name.
+  const std::pair<const std::string, std::string>* said_of(std::size_t i) const {
+    if (const auto whole = keys_.columns.find(header(i)); whole != keys_.columns.end()) return &*whole;
+    if (std::count(titles_.begin(), titles_.end(), titles_[i]) != 1) return nullptr;
+    for (const auto& said : keys_.columns)
+      if (title_of(said.first) == titles_[i]) return &said;
+    return nullptr;
+  }
+
+  void name_heads() {
+    for (const std::string& cell : table_.header) titles_.push_back(title_of(cell));
+    std::set<std::string> said, used;  // names of ours; headers
+    std::vector<bool> by_user;
+    for (std::size_t i = 0; i < table_.header.size(); ++i) {
+      const auto* meant = said_of(i);
+      Head h = head_of(header(i), meant != nullptr ? meant->second : "");
+      by_user.push_back(meant != nullptr);
+      if (meant != nullptr) {
+        used.insert(meant->first), said.insert(h.name);
+        if (h.unit.empty()) h.unit = head_of(meant->first).unit;
+      }
+      heads_.all.push_back(std::move(h));
+    }
+    // The user's word goes before what a header seems to say.
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (Head& h = heads_.all[i]; !by_user[i] && h.kind != Column::other && said.contains(h.name))
+        h.kind = Column::passed;
+    for (const auto& [title, name] : keys_.columns)
+      if (!used.contains(title))
+        report_problem("[columns]", title, "a header of this table",
+                       fmt::format("it has: {}", fmt::join(table_.header, ", ")));
+  }
+
+  /// Units in a row of their own: below the headers of what is read no number, and somewhere a unit.
+  bool is_row_of_units(const TableRow& row) const {
+    bool any = false;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      if (!is_read(heads_.all[i])) continue;
+      const std::string& cell = row.cells[i];
+      const bool unit = !unit_of_cell(cell).empty();
+      any = any || (unit && !is_nothing(cell));
+      if (!unit && !cell.empty() && cell.find_first_of("0123456789") != cell.npos && cell != "1")
+        return false;
+    }
+    return any;
+  }
+  void take_row_of_units() {
+    if (table_.rows.empty() || !is_row_of_units(table_.rows.front())) return;
+    const std::vector<std::string> cells = table_.rows.front().cells;
+    table_.rows.erase(table_.rows.begin());
+    notes_.push_back(table_.where + ": units stand in a row of their own");
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      Head& h = heads_.all[i];
+      const std::string unit = is_nothing(cells[i]) ? "" : unit_of_cell(cells[i]);
+      if (!unit.empty() && !h.unit.empty() && unit != h.unit)
+        report_problem(header(i), cells[i], "one unit", "the row below the header has another: correct one");
+      if (h.unit.empty()) h.unit = unit == "1" ? "" : unit;
+      if (unit.empty() && !is_nothing(cells[i]) && is_read(h) && dimension_of(h) != Dimension::none)
+        told_.insert(i), tell_unit(i, cells[i]);
+    }
+  }
+
+  /// "30°" below a header without a unit.
+  void take_degree_signs() {
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      Head& h = heads_.all[i];
+      const bool angle = h.kind == Column::theta || h.kind == Column::beta;
+      if (!angle || !h.unit.empty()) continue;
+      const auto in_words = [&](const std::string& cell) {
+        return direction_in_words(cell, names_an_axis(header(i))).has_value();
+      };
+      if (all_cells(i, [&](const auto& cell) { return without_degree_sign(cell) || in_words(cell); }))
+        h.unit = "deg";
+    }
+  }
+
+  /// Columns of one property that are told apart by a mark are specimens of the same row; what is made of
+  /// them, a mean or an SD, is set aside. A mark alone, or none that begins, says nothing.
+  void settle_replicates() {
+    std::map<std::string, std::vector<std::size_t>> marked;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (!heads_.all[i].replicate.empty() && is_read(heads_.all[i])) marked[heads_.all[i].name].push_back(i);
+    for (const auto& [name, columns] : marked) {
+      std::set<std::string> marks;
+      for (const std::size_t i : columns) marks.insert(heads_.all[i].replicate);
+      const bool begins = marks.contains("1") || marks.contains("01") || marks.contains("a");
+      if (columns.size() > 1 && marks.size() == columns.size() && begins)
+        take_replicates(name, columns);
+      else
+        for (const std::size_t i : columns)
+          heads_.all[i].kind = Column::other, heads_.all[i].speaks_of_values = true;
+    }
+  }
+  void take_replicates(const std::string& name, const std::vector<std::size_t>& columns) {
+    std::vector<std::string> titles;
+    for (const std::size_t i : columns) titles.push_back(titles_[i]);
+    replicates_.push_back(fmt::format("{} are specimens of {}", fmt::join(titles, ", "), name));
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      Head& h = heads_.all[i];
+      const bool made_of_them = h.name == name || h.name == name + "_sd" || h.kind == Column::other;
+      if (!h.summary || !made_of_them || h.kind == Column::passed) continue;
+      h.kind = Column::passed, set_aside_.push_back(header(i));
+    }
+  }
+
+  void check_names() {
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      const Head& h = heads_.all[i];
+      if (h.kind == Column::passed) {
+        if (std::find(set_aside_.begin(), set_aside_.end(), header(i)) == set_aside_.end())
+          passed_.push_back(header(i));
+      } else if (h.kind == Column::other) {
+        check_other(i);
+      } else if (const auto [it, fresh] = seen.emplace(h.name, i);
+                 !fresh && (h.replicate.empty() || heads_.all[it->second].replicate.empty())) {
+        check_second(i, it->second);
+      } else {
+        check_unit(i);
+        if (!h.own && h.replicate.empty()) named_.push_back(fmt::format("{} is {}", header(i), h.name));
+      }
+    }
+    if (!unknown_.empty()) ask_for_names();
+  }
+  /// All unknown columns in one question.
+  void ask_for_names() {
+    std::string lines;
+    for (const std::string& name : unknown_)
+      lines += (lines.empty() ? "\"" : ", \"") + title_of(name) + "\" = \"...\"";
+    report_problem(
+        quoted(unknown_), "",
+        fmt::format("a known column: {}; of each value also _sd", fmt::join(names_in_short(), ", ")),
+        fmt::format("write in the rock file what each is, or \"-\" to leave it out: [columns] {}", lines));
+  }
+  static std::vector<std::string> names_in_short() {
+    std::vector<std::string> names = column_names();
+    std::erase_if(names, [](const std::string& name) { return name.ends_with("_sd"); });
+    return names;
+  }
+
+  /// Numbers that may be meant for the model are not dropped in silence: those of a column that has no name,
+  /// or a name that is not understood with the unit or a word of what is read.
+  void check_other(std::size_t i) {
+    const Head& h = heads_.all[i];
+    if (header(i).empty()) return check_nameless(i);
+    const auto unit = find_unit(h.unit);
+    const bool angle = unit && unit->dimension == Dimension::angle;
+    const bool value =
+        unit && (unit->dimension == Dimension::pressure || unit->dimension == Dimension::toughness);
+    const bool numbers = all_cells(i, is_number);
+    if (may_be_angle(i))
+      ask_for_angle(i);
+    else if (angle || value || ((h.speaks_of_values || h.summary) && numbers))
+      unknown_.push_back(header(i));
+    else if (may_describe_layers(i))
+      ask_for_layers(i);
+    else
+      passed_.push_back(header(i));
+  }
+  bool is_direction(const std::string& cell, std::size_t column) const {
+    return without_degree_sign(cell) || direction_in_words(cell, names_an_axis(header(column)));
+  }
+  /// Numbers below a word of angles; of a table without angles also "parallel" and "30°" below any header.
+  bool may_be_angle(std::size_t i) const {
+    const Head& h = heads_.all[i];
+    if (h.kind != Column::other || header(i).empty() ||
+        !(h.unit.empty() || h.unit == "deg" || h.unit == "rad"))
+      return false;
+    if (h.speaks_of_angles && (!h.unit.empty() || all_cells(i, is_number))) return true;
+    return needs_angles() && !all_cells(i, is_number) &&
+           all_cells(i, [&](const auto& cell) { return is_number(cell) || is_direction(cell, i); });
+  }
+  bool needs_angles() const { return !heads_.has_angles() && keys_.bedded != false; }
+  /// Of a table without angles a column whose name speaks of a direction may stand for them.
+  bool may_describe_layers(std::size_t i) const {
+    const Head& h = heads_.all[i];
+    if (!needs_angles() || !h.speaks_of_angles || !h.unit.empty() || cells_of(i).empty()) return false;
+    for (std::size_t k = 0; k < heads_.all.size(); ++k)
+      if (may_be_angle(k)) return false;
+    return true;
+  }
+  void check_nameless(std::size_t i) {
+    for (const TableRow& row : table_.rows)
+      if (!row.cells[i].empty())
+        return report_problem(fmt::format("column {}", i + 1), "", "a header",
+                              fmt::format("line {} has a value there", row.line));
+  }
+  void ask_for_angle(std::size_t i) {
+    heads_.asked_for_angles = true;
+    const std::string title = heads_.all[i].title, words = meaning_of_words(i);
+    const auto is_word = [&](const auto& cell) {
+      return direction_in_words(cell, names_an_axis(header(i))).has_value();
+    };
+    if (all_cells(i, is_word))
+      return report_problem(
+          header(i), "", "an angle that says from where it counts",
+          fmt::format("write in the rock file: [columns] \"{}\" = \"theta\". Then {}. \"-\" leaves "
+                      "it out",
+                      title, words));
+    const bool bare = !all_cells(i, [&](const auto& cell) { return is_direction(cell, i); });
+    report_problem(
+        header(i), "", "an angle that says from where it counts",
+        fmt::format("is it theta (of the layers from the horizontal, load upright) or beta (between load and "
+                    "layers)? Write in the rock file: [columns] \"{}{}\" = \"theta\", or = \"beta\"; \"-\" "
+                    "leaves it out{}{}",
+                    title, bare ? " [deg]" : "", words.empty() ? "" : ". Then ", words));
+  }
+  void ask_for_layers(std::size_t i) {
+    heads_.asked_for_angles = true;
+    report_problem(
+        header(i), "", "an angle that says from where it counts",
+        fmt::format("does it say how the layers lie? Then add a column theta [deg]; if not, write in the "
+                    "rock file: [columns] \"{}\" = \"-\"",
+                    heads_.all[i].title));
+  }
+  /// What the words of a column would count as.
+  std::string meaning_of_words(std::size_t i) const {
+    std::vector<std::string> meanings;
+    std::set<std::string> seen;
+    for (const std::string& cell : cells_of(i))
+      if (const auto theta = direction_in_words(cell, names_an_axis(header(i)));
+          theta && seen.insert(cell).second && meanings.size() < most_examples)
+        meanings.push_back(fmt::format("\"{}\" counts as theta = {:g} deg", cell, *theta));
+    return fmt::format("{}", fmt::join(meanings, ", "));
+  }
+
+  void check_second(std::size_t i, std::size_t first) {
+    const Head &a = heads_.all[first], &b = heads_.all[i];
+    const std::string remedy = a.title != b.title
+                                   ? fmt::format(
+                                         "{} is read as that too: the rock file chooses, [columns] \"{}\" = "
+                                         "\"{}\" and \"{}\" = \"-\". "
+                                         "Specimens side by side are named {} 1, {} 2",
+                                         header(first), b.title, b.name, a.title, b.name, b.name)
+                               : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
+                                                  : "two headers are the same: rename one";
+    report_problem(header(i), "", "one column of " + b.name, remedy);
+  }
+
+  void check_unit(std::size_t i) {
+    const Head& h = heads_.all[i];
+    const Dimension d = dimension_of(h);
+    const bool bare = h.unit.empty() || h.unit == "-" || h.unit == "1";
+    const auto unit = find_unit(h.unit);
+    if (d == Dimension::none) {
+      if (!bare)
+        report_problem(header(i), h.unit, fmt::format("{} without a unit", h.name),
+                       "write it as a bare number" + otherwise(h));
+    } else if (!unit || unit->dimension != d) {
+      if (!told_.contains(i) && !speaks_in_words(i)) tell_unit(i, bare ? "" : h.unit);
+    } else if (const Quantity one = parse_quantity("1 " + h.unit, d);
+               print_quantity(one.value, d) != "1 " + h.unit && h.unit != "cm") {
+      converted_.push_back(fmt::format("{} [{}]", base_title(h), h.unit));
+    }
+  }
+  /// A column of "parallel" and "perpendicular" needs no unit.
+  bool speaks_in_words(std::size_t i) const {
+    const Head& h = heads_.all[i];
+    return (h.kind == Column::theta || h.kind == Column::beta) && cells_of(i).empty();
+  }
+  static std::string otherwise(const Head& h) {
+    return fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
+  }
+  /// The title up to its brackets: what is in them is no unit, and a second one would not mend it.
+  static std::string base_title(const Head& h) {
+    return std::string(trimmed(std::string_view(h.title).substr(0, h.title.find_first_of("[({")), " "));
+  }
+  void tell_unit(std::size_t i, const std::string& found) {
+    const Head& h = heads_.all[i];
+    const std::string base = base_title(h).empty() ? h.name : base_title(h);
+    const std::string bracket = h.title.substr(std::min(base.size(), h.title.size()));
+    const std::string odd = !found.empty() ? found : std::string(trimmed(bracket, "[](){} "));
+    report_problem(header(i), odd,
+                   fmt::format("a unit of {} in the header: {}", h.name, unit_names(dimension_of(h))),
+                   fmt::format("write for example {} [{}]{}{}", base, usual_unit(h),
+                               odd.empty() ? "" : " and convert the values", otherwise(h)));
+  }
+
+  void check_combinations() {
+    const std::vector<Head>& all = heads_.all;
+    if (heads_.find(Column::theta) && heads_.find(Column::beta))
+      report_problem("beta", "", "one convention of angles", "keep theta or beta, not both");
+    const auto named = [&](const char* name) {
+      return std::find_if(all.begin(), all.end(),
+                          [&](const Head& h) { return is_read(h) && h.name == name; });
+    };
+    if (named("sigma_1") != all.end() && named("deviator") != all.end())
+      report_problem("deviator", "", "sigma_1 or the deviator stress",
+                     "pass one of the two over in the rock file: [columns] \"" + named("deviator")->title +
+                         "\" = \"-\"");
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].kind == Column::scatter && !heads_.find(Column::value, all[i].property))
+        report_problem(header(i), "", "a column of the values themselves", "");
+    const bool any = std::any_of(all.begin(), all.end(), [](const Head& h) {
+      return h.kind == Column::value || h.kind == Column::cohesion;
+    });
+    if (!any && unknown_.empty())
+      report_problem(
+          "header", fmt::format("{}", fmt::join(table_.header, ", ")),
+          "at least one of the columns E, nu, UCS, DTS, BTS, sigma_1, c",
+          "is this the line of the headers? Take away what stands above it; the rock file can say which "
+          "is which: [columns] \"peak stress\" = \"UCS\"");
+    check_envelope_columns();
+  }
+  /// A line over confining stress needs both of its numbers, and where it was measured.
+  void check_envelope_columns() {
+    const Column columns[] = {Column::cohesion, Column::friction, Column::least_confining,
+                              Column::most_confining};
+    const auto n = std::count_if(std::begin(columns), std::end(columns),
+                                 [&](Column c) { return heads_.find(c).has_value(); });
+    if (n != 0 && n != 4)
+      report_problem("c, phi", "", "the columns c, phi, confining_min and confining_max together",
+                     "an envelope is read as strengths, and only inside the pressures that were tested");
+  }
+
+  void tell() {
+    const auto note = [&](const char* form, const std::vector<std::string>& all) {
+      if (!all.empty()) notes_.push_back(fmt::format(fmt::runtime(form), fmt::join(all, ", ")));
+    };
+    // Both conventions are in use, so the conversion is mentioned.
+    if (heads_.find(Column::beta))
+      notes_.emplace_back("angles are beta, between load and bedding; theta = 90 deg - beta");
+    note("columns by other names: {} ([columns] in the rock file changes that)", named_);
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (heads_.all[i].kind == Column::theta || heads_.all[i].kind == Column::beta)
+        if (const std::string words = meaning_of_words(i); !words.empty())
+          notes_.push_back("directions: " + words);
+    note("specimens side by side: {}", replicates_);
+    note("set aside, since the specimens themselves are read: {}", set_aside_);
+    note("converted to SI: {}", converted_);
+    note("columns passed over: {}", passed_);
+  }
+};
+
+}  // namespace
+
+std::optional<std::size_t> Heads::find(Column kind, Property p) const {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].kind == kind && (all[i].property == p || (kind != Column::value && kind != Column::scatter)))
+      return i;
+  return std::nullopt;
+}
+
+Heads read_heads(Table& table, const TableKeys& keys, std::vector<Problem>& problems,
+                 std::vector<std::string>& notes) {
+  return HeadsReader(table, keys, problems, notes).read();
+}
+
+}  // namespace phy::io
