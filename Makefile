@@ -213,6 +213,7 @@ deps-docs: deps
 # Pages that the program writes, then all as a site in build/site.
 docs: deps-docs build
 	($(BUILD)/phyllite recipe --reference; $(BUILD)/phyllite study --reference; $(BUILD)/phyllite rock --reference) > docs/reference.md
+	$(BUILD)/phyllite rock --tables > docs/tables.md
 	$(BUILD)/phyllite verify --markdown > docs/verification.md
 	@sphinx-build -q -W --keep-going -b html -c docs/site -d build/doctrees docs build/site
 	@echo "docs: build/site/index.html, for any browser, without a network"

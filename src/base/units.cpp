@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "base/trimmed.hpp"
@@ -22,7 +24,7 @@ struct Unit {
   const char* name;
   int power;     ///< 1 unit = factor 10^power in SI
   double least;  ///< printed from this number on, up to 1e4; 0: read, and proposed; foreign: read only
-  const char* spellings;  ///< others that are read, as spelling() has them, separated by blanks
+  const char* spellings;  ///< others that are read, separated by ", "
   double factor = 1.0;
 };
 
@@ -31,48 +33,50 @@ struct Unit {
 constexpr Unit units[] = {
     {Dimension::length, "mm", -3, 0.1, "мм"},
     {Dimension::length, "m", 0, 1.0, "м"},
-    {Dimension::length, "um", -6, 0.1, "micron microns мкм"},
+    {Dimension::length, "um", -6, 0.1, "µm, micron, microns, мкм"},
     {Dimension::length, "cm", -2, 0.0, "см"},
-    {Dimension::length, "in", -4, foreign, "inch inches \"", 254.0},
-    {Dimension::length, "ft", -4, foreign, "foot feet", 3048.0},
-    {Dimension::pressure, "GPa", 9, 1.0, "kn/mm2 gn/m2 ГПа"},
-    {Dimension::pressure, "MPa", 6, 0.1, "n/mm2 mn/m2 nmm-2 mnm-2 МПа Н/мм2 МН/м2"},
-    {Dimension::pressure, "kPa", 3, 0.1, "kn/m2 knm-2 кПа"},
-    {Dimension::pressure, "Pa", 0, 0.1, "n/m2 nm-2 Па"},
-    {Dimension::pressure, "psi", 0, foreign, "lb/in2 lbf/in2 lbs/in2", 6894.757293168361},
-    {Dimension::pressure, "ksi", 3, foreign, "kpsi kip/in2", 6894.757293168361},
+    {Dimension::length, "in", -4, foreign, "inch, inches, \"", 254.0},
+    {Dimension::length, "ft", -4, foreign, "foot, feet", 3048.0},
+    {Dimension::pressure, "GPa", 9, 1.0, "kN/mm2, GN/m2, ГПа"},
+    {Dimension::pressure, "MPa", 6, 0.1, "N/mm2, MN/m2, N mm^-2, MN m^-2, МПа, Н/мм2, МН/м2"},
+    {Dimension::pressure, "kPa", 3, 0.1, "kN/m2, kN m^-2, кПа"},
+    {Dimension::pressure, "Pa", 0, 0.1, "N/m2, N m^-2, Па"},
+    {Dimension::pressure, "psi", 0, foreign, "lb/in2, lbf/in2, lbs/in2", 6894.757293168361},
+    {Dimension::pressure, "ksi", 3, foreign, "kpsi, kip/in2", 6894.757293168361},
     {Dimension::pressure, "Mpsi", 6, foreign, "msi", 6894.757293168361},
-    {Dimension::pressure, "bar", 5, foreign, "bars бар"},
+    {Dimension::pressure, "bar", 5, foreign, "bars, бар"},
     {Dimension::pressure, "kbar", 8, foreign, "кбар"},
     {Dimension::pressure, "atm", 0, foreign, "", 101325.0},
-    {Dimension::pressure, "kgf/cm2", 0, foreign, "kg/cm2 kp/cm2 kgfcm-2 кгс/см2 кг/см2", 98066.5},
-    {Dimension::pressure, "kgf/mm2", 2, foreign, "kg/mm2 kp/mm2 kgfmm-2 кгс/мм2 кг/мм2", 98066.5},
-    {Dimension::pressure, "tf/m2", 0, foreign, "t/m2 тс/м2", 9806.65},
-    {Dimension::stiffness, "GPa/m", 9, 1.0, "gn/m3"},
-    {Dimension::stiffness, "MPa/m", 6, 1.0, "mn/m3"},
-    {Dimension::stiffness, "Pa/m", 0, 0.1, "n/m3 nm-3"},
-    {Dimension::stiffness, "MPa/mm", 9, 0.0, "n/mm3"},
-    {Dimension::stiffness, "kPa/m", 3, foreign, "kn/m3"},
-    {Dimension::stiffness, "GPa/mm", 12, foreign, "kn/mm3"},
-    {Dimension::stiffness, "psi/in", 4, foreign, "lb/in3 lbf/in3", 6894.757293168361 / 254.0},
-    {Dimension::angle, "deg", 0, 0.0, "° º ˚ degree degrees град градус"},
-    {Dimension::angle, "rad", 0, foreign, "radian radians рад", degrees_of_radian},
-    {Dimension::speed, "m/s", 0, 0.001, "ms-1 м/с"},
-    {Dimension::speed, "mm/s", -3, 0.0, "mms-1 мм/с"},
-    {Dimension::speed, "cm/s", -2, foreign, "cms-1"},
-    {Dimension::speed, "um/s", -6, foreign, "ums-1"},
-    {Dimension::speed, "mm/min", 0, foreign, "mmmin-1 мм/мин", 1e-3 / 60.0},
-    {Dimension::density, "kg/m^3", 0, 0.0, "kgm-3 кг/м3"},
-    {Dimension::density, "g/cm^3", 3, 0.0, "g/cc gcm-3 t/m3 mg/m3 г/см3 т/м3"},
-    {Dimension::density, "pcf", 0, foreign, "lb/ft3 lbf/ft3 lbs/ft3", 16.018463373960142},
+    {Dimension::pressure, "kgf/cm2", 0, foreign, "kg/cm2, kp/cm2, kgf cm^-2, кгс/см2, кг/см2", 98066.5},
+    {Dimension::pressure, "kgf/mm2", 2, foreign, "kg/mm2, kp/mm2, kgf mm^-2, кгс/мм2, кг/мм2", 98066.5},
+    {Dimension::pressure, "tf/m2", 0, foreign, "t/m2, тс/м2", 9806.65},
+    {Dimension::stiffness, "GPa/m", 9, 1.0, "GN/m3"},
+    {Dimension::stiffness, "MPa/m", 6, 1.0, "MN/m3"},
+    {Dimension::stiffness, "Pa/m", 0, 0.1, "N/m3, N m^-3"},
+    {Dimension::stiffness, "MPa/mm", 9, 0.0, "N/mm3"},
+    {Dimension::stiffness, "kPa/m", 3, foreign, "kN/m3"},
+    {Dimension::stiffness, "GPa/mm", 12, foreign, "kN/mm3"},
+    {Dimension::stiffness, "psi/in", 4, foreign, "lb/in3, lbf/in3", 6894.757293168361 / 254.0},
+    {Dimension::angle, "deg", 0, 0.0, "°, º, ˚, degree, degrees, град, градус"},
+    {Dimension::angle, "rad", 0, foreign, "radian, radians, рад", degrees_of_radian},
+    {Dimension::speed, "m/s", 0, 0.001, "m s^-1, м/с"},
+    {Dimension::speed, "mm/s", -3, 0.0, "mm s^-1, мм/с"},
+    {Dimension::speed, "cm/s", -2, foreign, "cm s^-1"},
+    {Dimension::speed, "um/s", -6, foreign, "µm/s"},
+    {Dimension::speed, "mm/min", 0, foreign, "mm min^-1, мм/мин", 1e-3 / 60.0},
+    {Dimension::density, "kg/m^3", 0, 0.0, "kg m^-3, кг/м3"},
+    {Dimension::density, "g/cm^3", 3, 0.0, "g/cc, g cm^-3, t/m3, Mg/m3, г/см3, т/м3"},
+    {Dimension::density, "pcf", 0, foreign, "lb/ft3, lbf/ft3, lbs/ft3", 16.018463373960142},
     {Dimension::toughness, "MPa sqrt(m)", 6, 0.1,
-     "mpam05 mpam1/2 mparootm mn/m15 mn/m3/2 mnm-15 mnm-3/2 МПаsqrtм МПам05"},
-    {Dimension::toughness, "kPa sqrt(m)", 3, 0.1, "kpam05 kpam1/2 kparootm kn/m15 kn/m3/2 knm-15 knm-3/2"},
-    {Dimension::toughness, "Pa sqrt(m)", 0, 0.1, "pam05 pam1/2 parootm n/m15 n/m3/2 nm-15 nm-3/2"},
-    {Dimension::strain, "1", 0, foreign, "- mm/mm m/m in/in"},
+     "MPa√m, MPa m^0.5, MPa m^1/2, MPa root m, MN/m^1.5, MN/m^3/2, MN m^-1.5, MN m^-3/2, МПа√м, МПа м^0.5"},
+    {Dimension::toughness, "kPa sqrt(m)", 3, 0.1,
+     "kPa√m, kPa m^0.5, kPa m^1/2, kPa root m, kN/m^1.5, kN/m^3/2, kN m^-1.5, kN m^-3/2"},
+    {Dimension::toughness, "Pa sqrt(m)", 0, 0.1,
+     "Pa√m, Pa m^0.5, Pa m^1/2, Pa root m, N/m^1.5, N/m^3/2, N m^-1.5, N m^-3/2"},
+    {Dimension::strain, "1", 0, foreign, "-, mm/mm, m/m, in/in"},
     {Dimension::strain, "%", -2, foreign, "percent"},
-    {Dimension::strain, "permille", -3, foreign, "‰ mm/m millistrain mstrain"},
-    {Dimension::strain, "microstrain", -6, foreign, "um/m ustrain uε ue"},
+    {Dimension::strain, "permille", -3, foreign, "‰, mm/m, millistrain"},
+    {Dimension::strain, "microstrain", -6, foreign, "µε, µm/m, ue"},
 };
 
 /// Signs that mean the same: powers, products, roots, Greek and full-width letters.
@@ -150,16 +154,21 @@ std::string spelling(std::string_view text) {
   return out;
 }
 
-bool is_spelled(const Unit& u, const std::string& text) {
-  if (text.empty()) return false;
-  if (text == spelling(u.name)) return true;
-  std::string_view rest = u.spellings;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == text) return true;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return false;
+/// Every unit by its name and spellings, as spelling() has them.
+const std::map<std::string, const Unit*, std::less<>>& units_by_spelling() {
+  static const std::map<std::string, const Unit*, std::less<>> all = [] {
+    std::map<std::string, const Unit*, std::less<>> made;
+    for (const Unit& u : units) {
+      std::string_view rest = u.spellings;
+      for (std::string_view word = u.name; !word.empty();) {
+        made.emplace(spelling(with_same_signs(word)), &u);
+        const std::size_t end = std::min(rest.find(", "), rest.size());
+        word = rest.substr(0, end), rest.remove_prefix(std::min(end + 2, rest.size()));
+      }
+    }
+    return made;
+  }();
+  return all;
 }
 
 /// Takes "x10^4", "10^5", "x 10" or "1e4" from the front. Without a sign of product or power it is no factor.
@@ -194,9 +203,9 @@ std::optional<ScaledUnit> scaled_unit(std::string_view text) {
   std::string_view rest = same;
   const int power = take_power(rest);
   const std::string spelled = power != 0 && trimmed(rest).empty() ? "1" : spelling(rest);
-  for (const Unit& u : units)
-    if (is_spelled(u, spelled)) return ScaledUnit{&u, u.power + power};
-  return {};
+  const auto found = units_by_spelling().find(spelled);
+  if (found == units_by_spelling().end()) return {};
+  return ScaledUnit{found->second, found->second->power + power};
 }
 
 constexpr const char* beyond = "is larger or smaller than a number can be";

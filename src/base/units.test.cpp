@@ -105,7 +105,7 @@ TEST(Units, NoSpellingMeansTwoThings) {
   std::map<std::string, std::string> meaning;
   for (const UnitRow& row : unit_rows()) {
     std::istringstream words(row.spellings);
-    for (std::string word; words >> word;) {
+    for (std::string word; std::getline(words >> std::ws, word, ',');) {
       ASSERT_TRUE(find_unit(word)) << word;
       EXPECT_EQ(find_unit(word)->name, row.name) << word;
       EXPECT_TRUE(meaning.emplace(word, row.name).second) << word;

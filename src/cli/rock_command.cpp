@@ -15,6 +15,7 @@
 #include "io/toml_in.hpp"
 #include "jobs/keys.hpp"
 #include "jobs/rock_check.hpp"
+#include "jobs/tables_reference.hpp"
 
 namespace phy::cli {
 namespace {
@@ -118,13 +119,16 @@ void add_rock_command(CLI::App& app, Session& session) {
       ->type_name("KEY")
       ->check(suggested([] { return keys_of({&io::rock_schema()}); }));
   rock->add_flag("--reference", *reference, "print all keys of a rock file");
+  auto tables = std::make_shared<bool>(false);
+  rock->add_flag("--tables", *tables, "print the layouts, columns and units that are read from a table");
   rock->callback([=, &session] {
     if (!rock->get_subcommands().empty()) return;
-    if (key->empty() && !*reference)
+    if (key->empty() && !*reference && !*tables)
       throw InputError(
           Problem{"command line", "verb", "", "one of new, check, twin", "see `phyllite rock --help`"});
-    write_out(*reference ? "\n" + jobs::reference_markdown(io::rock_schema())
-                         : jobs::explain({&io::rock_schema()}, *key));
+    write_out(*tables      ? jobs::tables_reference()
+              : *reference ? "\n" + jobs::reference_markdown(io::rock_schema())
+                           : jobs::explain({&io::rock_schema()}, *key));
     session.exit_code = 0;
   });
   auto name = std::make_shared<std::string>("rock");

@@ -11,15 +11,17 @@
 namespace phy::io {
 namespace {
 
-/// A column: our name, and what laboratories call it, as key_of() has it.
+/// A column: our name, what it holds, and what laboratories call it.
 struct Known {
   const char* name;
   Column kind;
   Property property;
+  const char* meaning;
   std::vector<const char*> others;
 };
 
-/// The one list. Left out on purpose: "d" and "no", which mean other things too.
+/// The one list: readers, messages and docs/tables.md follow it. Left out on purpose: "d" and "no", which
+/// mean other things too.
 const std::vector<Known>& known_columns() {
   using C = Column;
   using P = Property;
@@ -27,56 +29,89 @@ const std::vector<Known>& known_columns() {
       {"theta",
        C::theta,
        P::E,
-       {"dip", "dipangle", "inclination", "beddinginclination", "beddingdip", "beddingdipangle",
-        "foliationdip", "foliationdipangle", "foliationinclination"}},
-      {"beta", C::beta, P::E, {}},
+       "inclination of the layers, load upright: 0 = across the load, 90 = along it",
+       {"θ", "dip", "dip angle", "inclination", "bedding inclination", "bedding dip", "bedding dip angle",
+        "foliation dip", "foliation dip angle", "foliation inclination", "angle theta"}},
+      {"beta", C::beta, P::E, "angle between load and layers: 90 - theta", {"β", "angle beta"}},
       {"E",
        C::value,
        P::E,
-       {"e50", "young", "youngmodulus", "youngsmodulus", "elasticmodulus", "elasticitymodulus",
-        "modulusofelasticity", "deformationmodulus", "modulusofdeformation", "rucse"}},
-      {"nu", C::value, P::nu, {"v", "poisson", "poissonratio", "poissonsratio", "rucsmu"}},
+       "Young's modulus; the rock file's `E_is` says how it was read",
+       {"E50", "Young", "Young modulus", "Young's modulus", "elastic modulus", "elasticity modulus",
+        "modulus of elasticity", "deformation modulus", "modulus of deformation", "RUCS_E"}},
+      {"nu",
+       C::value,
+       P::nu,
+       "apparent Poisson's ratio",
+       {"ν", "v", "Poisson", "Poisson ratio", "Poisson's ratio", "RUCS_MU"}},
       {"UCS",
        C::value,
        P::ucs,
-       {"sigmac", "sigmaucs", "qu", "uniaxialcompressivestrength", "unconfinedcompressivestrength",
-        "uniaxialstrength", "compressivestrength", "peakstrength", "rucsucs"}},
+       "uniaxial compressive strength; beside a `confining` above 0 it is sigma_1",
+       {"sigma_c", "sigma_ucs", "q_u", "uniaxial compressive strength", "unconfined compressive strength",
+        "uniaxial strength", "compressive strength", "peak strength", "RUCS_UCS"}},
       {"DTS",
        C::value,
        P::direct_tension,
-       {"directtensilestrength", "directtension", "uniaxialtensilestrength"}},
+       "direct tensile strength",
+       {"direct tensile strength", "direct tension", "uniaxial tensile strength"}},
       {"BTS",
        C::value,
        P::brazilian,
-       {"sigmat", "sigmabt", "brazilianstrength", "braziliantensilestrength", "indirecttensilestrength",
-        "splittingtensilestrength", "tensilestrength", "its"}},
-      {"sigma_1", C::value, P::confined, {"s1", "majorprincipalstress", "axialstressatfailure"}},
+       "Brazilian (splitting) tensile strength",
+       {"sigma_t", "sigma_bt", "Brazilian strength", "Brazilian tensile strength",
+        "indirect tensile strength", "splitting tensile strength", "tensile strength", "ITS"}},
+      {"sigma_1",
+       C::value,
+       P::confined,
+       "axial stress at the peak under `confining`",
+       {"s1", "major principal stress", "axial stress at failure"}},
       {"deviator",
        C::value,
        P::confined,
-       {"q", "sigmad", "sigma1sigma3", "deviatorstress", "deviatoricstress", "peakdeviatorstress",
-        "peakdeviatoricstress"}},
-      {"sigma_ci", C::value, P::crack_initiation, {"crackinitiation", "crackinitiationstress"}},
+       "sigma_1 - sigma_3 at the peak",
+       {"q", "sigma_d", "sigma_1 - sigma_3", "deviator stress", "deviatoric stress", "peak deviator stress",
+        "peak deviatoric stress"}},
+      {"sigma_ci",
+       C::value,
+       P::crack_initiation,
+       "axial stress at which cracks begin, in the test of UCS",
+       {"crack initiation", "crack initiation stress"}},
       {"K_Ic",
        C::value,
        P::fracture_toughness,
-       {"k1c", "fracturetoughness", "modeifracturetoughness", "mode1fracturetoughness",
-        "fracturetoughnesskic", "toughness"}},
-      {"n", C::n, P::E, {"numberofspecimens", "numberoftests", "numberofsamples"}},
-      {"diameter", C::diameter, P::E, {"discdiameter", "diskdiameter"}},
+       "fracture toughness of a semi-circular bend test, notch along the load",
+       {"K_1c", "fracture toughness", "mode I fracture toughness", "mode 1 fracture toughness",
+        "fracture toughness K_Ic", "toughness"}},
+      {"n",
+       C::n,
+       P::E,
+       "specimens behind the row",
+       {"number of specimens", "number of tests", "number of samples"}},
+      {"diameter",
+       C::diameter,
+       P::E,
+       "diameter of the disc of a BTS, of the half disc of a K_Ic",
+       {"disc diameter", "disk diameter"}},
       {"confining",
        C::confining,
        P::E,
-       {"sigma3", "s3", "pc", "confiningpressure", "confiningstress", "confinement", "cellpressure",
-        "minorprincipalstress"}},
-      {"c", C::cohesion, P::E, {"cohesion"}},
+       "confining stress; empty: none",
+       {"sigma_3", "s3", "p_c", "confining pressure", "confining stress", "confinement", "cell pressure",
+        "minor principal stress"}},
+      {"c", C::cohesion, P::E, "cohesion of an envelope through n tests", {"cohesion"}},
       {"phi",
        C::friction,
        P::E,
-       {"frictionangle", "angleoffriction", "internalfrictionangle", "angleofinternalfriction"}},
-      {"sigma_2", C::intermediate, P::E, {"s2", "intermediateprincipalstress"}},
-      {"confining_min", C::least_confining, P::E, {"sigma3min"}},
-      {"confining_max", C::most_confining, P::E, {"sigma3max"}}};
+       "its angle of friction",
+       {"φ", "friction angle", "angle of friction", "internal friction angle", "angle of internal friction"}},
+      {"confining_min", C::least_confining, P::E, "least confining stress of these tests", {"sigma_3 min"}},
+      {"confining_max", C::most_confining, P::E, "largest confining stress of these tests", {"sigma_3 max"}},
+      {"sigma_2",
+       C::intermediate,
+       P::E,
+       "intermediate stress; where it is not `confining` the row is refused",
+       {"s2", "intermediate principal stress"}}};
   return known;
 }
 
@@ -305,13 +340,26 @@ std::string without_scatter(const std::string& key) {
   return "";
 }
 
+/// Every name of the list, as names are compared.
+const std::map<std::string, const Known*>& known_names() {
+  static const std::map<std::string, const Known*> names = [] {
+    std::map<std::string, const Known*> all;
+    for (const Known& k : known_columns()) {
+      all.emplace(key_of(k.name), &k);
+      for (const char* other : k.others) all.emplace(key_of(other), &k);
+    }
+    return all;
+  }();
+  return names;
+}
+
 /// Takes a name; false where it is not one of ours or of a laboratory's.
 bool take_name(const std::string& key, Head& h) {
-  for (const Known& k : known_columns())
-    if (key == key_of(k.name) || contains(k.others, key)) {
-      h.kind = k.kind, h.property = k.property, h.name = k.name, h.deviatoric = h.name == "deviator";
-      return true;
-    }
+  if (const auto known = known_names().find(key); known != known_names().end()) {
+    const Known& k = *known->second;
+    h.kind = k.kind, h.property = k.property, h.name = k.name, h.deviatoric = h.name == "deviator";
+    return true;
+  }
   if (const auto modulus = moduli().find(key); modulus != moduli().end()) {
     h.kind = Column::value, h.property = Property::E, h.name = "E", h.E_is = modulus->second;
     return true;
@@ -519,6 +567,19 @@ const std::vector<std::string>& column_names() {
     return all;
   }();
   return names;
+}
+
+const std::vector<ColumnRow>& column_rows() {
+  static const std::vector<ColumnRow> rows = [] {
+    std::vector<ColumnRow> all;
+    for (const Known& k : known_columns()) {
+      Head h;
+      h.kind = k.kind, h.property = k.property;
+      all.push_back({k.name, usual_unit(h), k.meaning, {k.others.begin(), k.others.end()}});
+    }
+    return all;
+  }();
+  return rows;
 }
 
 }  // namespace phy::io

@@ -70,7 +70,14 @@ std::string unit_of_cell(const std::string& cell);
 /// Does a cell say that its row is no specimen, "Mean" or "SD"?
 bool is_summary(const std::string& cell);
 
-/// Our names of columns, in the order of docs/formats.md.
+/// Our names of columns.
 const std::vector<std::string>& column_names();
+
+/// A column as docs/tables.md shows it.
+struct ColumnRow {
+  std::string name, unit, meaning;
+  std::vector<std::string> others;
+};
+const std::vector<ColumnRow>& column_rows();
 
 }  // namespace phy::io

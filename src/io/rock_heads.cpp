@@ -104,6 +104,7 @@ class HeadsReader {
       }
       heads_.all.push_back(std::move(h));
     }
+    mark_replicates(by_user);
     // The user's word goes before what a header seems to say.
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
       if (Head& h = heads_.all[i]; !by_user[i] && h.kind != Column::other && said.contains(h.name))
@@ -112,6 +113,16 @@ class HeadsReader {
       if (!used.contains(title))
         report_problem("[columns]", title, "a header of this table",
                        fmt::format("it has: {}", fmt::join(table_.header, ", ")));
+  }
+
+  /// Columns of values to which the user gives one name are specimens side by side.
+  void mark_replicates(const std::vector<bool>& by_user) {
+    std::map<std::string, std::vector<std::size_t>> columns;
+    for (std::size_t i = 0; i < heads_.all.size(); ++i)
+      if (by_user[i] && heads_.all[i].kind == Column::value) columns[heads_.all[i].name].push_back(i);
+    for (const auto& [name, same] : columns)
+      for (std::size_t k = 0; same.size() > 1 && k < same.size(); ++k)
+        heads_.all[same[k]].replicate = std::to_string(k + 1);
   }
 
   /// Units in a row of their own: below the headers of what is read no number, and somewhere a unit.
@@ -309,12 +320,11 @@ class HeadsReader {
 
   void check_second(std::size_t i, std::size_t first) {
     const Head &a = heads_.all[first], &b = heads_.all[i];
-    const std::string remedy = a.title != b.title
-                                   ? fmt::format(
-                                         "{} is read as that too: the rock file chooses, [columns] \"{}\" = "
-                                         "\"{}\" and \"{}\" = \"-\". "
-                                         "Specimens side by side are named {} 1, {} 2",
-                                         header(first), b.title, b.name, a.title, b.name, b.name)
+    const std::string remedy = a.title != b.title ? fmt::format(
+                                                        "{} is read as that too: the rock file chooses, "
+                                                        "[columns] \"{}\" = \"{}\" and \"{}\" = \"-\"; "
+                                                        "of specimens side by side both are \"{}\"",
+                                                        header(first), b.title, b.name, a.title, b.name)
                                : a.unit != b.unit ? "its units are mixed: " + a.unit + " and " + b.unit
                                                   : "two headers are the same: rename one";
     report_problem(header(i), "", "one column of " + b.name, remedy);

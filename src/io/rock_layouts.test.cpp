@@ -186,6 +186,11 @@ TEST_F(Layouts, SpecimensSideBySideAreReplicates) {
   EXPECT_THAT(
       values(rock("theta [deg],E1 [GPa],E2 [GPa],n\n0,20,21,2\n45,22,23,2\n90,30,31,2\n"), Property::E),
       SizeIs(6));
+  // The user's word makes replicates of any columns.
+  EXPECT_THAT(values(rock("theta [deg],dry [MPa],also dry [MPa]\n0,20,21\n45,22,23\n90,30,31\n",
+                          "[columns]\ndry = \"UCS\"\n\"also dry\" = \"UCS\"\n"),
+                     Property::ucs),
+              SizeIs(6));
   // Without a first one the mark says something else; a column of SD beside nothing has to be named.
   expect_asked("theta [deg],E25 [GPa],E75 [GPa]\n0,20,21\n45,22,23\n90,30,31\n",
                "\"E25 [GPa]\", \"E75 [GPa]\"");

@@ -154,6 +154,8 @@ TEST_F(Documents, TheReferenceIsThatOfTheProgram) {
     all += output;
   }
   EXPECT_EQ(read(std::string(PHY_SOURCE_DIR) + "/docs/reference.md"), all) << "make docs writes it";
+  ASSERT_EQ(run("rock --tables"), 0) << output;
+  EXPECT_EQ(read(std::string(PHY_SOURCE_DIR) + "/docs/tables.md"), output) << "make docs writes it";
 }
 
 /// `make docs`: no broken link between pages, a search, and nothing fetched from a network.

@@ -1,0 +1,71 @@
+#include "jobs/tables_reference.hpp"
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "io/rock_columns.hpp"
+
+namespace phy::jobs {
+namespace {
+
+constexpr const char* head = R"(# Tables of laboratories
+
+Written by `phyllite rock --tables`. This page lists what is read from a table of laboratory tests: layouts, columns, units.
+A column that may hold a direction, a strength or a modulus is read or asked for. It is never left out in silence.
+The question names the line to write in the [rock file](formats.md#rock-version-1).
+
+## Layouts
+
+| layout | how it is read |
+|---|---|
+| separators | commas, semicolons, tabs, or runs of blanks; decimal commas where cells are not separated by commas |
+| encoding | UTF-8, with or without a byte-order mark; any line ends |
+| workbook (.xlsx) | the first sheet, or the one that `sheet` names |
+| AGS 4 | the group RUCS, or the one that `sheet` names |
+| above the headers | titles and instrument lines are passed over |
+| units | in the header, as `E [GPa]`, `E (GPa)`, `E, GPa`, `E GPa`, `E_GPa`, or in a row of their own below the headers |
+| two rows of headers | a merged name above, its specimens below: `UCS (MPa)` over `S1`, `S2`, `Mean` |
+| rows | one per angle, or one per test; rows of one angle are replicates |
+| specimens side by side | `UCS 1`, `UCS 2`, `UCS 3` (or a, b, c) in one row are replicates; their mean and SD are set aside |
+| rows of means | "Mean", "SD", "Average value" beside specimens are refused |
+| angles | numbers with or without a degree sign |
+| angles in words | after one line in the rock file: parallel (∥) is theta = 90, perpendicular (⊥) is theta = 0 |
+| V and H | the layers stand upright (90) or lie flat (0); below a header that names a plug, core or load the other way round |
+| no column of angles | asks for `bedded = false` |
+| empty cells, `-`, `–` | not measured |
+| limit | 256 columns; 16 MB |
+
+## Columns
+
+Names are compared without case, blanks and signs. Greek letters are their names. Of every value `..._sd` is the standard
+deviation of single specimens. `[columns]` in the rock file goes before every name of this list.
+
+| column | unit | meaning | also read |
+|---|---|---|---|
+)";
+
+constexpr const char* units_head = R"(
+E_t and E_tan are tangents at half of UCS, E_s and E_sec secants there, E_av averages, E_dyn dynamic moduli.
+
+## Units
+
+The same units are read in tables, recipes, curves, on the page and in Python. Case, blanks, dots and superscripts do not
+matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are converted, and the check says so.
+
+| quantity | unit | also read | one of it is |
+|---|---|---|---|
+)";
+
+}  // namespace
+
+std::string tables_reference() {
+  std::string text = head;
+  for (const io::ColumnRow& c : io::column_rows())
+    text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
+  text += units_head;
+  for (const UnitRow& u : unit_rows())
+    text += fmt::format("| {} | `{}` | {} | {} |\n", to_string(u.dimension), u.name, u.spellings, u.size);
+  return text;
+}
+
+}  // namespace phy::jobs
