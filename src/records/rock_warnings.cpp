@@ -21,6 +21,7 @@ constexpr double least_E = 0.1e9, most_E = 200e9;        // [Pa]
 constexpr double least_K_Ic = 0.03e6, most_K_Ic = 10e6;  // [Pa sqrt(m)] 0.1 to 4 of most rocks
 constexpr double most_tension = 0.5;                     // of UCS; a tenth is usual
 constexpr double replicates_apart = 1.5;                 // factor
+constexpr double least_range_of_angles = 20.0;           // [deg]
 constexpr double most_scatter = 0.5;                     // SD over the value; a tenth is usual
 constexpr double least_intercept = 0.7, most_intercept = 1.6;  // of UCS; envelopes bend down from a line
 constexpr double along = 80.0;  // [deg], from which a load runs along the bedding
@@ -129,6 +130,17 @@ void doubt_confined(const Rock& rock, const std::vector<Target>& targets,
       "the same angle, and of peaks");
 }
 
+/// Angles that hardly differ say nothing of layers, and may be counted in another unit.
+void doubt_angles(const Rock& rock, std::vector<std::string>& warnings) {
+  if (!rock.bedded || rock.readings.empty()) return;
+  const auto [least, most] =
+      std::minmax_element(rock.readings.begin(), rock.readings.end(),
+                          [](const RockReading& a, const RockReading& b) { return a.theta < b.theta; });
+  if (most->theta - least->theta >= least_range_of_angles) return;
+  warn(warnings, {fmt::format("all angles lie between {:g} and {:g} deg", least->theta, most->theta)},
+       "so near to each other they say little about the layers; check their unit and the column");
+}
+
 void doubt_replicates(const Rock& rock, std::vector<std::string>& warnings) {
   struct Cell {
     const RockReading *least = nullptr, *most = nullptr;
@@ -191,6 +203,7 @@ std::vector<std::string> warnings_about(const Rock& rock) {
   as_written.reading = ElasticReading::plane_stress;
   const std::vector<Target> targets = targets_of(as_written);
   std::vector<std::string> warnings;
+  doubt_angles(rock, warnings);
   doubt_values(rock, targets, warnings);
   doubt_ratios(rock, targets, warnings);
   doubt_confined(rock, targets, warnings);
