@@ -132,12 +132,12 @@ void doubt_confined(const Rock& rock, const std::vector<Target>& targets,
 
 /// Angles that hardly differ say nothing of layers, and may be counted in another unit.
 void doubt_angles(const Rock& rock, std::vector<std::string>& warnings) {
-  if (!rock.bedded || rock.readings.empty()) return;
-  const auto [least, most] =
-      std::minmax_element(rock.readings.begin(), rock.readings.end(),
-                          [](const RockReading& a, const RockReading& b) { return a.theta < b.theta; });
-  if (most->theta - least->theta >= least_range_of_angles) return;
-  warn(warnings, {fmt::format("all angles lie between {:g} and {:g} deg", least->theta, most->theta)},
+  std::set<double> angles;
+  for (const RockReading& r : rock.readings) angles.insert(r.theta);
+  // A bedded rock with fewer angles is refused.
+  if (!rock.bedded || angles.size() < 3 || *angles.rbegin() - *angles.begin() >= least_range_of_angles)
+    return;
+  warn(warnings, {fmt::format("all angles lie between {:g} and {:g} deg", *angles.begin(), *angles.rbegin())},
        "so near to each other they say little about the layers; check their unit and the column");
 }
 
