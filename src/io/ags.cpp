@@ -125,7 +125,10 @@ class AgsReader {
 bool is_ags(std::string_view text) {
   if (is_edition_3(text)) return true;
   const std::vector<std::string> items = items_of(first_line(text).substr(0, 200));
-  return items.size() == 2 && items[0] == "GROUP" && text.find("HEADING") != text.npos;
+  // Spreadsheets fill the row up with empty cells.
+  return items.size() > 1 && items[0] == "GROUP" && !items[1].empty() &&
+         std::all_of(items.begin() + 2, items.end(), [](const std::string& item) { return item.empty(); }) &&
+         text.find("HEADING") != text.npos;
 }
 
 Table parse_ags(std::string_view text, const std::string& group, const std::string& where) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -20,10 +21,12 @@ namespace {
 
 constexpr std::size_t least_rows = 5;
 constexpr std::size_t most_listed = 12;  // columns in a message
+constexpr std::array across = {"lateral", "radial",     "transvers", "circumferential",
+                               "hoop",    "volumetric", "shear"};
 
 /// What a column may be. `others`: words of columns that it can be computed from, with how.
 struct Role {
-  std::vector<const char*> names;  ///< in lower case, the first that is there counts
+  std::vector<const char*> names;  ///< in lower case, the first that is there counts; "_" does not
   Dimension dimension;
   const char* units;
   double HistoryRow::*value;
@@ -33,13 +36,13 @@ struct Role {
 
 const std::vector<Role>& roles() {
   static const std::vector<Role> list = {
-      {{"axial_strain", "strain", "epsilon", "ε", "epsilon_1", "ε_1", "ε1", "ε₁"},
+      {{"axial_strain", "strain", "epsilon", "ε", "epsilon_1", "ε_1", "ε₁"},
        Dimension::strain,
        "[1], [%] or [microstrain]",
        &HistoryRow::axial_strain,
        {"displacement", "deformation", "extension", "shortening", "elongation", "stroke", "lvdt"},
        "axial_strain [1] is the shortening over the height of the specimen (over its gauge length)"},
-      {{"axial_stress", "stress", "sigma", "σ", "sigma_1", "σ_1", "σ1", "σ₁"},
+      {{"axial_stress", "stress", "sigma", "σ", "sigma_1", "σ_1", "σ₁"},
        Dimension::pressure,
        "[Pa], [kPa], [MPa] or [GPa]",
        &HistoryRow::axial_stress,
@@ -113,6 +116,7 @@ class CurveReader {
   std::vector<CurveHead> heads_;
   std::vector<CurveColumn> columns_;
   ForeignCurve curve_;
+  bool listed_ = false;  // what columns there are
 
   std::string at(int line) const { return where_ + ":" + std::to_string(line); }
 
@@ -144,7 +148,7 @@ class CurveReader {
       std::size_t cell = heads_.size();
       for (const char* name : role.names)
         for (std::size_t i = 0; cell == heads_.size() && i < heads_.size(); ++i)
-          if (heads_[i].name == name) cell = i;
+          if (without_joints(heads_[i].name) == without_joints(name)) cell = i;
       if (cell == heads_.size()) {
         if (role.dimension != Dimension::none) tell_missing(role);
       } else if (const auto factor = factor_of(heads_[cell].unit, role.dimension)) {
@@ -156,27 +160,36 @@ class CurveReader {
       }
     }
   }
-  /// What there is instead: columns that it follows from, columns with a word of its name.
+  static std::string without_joints(std::string name) {
+    std::erase(name, '_');
+    return name;
+  }
+  /// Columns along the load with one of these words in their names.
+  template <class Words>
+  std::vector<std::string> columns_with(const Words& words) const {
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      const auto in_name = [&](const char* word) { return heads_[i].name.find(word) != std::string::npos; };
+      if (std::any_of(words.begin(), words.end(), in_name) &&
+          std::none_of(across.begin(), across.end(), in_name))
+        found.push_back(shown(i));
+    }
+    return found;
+  }
+  /// What there is instead: columns with a word of its name, columns that it follows from.
   void tell_missing(const Role& role) {
-    const auto with = [&](const std::vector<const char*>& words) {
-      std::vector<std::string> found;
-      for (std::size_t i = 0; i < heads_.size(); ++i)
-        if (std::any_of(words.begin(), words.end(),
-                        [&](const char* word) { return heads_[i].name.find(word) != std::string::npos; }))
-          found.push_back(shown(i));
-      return found;
-    };
-    const std::vector<std::string> others = with(role.others), alike = with({role.names[1]});
-    std::string remedy;
+    const std::vector<std::string> others = columns_with(role.others),
+                                   alike = columns_with(std::array{role.names[1]});
+    std::string remedy = "rename the one that it is";
     if (!alike.empty())
-      remedy = fmt::format("rename the one that it is: {}; or write their mean", fmt::join(alike, ", "));
+      remedy = fmt::format("rename the one that it is: {}{}", fmt::join(alike, ", "),
+                           alike.size() > 1 ? "; or add a column of their mean" : "");
     else if (!others.empty())
       remedy = fmt::format("compute it from {}: {}", fmt::join(others, ", "), role.how);
-    else
-      remedy = "name the one that it is";
     problems_.push_back({at(table_.header_line), role.names.front(), "",
                          fmt::format("a column of this name with its unit, {}", role.units),
-                         fmt::format("its columns are {}; {}", columns(), remedy)});
+                         (listed_ ? "" : "its columns are " + columns() + "; ") + remedy});
+    listed_ = true;
   }
   std::string shown(std::size_t i) const {
     const std::string &head = table_.header[i], &unit = heads_[i].unit;

@@ -115,9 +115,11 @@ TEST(CurveIn, WhatItCanBeComputedFromIsSaid) {
   EXPECT_THAT(
       load,
       HasSubstr("compute it from Displacement [mm]: axial_strain [1] is the shortening over the height"));
-  EXPECT_THAT(
-      error_of("Stress [MPa],Axial strain 1 [1],Axial strain 2 [1]\n" + rows),
-      HasSubstr("rename the one that it is: Axial strain 1 [1], Axial strain 2 [1]; or write their mean"));
+  EXPECT_THAT(error_of("Stress [MPa],Axial strain 1 [1],Axial strain 2 [1]\n" + rows),
+              HasSubstr("rename the one that it is: Axial strain 1 [1], Axial strain 2 [1]; or add a column "
+                        "of their mean"));
+  EXPECT_THAT(error_of("Stress [MPa],Axial strain 1 [1],Lateral strain 1 [1]\n" + rows),
+              testing::EndsWith("rename the one that it is: Axial strain 1 [1]"));
 }
 
 TEST(CurveIn, CellsThatAreNoNumbersAreToldOncePerColumn) {

@@ -283,7 +283,7 @@ class TableReader {
     TableRow row{line.number, {}};
     if (!split_cells(line.text, separator_, row.cells)) {
       quotes_.add({at(line.number), "", std::string(trimmed(line.text)), "closed quotes", ""});
-    } else if (row.cells.size() != table_.header.size()) {
+    } else if (fit_width(row.cells); row.cells.size() != table_.header.size()) {
       // The usual cause of too many cells: 1,5 read as two.
       const bool commas = separator_ == Separator::comma && row.cells.size() > table_.header.size();
       counts_.add({at(line.number), n_cells(row.cells.size()), "",
@@ -295,6 +295,12 @@ class TableReader {
       for (std::string& cell : row.cells) cell = plain_cell(cell);
       table_.rows.push_back(std::move(row));
     }
+  }
+  /// Loggers end lines with a delimiter: cells that are empty, or have no header, may be left out.
+  void fit_width(std::vector<std::string>& cells) const {
+    while (cells.size() > table_.header.size() && cells.back().empty()) cells.pop_back();
+    while (cells.size() < table_.header.size() && table_.header[cells.size()].empty() && !is_blank())
+      cells.emplace_back();
   }
   static std::string n_cells(std::size_t n) { return fmt::format("{} cell{}", n, n == 1 ? "" : "s"); }
   std::string delimiter() const {

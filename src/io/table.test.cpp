@@ -50,6 +50,8 @@ TEST(TableText, NamesMayHoldSingleBlanksBetweenRunsOfThem) {
   }
   EXPECT_THAT(table_of("  sigma1 sigma3\n   101,5 0\n   113,9 10\n").rows[0].cells,
               ElementsAre("101.5", "0"));
+  EXPECT_THAT(table_of("sigma1 (MPa) sigma3 [MPa, cell]\n101.5 0\n113.9 10\n").header,
+              ElementsAre("sigma1 (MPa)", "sigma3 [MPa, cell]"));
   const Table quoted =
       table_of("PFC 7.00\n\"Step\"  \"1 Stress [Pa]\"\n  10    1.0e6\n  20    2.0e6\n  30    2.5e6\n");
   EXPECT_THAT(quoted.header, ElementsAre("Step", "1 Stress [Pa]"));
@@ -144,6 +146,16 @@ TEST(TableText, BlanksAndDashesOfTypesettersAreNoneOfTheValue) {
       << "a range stays one";
 }
 
+TEST(TableText, ADelimiterAtTheEndOfALineMakesNoCell) {
+  const Table t = table_of("theta,UCS\n0,80,\n30,55,\n");
+  EXPECT_THAT(t.problems, IsEmpty());
+  EXPECT_THAT(t.rows[1].cells, ElementsAre("30", "55"));
+  const Table head = table_of("theta;UCS;\n0;80\n30;55\n");
+  EXPECT_THAT(head.problems, IsEmpty());
+  EXPECT_THAT(head.rows[1].cells, ElementsAre("30", "55", ""));
+  EXPECT_THAT(told(table_of("theta,UCS,E\n0,80\n30,55\n")), Contains(HasSubstr("2 cells: expected 3 cells")));
+}
+
 TEST(TableText, OneProblemOfManyLinesIsToldOnce) {
   std::string text = "theta [deg],UCS [MPa]\n";
   for (int i = 0; i < 50; ++i) text += "0,80,5\n";
@@ -214,6 +226,7 @@ TEST(AgsFile, WhatCannotBeReadIsToldInItsWords) {
                     "\"DATA\",\"1\"\n\"DATA\",\"1\",\"2\",\"3\"\n\"DATUM\",\"1\",\"2\"\n")),
       ElementsAre(AllOf(HasSubstr("t.csv [RUCS]:5: 1 items: expected 2"), HasSubstr("and 1 more line")),
                   HasSubstr("t.csv [RUCS]:7: DATUM")));
+  EXPECT_TRUE(is_ags("GROUP,RUCS,,\nHEADING,RUCS_UCS,RUCS_E,\n")) << "as spreadsheets save it";
   EXPECT_FALSE(is_ags("GROUP,UCS\nA,80\n")) << "a table whose first column is called so";
 }
 

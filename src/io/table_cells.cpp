@@ -94,6 +94,21 @@ bool split_at_blanks(std::string_view line, std::size_t least, std::vector<std::
   return !quoted;
 }
 
+/// Single blanks part names too: a bracket belongs to the name before it, "sigma1 (MPa) sigma3 (MPa)".
+void join_brackets(std::vector<std::string>& names) {
+  std::vector<std::string> joined;
+  int depth = 0;
+  for (const std::string& name : names) {
+    const bool inside = depth > 0 || name.starts_with('(') || name.starts_with('[');
+    if (inside && !joined.empty())
+      joined.back() += " " + name;
+    else
+      joined.push_back(name);
+    for (const char c : name) depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
+  }
+  names = std::move(joined);
+}
+
 }  // namespace
 
 bool split_cells(std::string_view line, Separator separator, std::vector<std::string>& cells) {
@@ -102,14 +117,14 @@ bool split_cells(std::string_view line, Separator separator, std::vector<std::st
     return split_at(line, character_of(separator), cells);
   line = trimmed(line);
   if (separator == Separator::runs) return split_at_blanks(line, 2, cells);
+  const auto are_names = [&] { return std::none_of(cells.begin(), cells.end(), looks_measured); };
   if (line.find("  ") != line.npos) {
-    std::vector<std::string> names;
-    if (split_at_blanks(line, 2, names) && std::none_of(names.begin(), names.end(), looks_measured)) {
-      cells = std::move(names);
-      return true;
-    }
+    if (split_at_blanks(line, 2, cells) && are_names()) return true;
+    cells.clear();
   }
-  return split_at_blanks(line, 1, cells);
+  const bool closed = split_at_blanks(line, 1, cells);
+  if (are_names()) join_brackets(cells);
+  return closed;
 }
 
 std::string plain_cell(std::string_view cell) {

@@ -6,8 +6,9 @@
 
 namespace phy::io {
 
-/// What parts the cells of a line. `runs`: two blanks or more; `blanks`: one or more, but in a line without
-/// numbers that has runs, those (names of columns hold single blanks).
+/// What parts the cells of a line. `runs`: two blanks or more. `blanks`: one or more; but a line of names
+/// alone is parted by the runs that it has (names hold single blanks), and brackets belong to the name
+/// before.
 enum class Separator { comma, semicolon, tab, runs, blanks };
 
 /// Cells without quotes and outer blanks. A quoted cell may hold the separator, and "" for a quote. False:
