@@ -18,6 +18,7 @@ namespace phy::io {
 namespace {
 
 constexpr std::size_t most_line_bytes = 1U << 16U;
+constexpr int most_breaks = 20;                                                 // in the cells of a line
 constexpr std::size_t most_sample_lines = 1000, most_sample_bytes = 1U << 18U;  // that show the layout
 
 constexpr const char* save_as_utf8 = "save it anew as UTF-8 (in a spreadsheet: \"CSV UTF-8\")";
@@ -28,15 +29,54 @@ struct Line {
   int number = 0;
 };
 
+/// Where a line ends: spreadsheets keep the line breaks of a cell, in quotes.
+std::size_t end_of_line(std::string_view text) {
+  constexpr std::string_view around = ",;\t \r\n";
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  if (text.substr(0, end).find('"') == text.npos) return end;
+  bool quoted = false;
+  int breaks = 0;
+  std::size_t i = 0;
+  for (; i < std::min(text.size(), most_line_bytes) && breaks < most_breaks; ++i) {
+    if (text[i] == '\n' && !quoted) return i;
+    breaks += text[i] == '\n' ? 1 : 0;
+    if (text[i] != '"') continue;
+    if (!quoted)
+      quoted = i == 0 || around.substr(0, 3).find(text[i - 1]) != around.npos;
+    else if (i + 1 < text.size() && text[i + 1] == '"')
+      ++i;
+    else
+      quoted = i + 1 < text.size() && around.find(text[i + 1]) == around.npos;
+  }
+  return quoted ? end : std::min(text.find('\n', i), text.size());  // quotes that nothing closes are none
+}
+
 /// Lines that are no comment and not empty; `take` says whether to go on.
 template <class Take>
 void each_line(std::string_view text, const Take& take) {
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end), bare = trimmed(line);
+  for (int number = 1; !text.empty();) {
+    const bool comment = text[std::min(text.find_first_not_of(" \t"), text.size() - 1)] == '#';
+    const std::size_t end = comment ? std::min(text.find('\n'), text.size()) : end_of_line(text);
+    const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (!bare.empty() && bare.front() != '#' && !take(Line{line, number})) return;
+    if (!comment && !trimmed(line).empty() && !take(Line{line, number})) return;
+    number += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
   }
+}
+
+/// The text of a line whose cells have line breaks.
+std::string without_breaks(std::string_view line) {
+  std::string text(line);
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at)) {
+    const bool windows = at > 0 && text[at - 1] == '\r';
+    text.replace(windows ? at - 1 : at, windows ? 2 : 1, " ");
+  }
+  return text;
+}
+bool has_breaks(const Line& line) { return line.text.find('\n') != line.text.npos; }
+bool split_line(const Line& line, Separator separator, std::vector<std::string>& cells) {
+  return has_breaks(line) ? split_cells(without_breaks(line.text), separator, cells)
+                          : split_cells(line.text, separator, cells);
 }
 
 /// What spreadsheets write for each other: "sep=;".
@@ -46,7 +86,8 @@ bool names_separator(std::string_view line) {
 }
 
 /// Text and tabs; a line may end as in Windows.
-bool is_text(std::string line) {
+bool is_text(const Line& whole) {
+  std::string line = without_breaks(whole.text);
   if (line.ends_with('\r')) line.pop_back();
   std::replace(line.begin(), line.end(), '\t', ' ');
   return is_plain(line);
@@ -115,7 +156,7 @@ class LayoutReader {
 
   static TableRow row_of(const Line& line, Separator separator) {
     TableRow row{line.number, {}};
-    split_cells(line.text, separator, row.cells);
+    split_line(line, separator, row.cells);
     return row;
   }
   std::vector<TableRow> rows(Separator separator) const {
@@ -179,6 +220,8 @@ class TableReader {
     if (read_header()) {
       each_line(text_, [&](const Line& line) {
         if (line.number > last_header_) take_row(line);
+        if (line.number >= table_.header_line && has_breaks(line) && breaks_++ == 0)
+          table_.notes.push_back(fmt::format("line {}: a cell goes over several lines", line.number));
         return true;
       });
       for (const RepeatedProblem* p : {&encoding_, &quotes_, &counts_}) p->tell(table_.problems);
@@ -195,6 +238,7 @@ class TableReader {
   Table table_;
   Separator separator_ = Separator::comma;
   int last_header_ = 0;  // its line, the lower one of two
+  int breaks_ = 0;       // lines whose cells have line breaks
   RepeatedProblem encoding_, quotes_, counts_;
 
   std::string at(int line) const { return fmt::format("{}:{}", where_, line); }
@@ -231,11 +275,11 @@ class TableReader {
     auto header = std::find_if(sample.begin(), sample.end(),
                                [&](const Line& line) { return line.number == layout.header_line; });
     tell_above(sample, header - sample.begin());
-    if (!is_text(std::string(header->text)))
+    if (!is_text(*header))
       return refuse({at(header->number), foreign_byte(header->text), "",
                      "text in UTF-8 without control characters", save_as_utf8});
     if (layout.separators.size() > 1)
-      refuse({at(header->number), "", std::string(trimmed(header->text)),
+      refuse({at(header->number), "", std::string(trimmed(without_breaks(header->text))),
               "one delimiter: comma, semicolon or tab",
               "the header holds two of them; quote names that contain one"});
     const TableRow upper = names(*header), lower = layout.two_rows ? names(*++header) : TableRow{};
@@ -248,7 +292,7 @@ class TableReader {
   }
   TableRow names(const Line& line) const {
     TableRow row{line.number, {}};
-    split_cells(line.text, separator_, row.cells);
+    split_line(line, separator_, row.cells);
     for (std::string& cell : row.cells) cell = plain_name(cell);
     return row;
   }
@@ -275,13 +319,13 @@ class TableReader {
   void take_row(const Line& line) {
     if (line.text.find_first_not_of(std::string(" \t\r") + delimiter()) == line.text.npos)
       return;  // blank in every cell
-    if (!is_text(std::string(line.text))) {
+    if (!is_text(line)) {
       encoding_.add({at(line.number), foreign_byte(line.text), "", "text in UTF-8 without control characters",
                      save_as_utf8});
       return;
     }
     TableRow row{line.number, {}};
-    if (!split_cells(line.text, separator_, row.cells)) {
+    if (!split_line(line, separator_, row.cells)) {
       quotes_.add({at(line.number), "", std::string(trimmed(line.text)), "closed quotes", ""});
     } else if (fit_width(row.cells); row.cells.size() != table_.header.size()) {
       // The usual cause of too many cells: 1,5 read as two.

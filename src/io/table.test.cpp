@@ -146,6 +146,21 @@ TEST(TableText, BlanksAndDashesOfTypesettersAreNoneOfTheValue) {
       << "a range stays one";
 }
 
+TEST(TableText, CellsMayHoldLineBreaks) {
+  const Table t = table_of(
+      "theta,\"UCS\r\n(MPa)\",\"mode\n of failure\"\r\n0,80,\"along\r\nbedding\"\r\n30,55,split\r\n");
+  EXPECT_THAT(t.problems, IsEmpty());
+  EXPECT_THAT(t.header, ElementsAre("theta", "UCS (MPa)", "mode  of failure"));
+  ASSERT_THAT(t.rows, SizeIs(2));
+  EXPECT_EQ(t.rows[0].line, 4);
+  EXPECT_EQ(t.rows[1].line, 6);
+  EXPECT_THAT(t.notes, Contains("line 1: a cell goes over several lines"));
+  // Inches are no quotes, and quotes that nothing closes join no lines.
+  EXPECT_THAT(table_of("core,UCS\n2.5\" dry,80\n2.5\" wet,70\n").problems, SizeIs(1));
+  EXPECT_THAT(told(table_of("core,UCS\na,80\n\"b,70\nc,60\n")),
+              ElementsAre(HasSubstr("t.csv:3 = \"b,70: expected closed")));
+}
+
 TEST(TableText, ADelimiterAtTheEndOfALineMakesNoCell) {
   const Table t = table_of("theta,UCS\n0,80,\n30,55,\n");
   EXPECT_THAT(t.problems, IsEmpty());
