@@ -185,10 +185,10 @@ TEST_F(Workbook, AStrayCellFarToTheRightIsTold) {
 /// Two sheets with these contents of their root elements.
 Parts two_sheets(const std::string& first, const std::string& second) {
   Parts parts;
-  parts["xl/workbook.xml"] =
-      R"(<workbook><sheets><sheet name="Notes" r:id="r1"/><sheet name="Results" r:id="r2"/></sheets></workbook>)";
-  parts["xl/_rels/workbook.xml.rels"] =
-      R"(<Relationships><Relationship Id="r1" Target="a.xml"/><Relationship Id="r2" Target="b.xml"/></Relationships>)";
+  parts["xl/workbook.xml"] = R"(<workbook><sheets><sheet name="Notes" r:id="r1"/>
+                                <sheet name="Results" r:id="r2"/></sheets></workbook>)";
+  parts["xl/_rels/workbook.xml.rels"] = R"(<Relationships><Relationship Id="r1" Target="a.xml"/>
+                                           <Relationship Id="r2" Target="b.xml"/></Relationships>)";
   parts["xl/a.xml"] = "<worksheet><sheetData>" + first + "</sheetData></worksheet>";
   parts["xl/b.xml"] = "<worksheet><sheetData>" + second + "</sheetData></worksheet>";
   return parts;
