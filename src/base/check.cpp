@@ -57,12 +57,21 @@ std::string render(const std::vector<Problem>& problems) {
   return text;
 }
 
+/// What somebody wrote, short enough to be read in a message: whole characters of UTF-8.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 200;
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end) + "...";
+}
+
 }  // namespace
 
 std::string to_line(const Problem& p) {
   std::string line = p.where;
-  if (!p.key.empty()) line += (line.empty() ? "" : ": ") + p.key;
-  if (!p.value.empty()) line += " = " + p.value;
+  if (!p.key.empty()) line += (line.empty() ? "" : ": ") + shortened(p.key);
+  if (!p.value.empty()) line += " = " + shortened(p.value);
   if (!p.expected.empty()) line += (line.empty() ? "" : ": ") + std::string("expected ") + p.expected;
   if (!p.remedy.empty()) line += (line.empty() ? "" : p.expected.empty() ? ": " : "; ") + p.remedy;
   return line;

@@ -13,10 +13,11 @@ struct ForeignCurve {
   std::vector<std::string> notes;  ///< how the table was understood
 };
 
-/// Columns are found by name, their units stand in brackets: one of "axial_strain", "strain", "epsilon" in
-/// [1], [-], [mm/mm], [%] or [microstrain]; one of "axial_stress", "stress", "sigma" in a unit of pressure;
-/// and, if it is there, "n_cracks" or "cracks". Other columns are passed over. A curve whose compression is
-/// negative is turned. Throws InputError with everything that is wrong.
+/// Columns are found by name: one of "axial_strain", "strain", "epsilon" in a unit of strain; one of
+/// "axial_stress", "stress", "sigma" in a unit of pressure; and, if it is there, "n_cracks" or "cracks".
+/// Units (base/units.hpp) stand in brackets, behind a comma or in a row of their own. Other columns are
+/// passed over. A curve whose compression is negative is turned. Throws InputError with everything that is
+/// wrong; of a load or a displacement it says what to compute from it.
 ForeignCurve parse_curve(std::string_view text, const std::string& where);
 /// The same of a file; throws IoError as well.
 ForeignCurve read_curve(const std::string& path);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -56,10 +57,78 @@ TEST(CurveIn, EverythingThatIsWrongIsOneError) {
   EXPECT_THAT(heads, HasSubstr("strain, load [kN]")) << "what there is";
   const std::string cells = error_of("strain [1],stress [MPa]\n0,0\n0.1,x\n0.2,\n0.3,25\n0.4,5\n");
   EXPECT_THAT(cells, HasSubstr("theirs.csv:3"));
-  EXPECT_THAT(cells, HasSubstr("theirs.csv:4"));
+  EXPECT_THAT(cells, HasSubstr("and 1 more line"));
   EXPECT_THAT(error_of("strain [1],stress [MPa]\n0,0\n1,1\n"), HasSubstr("at least 5 rows"));
   EXPECT_THAT(error_of("strain [1],stress [m]\n" + five_rows), HasSubstr("[Pa], [kPa], [MPa] or [GPa]"));
   EXPECT_NE(error_of(""), "");
+}
+
+/// A curve of 25 GPa and 75 MPa as `line` writes its points.
+std::string curve_of(const std::string& head, double strain_unit, double stress_unit,
+                     const std::string& between) {
+  std::string text = head + "\n";
+  for (int i = 0; i < 60; ++i) {
+    const double strain = 6e-5 * i, stress = i <= 50 ? 25e9 * strain : std::max(0.0, 75e6 - 12e6 * (i - 50));
+    text += std::to_string(strain / strain_unit) + between + std::to_string(stress / stress_unit) + "\n";
+  }
+  return text;
+}
+
+TEST(CurveIn, UnitsAreThoseOfEveryOtherReader) {
+  struct Written {
+    const char* head;
+    double strain, stress;
+  };
+  for (const Written& w :
+       {Written{"strain [‰],stress [N/mm2]", 1e-3, 1e6},
+        Written{"Axial strain (µε),Axial stress (MPa)", 1e-6, 1e6},
+        Written{"Axial strain (microstrain),Stress (psi)", 1e-6, 6894.757293168361},
+        Written{"axial-strain %,axial stress MN/m²", 1e-2, 1e6},
+        Written{"strain,stress\n%,kgf/cm2", 1e-2, 98066.5}, Written{"ε [mm/mm],σ [bar]", 1.0, 1e5}}) {
+    const ForeignCurve c = parse_curve(curve_of(w.head, w.strain, w.stress, ","), "theirs.csv");
+    ASSERT_EQ(c.history.rows.size(), 60U) << w.head;
+    EXPECT_NEAR(c.history.rows[50].axial_strain, 3e-3, 2e-6) << w.head;
+    EXPECT_NEAR(c.history.rows[50].axial_stress, 75e6, 75e2) << w.head;
+  }
+  EXPECT_THAT(parse_curve("strain,stress\n1,MPa\n" + five_rows, "t.csv").notes,
+              testing::Contains("units stand in a row of their own"));
+  EXPECT_THAT(error_of("strain [%],stress [MPa]\n%,kPa\n" + five_rows),
+              HasSubstr("theirs.csv:2: stress [MPa] = kPa"));
+}
+
+TEST(CurveIn, LinesOfTheInstrumentStandAbove) {
+  const ForeignCurve c = parse_curve(
+      "Specimen,U-2\nDiameter,20,mm\nHeight,40,mm\n\nTime,Stress,Strain,Lateral "
+      "strain\ns,MPa,mm/mm,microstrain\n"
+      "0,0,0,0\n1,10,0.1,1\n2,20,0.2,2\n3,25,0.3,3\n4,5,0.4,4\n",
+      "theirs.csv");
+  ASSERT_EQ(c.history.rows.size(), 5U);
+  EXPECT_DOUBLE_EQ(c.history.rows[3].axial_stress, 25e6);
+  EXPECT_THAT(c.notes, testing::Contains("lines 1 to 3, above the header, are passed over"));
+}
+
+TEST(CurveIn, WhatItCanBeComputedFromIsSaid) {
+  const std::string rows = "0,0,0\n1,1,1\n2,2,2\n3,3,3\n4,4,4\n";
+  const std::string load = error_of("Time,Axial load,Displacement\ns,kN,mm\n" + rows);
+  EXPECT_THAT(load, HasSubstr("compute it from Axial load [kN]: axial_stress [MPa] is the load in N over the "
+                              "cross-section of the specimen in mm2"));
+  EXPECT_THAT(
+      load,
+      HasSubstr("compute it from Displacement [mm]: axial_strain [1] is the shortening over the height"));
+  EXPECT_THAT(error_of("Stress [MPa],Axial strain 1 [1],Axial strain 2 [1]\n" + rows),
+              HasSubstr("rename the one that it is: Axial strain 1 [1], Axial strain 2 [1]; or add a column "
+                        "of their mean"));
+  EXPECT_THAT(error_of("Stress [MPa],Axial strain 1 [1],Lateral strain 1 [1]\n" + rows),
+              testing::EndsWith("rename the one that it is: Axial strain 1 [1]"));
+}
+
+TEST(CurveIn, CellsThatAreNoNumbersAreToldOncePerColumn) {
+  std::string text = "strain [1],stress [MPa]\n0,0\n";
+  for (int i = 0; i < 60; ++i) text += "1,x\n";
+  const std::string told = error_of(text);
+  EXPECT_THAT(told, HasSubstr("theirs.csv:3: stress [MPa] = x"));
+  EXPECT_THAT(told, HasSubstr("and 59 more lines"));
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
 }
 
 }  // namespace

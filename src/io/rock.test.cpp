@@ -89,7 +89,7 @@ TEST_F(RockFile, EverythingWrongIsToldAtOnceWithItsLine) {
     const std::size_t file = line.find("/r.") + 1;
     places += line.substr(file, line.find(' ', file) + 1 - file);
   }
-  EXPECT_EQ(places, "r.toml:2: r.toml:3: r.csv:3: r.csv:4: r.csv:4: r.csv:5: r.csv:6 ");
+  EXPECT_EQ(places, "r.toml:2: r.toml:3: r.csv:3: r.csv:4: r.csv:4: r.csv:5: r.csv:6: ");
 }
 
 TEST_F(RockFile, FilesThatCannotBeReadAreToldWithTheRest) {

@@ -1,9 +1,11 @@
-// Tables of other people: text with a delimiter, as spreadsheets of any country write it.
+// Tables of other people: text with a delimiter, as spreadsheets and instruments of any country write it.
 //
-// Accepted: a byte-order mark, line ends of Windows, tabs or semicolons with decimal commas, a title above
-// the header (all mentioned in the notes), rows without a value. Refused: a header whose delimiter could be
-// two things, decimal points and decimal commas in one table, rows with more or fewer cells than the header,
-// UTF-16. Lines that begin with # are comments; empty lines are skipped. Workbooks (.xlsx) are tables too.
+// Read, and said in the notes: a byte-order mark, line ends of Windows, tabs or semicolons with decimal
+// commas, columns that only blanks part, lines above the header, headers in two rows. Refused: a header whose
+// delimiter could be two things, decimal points and decimal commas in one table, rows with more or fewer
+// cells than the header, bytes that are no UTF-8, more columns or longer lines than any table has. Lines that
+// begin with # are comments; empty lines are skipped. Workbooks (.xlsx, io/workbook.hpp) and AGS 4 files
+// (io/ags.hpp) are tables too; where the header stands, io/table_layout.hpp finds for all of them.
 #pragma once
 #include <set>
 #include <string>
@@ -13,6 +15,8 @@
 #include "base/check.hpp"
 
 namespace phy::io {
+
+constexpr std::size_t most_table_columns = 256;  ///< of text and of sheets
 
 struct TableRow {
   int line = 0;                       ///< in the file, from 1
@@ -33,11 +37,8 @@ struct Table {
 /// on old Macs (CR alone) with line breaks.
 std::string plain_text(std::string_view text);
 
-/// Digits, one comma, digits: a number of half of Europe.
-bool is_comma_number(const std::string& cell);
-
-/// Text, or a workbook (io/workbook.hpp), of which `sheet` names the sheet; "": the first. Never throws;
-/// `where` names the source in problems.
+/// Text, a workbook or an AGS 4 file; `sheet` names the sheet or the group; "": the first sheet, the group
+/// RUCS. Never throws; `where` names the source in problems.
 Table parse_table(std::string_view bytes, const std::string& where, const std::string& sheet = {});
 
 }  // namespace phy::io

@@ -15,12 +15,16 @@
 #include "base/quote.hpp"
 #include "base/trimmed.hpp"
 #include "base/units.hpp"
+#include "io/table_cells.hpp"
+#include "io/table_layout.hpp"
 
 namespace phy::io {
 namespace {
 
 constexpr zip_uint64_t most_bytes = 64U << 20U;  // of one XML file
-constexpr int most_used_columns = 256;
+constexpr int most_used_columns = static_cast<int>(most_table_columns);
+constexpr std::size_t most_sample_rows = 1000;  // that show where the table begins
+constexpr std::size_t most_sheets_tried = 20;
 constexpr int most_rows = 1048576,
               most_columns = 16384;  // of a sheet (ECMA-376 names no limit; these are Excel's)
 
@@ -175,10 +179,16 @@ class WorkbookReader {
     table_.where = where_;
     return std::move(table_);
   }
+  /// Did the sheet have a row of names above rows with numbers?
+  bool has_layout() const { return layout_.has_value(); }
+  const std::string& name() const { return name_; }
+  const std::vector<std::string>& other_sheets() const { return others_; }
 
  private:
   Archive archive_;
-  std::string wanted_, where_;
+  std::string wanted_, where_, name_;
+  std::vector<std::string> others_;
+  std::optional<Layout> layout_;
   Table table_;
   Sheet sheet_;
   int n_commas_ = 0;  // numbers that are text
@@ -215,24 +225,36 @@ class WorkbookReader {
     return choose(sheets);
   }
   std::optional<std::string> choose(const std::vector<std::pair<std::string, std::string>>& sheets) {
-    std::string names;
-    for (const auto& [name, file] : sheets) names += (names.empty() ? "" : ", ") + printable(name);
+    std::vector<std::string> names;
+    for (const auto& [name, file] : sheets) names.push_back(name);
     const auto chosen =
         wanted_.empty() ? sheets.begin() : std::find_if(sheets.begin(), sheets.end(), [&](const auto& sheet) {
           return sheet.first == wanted_;
         });
     if (chosen == sheets.end()) {
       refuse(wanted_.empty() ? "no sheet" : "no sheet \"" + wanted_ + '"', "a sheet of the workbook",
-             names.empty() ? "" : "it has: " + names);
+             names.empty() ? "" : "it has: " + names_of(names));
       return {};
     }
-    if (wanted_.empty() && sheets.size() > 1)
-      table_.notes.push_back("the first of its sheets is read: " + names);
-    where_ += " [" + printable(chosen->first) + "]";
+    for (auto sheet = sheets.begin(); sheet != sheets.end(); ++sheet)
+      if (sheet != chosen) others_.push_back(sheet->first);
+    name_ = printable(chosen->first);
+    if (wanted_.empty() && !others_.empty())
+      table_.notes.push_back(
+          fmt::format("the first of its sheets is read: {}; other sheets: {}", name_, names_of(others_)));
+    where_ += " [" + name_ + "]";
     return chosen->second;
   }
   static std::string printable(const std::string& text) { return is_plain(text) ? text : "?"; }
 
+ public:
+  static std::string names_of(const std::vector<std::string>& sheets) {
+    std::string names;
+    for (const std::string& name : sheets) names += (names.empty() ? "" : ", ") + printable(name);
+    return names;
+  }
+
+ private:
   std::vector<std::string> shared_texts() const {
     std::vector<std::string> texts;
     pugi::xml_document document;
@@ -258,7 +280,7 @@ class WorkbookReader {
         Place place{row, column + 1};
         if (const pugi::xml_attribute a = c.attribute("r"); a && !parse_place(a.value(), place)) return;
         column = place.column;
-        const std::string text = one_line(content(c, texts));
+        const std::string text = plain_cell(one_line(content(c, texts)));
         if (!text.empty()) sheet_.rows[row][column] = is_day(c, days) ? day_of(text) : text;
       });
     });
@@ -306,31 +328,78 @@ class WorkbookReader {
       if (r->second.emplace(from.column, cell).second) sheet_.merged[r->first].insert(from.column);
   }
 
+  using Row = std::map<int, std::map<int, std::string>>::const_iterator;
+
+  /// The first rows as far as tables reach, counted from the first column that is used.
+  std::vector<TableRow> sample() const {
+    int first = most_columns;
+    for (const auto& [number, cells] : sheet_.rows) first = std::min(first, cells.begin()->first);
+    std::vector<TableRow> rows;
+    for (auto row = sheet_.rows.begin(); row != sheet_.rows.end() && rows.size() < most_sample_rows; ++row) {
+      const int reach = std::min(row->second.rbegin()->first - first + 1, most_used_columns);
+      rows.push_back(cells_of(row, first, first + reach - 1));
+    }
+    return rows;
+  }
+  TableRow cells_of(Row row, int first, int last) const {
+    TableRow made{row->first, {}};
+    const auto shared = sheet_.merged.find(row->first);
+    for (int column = first; column <= last; ++column) {
+      const auto cell = row->second.find(column);
+      made.cells.push_back(cell == row->second.end() ? "" : cell->second);
+      if (shared != sheet_.merged.end() && shared->second.contains(column))
+        made.merged.insert(static_cast<std::size_t>(column - first));
+    }
+    return made;
+  }
+
+  /// Where the header stands: above rows with numbers, or else the first row with two cells.
+  Row find_header() {
+    const std::vector<TableRow> rows = sample();
+    layout_ = find_layout(rows, HeaderRule::names);
+    if (!layout_) layout_ = find_layout(rows, HeaderRule::numbers);
+    if (layout_ && layout_->width < 2) layout_.reset();
+    if (layout_) return sheet_.rows.find(rows[layout_->header].line);
+    return std::find_if(sheet_.rows.cbegin(), sheet_.rows.cend(),
+                        [](const auto& row) { return row.second.size() >= 2; });
+  }
+
   /// The table in the sheet: header, width, end.
   void cut_table() {
-    auto header = sheet_.rows.begin();
-    while (header != sheet_.rows.end() && header->second.size() < 2) ++header;
-    if (header == sheet_.rows.end()) {
+    const Row header = find_header();
+    if (header == sheet_.rows.cend()) {
       refuse("", "a row of headers and at least one row below it",
              sheet_.rows.empty() ? "the sheet is empty" : "no row has two cells");
       return;
     }
-    if (header != sheet_.rows.begin())
+    const Row lower = layout_ && layout_->two_rows ? std::next(header) : header;
+    if (header != sheet_.rows.cbegin())
       table_.notes.push_back(fmt::format("what stands above row {} is passed over", header->first));
-    const int first = header->second.begin()->first, last = header->second.rbegin()->first;
+    const int first = std::min(header->second.begin()->first, lower->second.begin()->first);
+    const int last = std::max(header->second.rbegin()->first, lower->second.rbegin()->first);
     if (last - first >= most_used_columns) {
       refuse(fmt::format("headers from column {} to {}", column_letters(first), column_letters(last)),
              fmt::format("at most {} columns side by side", most_used_columns),
              "clear what stands far to the right");
       return;
     }
-    table_.header_line = header->first;
-    for (int column = first; column <= last; ++column)
-      table_.header.push_back(header->second.contains(column) ? header->second[column] : "");
+    take_header(cells_of(header, first, last), cells_of(lower, first, last));
+    take_rows(std::next(lower), first, last);
+  }
+  void take_header(TableRow upper, TableRow lower) {
+    for (std::string& cell : upper.cells) cell = plain_name(cell);
+    for (std::string& cell : lower.cells) cell = plain_name(cell);
+    table_.header_line = upper.line;
+    table_.header = upper.line == lower.line ? upper.cells : one_header(upper, lower);
+    if (upper.line != lower.line)
+      table_.notes.push_back(fmt::format("the header has two rows, {} and {}: {}", upper.line, lower.line,
+                                         fmt::join(table_.header, ", ")));
+  }
+  void take_rows(Row from, int first, int last) {
     std::set<int> hidden;
     int beside = 0;
-    for (auto it = std::next(header); it != sheet_.rows.end(); ++it) {
-      add_row(it->first, it->second, first, last, beside);
+    for (Row it = from; it != sheet_.rows.cend(); ++it) {
+      add_row(it, first, last, beside);
       if (sheet_.hidden.contains(it->first)) hidden.insert(it->first);
     }
     if (beside > 0)
@@ -344,19 +413,14 @@ class WorkbookReader {
           fmt::format("{} number(s) are text with a decimal comma: read as numbers", n_commas_));
     if (table_.rows.empty() && table_.problems.empty()) refuse("", "at least one row below the header", "");
   }
-  void add_row(int row, const std::map<int, std::string>& cells, int first, int last, int& beside) {
-    TableRow made{row, {}};
-    for (const auto& [column, cell] : cells) beside += column < first || column > last ? 1 : 0;
-    for (int column = first; column <= last; ++column) {
-      const auto cell = cells.find(column);
-      made.cells.push_back(cell == cells.end() ? "" : cell->second);
-      if (!is_plain(made.cells.back()))
-        table_.problems.push_back({at(row), "column " + column_letters(column), "",
-                                   "text in UTF-8 without control characters", ""});
-      with_point(made.cells.back());
-      if (const auto shared = sheet_.merged.find(row);
-          shared != sheet_.merged.end() && shared->second.contains(column))
-        made.merged.insert(static_cast<std::size_t>(column - first));
+  void add_row(Row row, int first, int last, int& beside) {
+    for (const auto& [column, cell] : row->second) beside += column < first || column > last ? 1 : 0;
+    TableRow made = cells_of(row, first, last);
+    for (std::size_t i = 0; i < made.cells.size(); ++i) {
+      if (!is_plain(made.cells[i]))
+        table_.problems.push_back({at(row->first), "column " + column_letters(first + static_cast<int>(i)),
+                                   "", "text in UTF-8 without control characters", ""});
+      with_point(made.cells[i]);
     }
     if (std::any_of(made.cells.begin(), made.cells.end(), [](const auto& c) { return !c.empty(); }))
       table_.rows.push_back(std::move(made));
@@ -374,7 +438,26 @@ class WorkbookReader {
 bool is_archive(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
 Table parse_workbook(std::string_view bytes, const std::string& sheet, const std::string& where) {
-  return WorkbookReader(bytes, sheet, where).read();
+  WorkbookReader reader(bytes, sheet, where);
+  Table table = reader.read();
+  if (reader.has_layout()) return table;
+  // A first sheet of notes is common. Only sheets that can be read are named.
+  std::vector<std::string> better;
+  for (const std::string& name : reader.other_sheets()) {
+    WorkbookReader other(bytes, name, where);
+    if (better.size() < most_sheets_tried && other.read().problems.empty() && other.has_layout())
+      better.push_back(name);
+  }
+  if (better.empty()) return table;
+  const std::string why = table.problems.empty() || table.problems[0].remedy.empty()
+                              ? "no row of names stands above numbers"
+                              : table.problems[0].remedy;
+  table.header.clear(), table.rows.clear(), table.header_line = 0;
+  table.problems = {{where, fmt::format("the sheet {} has no table ({})", reader.name(), why), "", "",
+                     fmt::format("other sheets: {}. Write sheet = \"{}\" in the rock file, or move that "
+                                 "sheet to the front",
+                                 WorkbookReader::names_of(better), better.front())}};
+  return table;
 }
 
 }  // namespace phy::io

@@ -78,7 +78,7 @@ TEST(WorkbookOfOtherPrograms, OfOpenpyxlWithATitleAndMergedAngles) {
   EXPECT_THAT(t.rows[0].merged, IsEmpty());
   EXPECT_THAT(t.rows[1].cells, ElementsAre("A2", "0", "55.1", "0.22", "117", "", "2.7", ""));
   EXPECT_EQ(t.rows[3].cells[1], "30");
-  EXPECT_THAT(t.notes, Contains("the first of its sheets is read: Results, Raw"));
+  EXPECT_THAT(t.notes, Contains("the first of its sheets is read: Results; other sheets: Raw"));
   EXPECT_THAT(t.notes, Contains("what stands above row 3 is passed over"));
   EXPECT_EQ(t.rows[6].line, 11);
 }
@@ -180,6 +180,61 @@ TEST_F(Workbook, AStrayCellFarToTheRightIsTold) {
   const Table t =
       sheet("<sheetData><row r=\"1\"><c r=\"A1\"><v>1</v></c><c r=\"XFD1\"><v>1</v></c></row></sheetData>");
   EXPECT_THAT(lines(t.problems), Contains(HasSubstr("headers from column A to XFD")));
+}
+
+/// Two sheets with these contents of their root elements.
+Parts two_sheets(const std::string& first, const std::string& second) {
+  Parts parts;
+  parts["xl/workbook.xml"] = R"(<workbook><sheets><sheet name="Notes" r:id="r1"/>
+                                <sheet name="Results" r:id="r2"/></sheets></workbook>)";
+  parts["xl/_rels/workbook.xml.rels"] = R"(<Relationships><Relationship Id="r1" Target="a.xml"/>
+                                           <Relationship Id="r2" Target="b.xml"/></Relationships>)";
+  parts["xl/a.xml"] = "<worksheet><sheetData>" + first + "</sheetData></worksheet>";
+  parts["xl/b.xml"] = "<worksheet><sheetData>" + second + "</sheetData></worksheet>";
+  return parts;
+}
+
+TEST_F(Workbook, AFirstSheetWithoutATableNamesTheOneThatHasOne) {
+  const std::string table = row(1, "theta|UCS") + row(2, "0|80") + row(3, "30|55");
+  for (const std::string& notes :
+       {row(1, "Slate of the north"), std::string(), row(1, "Project|slate") + row(2, "Sampled|in May")}) {
+    const Table t = parse_workbook(archive(two_sheets(notes, table)), "", "t.xlsx");
+    EXPECT_THAT(lines(t.problems),
+                ElementsAre(testing::AllOf(HasSubstr("t.xlsx: the sheet Notes has no table"),
+                                           HasSubstr("other sheets: Results."),
+                                           HasSubstr("Write sheet = \"Results\""))));
+    EXPECT_EQ(t.header_line, 0);
+  }
+  const std::string whole = archive(two_sheets(table, row(1, "later")));
+  EXPECT_THAT(parse_workbook(whole, "", "t.xlsx").problems, IsEmpty());
+  EXPECT_THAT(parse_workbook(whole, "", "t.xlsx").notes,
+              Contains("the first of its sheets is read: Notes; other sheets: Results"));
+  EXPECT_THAT(lines(parse_workbook(archive(two_sheets(row(1, "a"), row(1, "b"))), "", "t.xlsx").problems),
+              ElementsAre(HasSubstr("no row has two cells")))
+      << "advice that does not help is none";
+}
+
+TEST_F(Workbook, LinesAboveAndHeadersInTwoRowsAreAsInText) {
+  const Table t = sheet("<sheetData>" + row(1, "Specimen|U-2") + row(2, "Diameter|20|mm") +
+                        row(4, "theta (deg)|UCS (MPa)||||E (GPa)") + row(5, "|S1|S2|S3|Mean|") +
+                        row(6, "0|80|84|77|80.3|20") + row(7, "30|55|51|58|54.7|21") +
+                        "</sheetData><mergeCells><mergeCell ref=\"B4:E4\"/><mergeCell ref=\"A4:A5\"/>"
+                        "<mergeCell ref=\"F4:F5\"/></mergeCells>");
+  EXPECT_THAT(t.problems, IsEmpty());
+  EXPECT_EQ(t.header_line, 4);
+  EXPECT_THAT(t.header, ElementsAre("theta (deg)", "UCS S1 (MPa)", "UCS S2 (MPa)", "UCS S3 (MPa)",
+                                    "UCS Mean (MPa)", "E (GPa)"));
+  ASSERT_THAT(t.rows, SizeIs(2));
+  EXPECT_THAT(t.rows[0].cells, ElementsAre("0", "80", "84", "77", "80.3", "20"));
+  EXPECT_THAT(t.notes, Contains(HasSubstr("the header has two rows, 4 and 5")));
+}
+
+TEST_F(Workbook, BlanksOfTypesettersAreNoneOfTheCell) {
+  const Table t = sheet("<sheetData>" + row(1, "theta|UCS\xEF\xBC\x88MPa\xEF\xBC\x89") +
+                        row(2, "0|80\xC2\xA0") + row(3, "30|\xE2\x80\x94") + "</sheetData>");
+  EXPECT_THAT(t.header, ElementsAre("theta", "UCS(MPa)"));
+  EXPECT_EQ(t.rows[0].cells[1], "80");
+  EXPECT_EQ(t.rows[1].cells[1], "-");
 }
 
 TEST_F(Workbook, AFileThatUnpacksToGigabytesIsNotUnpacked) {

@@ -151,7 +151,7 @@ TEST_F(StudyFile, ListsComeFromCsvWithUnitsAndWords) {
   EXPECT_THAT(s.rows[1], ElementsAre(200e9, 0.0, 40.0));
   io::write_file(at("points.csv"), "bedding.k_n [GPa/m],bedding.rule\n100,zone,3\n-1,ring\n100 GPa/m,zone\n");
   const std::string reported = problems_of("design = \"list\"\nfile = \"points.csv\"\n");
-  for (const char* part : {"points.csv:2 = 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
+  for (const char* part : {"points.csv:2: 3 cells: expected 2 cells", "points.csv:3: bedding.k_n = -1",
                            "bedding.rule = ring", "points.csv:4"})
     EXPECT_THAT(reported, HasSubstr(part));
   io::write_file(at("points.csv"), "");
