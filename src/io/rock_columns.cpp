@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/trimmed.hpp"
+#include "io/table_cells.hpp"
 
 namespace phy::io {
 namespace {
@@ -184,10 +185,6 @@ constexpr std::pair<const char*, const char*> signs_in_words[] = {
     {"”", ""},
     {"\xC2\xA0", ""},      // a blank that breaks no line
     {"\xE2\x80\x89", ""},  // a thin one
-    {"（", ""},            // of full width
-    {"）", ""},
-    {"：", ""},
-    {"，", ""},
 };
 
 /// A name as names are compared: lower case, no blanks and signs, Greek letters by their names.
@@ -219,25 +216,6 @@ std::string lower_case(const std::string& text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return lower;
-}
-
-/// A header with the brackets and separators of ASCII, which those of Chinese and Japanese text mean too.
-std::string with_plain_signs(std::string text) {
-  for (const auto& [wide, plain] : {std::pair{"（", "("},
-                                    {"）", ")"},
-                                    {"［", "["},
-                                    {"］", "]"},
-                                    {"【", "["},
-                                    {"】", "]"},
-                                    {"：", ":"},
-                                    {"，", ","},
-                                    {"；", ";"},
-                                    {"／", "/"},
-                                    {"\xE3\x80\x80", " "},
-                                    {"\xC2\xA0", " "}})
-    for (std::size_t at = text.find(wide); at != text.npos; at = text.find(wide, at))
-      text.replace(at, std::string_view(wide).size(), plain);
-  return text;
 }
 
 /// The program's word for a unit; nothing for what is none.
@@ -290,7 +268,7 @@ bool is_name(const std::string& key) {
 /// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& header) {
-  const std::string cell = with_plain_signs(header);
+  const std::string cell = plain_name(header);
   // Units of toughness hold separators and brackets themselves, "K_Ic MPa sqrt(m)": the longest tail first.
   const char* const separators = "_ ,;:/";
   for (std::size_t at = cell.find_first_of(separators); at != cell.npos;

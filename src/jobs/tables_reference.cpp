@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "base/units.hpp"
 #include "io/rock_columns.hpp"
+#include "io/table.hpp"
 
 namespace phy::jobs {
 namespace {
 
-constexpr const char* head = R"(# Tables of laboratories
+constexpr std::string_view head = R"(# Tables of laboratories
 
 Written by `phyllite rock --tables`. This page lists what is read from a table of laboratory tests: layouts, columns, units.
 A column that may hold a direction, a strength or a modulus is read or asked for. It is never left out in silence.
@@ -33,7 +36,7 @@ The question names the line to write in the [rock file](formats.md#rock-version-
 | V and H | the layers stand upright (90) or lie flat (0); below a header that names a plug, core or load the other way round |
 | no column of angles | asks for `bedded = false` |
 | empty cells, `-`, `–` | not measured |
-| limit | 256 columns; 16 MB |
+| limit | {} columns |
 
 ## Columns
 
@@ -59,7 +62,7 @@ matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are c
 }  // namespace
 
 std::string tables_reference() {
-  std::string text = head;
+  std::string text = fmt::format(head, io::most_table_columns);
   for (const io::ColumnRow& c : io::column_rows())
     text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
   text += units_head;
