@@ -241,6 +241,16 @@ std::size_t closing(const std::string& cell, std::size_t open) {
   return cell.find_first_of(closings, open);
 }
 
+/// Does every bracket of a text close one that it opens? "ft)" of "(ton/ft)" is no unit.
+bool is_balanced(const std::string& text) {
+  int depth = 0;
+  for (const char c : text) {
+    if (std::string_view(opening).find(c) != std::string_view::npos) ++depth;
+    if (std::string_view(closings).find(c) != std::string_view::npos && --depth < 0) return false;
+  }
+  return depth == 0;
+}
+
 /// Takes "[GPa]", "(GPa)" and "{GPa}" out of a header, wherever they stand; the last one is its unit.
 std::string take_units(std::string cell, std::string& unit) {
   for (std::size_t open = cell.find_first_of(opening); open != cell.npos;
@@ -285,7 +295,8 @@ std::pair<std::string, std::string> split_head(const std::string& header) {
   std::size_t at = title.find_last_of(separators);
   for (int words = 0; words < 3 && at != title.npos && at > 0;
        ++words, at = title.find_last_of(separators, at - 1))
-    if (std::string known = unit_word(title.substr(at + 1)); !known.empty() && known != "1")
+    if (std::string known = unit_word(title.substr(at + 1));
+        !known.empty() && known != "1" && is_balanced(title.substr(at + 1)))
       found = {bare(title.substr(0, at), " \t_,;:/"), known};
   if (!found.second.empty()) return found;
   // A unit of none of our columns, "[km/s]": the last brackets hold it.

@@ -56,8 +56,9 @@ class HeadsReader {
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
   Heads heads_;
-  std::vector<std::string> titles_;   // of the headers
-  std::vector<std::string> unknown_;  // headers that are asked for
+  std::vector<std::string> titles_;        // of the headers
+  std::vector<std::size_t> without_unit_;  // columns that are read
+  std::vector<std::string> unknown_;       // headers that are asked for
   std::vector<std::string> passed_, named_, converted_, replicates_, set_aside_;
   std::set<std::size_t> told_;  // columns whose unit has been told to be none
 
@@ -215,6 +216,18 @@ class HeadsReader {
       }
     }
     if (!unknown_.empty()) ask_for_names();
+    if (without_unit_.size() == 1) tell_unit(without_unit_.front(), "");
+    if (without_unit_.size() > 1) ask_for_units();
+  }
+  /// All headers without a unit in one question.
+  void ask_for_units() {
+    std::vector<std::string> titles, mended;
+    for (const std::size_t i : without_unit_) {
+      titles.push_back(header(i));
+      mended.push_back(fmt::format("{} [{}]", titles_[i], usual_unit(heads_.all[i])));
+    }
+    report_problem(quoted(titles), "", "a unit in each header, or in a row of units below",
+                   fmt::format("write for example {}", fmt::join(mended, ", ")));
   }
   /// All unknown columns in one question.
   void ask_for_names() {
@@ -241,10 +254,10 @@ class HeadsReader {
     const bool angle = unit && unit->dimension == Dimension::angle;
     const bool value =
         unit && (unit->dimension == Dimension::pressure || unit->dimension == Dimension::toughness);
-    const bool numbers = all_cells(i, is_number);
+    const bool speaks = (h.speaks_of_values || h.summary) && !unit;  // "UCS diameter [mm]" is no strength
     if (may_be_angle(i))
       ask_for_angle(i);
-    else if (angle || value || ((h.speaks_of_values || h.summary) && numbers))
+    else if (angle || value || (speaks && all_cells(i, is_number)))
       unknown_.push_back(header(i));
     else if (may_describe_layers(i))
       ask_for_layers(i);
@@ -339,8 +352,10 @@ class HeadsReader {
       if (!bare)
         report_problem(header(i), h.unit, fmt::format("{} without a unit", h.name),
                        "write it as a bare number" + otherwise(h));
+    } else if (bare && base_title(h) == h.title) {
+      if (!told_.contains(i) && !speaks_in_words(i)) without_unit_.push_back(i);
     } else if (!unit || unit->dimension != d) {
-      if (!told_.contains(i) && !speaks_in_words(i)) tell_unit(i, bare ? "" : h.unit);
+      if (!told_.contains(i)) tell_unit(i, bare ? "" : h.unit);
     } else if (const Quantity one = parse_quantity("1 " + h.unit, d);
                print_quantity(one.value, d) != "1 " + h.unit && h.unit != "cm") {
       converted_.push_back(fmt::format("{} [{}]", base_title(h), h.unit));

@@ -159,6 +159,17 @@ TEST_F(Layouts, AdviceOnAUnitIsOfItsDimensionAndNeverASecondBracket) {
               Contains(HasSubstr("write for example theta [deg] and convert the values")));
 }
 
+TEST_F(Layouts, HeadersWithoutAUnitAreAskedForInOneMessage) {
+  EXPECT_THAT(problems("theta,sigma1    ,sigma3\n0,300,20\n45,200,20\n90,310,20\n"),
+              ElementsAre(AllOf(HasSubstr("\"theta\", \"sigma1\", \"sigma3\""),
+                                HasSubstr("theta [deg], sigma1 [MPa], sigma3 [MPa]"))));
+  // The diameter of a UCS specimen is none of what is read.
+  EXPECT_THAT(
+      problems(
+          "theta [deg],UCS [MPa],UCS diameter [mm],RUCS_LEN [mm]\n0,30,50,100\n45,20,50,100\n90,31,50,100\n"),
+      IsEmpty());
+}
+
 // As of a mine: units below the headers, one of them none of ours, a header without one.
 TEST_F(Layouts, OneUnknownUnitInARowOfUnitsIsToldOnceAtItsColumn) {
   const Rock r =
