@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "io/rock_file_fixture.hpp"
+#include "io/table_cells.hpp"
 #include "io/rock_table.hpp"
 
 namespace phy::io {
@@ -130,7 +131,8 @@ TEST_F(Layouts, StrengthsThatAreNotUnderstoodAreAskedFor) {
        {"UCS MPa (dry)", "Rсж (МПа)", "Strength (MPa)", "UCS (dry)", "residual UCS", "Failure strength",
         "Peak axial stress at failure (psi)", "Load (psi)", "Est. cohesion (kgf/cm2)", "Druckfestigkeit",
         "UCS1 (MPa)", "Point load Is(50) (bar)", "强度", "UCS (ton/ft)"})
-    expect_asked("theta (deg),E (GPa)," + std::string(header) + "\n0,20,80\n45,21,55\n90,30,88\n", header);
+    expect_asked("theta (deg),E (GPa)," + std::string(header) + "\n0,20,80\n45,21,55\n90,30,88\n",
+                 plain_name(header));
   // Words are no strengths.
   EXPECT_THAT(
       problems("theta (deg),E (GPa),Strength class,Load (kN)\n0,20,low,3\n45,21,low,4\n90,30,high,5\n"),
