@@ -453,10 +453,11 @@ Table parse_workbook(std::string_view bytes, const std::string& sheet, const std
                               ? "no row of names stands above numbers"
                               : table.problems[0].remedy;
   table.header.clear(), table.rows.clear(), table.header_line = 0;
-  table.problems = {{where, fmt::format("the sheet {} has no table ({})", reader.name(), why), "", "",
-                     fmt::format("other sheets: {}. Write sheet = \"{}\" in the rock file, or move that "
-                                 "sheet to the front",
-                                 WorkbookReader::names_of(better), better.front())}};
+  table.problems = {
+      {where, "", "", "",
+       fmt::format("the sheet {} has no table: {}. Other sheets: {}. Write sheet = \"{}\" in the "
+                   "rock file, or move that sheet to the front",
+                   reader.name(), why, WorkbookReader::names_of(better), better.front())}};
   return table;
 }
 

@@ -201,7 +201,7 @@ TEST_F(Workbook, AFirstSheetWithoutATableNamesTheOneThatHasOne) {
     const Table t = parse_workbook(archive(two_sheets(notes, table)), "", "t.xlsx");
     EXPECT_THAT(lines(t.problems),
                 ElementsAre(testing::AllOf(HasSubstr("t.xlsx: the sheet Notes has no table"),
-                                           HasSubstr("other sheets: Results."),
+                                           HasSubstr("Other sheets: Results."),
                                            HasSubstr("Write sheet = \"Results\""))));
     EXPECT_EQ(t.header_line, 0);
   }
