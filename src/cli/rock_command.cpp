@@ -136,8 +136,9 @@ void add_rock_command(CLI::App& app, Session& session) {
   fresh->add_option("name", *name, "name of the rock")->capture_default_str();
   auto data = std::make_shared<std::string>();
   fresh
-      ->add_option("--data", *data,
-                   "a table that is there, CSV or .xlsx: NAME.toml names it, and no NAME.csv is written")
+      ->add_option(
+          "--data", *data,
+          "a table that is there (CSV, .xlsx, AGS 4): NAME.toml names it, and no NAME.csv is written")
       ->type_name("FILE");
   fresh->callback(
       [name, data, &session] { session.exit_code = rock_new(without_ending(*name, ".toml"), *data); });

@@ -81,8 +81,9 @@ const Fields& rock_fields() {
     column.table = "columns", column.choices = column_names(), column.choices.emplace_back("-");
     return Fields{
         rock_key(K::text, "name", "name of the rock; default: the file's name"),
-        rock_key(K::text, "data", "table of tests, CSV or .xlsx, counted from the folder of this file"),
-        rock_key(K::text, "sheet", "of a workbook (.xlsx); default: the first"),
+        rock_key(K::text, "data", "table of tests (CSV, .xlsx, AGS 4), counted from the folder of this file"),
+        rock_key(K::text, "sheet",
+                 "of a workbook, default: the first; of an AGS 4 file its group, default: RUCS"),
         rock_key(K::text, "recipe",
                  "recipe of the model that is calibrated; default: the paper's specimen, magnified to "
                  "[specimen]"),
@@ -423,9 +424,10 @@ class RockReader {
       problems_.push_back(
           {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings->asked_for_angles)
-      problems_.push_back({where, "", "", "",
-                           "no column of angles: all rows would be one rock without layers. If it has layers, "
-                           "add theta [deg]; if not, write bedded = false in the rock file"});
+      problems_.push_back(
+          {where, "", "", "",
+           "no column of angles: all rows would be one rock without layers. If it has layers, "
+           "add theta [deg]; if not, write bedded = false in the rock file"});
     if (!rock_.bedded) {
       // Angles of a rock without bedding have no meaning: all rows become replicates.
       remove_layers(rock_.model), rock_.model.test.angles.clear();
@@ -540,7 +542,8 @@ Rock read_rock(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".csv" || ending == ".tsv" || ending == ".xlsx" || ending == ".xls")
+  static const std::set<std::string> of_tables = {".csv", ".tsv", ".txt", ".ags", ".xlsx", ".xls"};
+  if (of_tables.contains(ending))
     throw InputError(Problem{path, "", "a table", "a rock file (TOML) that names it",
                              fmt::format("`phyllite rock new NAME --data {}` writes one", sh_word(path))});
   return parse_rock(read_file(path), path, {});
