@@ -332,13 +332,17 @@ class TableReader {
       const bool commas = separator_ == Separator::comma && row.cells.size() > table_.header.size();
       counts_.add({at(line.number), n_cells(row.cells.size()), "",
                    n_cells(table_.header.size()) + ", as in the header",
-                   is_blank() ? no_blanks
-                   : commas   ? "decimal commas need semicolons between cells; text with commas needs quotes"
-                              : ""});
+                   is_blank() || looks_like_several(row.cells) ? no_blanks
+                   : commas ? "decimal commas need semicolons between cells; text with commas needs quotes"
+                            : ""});
     } else {
       for (std::string& cell : row.cells) cell = plain_cell(cell);
       table_.rows.push_back(std::move(row));
     }
+  }
+  /// One cell such as "0 80".
+  static bool looks_like_several(const std::vector<std::string>& cells) {
+    return cells.size() == 1 && cells[0].find(' ') != cells[0].npos && looks_measured(cells[0]);
   }
   /// Loggers end lines with a delimiter: cells that are empty, or have no header, may be left out.
   void fit_width(std::vector<std::string>& cells) const {

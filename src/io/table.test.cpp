@@ -64,6 +64,8 @@ TEST(TableText, WhereBlanksLeaveDoubtTheMessageSaysSo) {
   EXPECT_THAT(
       told(table_of("s1   s2   s3\n1   2   3\n4   5   6\n7   8   9\n10      30\n")),
       ElementsAre(AllOf(HasSubstr("t.csv:5: 2 cells: expected 3 cells"), HasSubstr("separated by blanks"))));
+  EXPECT_THAT(told(table_of("theta,UCS\n0 80\n30 55\n")),
+              ElementsAre(AllOf(HasSubstr("1 cell: expected 2 cells"), HasSubstr("separated by blanks"))));
   EXPECT_THAT(table_of("UCS [MPa]\n105\n110\n").problems, IsEmpty())
       << "a single column has a name with a blank";
 }
@@ -113,6 +115,16 @@ TEST(TableText, TwoRowsAreOneHeader) {
               ElementsAre("theta (deg)", "UCS S1 (MPa)", "UCS S2 (MPa)"));
   EXPECT_THAT(table_of(",UCS,,E,\ntheta,dry (MPa),wet (MPa),dry,wet\n0,80,84,20,21\n30,55,51,20,21\n").header,
               ElementsAre("theta", "UCS dry (MPa)", "UCS wet (MPa)", "E dry", "E wet"));
+}
+
+TEST(TableText, AnUpperNameMayBeRepeatedOverItsColumns) {
+  const Table t =
+      table_of("theta,UCS,UCS,UCS,E\n,A,B,C,\ndeg,MPa,MPa,MPa,GPa\n0,80,84,77,20\n30,55,51,58,21\n");
+  EXPECT_THAT(t.header, ElementsAre("theta", "UCS A", "UCS B", "UCS C", "E"));
+  ASSERT_THAT(t.rows, SizeIs(3));
+  EXPECT_THAT(t.rows[0].cells, ElementsAre("deg", "MPa", "MPa", "MPa", "GPa"));
+  EXPECT_THAT(table_of("theta,UCS,UCS\ndeg,MPa,MPa\n0,80,84\n30,55,51\n").header,
+              ElementsAre("theta", "UCS", "UCS"));
 }
 
 TEST(TableText, WhatIsNoSecondHeaderIsLeft) {

@@ -84,12 +84,12 @@ class Finder {
   }
   bool is_row(std::size_t i) const { return shapes_[i].reach >= width_ && 2 * shapes_[i].values >= values_; }
 
-  /// Is there a gap in the upper of two rows with a name below it, in a span that begins with a name?
+  /// Is there a gap in the upper of two rows, or a name that repeats the one before, with a name below it?
   bool spans(std::size_t upper, std::size_t lower) const {
     const auto &above = rows_[upper].cells, &below = rows_[lower].cells;
     bool named = false;
     for (std::size_t i = 0; i < below.size(); ++i) {
-      const bool gap = i >= above.size() || above[i].empty();
+      const bool gap = i >= above.size() || above[i].empty() || (i > 0 && above[i] == above[i - 1]);
       if (gap && named && !below[i].empty()) return true;
       named = !gap || (named && !below[i].empty());
     }
