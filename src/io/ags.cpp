@@ -13,6 +13,8 @@
 namespace phy::io {
 namespace {
 
+constexpr std::size_t most_groups_named = 100;
+
 /// Items of a line; the first says what it holds.
 std::vector<std::string> items_of(std::string_view line) {
   std::vector<std::string> items;
@@ -66,7 +68,7 @@ class AgsReader {
     if (word == "GROUP") {
       const std::string name = items.size() > 1 ? items[1] : "";
       inside_ = name == group_, found_ = found_ || inside_;
-      if (!inside_) others_.push_back(is_plain(name) ? name : "?");
+      if (!inside_) remember(name);
     }
     if (!inside_ || word == "GROUP" || word == "TYPE") return;
     items.erase(items.begin());
@@ -83,6 +85,12 @@ class AgsReader {
       take_data(std::move(items), number);
     else
       words_.add({at(number), word, "", "GROUP, HEADING, UNIT, TYPE or DATA at the beginning of a row", ""});
+  }
+  /// Names of four letters or digits, each once; a file has some dozens.
+  void remember(const std::string& name) {
+    const bool known = std::find(others_.begin(), others_.end(), name) != others_.end();
+    if (!known && others_.size() < most_groups_named && name.size() <= 4 && is_plain(name))
+      others_.push_back(name);
   }
   void take_headings(std::vector<std::string> items, int number) {
     if (table_.header_line != 0)
@@ -103,9 +111,9 @@ class AgsReader {
     const std::string names = fmt::format("{}", fmt::join(others_, ", "));
     if (!found_) {
       table_.where = file_;
-      table_.problems.push_back({file_, fmt::format("no group {}", group_), "", "a group of tests on rock",
-                                 fmt::format("the file has {}; choose with sheet = \"{}\" in the rock file",
-                                             names, others_.empty() ? "" : others_.back())});
+      table_.problems.push_back(
+          {file_, fmt::format("no group {}", group_), "", "a group of tests on rock",
+           fmt::format("the file has {}; sheet = \"NAME\" in the rock file names one", names)});
       return;
     }
     for (const RepeatedProblem* p : {&encoding_, &counts_, &words_}) p->tell(table_.problems);
