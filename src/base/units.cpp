@@ -38,16 +38,19 @@ constexpr Unit units[] = {
     {Dimension::length, "in", -4, foreign, "inch, inches, \"", 254.0},
     {Dimension::length, "ft", -4, foreign, "foot, feet", 3048.0},
     {Dimension::pressure, "GPa", 9, 1.0, "kN/mm2, GN/m2, ГПа"},
-    {Dimension::pressure, "MPa", 6, 0.1, "N/mm2, MN/m2, N mm^-2, MN m^-2, МПа, Н/мм2, МН/м2"},
+    {Dimension::pressure, "MPa", 6, 0.1, "N/mm2, MN/m2, megapascal, N mm^-2, MN m^-2, МПа, Н/мм2, МН/м2"},
     {Dimension::pressure, "kPa", 3, 0.1, "kN/m2, kN m^-2, кПа"},
     {Dimension::pressure, "Pa", 0, 0.1, "N/m2, N m^-2, Па"},
-    {Dimension::pressure, "psi", 0, foreign, "lb/in2, lbf/in2, lbs/in2", 6894.757293168361},
+    {Dimension::pressure, "kN/cm2", 7, foreign, "kN cm^-2"},
+    {Dimension::pressure, "hPa", 2, foreign, "mbar"},
+    {Dimension::pressure, "psi", 0, foreign, "lb/in2, lbf/in2, lbs/in2, lb/sq in", 6894.757293168361},
     {Dimension::pressure, "ksi", 3, foreign, "kpsi, kip/in2", 6894.757293168361},
     {Dimension::pressure, "Mpsi", 6, foreign, "msi", 6894.757293168361},
-    {Dimension::pressure, "bar", 5, foreign, "bars, бар"},
+    {Dimension::pressure, "bar", 5, foreign, "bars, daN/cm2, бар"},
     {Dimension::pressure, "kbar", 8, foreign, "кбар"},
     {Dimension::pressure, "atm", 0, foreign, "", 101325.0},
-    {Dimension::pressure, "kgf/cm2", 0, foreign, "kg/cm2, kp/cm2, kgf cm^-2, кгс/см2, кг/см2", 98066.5},
+    {Dimension::pressure, "kgf/cm2", 0, foreign, "kg/cm2, kg/sq cm, kp/cm2, kgf cm^-2, кгс/см2, кг/см2",
+     98066.5},
     {Dimension::pressure, "kgf/mm2", 2, foreign, "kg/mm2, kp/mm2, kgf mm^-2, кгс/мм2, кг/мм2", 98066.5},
     {Dimension::pressure, "tf/m2", 0, foreign, "t/m2, тс/м2", 9806.65},
     {Dimension::stiffness, "GPa/m", 9, 1.0, "GN/m3"},
@@ -201,7 +204,15 @@ struct ScaledUnit {
 std::optional<ScaledUnit> scaled_unit(std::string_view text) {
   const std::string same = with_same_signs(text);
   std::string_view rest = same;
-  const int power = take_power(rest);
+  int power = take_power(rest);
+  // "psi x 10^6": the factor may stand behind, too.
+  if (const std::size_t times = rest.find_last_of("xX*"); power == 0 && times != rest.npos && times > 0) {
+    std::string_view behind = rest.substr(times);
+    if (power = take_power(behind); power != 0 && trimmed(behind).empty())
+      rest = rest.substr(0, times);
+    else
+      power = 0;
+  }
   const std::string spelled = power != 0 && trimmed(rest).empty() ? "1" : spelling(rest);
   const auto found = units_by_spelling().find(spelled);
   if (found == units_by_spelling().end()) return {};

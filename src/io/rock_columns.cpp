@@ -116,46 +116,43 @@ const std::vector<Known>& known_columns() {
   return known;
 }
 
-/// Words of directions, which count from the load in some laboratories, from the horizontal in others.
-constexpr std::array angle_words = {"angle",     "orientation", "direction", "inclination", "bedding",
-                                    "foliation", "schistosity", "cleavage",  "lamination",  "loading",
-                                    "plug",      "theta",       "beta",      "alpha",       "dip",
-                                    "winkel",    "neigung",     "schicht",   "schieferung", "倾角",
-                                    "层理",      "угол"};
+/// Words of angles, which count from the load in some laboratories, from the horizontal in others.
+constexpr std::array angle_words = {
+    "angle", "orientation", "inclination", "bedding", "foliation", "schistosity", "theta",
+    "beta",  "alpha",       "dip",         "winkel",  "neigung",   "倾角",        "傾角",
+    "层理",  "層理",        "угол",        "ngulo",   "inclinac",  "orientac",    "tca"};
+/// Words that speak of a direction where no other column does.
+constexpr std::array direction_words = {"direction", "cleavage",    "laminat",    "loading", "plug",
+                                        "schicht",   "schieferung", "layer",      "stratif", "tilt",
+                                        "degrees",   "取芯",        "напластован"};
 /// Words of what is read, and of what is not told apart from it.
-constexpr std::array value_words = {"strength",   "stress", "modulus",  "poisson",  "young",
-                                    "ucs",        "bts",    "dts",      "cohesion", "friction",
-                                    "toughness",  "kic",    "compress", "tensile",  "brazil",
-                                    "festigkeit", "强度",   "模量",     "泊松",     "прочность"};
+constexpr std::array value_words = {
+    "strength", "stress",   "modul",     "poisson", "young",   "ucs",     "bts",    "dts",
+    "cohesion", "friction", "toughness", "kic",     "compres", "tensile", "brazil", "festigkeit",
+    "resist",   "résist",   "módul",     "强度",    "強度",    "模量",    "弾性",   "弹性",
+    "彈性",     "泊松",     "прочность", "предел",  "модуль",  "пуассон", "сж"};
+/// Words of a column that has one of these beside it and is no value: "strain at peak stress".
+constexpr std::array other_words = {"load",   "force",  "velocity", "strain",   "rate",       "thickness",
+                                    "length", "number", "no",       "diameter", "height",     "width",
+                                    "class",  "type",   "mode",     "remark",   "description"};
 /// Words around the name of an angle that leave its meaning to the name: "Bedding angle, θ".
 constexpr std::array words_beside_names = {"angle",       "bedding", "foliation", "inclination",
                                            "orientation", "of",      "the"};
 
-/// Moduli whose name says how they are read (ISRM's suggested methods; waves).
+/// Moduli whose symbol says how they are read (ISRM's suggested methods; waves).
 const std::map<std::string, ModulusReading>& moduli() {
   using M = ModulusReading;
-  static const std::map<std::string, M> names = {{"et", M::tangent_50},
-                                                 {"et50", M::tangent_50},
-                                                 {"etan", M::tangent_50},
-                                                 {"etan50", M::tangent_50},
-                                                 {"tangentmodulus", M::tangent_50},
-                                                 {"tangentyoungsmodulus", M::tangent_50},
-                                                 {"eav", M::average},
-                                                 {"averagemodulus", M::average},
-                                                 {"averageyoungsmodulus", M::average},
-                                                 {"es", M::secant_50},
-                                                 {"es50", M::secant_50},
-                                                 {"esec", M::secant_50},
-                                                 {"esec50", M::secant_50},
-                                                 {"secantmodulus", M::secant_50},
-                                                 {"secantyoungsmodulus", M::secant_50},
-                                                 {"ed", M::small_strain},
-                                                 {"edyn", M::small_strain},
-                                                 {"edynamic", M::small_strain},
-                                                 {"dynamicmodulus", M::small_strain},
-                                                 {"dynamicyoungsmodulus", M::small_strain}};
+  static const std::map<std::string, M> names = {
+      {"et", M::tangent_50}, {"et50", M::tangent_50}, {"etan50", M::tangent_50}, {"eav", M::average},
+      {"es", M::secant_50},  {"es50", M::secant_50},  {"esec50", M::secant_50},  {"ed", M::small_strain}};
   return names;
 }
+/// The same in words beside a name: "secant modulus", "Young's modulus (dynamic)".
+constexpr std::pair<const char*, ModulusReading> modulus_words[] = {
+    {"tangent", ModulusReading::tangent_50}, {"tan", ModulusReading::tangent_50},
+    {"average", ModulusReading::average},    {"secant", ModulusReading::secant_50},
+    {"sec", ModulusReading::secant_50},      {"dynamic", ModulusReading::small_strain},
+    {"dyn", ModulusReading::small_strain}};
 
 constexpr std::pair<const char*, const char*> signs_in_words[] = {
     {"σ", "sigma"},
@@ -187,9 +184,32 @@ constexpr std::pair<const char*, const char*> signs_in_words[] = {
     {"\xE2\x80\x89", ""},  // a thin one
 };
 
+/// Lower case of ASCII, of the Latin letters with accents and of Cyrillic (two bytes each in UTF-8).
+std::string lower_case(std::string_view text) {
+  std::string lower;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    const auto add = [&](int first, int second) {
+      lower += static_cast<char>(first), lower += static_cast<char>(second), ++i;
+    };
+    if (c == 0xC3 && next >= 0x80 && next <= 0x9E && next != 0x97)
+      add(c, next + 0x20);
+    else if (c == 0xD0 && next >= 0x90 && next <= 0x9F)
+      add(c, next + 0x20);
+    else if (c == 0xD0 && next >= 0xA0 && next <= 0xAF)
+      add(0xD1, next - 0x20);
+    else
+      lower += static_cast<char>(std::tolower(c));
+  }
+  return lower;
+}
+
 /// A name as names are compared: lower case, no blanks and signs, Greek letters by their names.
-std::string key_of(std::string_view name) {
+std::string key_of(std::string_view text) {
   std::string key;
+  const std::string lower = lower_case(text);
+  std::string_view name = lower;
   while (!name.empty()) {
     const auto letter = std::find_if(std::begin(signs_in_words), std::end(signs_in_words),
                                      [&](const auto& l) { return name.starts_with(l.first); });
@@ -199,7 +219,7 @@ std::string key_of(std::string_view name) {
       continue;
     }
     const auto c = static_cast<unsigned char>(name.front());
-    if (std::isalnum(c) != 0 || c >= 0x80) key += static_cast<char>(std::tolower(c));
+    if (std::isalnum(c) != 0 || c >= 0x80) key += static_cast<char>(c);
     name.remove_prefix(1);
   }
   return key;
@@ -212,20 +232,17 @@ bool contains(const List& list, const std::string& key) {
 
 std::string bare(std::string_view s, std::string_view of = " \t") { return std::string(trimmed(s, of)); }
 
-std::string lower_case(const std::string& text) {
-  std::string lower;
-  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
+constexpr std::size_t most_of_a_unit = 40;  // letters
 
 /// The program's word for a unit; nothing for what is none.
 std::string unit_word(std::string_view text) {
-  const auto unit = find_unit(text);
+  if (text.size() > most_of_a_unit) return "";
+  const auto unit = find_unit(text.starts_with("in ") ? text.substr(3) : text);
   return unit ? unit->name : "";
 }
-bool is_toughness(std::string_view text) {
-  const auto unit = find_unit(text);
-  return unit && unit->dimension == Dimension::toughness;
+bool is_toughness(const std::string& text) {
+  const std::string word = unit_word(text);
+  return !word.empty() && find_unit(word)->dimension == Dimension::toughness;
 }
 
 constexpr const char* opening = "[({";
@@ -251,19 +268,32 @@ bool is_balanced(const std::string& text) {
   return depth == 0;
 }
 
-/// Takes "[GPa]", "(GPa)" and "{GPa}" out of a header, wherever they stand; the last one is its unit.
+bool is_power(const std::string& unit) { return unit.starts_with("10^") && unit.ends_with(" 1"); }
+
+/// Joins what two brackets of a header say: "(10^3) [MPa]" is one unit, "(MPa) (psi)" none.
+std::string joined_units(const std::string& first, const std::string& second) {
+  const auto power_of = [](const std::string& unit) { return unit.substr(0, unit.size() - 1); };
+  if (first.empty() || first == "-" || first == "1" || first == second) return second;
+  if (second.empty() || second == "-" || second == "1") return first;
+  if (is_power(first)) return power_of(first) + second;
+  if (is_power(second)) return power_of(second) + first;
+  return first + " and " + second;
+}
+
+/// Takes "[GPa]", "(GPa)" and "{GPa}" out of a header, wherever they stand.
 std::string take_units(std::string cell, std::string& unit) {
   for (std::size_t open = cell.find_first_of(opening); open != cell.npos;
        open = cell.find_first_of(opening, open)) {
     const std::size_t close = closing(cell, open);
     if (close == cell.npos) break;
     const std::string inside = bare(cell.substr(open + 1, close - open - 1)), known = unit_word(inside);
-    const bool counts = inside.empty() || inside == "-" || inside == "1";
-    if (known.empty() && !counts) {
+    // "(1)" counts specimens, "[1]" is a unit.
+    const bool counts = inside.empty() || inside == "-" || (inside == "1" && cell[open] == '[');
+    if (inside == "1" ? !counts : known.empty() && !counts) {
       ++open;
       continue;
     }
-    unit = counts ? inside : known;
+    unit = joined_units(unit, counts ? inside : known);
     cell = bare(cell.substr(0, open)) + " " + bare(cell.substr(close + 1));
   }
   return bare(cell);
@@ -275,6 +305,10 @@ bool is_name(const std::string& key) {
   return take_name(key, none);
 }
 
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
 /// "E [GPa]", "E (GPa)", "E, GPa", "E GPa" and "E_GPa" are the same: title and unit. Behind a separator a
 /// tail counts as a unit only if it is one ("E_sd" is a name); so does what stands in the last brackets.
 std::pair<std::string, std::string> split_head(const std::string& header) {
@@ -283,13 +317,14 @@ std::pair<std::string, std::string> split_head(const std::string& header) {
   const char* const separators = "_ ,;:/";
   for (std::size_t at = cell.find_first_of(separators); at != cell.npos;
        at = cell.find_first_of(separators, at + 1))
-    if (at > 0 && is_toughness(cell.substr(at + 1)))
+    if (at > 0 && cell.size() - at <= most_of_a_unit && is_toughness(cell.substr(at + 1)))
       return {bare(cell.substr(0, at), " \t_,;:/"), unit_word(cell.substr(at + 1))};
   std::string unit;
   std::string title = take_units(cell, unit);
-  if (!unit.empty() || title != bare(cell)) return {title, unit};
-  for (const std::string degree : {"°", "º", "˚"})
-    if (title.ends_with(degree)) return {bare(title.substr(0, title.size() - degree.size())), "deg"};
+  if (!is_power(unit) && (!unit.empty() || title != bare(cell))) return {title, unit};
+  for (const std::string degree : {"°", "º", "˚"})  // "N°" is a number
+    if (title.ends_with(degree) && lower_case(title) != "n" + degree)
+      return {bare(title.substr(0, title.size() - degree.size())), "deg"};
   // "N/mm2" and "x10^4 MPa" hold separators themselves: tails that begin a word or two earlier are tried too.
   std::pair<std::string, std::string> found{title, ""};
   std::size_t at = title.find_last_of(separators);
@@ -298,24 +333,29 @@ std::pair<std::string, std::string> split_head(const std::string& header) {
     if (std::string known = unit_word(title.substr(at + 1));
         !known.empty() && known != "1" && is_balanced(title.substr(at + 1)))
       found = {bare(title.substr(0, at), " \t_,;:/"), known};
-  if (!found.second.empty()) return found;
+  if (!unit.empty() || !found.second.empty()) return {found.first, joined_units(unit, found.second)};
   // A unit of none of our columns, "[km/s]": the last brackets hold it.
   const std::size_t open = title.find_last_of(opening), close = title.find_last_of(closings);
   if (open != title.npos && open > 0 && close == title.size() - 1 && close > open)
     if (const std::string inside = bare(title.substr(open + 1, close - open - 1));
-        (inside.find('/') != inside.npos || inside.size() <= 2) && !is_name(key_of(inside)))
+        (inside.find('/') != inside.npos || (inside.size() == 2 && is_ascii(inside))) &&
+        !is_name(key_of(inside)))
       return {bare(title.substr(0, open)), inside};
   return {title, ""};
 }
 
 /// What a title may say: "compressive strength (UCS)" its words, or what stands in brackets. A letter or two
-/// there may be anything: "porosity (n)".
+/// there may be anything: "porosity (n)". What else stands there changes the meaning, "UCS (residual)", and
+/// only the whole is read.
 std::vector<std::string> readings_of(const std::string& title) {
   std::vector<std::string> all = {title};
   const std::size_t open = title.find_first_of("[("), close = title.find_first_of("])", open);
   if (open == title.npos || close == title.npos) return all;
-  all.push_back(title.substr(0, open) + title.substr(close + 1));
-  if (close - open > 3) all.push_back(title.substr(open + 1, close - open - 1));
+  const std::string inside = title.substr(open + 1, close - open - 1);
+  const std::size_t letters = static_cast<std::size_t>(std::count_if(
+      inside.begin(), inside.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
+  if (letters <= 2 || is_name(key_of(inside))) all.push_back(title.substr(0, open) + title.substr(close + 1));
+  if (letters > 2) all.push_back(inside);
   return all;
 }
 
@@ -349,9 +389,21 @@ bool take_name(const std::string& key, Head& h) {
     h.kind = k.kind, h.property = k.property, h.name = k.name, h.deviatoric = h.name == "deviator";
     return true;
   }
-  if (const auto modulus = moduli().find(key); modulus != moduli().end()) {
-    h.kind = Column::value, h.property = Property::E, h.name = "E", h.E_is = modulus->second;
+  const auto take = [&](ModulusReading reading) {
+    h.kind = Column::value, h.property = Property::E, h.name = "E", h.E_is = reading;
     return true;
+  };
+  if (const auto modulus = moduli().find(key); modulus != moduli().end()) return take(modulus->second);
+  for (const auto& [word, reading] : modulus_words) {
+    if (key == word + std::string("modulus")) return take(reading);
+    const std::size_t n = std::string_view(word).size();
+    const std::string rest = key.starts_with(word) ? key.substr(n)
+                             : key.ends_with(word) ? key.substr(0, key.size() - n)
+                                                   : "";
+    if (const auto known = known_names().find(rest); known != known_names().end() &&
+                                                     known->second->property == Property::E &&
+                                                     known->second->kind == Column::value)
+      return take(reading);
   }
   return false;
 }
@@ -359,10 +411,11 @@ bool take_name(const std::string& key, Head& h) {
 /// "mean UCS" is UCS; how far the errors of c and phi go together no table says.
 void take_reading(const std::string& key, Head& h) {
   std::string name = key;
-  for (const std::string_view word : {"mean", "average"}) {
+  for (const std::string_view word : {"mean", "average", "avg"}) {
     if (name.starts_with(word)) name = name.substr(word.size()), h.summary = true;
     if (name.ends_with(word)) name = name.substr(0, name.size() - word.size()), h.summary = true;
   }
+  if (take_name(key, h)) return void(h.summary = false);  // "average modulus" is a modulus
   if (take_name(name, h)) return;
   const std::string of = without_scatter(key);
   h.summary = !of.empty();
@@ -395,6 +448,24 @@ void take_angle(const std::string& title, Head& h) {
     else if (!contains(words_beside_names, word))
       return;
   if (!name.empty()) take_name(name, h);
+}
+
+/// "Uniaxial compressive strength, σc" says one thing twice.
+void take_two_names(const std::string& title, Head& h) {
+  const std::vector<std::string> words = words_of(title);
+  for (std::size_t n = 1; n < words.size() && h.kind == Column::other; ++n) {
+    std::string front, behind;
+    for (std::size_t i = 0; i < words.size(); ++i) (i < n ? front : behind) += words[i];
+    Head a, b;
+    if (take_name(front, a) && take_name(behind, b) && a.name == b.name) take_name(front, h);
+  }
+}
+
+/// "theta (gon)": a name that is known, and a unit that is not, for the question that follows.
+void take_odd_unit(const std::string& title, Head& h) {
+  const std::size_t open = title.find_first_of(opening);
+  if (open == title.npos || open == 0 || closing(title, open) != title.size() - 1) return;
+  if (take_name(key_of(title.substr(0, open)), h)) h.unit = bare(title.substr(open), "[](){} ");
 }
 
 /// What tells specimens of one row apart: "2", "S2", "b", "specimen 2"; nothing for any other word.
@@ -430,14 +501,26 @@ void take_replicate(const std::string& title, Head& h) {
     for (std::size_t i = 0; i < words.size(); ++i) (i + n < words.size() ? front : behind) += words[i];
     take(front, replicate_mark(behind));
   }
+  // E1 and nu12 are constants of an anisotropic body.
   const std::size_t digits = key.find_last_not_of("0123456789") + 1;
-  if (digits > 0 && digits < key.size()) take(key.substr(0, digits), replicate_mark(key.substr(digits)));
+  if (digits > 1 && digits < key.size()) take(key.substr(0, digits), replicate_mark(key.substr(digits)));
 }
 
 template <class List>
 bool holds_any(const std::string& key, const List& words) {
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return key.find(word) != key.npos; });
+}
+
+/// What a name that is not understood may be about.
+void speak(Head& h) {
+  const std::string key = key_of(h.title);
+  const std::vector<std::string> words = words_of(h.title);
+  const bool of_else =
+      std::any_of(words.begin(), words.end(), [](const auto& word) { return contains(other_words, word); });
+  h.speaks_of_angles = unit_word(h.title) == "deg" || (!of_else && holds_any(key, angle_words));
+  h.speaks_of_directions = h.speaks_of_angles || holds_any(key, direction_words);
+  h.speaks_of_values = !of_else && holds_any(key, value_words);
 }
 
 }  // namespace
@@ -454,29 +537,42 @@ Head head_of(const std::string& cell, const std::string& meant) {
   for (const std::string& reading : readings_of(said))
     if (h.kind == Column::other) take_reading(key_of(reading), h);
   if (h.kind == Column::other) take_angle(said, h);
+  if (h.kind == Column::other) take_two_names(said, h);
   if (h.kind == Column::other && !h.summary) take_replicate(said, h);
-  const std::string key = key_of(h.title);
+  if (h.kind == Column::other && h.unit.empty()) take_odd_unit(said, h);
   h.summary = h.summary || is_summary(h.title);
-  h.speaks_of_angles = h.kind == Column::other && holds_any(key, angle_words);
-  h.speaks_of_values = h.kind == Column::other && holds_any(key, value_words);
+  if (h.kind == Column::other) speak(h);
   h.own = said.size() == h.name.size() && key_of(said) == key_of(h.name);
   return h;
 }
 
-bool names_an_axis(const std::string& header) {
-  return holds_any(key_of(header), std::array{"load", "plug", "core", "drill", "axis", "sample", "specimen"});
+std::optional<bool> names_an_axis(const std::string& header) {
+  const std::string key = key_of(header);
+  if (holds_any(key, std::array{"bedding", "foliation", "layer", "schist", "cleavage", "laminat", "strat",
+                                "schicht", "层理"}))
+    return false;
+  if (holds_any(key, std::array{"load", "plug", "core", "coring", "drill", "axis"})) return true;
+  return {};
 }
 
-std::optional<double> direction_in_words(const std::string& cell, bool of_axis) {
+std::optional<double> direction_in_words(const std::string& cell, std::optional<bool> of_axis) {
   const std::string key = lower_case(cell);
+  // "30° to parallel", "not parallel", "sub-parallel" say something else.
+  if (holds_any(key, std::array{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "not ", "sub", "near",
+                                "oblique"}))
+    return {};
   const bool along = holds_any(key, std::array{"parall", "paral", "∥", "||", "//", "параллел", "平行"});
   const bool across =
       holds_any(key, std::array{"perpend", "normal to", "⊥", "_|_", "senkrecht", "перпенд", "垂直"}) ||
       key == "normal" || key == "perp" || key == "perp.";
   if (along != across) return along ? 90.0 : 0.0;
-  const bool upright = key == "v" || key == "vertical", flat = key == "h" || key == "horizontal";
-  if (along || upright == flat) return {};
-  return upright != of_axis ? 90.0 : 0.0;
+  if (along || !of_axis || !is_upright_or_flat(cell)) return {};
+  return key.starts_with('v') != *of_axis ? 90.0 : 0.0;
+}
+
+bool is_upright_or_flat(const std::string& cell) {
+  return holds_any(" " + lower_case(cell) + " ", std::array{" v ", " h ", " vertical ", " horizontal "}) &&
+         cell.size() <= 10;
 }
 
 std::optional<std::string> without_degree_sign(const std::string& cell) {
@@ -487,6 +583,8 @@ std::optional<std::string> without_degree_sign(const std::string& cell) {
 }
 
 bool is_summary(const std::string& cell) {
+  if (cell.empty() || cell.size() > 40 || std::isdigit(static_cast<unsigned char>(cell.front())) != 0)
+    return false;
   constexpr std::array words = {"mean",
                                 "average",
                                 "avg",
@@ -503,19 +601,33 @@ bool is_summary(const std::string& cell) {
                                 "cv",
                                 "range",
                                 "variance",
-                                "mittel",
-                                "mittelwert",
-                                "meanvalue",
-                                "averagevalue",
-                                "moyenne",
-                                "media",
-                                "среднее",
                                 "standarddeviation",
                                 "coefficientofvariation",
-                                "averageofall",
+                                "media",
                                 "平均",
-                                "平均值"};
+                                "标准差"};
   return contains(words, key_of(cell));
+}
+
+bool is_scatter(const std::string& cell) {
+  constexpr std::array words = {
+      "sd", "std", "stdev", "stddev", "standarddeviation", "stabw", "standardabweichung"};
+  return contains(words, key_of(cell));
+}
+
+bool begins_summary(const std::string& cell) {
+  if (cell.empty() || cell.size() > 80 || std::isdigit(static_cast<unsigned char>(cell.front())) != 0)
+    return false;
+  constexpr std::array words = {
+      "mean",    "average",  "avg",    "mittel", "mittelwert", "mittelwerte", "durchschnitt",
+      "moyenne", "promedio", "media",  "média",  "среднее",    "средние",     "平均",
+      "平均值",  "均值",     "标准差", "x̄",      "stdev",      "stabw",       "standardabweichung",
+      "desv",    "écart",    "sd"};
+  const std::vector<std::string> all = words_of(cell);
+  if (all.empty()) return false;
+  const bool deviation = (all[0] == "standard" || all[0] == "std" || all[0] == "st") && all.size() > 1 &&
+                         all[1].starts_with("dev");
+  return deviation || contains(words, all[0]);
 }
 
 std::string title_of(const std::string& cell) { return split_head(cell).first; }

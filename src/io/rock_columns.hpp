@@ -41,6 +41,7 @@ struct Head {
   bool summary = false;                ///< "mean UCS", "UCS_sd", "SD": made of other cells
   bool deviatoric = false;             ///< the axial stress less the confining stress
   bool speaks_of_angles = false;       ///< a name that is not understood, with a word such as "dip" in it
+  bool speaks_of_directions = false;   ///< the same with a word such as "plug" or "direction"
   bool speaks_of_values = false;       ///< the same with a word of what is read, "residual strength"
   std::optional<ModulusReading> E_is;  ///< what the header says of E
 
@@ -55,11 +56,14 @@ Head head_of(const std::string& cell, const std::string& meant = {});
 Dimension dimension_of(const Head& head);
 /// The unit that examples of a column are written in: "GPa" of E.
 std::string usual_unit(const Head& head);
-/// The inclination that words of a cell mean [deg]: 90 where the layers are parallel to the load, 0 where they are
-/// perpendicular. V and H say it of the layers, or of the axis of a plug (`of_axis`) in layers that lie flat.
-std::optional<double> direction_in_words(const std::string& cell, bool of_axis);
-/// Is it the axis of a plug or of the load that a header names?
-bool names_an_axis(const std::string& header);
+/// The inclination that words of a cell mean [deg]: 90 where the layers are parallel to the load, 0 where
+/// they are perpendicular. V and H say it of the layers, or of the axis of a plug in layers that lie flat
+/// (`of_axis`); nothing where that is not known.
+std::optional<double> direction_in_words(const std::string& cell, std::optional<bool> of_axis);
+/// Does a header name the axis of a plug or of the load, or the layers? Nothing: neither.
+std::optional<bool> names_an_axis(const std::string& header);
+/// "V", "H", "vertical", "horizontal".
+bool is_upright_or_flat(const std::string& cell);
 /// A cell without its degree sign, "30°"; nothing where it has none.
 std::optional<std::string> without_degree_sign(const std::string& cell);
 
@@ -69,6 +73,10 @@ std::string title_of(const std::string& cell);
 std::string unit_of_cell(const std::string& cell);
 /// Does a cell say that its row is no specimen, "Mean" or "SD"?
 bool is_summary(const std::string& cell);
+/// "SD", "St. dev.", "Standard deviation".
+bool is_scatter(const std::string& cell);
+/// The same of a row's name with more words: "Mean values (n = 3)", "Standard deviation".
+bool begins_summary(const std::string& cell);
 
 /// Our names of columns.
 const std::vector<std::string>& column_names();

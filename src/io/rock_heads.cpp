@@ -7,8 +7,10 @@
 #include <map>
 #include <set>
 
+#include "base/quote.hpp"
 #include "base/trimmed.hpp"
 #include "base/units.hpp"
+#include "io/table_cells.hpp"
 
 namespace phy::io {
 namespace {
@@ -56,9 +58,10 @@ class HeadsReader {
   std::vector<Problem>& problems_;
   std::vector<std::string>& notes_;
   Heads heads_;
-  std::vector<std::string> titles_;        // of the headers
-  std::vector<std::size_t> without_unit_;  // columns that are read
-  std::vector<std::string> unknown_;       // headers that are asked for
+  std::vector<std::string> titles_;           // of the headers
+  std::vector<std::size_t> without_unit_;     // columns that are read
+  std::vector<std::string> unknown_;          // headers that are asked for
+  std::vector<std::string> describe_layers_;  // headers that may say how the layers lie
   std::vector<std::string> passed_, named_, converted_, replicates_, set_aside_;
   std::set<std::size_t> told_;  // columns whose unit has been told to be none
 
@@ -76,9 +79,15 @@ class HeadsReader {
     return cells;
   }
   template <class Is>
+  bool any_cell(std::size_t column, const Is& is) const {
+    return std::any_of(table_.rows.begin(), table_.rows.end(), [&](const TableRow& row) {
+      return !is_nothing(row.cells[column]) && is(row.cells[column]);
+    });
+  }
+  template <class Is>
   bool all_cells(std::size_t column, const Is& is) const {
-    const std::vector<std::string> cells = cells_of(column);
-    return !cells.empty() && std::all_of(cells.begin(), cells.end(), is);
+    const auto is_none = [&](const std::string& cell) { return !is(cell); };
+    return any_cell(column, is) && !any_cell(column, is_none);
   }
 
   /// What the user says of a header: the header, whole or without its unit where no other has that title, and
@@ -100,44 +109,66 @@ class HeadsReader {
       Head h = head_of(header(i), meant != nullptr ? meant->second : "");
       by_user.push_back(meant != nullptr);
       if (meant != nullptr) {
-        used.insert(meant->first), said.insert(h.name);
-        if (h.unit.empty()) h.unit = head_of(meant->first).unit;
+        used.insert(meant->first);
+        if (h.replicate.empty()) said.insert(h.name);
+        if (const std::string unit = head_of(meant->first).unit; !unit.empty()) h.unit = unit;
       }
       heads_.all.push_back(std::move(h));
     }
     mark_replicates(by_user);
-    // The user's word goes before what a header seems to say.
+    // The user's word goes before what a header seems to say; specimens side by side stay together.
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
-      if (Head& h = heads_.all[i]; !by_user[i] && h.kind != Column::other && said.contains(h.name))
+      if (Head& h = heads_.all[i];
+          !by_user[i] && h.kind != Column::other && said.contains(h.name) && h.replicate.empty())
         h.kind = Column::passed;
+    check_counts(by_user);
     for (const auto& [title, name] : keys_.columns)
       if (!used.contains(title))
         report_problem("[columns]", title, "a header of this table",
                        fmt::format("it has: {}", fmt::join(table_.header, ", ")));
   }
 
-  /// Columns of values to which the user gives one name are specimens side by side.
+  /// Columns of values to which the user gives one name are specimens side by side; so is one beside such
+  /// columns.
   void mark_replicates(const std::vector<bool>& by_user) {
     std::map<std::string, std::vector<std::size_t>> columns;
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
-      if (by_user[i] && heads_.all[i].kind == Column::value) columns[heads_.all[i].name].push_back(i);
-    for (const auto& [name, same] : columns)
-      for (std::size_t k = 0; same.size() > 1 && k < same.size(); ++k)
+      if (const Head& h = heads_.all[i];
+          h.kind == Column::value && !h.summary && (by_user[i] || !h.replicate.empty()))
+        columns[h.name].push_back(i);
+    for (const auto& [name, same] : columns) {
+      const bool asked = std::any_of(same.begin(), same.end(), [&](std::size_t i) { return by_user[i]; });
+      for (std::size_t k = 0; asked && same.size() > 1 && k < same.size(); ++k)
         heads_.all[same[k]].replicate = std::to_string(k + 1);
+    }
+  }
+  /// A column N that counts 1, 2, 3 numbers the rows.
+  void check_counts(const std::vector<bool>& by_user) {
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      if (heads_.all[i].kind != Column::n || by_user[i]) continue;
+      const std::vector<std::string> cells = cells_of(i);
+      bool counts = cells.size() > 2;
+      for (std::size_t k = 0; k < cells.size(); ++k) counts = counts && cells[k] == std::to_string(k + 1);
+      if (counts)
+        report_problem(
+            header(i), "1, 2, 3, ...", "the number of specimens behind each row",
+            fmt::format(
+                "does it number the rows? Write in the rock file: [columns] {0} = \"-\"; if not, {0} = \"n\"",
+                toml_string(header(i))));
+    }
   }
 
-  /// Units in a row of their own: below the headers of what is read no number, and somewhere a unit.
+  /// Units in a row of their own: at least half of its cells, and no number.
   bool is_row_of_units(const TableRow& row) const {
-    bool any = false;
+    std::size_t units = 0, others = 0;
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
-      if (!is_read(heads_.all[i])) continue;
       const std::string& cell = row.cells[i];
-      const bool unit = !unit_of_cell(cell).empty();
-      any = any || (unit && !is_nothing(cell));
-      if (!unit && !cell.empty() && cell.find_first_of("0123456789") != cell.npos && cell != "1")
-        return false;
+      if (is_nothing(cell) || cell == "1") continue;
+      const std::string unit = is_number(cell) ? "" : unit_of_cell(cell);
+      if (unit.empty() && looks_measured(cell)) return false;
+      ++(unit.empty() ? others : units);
     }
-    return any;
+    return units > 0 && units >= others;
   }
   void take_row_of_units() {
     if (table_.rows.empty() || !is_row_of_units(table_.rows.front())) return;
@@ -175,7 +206,8 @@ class HeadsReader {
     std::map<std::string, std::vector<std::size_t>> marked;
     for (std::size_t i = 0; i < heads_.all.size(); ++i)
       if (!heads_.all[i].replicate.empty() && is_read(heads_.all[i])) marked[heads_.all[i].name].push_back(i);
-    for (const auto& [name, columns] : marked) {
+    for (auto& [name, columns] : marked) {
+      take_unmarked(name, columns);
       std::set<std::string> marks;
       for (const std::size_t i : columns) marks.insert(heads_.all[i].replicate);
       const bool begins = marks.contains("1") || marks.contains("01") || marks.contains("a");
@@ -185,6 +217,23 @@ class HeadsReader {
         for (const std::size_t i : columns)
           heads_.all[i].kind = Column::other, heads_.all[i].speaks_of_values = true;
     }
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) take_scatter_behind(i);
+  }
+  /// "UCS", "UCS 2", "UCS 3", as spreadsheets tell equal headers apart: the first has no mark.
+  void take_unmarked(const std::string& name, std::vector<std::size_t>& columns) {
+    for (std::size_t i = 0; i < heads_.all.size(); ++i) {
+      Head& h = heads_.all[i];
+      if (h.kind != Column::value || h.name != name || !h.replicate.empty() || h.summary) continue;
+      const auto has = [&](const char* mark) {
+        return std::any_of(columns.begin(), columns.end(),
+                           [&](std::size_t k) { return heads_.all[k].replicate == mark; });
+      };
+      h.replicate = has("1") ? "0" : "1";
+      if (h.replicate == "0" || has("2"))
+        columns.push_back(i);
+      else
+        h.replicate.clear();
+    }
   }
   void take_replicates(const std::string& name, const std::vector<std::size_t>& columns) {
     std::vector<std::string> titles;
@@ -192,10 +241,26 @@ class HeadsReader {
     replicates_.push_back(fmt::format("{} are specimens of {}", fmt::join(titles, ", "), name));
     for (std::size_t i = 0; i < heads_.all.size(); ++i) {
       Head& h = heads_.all[i];
-      const bool made_of_them = h.name == name || h.name == name + "_sd" || h.kind == Column::other;
-      if (!h.summary || !made_of_them || h.kind == Column::passed) continue;
+      const bool named = h.name == name || h.name == name + "_sd";
+      if (!h.summary || h.kind == Column::passed ||
+          !(named || (h.kind == Column::other && belongs_to(i, name))))
+        continue;
       h.kind = Column::passed, set_aside_.push_back(header(i));
     }
+  }
+  /// A bare "Mean" or "SD" belongs to the last property on its left.
+  bool belongs_to(std::size_t i, const std::string& name) const {
+    while (i > 0 && heads_.all[i].summary) --i;
+    return heads_.all[i].name == name;
+  }
+  /// A bare "SD" right behind a value is its scatter.
+  void take_scatter_behind(std::size_t i) {
+    if (i == 0 || heads_.all[i].kind != Column::other || !is_scatter(titles_[i])) return;
+    const Head& value = heads_.all[i - 1];
+    if (value.kind != Column::value || !value.replicate.empty()) return;
+    Head& h = heads_.all[i];
+    h.kind = Column::scatter, h.property = value.property, h.name = value.name + "_sd";
+    if (h.unit.empty()) h.unit = value.unit;
   }
 
   void check_names() {
@@ -216,6 +281,7 @@ class HeadsReader {
       }
     }
     if (!unknown_.empty()) ask_for_names();
+    ask_for_layers();
     if (without_unit_.size() == 1) tell_unit(without_unit_.front(), "");
     if (without_unit_.size() > 1) ask_for_units();
   }
@@ -232,12 +298,20 @@ class HeadsReader {
   /// All unknown columns in one question.
   void ask_for_names() {
     std::string lines;
-    for (const std::string& name : unknown_)
-      lines += (lines.empty() ? "\"" : ", \"") + title_of(name) + "\" = \"...\"";
+    bool factor = false, direction = false;
+    for (const std::string& name : unknown_) {
+      lines += (lines.empty() ? "" : ", ") + toml_string(name) + " = \"...\"";
+      factor = factor || name.find("10") != name.npos;
+      direction = direction || name.find("°") != name.npos || direction_in_words(name, std::nullopt);
+    }
+    std::string more;
+    if (factor) more += "; a factor goes into the unit: \"E [10^3 MPa]\" = \"E\"";
+    if (direction) more += "; where the header says the direction, give one row per angle and a column theta";
     report_problem(
         quoted(unknown_), "",
         fmt::format("a known column: {}; of each value also _sd", fmt::join(names_in_short(), ", ")),
-        fmt::format("write in the rock file what each is, or \"-\" to leave it out: [columns] {}", lines));
+        fmt::format("write in the rock file what each is, or \"-\" to leave it out: [columns] {}{}", lines,
+                    more));
   }
   static std::vector<std::string> names_in_short() {
     std::vector<std::string> names = column_names();
@@ -257,10 +331,10 @@ class HeadsReader {
     const bool speaks = (h.speaks_of_values || h.summary) && !unit;  // "UCS diameter [mm]" is no strength
     if (may_be_angle(i))
       ask_for_angle(i);
-    else if (angle || value || (speaks && all_cells(i, is_number)))
+    else if (angle || value || (speaks && any_cell(i, looks_measured)))
       unknown_.push_back(header(i));
-    else if (may_describe_layers(i))
-      ask_for_layers(i);
+    else if (needs_angles() && h.speaks_of_directions && h.unit.empty() && !cells_of(i).empty())
+      describe_layers_.push_back(header(i));
     else
       passed_.push_back(header(i));
   }
@@ -273,18 +347,16 @@ class HeadsReader {
     if (h.kind != Column::other || header(i).empty() ||
         !(h.unit.empty() || h.unit == "deg" || h.unit == "rad"))
       return false;
-    if (h.speaks_of_angles && (!h.unit.empty() || all_cells(i, is_number))) return true;
-    return needs_angles() && !all_cells(i, is_number) &&
-           all_cells(i, [&](const auto& cell) { return is_number(cell) || is_direction(cell, i); });
+    const auto is_angle = [&](const auto& cell) { return is_number(cell) || is_direction(cell, i); };
+    if (h.speaks_of_angles && (!h.unit.empty() || any_cell(i, is_angle))) return true;
+    if (!needs_angles() || !any_cell(i, is_angle)) return false;
+    return h.speaks_of_directions || (!all_cells(i, is_number) && all_cells(i, is_angle));
   }
   bool needs_angles() const { return !heads_.has_angles() && keys_.bedded != false; }
-  /// Of a table without angles a column whose name speaks of a direction may stand for them.
-  bool may_describe_layers(std::size_t i) const {
-    const Head& h = heads_.all[i];
-    if (!needs_angles() || !h.speaks_of_angles || !h.unit.empty() || cells_of(i).empty()) return false;
-    for (std::size_t k = 0; k < heads_.all.size(); ++k)
-      if (may_be_angle(k)) return false;
-    return true;
+  /// What an angle would be called in the rock file: the header, with the unit of bare numbers.
+  std::string angle_key(std::size_t i) const {
+    const bool bare = heads_.all[i].unit.empty() && any_cell(i, is_number);
+    return toml_string(header(i) + (bare ? " [deg]" : ""));
   }
   void check_nameless(std::size_t i) {
     for (const TableRow& row : table_.rows)
@@ -294,31 +366,36 @@ class HeadsReader {
   }
   void ask_for_angle(std::size_t i) {
     heads_.asked_for_angles = true;
-    const std::string title = heads_.all[i].title, words = meaning_of_words(i);
+    const std::string words = meaning_of_words(i);
     const auto is_word = [&](const auto& cell) {
       return direction_in_words(cell, names_an_axis(header(i))).has_value();
     };
     if (all_cells(i, is_word))
       return report_problem(
           header(i), "", "an angle that says from where it counts",
-          fmt::format("write in the rock file: [columns] \"{}\" = \"theta\". Then {}. \"-\" leaves "
-                      "it out",
-                      title, words));
-    const bool bare = !all_cells(i, [&](const auto& cell) { return is_direction(cell, i); });
+          fmt::format("write in the rock file: [columns] {} = \"theta\". Then {}. \"-\" leaves it out",
+                      angle_key(i), words));
     report_problem(
         header(i), "", "an angle that says from where it counts",
-        fmt::format("is it theta (of the layers from the horizontal, load upright) or beta (between load and "
-                    "layers)? Write in the rock file: [columns] \"{}{}\" = \"theta\", or = \"beta\"; \"-\" "
-                    "leaves it out{}{}",
-                    title, bare ? " [deg]" : "", words.empty() ? "" : ". Then ", words));
+        fmt::format(
+            "is it theta (of the layers from the horizontal, load upright) or beta (between load and "
+            "layers)? Write in the rock file: [columns] {} = \"theta\", or = \"beta\"; \"-\" leaves it "
+            "out{}{}",
+            angle_key(i), words.empty() ? "" : ". Then ", words));
   }
-  void ask_for_layers(std::size_t i) {
+  /// Columns whose names speak of a direction and whose cells do not, in one question.
+  void ask_for_layers() {
+    if (heads_.asked_for_angles || describe_layers_.empty()) return;
     heads_.asked_for_angles = true;
+    std::string lines;
+    for (const std::string& name : describe_layers_)
+      lines += (lines.empty() ? "" : ", ") + toml_string(name) + " = \"-\"";
     report_problem(
-        header(i), "", "an angle that says from where it counts",
-        fmt::format("does it say how the layers lie? Then add a column theta [deg]; if not, write in the "
-                    "rock file: [columns] \"{}\" = \"-\"",
-                    heads_.all[i].title));
+        quoted(describe_layers_), "", "an angle that says from where it counts",
+        fmt::format(
+            "if it says how the layers lie, add a column theta [deg]: 90 where the load is along them, 0 "
+            "where it is across them; if not, write in the rock file: [columns] {}",
+            lines));
   }
   /// What the words of a column would count as.
   std::string meaning_of_words(std::size_t i) const {
@@ -367,7 +444,8 @@ class HeadsReader {
     return (h.kind == Column::theta || h.kind == Column::beta) && cells_of(i).empty();
   }
   static std::string otherwise(const Head& h) {
-    return fmt::format("; if it is something else: [columns] \"{}\" = \"-\" in the rock file", h.title);
+    return fmt::format("; if it is something else: [columns] {} = \"-\" in the rock file",
+                       toml_string(h.title));
   }
   /// The title up to its brackets: what is in them is no unit, and a second one would not mend it.
   static std::string base_title(const Head& h) {
@@ -378,10 +456,10 @@ class HeadsReader {
     const std::string base = base_title(h).empty() ? h.name : base_title(h);
     const std::string bracket = h.title.substr(std::min(base.size(), h.title.size()));
     const std::string odd = !found.empty() ? found : std::string(trimmed(bracket, "[](){} "));
-    report_problem(header(i), odd,
-                   fmt::format("a unit of {} in the header: {}", h.name, unit_names(dimension_of(h))),
-                   fmt::format("write for example {} [{}]{}{}", base, usual_unit(h),
-                               odd.empty() ? "" : " and convert the values", otherwise(h)));
+    report_problem(
+        header(i), odd, fmt::format("a unit of {} in the header: {}", h.name, unit_names(dimension_of(h))),
+        fmt::format("write for example {} [{}]{}{}", base, usual_unit(h),
+                    odd.empty() ? "" : " and convert the values, if they are in another", otherwise(h)));
   }
 
   void check_combinations() {
@@ -417,8 +495,10 @@ class HeadsReader {
     const auto n = std::count_if(std::begin(columns), std::end(columns),
                                  [&](Column c) { return heads_.find(c).has_value(); });
     if (n != 0 && n != 4)
-      report_problem("c, phi", "", "the columns c, phi, confining_min and confining_max together",
-                     "an envelope is read as strengths, and only inside the pressures that were tested");
+      report_problem(
+          "c, phi", "", "the columns c, phi, confining_min and confining_max together",
+          "an envelope is read as strengths, and only inside the pressures that were tested; to do without: "
+          "[columns] \"c\" = \"-\", \"phi\" = \"-\"");
   }
 
   void tell() {

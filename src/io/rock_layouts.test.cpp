@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "io/rock_file_fixture.hpp"
-#include "io/table_cells.hpp"
 #include "io/rock_table.hpp"
+#include "io/table_cells.hpp"
 
 namespace phy::io {
 namespace {
@@ -65,10 +65,16 @@ TEST_F(Layouts, AColumnThatSpeaksOfADirectionIsNeverLeftOut) {
                        c.substr(a + 1, b - a - 1) + ",80\n" + c.substr(b + 1) + ",41\n",
                    "an angle that says from where it counts");
     }
-  for (const char* header : {"Orientation", "Loading direction", "Schistosity", "plug", "层理倾角"})
+  for (const char* header :
+       {"Orientation", "Loading direction", "Schistosity", "plug", "层理倾角", "Orientation"})
     expect_asked(std::string(header) + ",UCS [MPa]\nx,88\ny,80\nz,41\n",
                  "an angle that says from where it counts");
   expect_asked("Bedding,UCS [MPa]\nV,88\nH,80\n45,41\n", "[columns] \"Bedding [deg]\" = \"theta\"");
+  for (const char* header : {"Angle (α)", "Bedding angle (ψ)", "TCA", "Угол", "Tilt of layers", "deg"})
+    expect_asked(std::string(header) + ",UCS [MPa]\n0,88\n45,80\n90,41\n",
+                 "an angle that says from where it counts");
+  expect_asked("Bedding angle,UCS [MPa]\n0,88\nn.d.,80\n90,41\n", "\"Bedding angle [deg]\" = \"theta\"");
+  expect_asked("Orientation,UCS [MPa]\nV,88\nH,80\nV,41\n", "90 where the load is along them");  // of what?
   // What only describes the rock, beside a column of angles, is no direction.
   EXPECT_THAT(problems("theta [deg],Bedding,UCS [MPa]\n0,clear,88\n45,clear,80\n90,weak,41\n"), IsEmpty());
 }
@@ -78,6 +84,9 @@ TEST_F(Layouts, AColumnThatSpeaksOfADirectionIsNeverLeftOut) {
 TEST_F(Layouts, UprightAndFlatAreThoseOfTheLayersOrOfThePlug) {
   const std::string rows = ",UCS [MPa]\nV,88\nH,80\n45,41\n";
   EXPECT_EQ(rock("Bedding" + rows, "[columns]\n\"Bedding [deg]\" = \"theta\"\n").readings[0].theta, 90.0);
+  EXPECT_EQ(
+      rock("Bedding in core" + rows, "[columns]\n\"Bedding in core [deg]\" = \"theta\"\n").readings[0].theta,
+      90.0);
   EXPECT_EQ(rock("Plug" + rows, "[columns]\n\"Plug [deg]\" = \"theta\"\n").readings[0].theta, 0.0);
 }
 
@@ -130,12 +139,14 @@ TEST_F(Layouts, StrengthsThatAreNotUnderstoodAreAskedFor) {
   for (const char* header :
        {"UCS MPa (dry)", "Rсж (МПа)", "Strength (MPa)", "UCS (dry)", "residual UCS", "Failure strength",
         "Peak axial stress at failure (psi)", "Load (psi)", "Est. cohesion (kgf/cm2)", "Druckfestigkeit",
-        "UCS1 (MPa)", "Point load Is(50) (bar)", "强度", "UCS (ton/ft)"})
+        "UCS1 (MPa)", "Point load Is(50) (bar)", "强度", "UCS (ton/ft)", "Прочность на сжатие", "E-Modul",
+        "Módulo elástico", "圧縮強度"})
     expect_asked("theta (deg),E (GPa)," + std::string(header) + "\n0,20,80\n45,21,55\n90,30,88\n",
                  plain_name(header));
   // Words are no strengths.
   EXPECT_THAT(
-      problems("theta (deg),E (GPa),Strength class,Load (kN)\n0,20,low,3\n45,21,low,4\n90,30,high,5\n"),
+      problems("theta (deg),E (GPa),Strength class,Load (kN),Loading rate,Plug no,Strain at peak stress (%)\n"
+               "0,20,low,3,1,1,2\n45,21,low,4,1,2,2\n90,30,high,5,1,3,2\n"),
       IsEmpty());
 }
 
@@ -203,9 +214,11 @@ TEST_F(Layouts, SpecimensSideBySideAreReplicates) {
     EXPECT_THAT(r.notes,
                 AllOf(Contains(HasSubstr("are specimens of UCS")), Contains(HasSubstr("set aside"))));
   }
-  EXPECT_THAT(
-      values(rock("theta [deg],E1 [GPa],E2 [GPa],n\n0,20,21,2\n45,22,23,2\n90,30,31,2\n"), Property::E),
-      SizeIs(6));
+  EXPECT_THAT(values(rock("theta [deg],UCS [MPa],UCS [MPa]2,UCS [MPa]3\n0,20,21,2\n45,22,23,2\n90,30,31,2\n"),
+                     Property::ucs),
+              SizeIs(9));
+  // Constants of an anisotropic body are no specimens.
+  expect_asked("theta [deg],E1 [GPa],E2 [GPa]\n0,20,21\n45,22,23\n90,30,31\n", "\"E1 [GPa]\", \"E2 [GPa]\"");
   // The user's word makes replicates of any columns.
   EXPECT_THAT(values(rock("theta [deg],dry [MPa],also dry [MPa]\n0,20,21\n45,22,23\n90,30,31\n",
                           "[columns]\ndry = \"UCS\"\n\"also dry\" = \"UCS\"\n"),
@@ -214,7 +227,56 @@ TEST_F(Layouts, SpecimensSideBySideAreReplicates) {
   // Without a first one the mark says something else; a column of SD beside nothing has to be named.
   expect_asked("theta [deg],E25 [GPa],E75 [GPa]\n0,20,21\n45,22,23\n90,30,31\n",
                "\"E25 [GPa]\", \"E75 [GPa]\"");
-  expect_asked("theta [deg],UCS [MPa],SD\n0,20,2\n45,22,2\n90,30,3\n", "\"SD\"");
+  expect_asked("theta [deg],UCS [MPa],n,SD\n0,20,3,2\n45,22,3,2\n90,30,3,3\n", "\"SD\"");
+  // Right behind its value an SD is its scatter.
+  const Rock r = rock("theta [deg],UCS [MPa],SD,BTS [MPa],SD\n0,20,2,5,1\n45,22,2,6,1\n90,30,3,4,1\n");
+  EXPECT_EQ(r.readings[0].sd, 2e6);
+  EXPECT_EQ(r.readings[1].sd, 1e6);
+}
+
+TEST_F(Layouts, FactorsAndQualifiersOfAHeaderAreNotLost) {
+  for (const char* header : {"E (x10^3) [MPa]", "E (10^3) (MPa)", "E [10^3] MPa", "E [MPa x 10^3]"})
+    EXPECT_THAT(values(rock("theta [deg]," + std::string(header) + "\n0,20\n45,22\n90,30\n"), Property::E),
+                ElementsAre(20e9, 22e9, 30e9))
+        << header;
+  const std::string csv = "theta [deg],E×10³ (MPa)\n0,20\n45,22\n90,30\n";
+  expect_asked(csv, "a factor goes into the unit");
+  EXPECT_EQ(values(rock(csv, "[columns]\n\"E×10³ [10^3 MPa]\" = \"E\"\n"), Property::E)[0], 20e9);
+  for (const char* header : {"UCS (residual) (MPa)", "UCS (wet) [MPa]", "UCS (PFC) (MPa)", "UCS (MPa) (psi)"})
+    EXPECT_THAT(problems("theta [deg]," + std::string(header) + "\n0,20\n45,22\n90,30\n"), SizeIs(1))
+        << header;
+  EXPECT_EQ(rock("theta [deg],Young's modulus (dynamic) (GPa)\n0,20\n45,22\n90,30\n").E_is,
+            ModulusReading::small_strain);
+  EXPECT_EQ(rock("theta [deg],E (secant) [GPa]\n0,20\n45,22\n90,30\n").E_is, ModulusReading::secant_50);
+  for (const char* header : {"\"Uniaxial compressive strength, σc (MPa)\"", "UCS avg (MPa)", "UCS in MPa"})
+    EXPECT_THAT(values(rock("theta [deg]," + std::string(header) + "\n0,20\n45,22\n90,30\n"), Property::ucs),
+                SizeIs(3))
+        << header;
+}
+
+TEST_F(Layouts, ACellWithANumberIsNoWord) {
+  for (const char* cell : {"0° (parallel)", "30° to parallel", "sub-parallel", "not parallel"})
+    EXPECT_THAT(problems("theta [deg],UCS [MPa]\n" + std::string(cell) + ",20\n45,22\n90,30\n0,31\n"),
+                Contains(HasSubstr("r.csv:2: theta = ")))
+        << cell;
+}
+
+TEST_F(Layouts, AFirstRowOfNumbersIsNoRowOfUnits) {
+  EXPECT_THAT(values(rock("n,nu\n1,-\n3,.2\n2,.3\n", "bedded = false\n"), Property::nu), SizeIs(2));
+  EXPECT_THAT(values(rock("DTS (MPa)\n1\n2\n1.5\n", "bedded = false\n"), Property::direct_tension),
+              SizeIs(3));
+  EXPECT_THAT(values(rock("UCS (Pa),E (Pa)\n1e8,1e10\n1e8,1e10\n", "bedded = false\n"), Property::ucs),
+              SizeIs(2));
+  // Below headers of another language all units are known first.
+  EXPECT_THAT(problems("倾角,单轴抗压强度\n°,MPa\n0,80\n45,42\n90,88\n"), SizeIs(2));
+}
+
+TEST_F(Layouts, ARunningNumberIsNoNumberOfSpecimens) {
+  const std::string csv = "N,theta [deg],UCS [MPa]\n1,0,20\n2,45,22\n3,90,30\n";
+  EXPECT_THAT(problems(csv), ElementsAre(AllOf(HasSubstr("r.csv:1: N"), HasSubstr("number the rows"))));
+  EXPECT_EQ(rock(csv, "[columns]\nN = \"-\"\n").readings[2].n, 1);
+  EXPECT_EQ(rock(csv, "[columns]\nN = \"n\"\n").readings[2].n, 3);
+  EXPECT_THAT(problems("N°,theta [deg],UCS [MPa]\n1,0,20\n2,45,22\n3,90,30\n"), IsEmpty());
 }
 
 TEST_F(Layouts, TrueTriaxialTestsAreRefusedOrdinaryOnesRead) {
@@ -254,7 +316,8 @@ TEST_F(Layouts, ACellThatOverflowsIsReported) {
 }
 
 TEST_F(Layouts, RowsOfMeansAreKnownInSeveralLanguages) {
-  for (const char* word : {"Average value", "Mean value", "Mittelwert", "Moyenne", "平均值"})
+  for (const char* word : {"Average value", "Mean value", "Mittelwert", "Moyenne", "平均值", "Mean (n=3)",
+                           "Mean values", "Average 0°", "Standard dev.", "Среднее", "标准差"})
     EXPECT_THAT(problems("Specimen,theta [deg],UCS [MPa]\nS1,0,100\nS2,45,60\nS3,90,120\n" +
                          std::string(word) + ",0,98\n"),
                 Contains(HasSubstr("a row of specimens")))

@@ -160,8 +160,9 @@ class ReadingReader {
   bool in_si(int line, const Head& h, const std::string& cell, double& value) {
     const Dimension d = dimension_of(h);
     const auto unit = find_unit(h.unit);
-    if (d == Dimension::none) return true;
-    if (!unit || unit->dimension != d) return false;  // the unit of the header has been reported
+    if (d == Dimension::none)
+      return h.unit.empty() || h.unit == "-" || h.unit == "1";  // others were reported
+    if (!unit || unit->dimension != d) return false;            // the unit of the header has been reported
     const Quantity q = parse_quantity(cell + " " + h.unit, d);
     // Radians are written with four digits: 1.5708 is 90 degrees.
     value = h.unit == "rad" ? std::round(q.value * 100.0) / 100.0 : q.value;
@@ -186,6 +187,8 @@ class ReadingReader {
 
   /// What to do about a cell that is no number; `begins`: with one it begins.
   static std::string remedy_of(const std::string& cell, bool begins) {
+    if (cell == "nan" || cell == "NaN" || cell == "n/a" || cell == "N/A" || cell == "n.d." || cell == "inf")
+      return "leave the cell empty where nothing was measured";
     if (cell == formula_without_value)
       return "its value was not saved: open the workbook in the spreadsheet and save it";
     if (begins && std::isalpha(static_cast<unsigned char>(cell.back())) != 0)  // "45 GPa"
@@ -208,8 +211,11 @@ class ReadingReader {
 
   void read_row(const TableRow& row, double confining) {
     if (is_empty(row)) return;
-    if (const auto word = std::find_if(row.cells.begin(), row.cells.end(), is_summary);
-        word != row.cells.end()) {
+    auto word = std::find_if(row.cells.begin(), row.cells.end(), is_summary);
+    const auto name =
+        std::find_if(row.cells.begin(), row.cells.end(), [](const auto& cell) { return !cell.empty(); });
+    if (word == row.cells.end() && begins_summary(*name)) word = name;
+    if (word != row.cells.end()) {
       problems_.push_back(
           {at(row.line), "", *word, "a row of specimens",
            "take it out: specimens and their mean would count twice; of means alone give SD in a "

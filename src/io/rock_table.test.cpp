@@ -44,7 +44,8 @@ TEST_F(RockFile, ARowOfUnitsMayNotContradictTheHeader) {
 TEST_F(RockFile, TheUserSaysWhatAColumnHolds) {
   const std::string csv = "angle [deg],UCS [MPa],Festigkeit,spread [MPa]\n0,1,105,5\n45,1,53,4\n90,1,138,7\n";
   EXPECT_THAT(problems(csv), AllOf(Contains(HasSubstr("an angle that says from where it counts")),
-                                   Contains(AllOf(HasSubstr("\"Festigkeit\", \"spread [MPa]\""), HasSubstr("\"spread\" = ")))));
+                                   Contains(AllOf(HasSubstr("\"Festigkeit\", \"spread [MPa]\""),
+                                                  HasSubstr("\"spread [MPa]\" = ")))));
   const Rock r = rock(
       csv, "[columns]\nangle = \"beta\"\n\"Festigkeit [MPa]\" = \"UCS\"\n\"spread [MPa]\" = \"UCS_sd\"\n");
   ASSERT_THAT(r.readings, SizeIs(3));
