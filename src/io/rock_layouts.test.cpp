@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "io/rock_file_fixture.hpp"
-#include "io/table_cells.hpp"
 #include "io/rock_table.hpp"
+#include "io/table_cells.hpp"
 
 namespace phy::io {
 namespace {
