@@ -304,7 +304,10 @@ class TableReader {
                                          sample[0].number, sample[static_cast<std::size_t>(n) - 1].number));
   }
   bool has_columns(const LayoutReader& reader) {
-    if (table_.header.size() == 1 && reader.has_blanks_alone()) {
+    if (std::all_of(table_.header.begin(), table_.header.end(), looks_measured)) {
+      refuse({at(table_.header_line), "", "", "a line of names above the first row",
+              "lines that begin with # are comments, and name nothing"});
+    } else if (table_.header.size() == 1 && reader.has_blanks_alone()) {
       refuse({at(table_.header_line), "", table_.header[0], "a separator between cells", no_blanks});
     } else if (table_.header.size() > most_table_columns) {
       refuse({at(table_.header_line), fmt::format("{} columns", table_.header.size()), "",

@@ -92,7 +92,10 @@ TEST(TableText, NoRowWithValuesIsPassedOver) {
   const Table two = table_of("theta,UCS\n0,80\n30,55\n\ntheta,BTS\n0,8\n30,5\n45,4\n60,3\n");
   EXPECT_EQ(two.header_line, 1);
   EXPECT_THAT(two.rows, SizeIs(7));
-  EXPECT_THAT(table_of("0,80\n30,55\nnone,none\n45,42\n").rows, SizeIs(3)) << "without a header";
+  for (const char* text :
+       {"0,80\n30,55\nnone,none\n45,42\n", "# theta UCS\n0 80\n30 55\n", "# UCS\n80\n55\n"})
+    EXPECT_THAT(told(table_of(text)), ElementsAre(HasSubstr("expected a line of names above the first row")))
+        << text;
   EXPECT_THAT(table_of("theta,0.001,0.01\n0,20,21\n45,18,19\n").header,
               ElementsAre("theta", "0.001", "0.01"));
   const Table sparse = table_of("theta,E,UCS,BTS\n0,23,,\n0,,105,\n0,,,8\n45,20,,\n");
