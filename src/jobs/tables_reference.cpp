@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include <utility>
 
 #include "base/units.hpp"
 #include "io/rock_columns.hpp"
@@ -11,37 +11,44 @@
 namespace phy::jobs {
 namespace {
 
-constexpr std::string_view head = R"(# Tables of laboratories
+constexpr const char* head = R"(# Tables of laboratories
 
-Written by `phyllite rock --tables`. This page lists what is read from a table of laboratory tests: layouts, columns, units.
-A column that may hold a direction, a strength or a modulus is read or asked for. It is never left out in silence.
-The question names the line to write in the [rock file](formats.md#rock-version-1).
+Written by `phyllite rock --tables`. This page lists what is read from a table of laboratory tests: layouts,
+columns, units. A column that may hold a direction, a strength or a modulus is read or asked for. It is never
+left out in silence. The question names the line to write in the [rock file](formats.md#rock-version-1).
 
 ## Layouts
 
 | layout | how it is read |
 |---|---|
-| separators | commas, semicolons, tabs, or runs of blanks; decimal commas where cells are not separated by commas |
-| encoding | UTF-8, with or without a byte-order mark; any line ends |
-| workbook (.xlsx) | the first sheet, or the one that `sheet` names |
-| AGS 4 | the group RUCS, or the one that `sheet` names |
-| above the headers | titles and instrument lines are passed over |
-| units | in the header, as `E [GPa]`, `E (GPa)`, `E, GPa`, `E GPa`, `E_GPa`, or in a row of their own below the headers |
-| two rows of headers | a merged name above, its specimens below: `UCS (MPa)` over `S1`, `S2`, `Mean` |
-| rows | one per angle, or one per test; rows of one angle are replicates |
-| specimens side by side | `UCS 1`, `UCS 2`, `UCS 3` (or a, b, c) in one row are replicates; their mean and SD are set aside |
-| rows of means | "Mean", "SD", "Average value" beside specimens are refused |
-| angles | numbers with or without a degree sign |
-| angles in words | after one line in the rock file: parallel (∥) is theta = 90, perpendicular (⊥) is theta = 0 |
-| V and H | the layers stand upright (90) or lie flat (0); below a header that names a plug, core or load the other way round |
-| no column of angles | asks for `bedded = false` |
-| empty cells, `-`, `–` | not measured |
-| limit | {} columns |
+)";
 
+constexpr std::pair<const char*, const char*> layouts[] = {
+    {"separators", "commas, semicolons, tabs, or runs of blanks; decimal commas where no comma parts cells"},
+    {"encoding", "UTF-8, with or without a byte-order mark; any line ends"},
+    {"workbook (.xlsx)", "the first sheet, or the one that `sheet` names"},
+    {"AGS 4", "the group RUCS, or the one that `sheet` names"},
+    {"above the headers", "titles and instrument lines are passed over"},
+    {"units",
+     "in the header, as `E [GPa]`, `E (GPa)`, `E, GPa`, `E GPa`, `E_GPa`, or in a row of their own below"},
+    {"two rows of headers", "a merged name above, its specimens below: `UCS (MPa)` over `S1`, `S2`, `Mean`"},
+    {"rows", "one per angle, or one per test; rows of one angle are replicates"},
+    {"specimens side by side",
+     "`UCS 1`, `UCS 2`, `UCS 3` (or a, b, c) are replicates; their mean and SD are set aside"},
+    {"SD behind its value", "`UCS (MPa)`, `SD`: the scatter of UCS"},
+    {"rows of means", "\"Mean\", \"SD\", \"Average value\" beside specimens are refused"},
+    {"angles", "numbers with or without a degree sign"},
+    {"angles in words",
+     "after one line in the rock file: parallel (∥) is theta = 90, perpendicular (⊥) is theta = 0"},
+    {"V and H", "of the layers upright is 90; of a plug, core axis or load it is 0"},
+    {"no column of angles", "asks for `bedded = false`"},
+    {"empty cells, `-`, `–`", "not measured"}};
+
+constexpr const char* columns_head = R"(
 ## Columns
 
-Names are compared without case, blanks and signs. Greek letters are their names. Of every value `..._sd` is the standard
-deviation of single specimens. `[columns]` in the rock file goes before every name of this list.
+Names are compared without case, blanks and signs. Greek letters are their names. Of every value `..._sd` is the
+standard deviation of single specimens. `[columns]` in the rock file goes before every name of this list.
 
 | column | unit | meaning | also read |
 |---|---|---|---|
@@ -52,8 +59,9 @@ E_t and E_tan are tangents at half of UCS, E_s and E_sec secants there, E_av ave
 
 ## Units
 
-The same units are read in tables, recipes, curves, on the page and in Python. Case, blanks, dots and superscripts do not
-matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are converted, and the check says so.
+The same units are read in tables, recipes, curves, on the page and in Python. Case, blanks, dots and
+superscripts do not matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are converted, and
+the check says so.
 
 | quantity | unit | also read | one of it is |
 |---|---|---|---|
@@ -62,7 +70,11 @@ matter. A power of ten may stand in front: `x10^4 MPa`, `10⁵ Pa`. Values are c
 }  // namespace
 
 std::string tables_reference() {
-  std::string text = fmt::format(head, io::most_table_columns);
+  std::string text = head;
+  for (const auto& [layout, how] : layouts) text += fmt::format("| {} | {} |
+", layout, how);
+  text += fmt::format("| limit | {} columns |
+", io::most_table_columns) + columns_head;
   for (const io::ColumnRow& c : io::column_rows())
     text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
   text += units_head;
