@@ -29,8 +29,7 @@ constexpr std::pair<const char*, const char*> layouts[] = {
     {"workbook (.xlsx)", "the first sheet, or the one that `sheet` names"},
     {"AGS 4", "the group RUCS, or the one that `sheet` names"},
     {"above the headers", "titles and instrument lines are passed over"},
-    {"units",
-     "in the header, as `E [GPa]`, `E (GPa)`, `E, GPa`, `E GPa`, `E_GPa`, or in a row of their own below"},
+    {"units", "in the header, as `E [GPa]`, `E (GPa)`, `E, GPa`, `E GPa`, `E_GPa`, or in a row below"},
     {"two rows of headers", "a merged name above, its specimens below: `UCS (MPa)` over `S1`, `S2`, `Mean`"},
     {"rows", "one per angle, or one per test; rows of one angle are replicates"},
     {"specimens side by side",
@@ -71,10 +70,8 @@ the check says so.
 
 std::string tables_reference() {
   std::string text = head;
-  for (const auto& [layout, how] : layouts) text += fmt::format("| {} | {} |
-", layout, how);
-  text += fmt::format("| limit | {} columns |
-", io::most_table_columns) + columns_head;
+  for (const auto& [layout, how] : layouts) text += fmt::format("| {} | {} |\n", layout, how);
+  text += fmt::format("| limit | {} columns |\n", io::most_table_columns) + columns_head;
   for (const io::ColumnRow& c : io::column_rows())
     text += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, fmt::join(c.others, ", "));
   text += units_head;
