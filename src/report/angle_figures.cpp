@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -61,15 +60,29 @@ Row row_with_bar(const Target& t, double factor) {
   return {t.theta, factor * t.mean, factor * (t.mean - half), factor * (t.mean + half)};
 }
 
-/// One key for all panels, above them; points alone need none.
-void draw_key(GnuplotScript& s, const std::vector<AnglePanel>& panels, const Titles& titles,
-              std::vector<std::string>& parts) {
+/// One key for all panels, in as few rows above them as the width allows; points alone need none.
+struct PanelKey {
+  std::vector<std::string> parts;  ///< of the plot that draws it
+  double height = 0.0;             ///< [mm]
+};
+PanelKey begin_key(GnuplotScript& s, const std::vector<AnglePanel>& panels, const Titles& titles,
+                   double width) {
+  PanelKey key;
   const bool alone = std::all_of(panels.begin(), panels.end(), [](const auto& p) { return n_drawn(p) == 1; });
-  if (alone) return s.add("unset key");
-  s.add("set key at screen 0.5,screen 0.995 center top horizontal reverse Left width 1 maxcols 3");
-  for (std::size_t k = 0; k < Series::n; ++k)
-    if (std::any_of(panels.begin(), panels.end(), [&](const auto& p) { return !p.rows[k].empty(); }))
-      parts.push_back(std::string("keyentry ") + looks[k] + " title " + gnuplot_string(titles[k]));
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < Series::n && !alone; ++k) {
+    if (std::all_of(panels.begin(), panels.end(), [&](const auto& p) { return p.rows[k].empty(); })) continue;
+    key.parts.push_back(std::string("keyentry ") + looks[k] + " title " + gnuplot_string(titles[k]));
+    longest = std::max(longest, titles[k].size());
+  }
+  if (key.parts.empty()) return s.add("unset key"), key;
+  const double column = 12.0 + 1.3 * static_cast<double>(longest);  // [mm], letters of 7 points
+  const auto columns = static_cast<std::size_t>(std::max(1.0, width / column));
+  const std::size_t rows = (key.parts.size() + columns - 1) / columns;
+  s.add("set key at screen 0.5,screen 0.995 center top vertical maxrows {} reverse Left samplen 2.4 width 1",
+        rows);
+  key.height = 1.0 + 3.4 * static_cast<double>(rows);
+  return key;
 }
 
 /// Of the drawn angles, 90 degrees at least.
@@ -83,10 +96,8 @@ double farthest(const std::vector<AnglePanel>& panels) {
 
 double draw_panels(GnuplotScript& s, const std::vector<AnglePanel>& panels, const Titles& titles,
                    double width) {
-  constexpr double head = 9.0;  // [mm], two rows of the key
-  std::vector<std::string> key;
-  draw_key(s, panels, titles, key);
-  const double height = begin_panels(s, panels.size(), width, 0.85, key.empty() ? 0.0 : head);
+  PanelKey key = begin_key(s, panels, titles, width);
+  const double height = begin_panels(s, panels.size(), width, 0.85, key.height);
   s.add("set xrange [-5:{:g}]; set xtics 15; set yrange [*<0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'",
         farthest(panels) + 5.0);
   char letter = 'a';
@@ -98,8 +109,8 @@ double draw_panels(GnuplotScript& s, const std::vector<AnglePanel>& panels, cons
     std::vector<std::string> parts;
     for (std::size_t k = 0; k < Series::n; ++k)
       if (!p.rows[k].empty()) parts.push_back(s.block(p.rows[k]) + " " + looks[k] + " notitle");
-    parts.insert(parts.end(), std::make_move_iterator(key.begin()), std::make_move_iterator(key.end()));
-    key.clear();
+    parts.insert(parts.end(), key.parts.begin(), key.parts.end());
+    key.parts.clear();
     s.plot(parts);
     s.add("unset key");
   }

@@ -1,5 +1,6 @@
-// Colours of figures and films: of cracks by mode and place, of inclinations, of bedding. They differ in
-// lightness too, so that they hold for colour-blind readers and in grey; figures add symbols and words.
+// Colours of figures and films: of cracks by mode and place, of inclinations, of bedding. Those of curves on
+// paper differ in lightness, so that they hold for colour-blind readers and in grey; figures add symbols,
+// dashes and words.
 #pragma once
 #include <algorithm>
 #include <array>
