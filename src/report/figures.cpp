@@ -60,7 +60,8 @@ class PeakLabels {
   /// `x_end`, `y_end`: largest values of the axes; the plot is `width` x `height` mm.
   PeakLabels(double x_end, double y_end, double width, double height)
       : x_scale_(width / x_end), y_scale_(height / y_end) {}
-  /// Above the point, or as much higher as it takes to stand clear of the labels before it.
+  /// Above the point, or as much higher as it takes to stand clear of the labels before it. Higher by a bit
+  /// more than a label each time: rounding cannot let the same one meet again.
   void add_to(GnuplotScript& s, const std::string& text, double x, double y, const std::string& color) {
     constexpr double high = 3.2, wide = 7.0;  // [mm] of a label of 7 points
     Place p{x * x_scale_, y * y_scale_ + 0.6 * high};
@@ -68,7 +69,7 @@ class PeakLabels {
       return std::fabs(other.x - p.x) < wide && std::fabs(other.y - p.y) < high;
     };
     for (auto it = places_.begin(); (it = std::find_if(places_.begin(), places_.end(), meets)) != places_.end();)
-      p.y = it->y + high;
+      p.y = it->y + 1.01 * high;
     places_.push_back(p);
     s.add("set label '{}' at first {:.6g},{:.6g} center font ',7' tc rgb '{}'", text, x, p.y / y_scale_, color);
   }

@@ -30,7 +30,7 @@ inline std::size_t crack_kind(const CrackEvent& c) {
 constexpr std::array<Color, 3> disc_colors = {0xe4ded2, 0xcfc6b4, 0x8d9a92};
 
 /// From light to dark, for a series on paper.
-constexpr std::array<Color, 7> ramp = {0xe0a100, 0xd06a1b, 0xb23a48, 0x8a2a6b, 0x5b2a86, 0x31348c, 0x0b2545};
+constexpr std::array<Color, 7> ramp = {0xe0a100, 0xd87a1e, 0xc2503a, 0x9c3560, 0x6f2d7a, 0x40297c, 0x0b1f45};
 
 /// 0 at 0 degrees, 1 at 90; 180 - theta looks like theta.
 inline double part_of_ninety(double theta) {
