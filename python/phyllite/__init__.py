@@ -88,10 +88,10 @@ def _is_path(value: Any) -> bool:
 
 def _recipe(value: Any, function: str) -> Recipe:
     """A recipe, or that of a file."""
-    if isinstance(value, Recipe):
+    if isinstance(value, _core.Recipe):
         return value
     if _is_path(value):
-        return Recipe.from_file(value)
+        return _core.Recipe.from_file(value)
     raise TypeError(f"{function}: expected a Recipe, or the name of a recipe file (TOML); got {type(value).__name__}")
 
 
@@ -334,7 +334,7 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
     docs/reference.md. out: folder of the store; what it holds already is not run again, so that after Ctrl-C the
     same call goes on.
     """
-    given = isinstance(source, Recipe)
+    given = isinstance(source, _core.Recipe)
     if not given and not _is_path(source):
         raise TypeError(f"study: expected the name of a study file (TOML), or a Recipe; got {type(source).__name__}")
     if keys and not given:

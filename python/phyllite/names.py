@@ -12,9 +12,10 @@ def known(name: str, names: Iterable[str], what: str) -> str:
     if len(same) == 1:
         return same[0]
     near = same or difflib.get_close_matches(str(name), all_names, 3, 0.5)
-    raise KeyError(f"no {what} is called {name!r}; " +
-                   ("did you mean " + " or ".join(map(repr, near)) + "?" if near else
-                    "there are " + ", ".join(all_names) if all_names else "there is none at all"))
+    if near:
+        raise KeyError(f"no {what} is called {name!r}; did you mean {' or '.join(map(repr, near))}?")
+    shown = ", ".join(all_names[:12]) + (f" and {len(all_names) - 12} more" if len(all_names) > 12 else "")
+    raise KeyError(f"no {what} is called {name!r}; there are {shown or 'none'}")
 
 
 class Numbers(Dict[str, Any]):

@@ -69,7 +69,7 @@ class Runs(InFolder):
         ucs = self.result.values("ucs")
         self.assertEqual(ucs[0], self.result["theta = 45 deg"].numbers["ucs"].value)
         self.assertGreater(ucs[2], ucs[1])
-        with self.assertRaisesRegex(KeyError, "no_such_number: the numbers are ucs"):
+        with self.assertRaisesRegex(KeyError, "no number is called 'no_such_number'; there are ucs, .* more"):
             self.result.values("no_such_number")
         with self.assertRaisesRegex(KeyError, "nobody: the specimens are"):
             self.result["nobody"]
