@@ -32,9 +32,11 @@ constexpr std::array<const char*, Series::n> looks = {
     "with points pt 2 ps 0.6 lw 1.6 lc rgb '#d55e00'"};
 using Titles = std::array<std::string, Series::n>;
 
-std::string theorists(const TheoryCurves& curves) {
-  if (curves.E.theta.empty()) return "Jaeger";
-  return curves.ucs.theta.empty() ? "Goodman" : "Goodman, Jaeger";
+std::string theory_title(const TheoryCurves& curves, const char* fitted_to) {
+  const char* const by = curves.E.theta.empty()     ? "Jaeger"
+                         : curves.ucs.theta.empty() ? "Goodman"
+                                                    : "Goodman, Jaeger";
+  return fmt::format("{} fitted to the {}", by, fitted_to);
 }
 
 struct AnglePanel {
@@ -79,7 +81,7 @@ PanelKey begin_key(GnuplotScript& s, const std::vector<AnglePanel>& panels, cons
   const double column = 12.0 + 1.3 * static_cast<double>(longest);  // [mm], letters of 7 points
   const auto columns = static_cast<std::size_t>(std::max(1.0, width / column));
   const std::size_t rows = (key.parts.size() + columns - 1) / columns;
-  s.add("set key at screen 0.5,screen 0.995 center top vertical maxrows {} reverse Left samplen 2.4 width 1",
+  s.add("set key at screen 0.06,screen 0.995 left top vertical maxrows {} reverse Left samplen 2.4 width -4",
         rows);
   key.height = 1.0 + 3.4 * static_cast<double>(rows);
   return key;
@@ -244,7 +246,7 @@ double draw_anisotropy(GnuplotScript& s, const RunRecord& run, const std::vector
     throw InputError(Problem{"result", "theta", "", "specimens with layers and with numbers",
                              "run a recipe with [[bedding]] or a foliated matrix, and test.angles"});
   Titles titles;
-  titles[Series::theory] = theorists(curves);
+  titles[Series::theory] = theory_title(curves, "model");
   titles[Series::laboratory] = "laboratory, mean and its 95 %", titles[Series::model] = "model";
   return draw_panels(s, panels, titles, width);
 }
@@ -260,7 +262,7 @@ double draw_comparison(GnuplotScript& s, const Calibration& c, double width) {
   Titles titles;
   titles[Series::band] = c.method == CalibrationMethod::sequence ? "model ± standard deviation of the packings"
                                                          : "95 % of the rock's value by the fit";
-  titles[Series::theory] = theorists(curves);
+  titles[Series::theory] = theory_title(curves, "laboratory");
   titles[Series::single] = "single specimens", titles[Series::laboratory] = "laboratory, mean and its 95 %";
   titles[Series::model] = c.verification.empty() ? "model, packings of the fit" : "model, unseen packings";
   titles[Series::left_out] = "model, predicted without it";

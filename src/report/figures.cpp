@@ -71,7 +71,7 @@ class PeakLabels {
     for (auto it = places_.begin(); (it = std::find_if(places_.begin(), places_.end(), meets)) != places_.end();)
       p.y = it->y + 1.01 * high;
     places_.push_back(p);
-    s.add("set label '{}' at first {:.6g},{:.6g} center font ',7' tc rgb '{}'", text, x, p.y / y_scale_, color);
+    s.add("set label '{}' at first {:.6g},{:.6g} center front boxed font ',7' tc rgb '{}'", text, x, p.y / y_scale_, color);
   }
 
  private:
@@ -100,8 +100,8 @@ Row largest_of(const std::vector<std::vector<Row>>& curves) {
 
 /// Lightness and dashes tell the curves apart, as hues do not in grey or to the colour-blind.
 std::string look_of(std::size_t i, const TestResult& r) {
-  constexpr std::array<const char*, 8> dashes = {"1",         "(14,5)",     "(3,4)",          "(14,4,3,4)",
-                                                 "(26,5)",    "(7,4)",      "(20,4,3,4,3,4)", "(2,8)"};
+  constexpr std::array<const char*, 8> dashes = {
+      "1", "(18,8)", "(4,7)", "(18,7,4,7)", "(40,9)", "(9,8)", "(28,7,4,7,4,7)", "(2,10)"};
   return fmt::format("dt {} lc rgb '{}'", dashes[i % dashes.size()], hex_color(paper_color(r)));
 }
 
@@ -123,6 +123,7 @@ double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
   const TestCurve& axes = axes_of(data.run);
   s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
   s.add("set key outside right top reverse Left samplen 4; set lmargin at screen 0.11");
+  s.add("set style textbox opaque noborder margins 0.3,0.3");
   std::vector<std::vector<Row>> curves;
   for (const SpecimenRecord& t : data.run.tests) curves.push_back(curve_of(t, axes));
   const Row largest = largest_of(curves);

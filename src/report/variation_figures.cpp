@@ -181,7 +181,7 @@ std::vector<const VariedParameter*> strength_parameters(const Variation& v) {
 double angle_panels(GnuplotScript& s, const Variation& v,
                     const std::vector<const VariedParameter*>& parameters, bool modulus, double width) {
   const double height = begin_panels(s, parameters.size(), width, 0.72);
-  s.add("set xrange [-3:93]; set xtics 15; set xlabel 'inclination {{/:Italic θ}} [°]'");
+  s.add("set xrange [-5:95]; set xtics 15; set xlabel 'inclination {{/:Italic θ}} [°]'");
   s.add("set ylabel '{}' offset 1; set yrange [0:*]",
         modulus ? "{/:Italic E}_{/:Italic θ} [GPa]" : "UCS [MPa]");
   if (modulus)
@@ -207,7 +207,10 @@ double angle_panels(GnuplotScript& s, const Variation& v,
 
 double draw_stiffness(GnuplotScript& s, const Variation& v, double width) {
   s.add("set multiplot layout 1,2 margins 0.09,0.985,0.16,0.96 spacing 0.11,0");
-  s.add("set key reverse Left; set xrange [0:*]");
+  double farthest = 0.0;
+  for (const VariedParameter& p : v.parameters)
+    for (const VariedSetting& setting : p.settings) farthest = std::fmax(farthest, setting.factor);
+  s.add("set key reverse Left; set xrange [0:{:.4g}]", 1.06 * farthest);  // with room for the last symbol
   stiffness_panel(s, v, 0);
   stiffness_panel(s, v, 1);
   s.add("unset multiplot");
