@@ -216,10 +216,8 @@ void check_sequence(const Evidence& evidence) {
   const Rock& rock = evidence.rock;
   std::vector<Problem> problems;
   const std::string sequence = option_set("method", "sequence");
-  const auto add = [&](const char* key, std::string value, const std::string& expected,
-                       std::string remedy) {
-    problems.push_back(
-        {rock.name, key, std::move(value), expected + " for " + sequence, std::move(remedy)});
+  const auto add = [&](const char* key, std::string value, const std::string& expected, std::string remedy) {
+    problems.push_back({rock.name, key, std::move(value), expected + " for " + sequence, std::move(remedy)});
   };
   const std::string leave_out = "leave " + option("method") + " out, or ",
                     otherwise = leave_out + "change the table";

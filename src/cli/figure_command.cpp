@@ -34,7 +34,9 @@ struct Held {
   bool variation, calibration;
   explicit Held(const std::string& folder)
       : variation(io::holds_variation(folder)), calibration(jobs::holds_calibration(folder)) {}
-  const char* usual_kind() const { return variation ? "modulus" : calibration ? "anisotropy" : "stress_strain"; }
+  const char* usual_kind() const {
+    return variation ? "modulus" : calibration ? "anisotropy" : "stress_strain";
+  }
 };
 
 /// Names of all kinds, of a study or of all else, with the paper's numbers if wanted.
@@ -134,10 +136,12 @@ std::string kinds_text() {
 void add_figure_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FigureArguments>();
   CLI::App* verb = app.add_subcommand("figure", "write a figure for print (SVG, PDF, PNG) through gnuplot");
-  verb->add_option("result", args->result, "folder of a run, a study or a calibration")->required()->type_name("FOLDER");
-  verb->add_option("--kind", args->kind, kinds_text())
-      ->type_name("KIND")
-      ->check(suggested([] { return names_of_kinds({}, true); }));
+  verb->add_option("result", args->result, "folder of a run, a study or a calibration")
+      ->required()
+      ->type_name("FOLDER");
+  verb->add_option("--kind", args->kind, kinds_text())->type_name("KIND")->check(suggested([] {
+    return names_of_kinds({}, true);
+  }));
   verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")

@@ -178,7 +178,8 @@ const std::vector<ManText>& texts() {
         {"", "phyllite report results/pfc2d --out press.html"}}},
       {"figure",
        "Draws a figure for print from a run, a study or a calibration, through gnuplot, which must be "
-       "installed. Figures have the width of a journal's column. Of a calibration, anisotropy shows laboratory "
+       "installed. Figures have the width of a journal's column. Of a calibration, anisotropy shows "
+       "laboratory "
        "and model over the inclination; the other kinds of a run draw the specimens that it has kept.",
        {},
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},

@@ -24,7 +24,8 @@ std::string remedy_for(int code) {
     case SQLITE_FULL: return "; free some space, or choose another folder with " + option("out");
     case SQLITE_READONLY:
     case SQLITE_PERM:
-    case SQLITE_CANTOPEN: return "; check the permissions, or choose a folder of your own with " + option("out");
+    case SQLITE_CANTOPEN:
+      return "; check the permissions, or choose a folder of your own with " + option("out");
     case SQLITE_BUSY: return "; another program keeps it locked";
     default: return "";
   }

@@ -170,8 +170,8 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
   if (rock.matrix == MatrixModel::flat_joint && rock.bedded && of_parallel_bonds(rock.layers))
     throw InputError(
         option_problem("matrix", request.matrix, "parallel_bond or choose",
-                fmt::format("layers = \"{}\" (by the rock file or its recipe) are of parallel bonds",
-                            to_string(rock.layers))));
+                       fmt::format("layers = \"{}\" (by the rock file or its recipe) are of parallel bonds",
+                                   to_string(rock.layers))));
   return rock;
 }
 
@@ -225,8 +225,9 @@ bool SpecimenFolder::holds(const Recipe& recipe) {
   try {
     io::read_result(place);
     if (const auto d = study::differences(io::read_result_recipe(place), recipe); !d.empty())
-      throw InputError(problems_of(place, d, "as in the calibrated rock",
-                                   "a result of another recipe lies there: move it away, and " + option_set("resume")));
+      throw InputError(
+          problems_of(place, d, "as in the calibrated rock",
+                      "a result of another recipe lies there: move it away, and " + option_set("resume")));
   } catch (const std::exception&) {
     if (!problem_) problem_ = std::current_exception();
   }

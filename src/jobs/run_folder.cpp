@@ -85,8 +85,8 @@ std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
   if (!replace)
     return problems_of_others(folder, recipe, path,
-                              fmt::format("use another {}, or {} to remove them when the run begins", option("out"),
-                                          option_set("replace")));
+                              fmt::format("use another {}, or {} to remove them when the run begins",
+                                          option("out"), option_set("replace")));
   for (const auto& [other, differences] : results_of_others(folder, recipe)) io::check_result_place(other);
   return {};
 }

@@ -50,9 +50,8 @@ std::string argument(std::string_view word) {
   if (word == "explain") return "key";
   if (word.starts_with("set ")) return std::string(word.substr(4));
   std::string name(word);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
-    return c == '-' ? '_' : static_cast<char>(std::tolower(c));
-  });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });
   return name;
 }
 

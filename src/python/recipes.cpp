@@ -186,12 +186,14 @@ unit, range and meaning: docs/reference.md, or phyllite.explain("matrix.E_c").
 Raises InputError with every problem found.)")
       .def_static(
           "from_file", [](const py::object& path) { return io::read_recipe(text_of(path)); }, py::arg("path"),
-          "from_file(path)\n--\n\nThe recipe of a TOML file. Raises IoError, or InputError with every problem found.")
+          "from_file(path)\n--\n\nThe recipe of a TOML file. Raises IoError, or InputError with every "
+          "problem found.")
       .def_static(
           "from_toml",
           [](const std::string& text, const std::string& where) { return io::parse_recipe(text, where); },
           py::arg("text"), py::arg("where") = "recipe",
-          "from_toml(text, where='recipe')\n--\n\nThe recipe of a TOML text; `where` names it in messages. Raises InputError with every problem "
+          "from_toml(text, where='recipe')\n--\n\nThe recipe of a TOML text; `where` names it in messages. "
+          "Raises InputError with every problem "
           "found.")
       .def("changed", &changed,
            R"(changed(self, **keys)
@@ -207,7 +209,8 @@ Tables are changed key by key; a list of as many sets of bedding as the recipe h
 The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for choices.)")
       .def(
           "to_toml", [](const Recipe& r) { return io::write_recipe(r); },
-          "to_toml(self)\n--\n\nThe completed recipe as TOML: every key with its value, in units that read back to the same bits.")
+          "to_toml(self)\n--\n\nThe completed recipe as TOML: every key with its value, in units that read "
+          "back to the same bits.")
       .def_property_readonly(
           "name", [](const Recipe& r) { return r.name; }, "Its name.")
       .def_property_readonly(

@@ -66,73 +66,76 @@ std::string doc(const char* what, const char* source) { return std::string(what)
 
 void add_moduli(py::module_& m) {
   define(m, "goodman_E", py::vectorize([](double theta, double E, double K_n_delta, double K_s_delta) {
-          return theory::goodman_E({E, K_n_delta, K_s_delta, 0.0}, theta);
-        }),
-        "theta"_a, "E"_a, "K_n_delta"_a, "K_s_delta"_a,
-        doc(R"(Young's modulus [Pa] of jointed rock, load along y: Eq. 1.
+           return theory::goodman_E({E, K_n_delta, K_s_delta, 0.0}, theta);
+         }),
+         "theta"_a, "E"_a, "K_n_delta"_a, "K_s_delta"_a,
+         doc(R"(Young's modulus [Pa] of jointed rock, load along y: Eq. 1.
 
 theta: inclination of the planes [deg]; E: of the intact rock [Pa]; K_n_delta, K_s_delta: stiffness of the
 joints times their spacing [Pa].)",
-            goodman_source)
-            .c_str());
+             goodman_source)
+             .c_str());
   define(m, "goodman_nu",
-        py::vectorize([](double theta, double E, double K_n_delta, double K_s_delta, double nu) {
-          return theory::goodman_nu({E, K_n_delta, K_s_delta, nu}, theta);
-        }),
-        "theta"_a, "E"_a, "K_n_delta"_a, "K_s_delta"_a, "nu"_a,
-        doc(R"(Apparent Poisson's ratio [1] of jointed rock in the plane of load and joint normal.
+         py::vectorize([](double theta, double E, double K_n_delta, double K_s_delta, double nu) {
+           return theory::goodman_nu({E, K_n_delta, K_s_delta, nu}, theta);
+         }),
+         "theta"_a, "E"_a, "K_n_delta"_a, "K_s_delta"_a, "nu"_a,
+         doc(R"(Apparent Poisson's ratio [1] of jointed rock in the plane of load and joint normal.
 
 nu: of the intact rock; other arguments as of goodman_E.)",
-            goodman_source)
-            .c_str());
-  define(m, "amadei_E", py::vectorize([](double theta, double E, double E_n, double nu, double nu_n, double G_n) {
-          return theory::ti_E({E, E_n, nu, nu_n, G_n}, theta);
-        }),
-        "theta"_a, "E"_a, "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
-        doc(R"(Young's modulus [Pa] of layered rock, load along y.
+             goodman_source)
+             .c_str());
+  define(m, "amadei_E",
+         py::vectorize([](double theta, double E, double E_n, double nu, double nu_n, double G_n) {
+           return theory::ti_E({E, E_n, nu, nu_n, G_n}, theta);
+         }),
+         "theta"_a, "E"_a, "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
+         doc(R"(Young's modulus [Pa] of layered rock, load along y.
 
 theta: inclination of the planes [deg]; E along and E_n normal to them [Pa]; nu in the plane, nu_n in the
 plane under load normal to it [1]; G_n of planes normal to the bedding [Pa].)",
-            amadei_source)
-            .c_str());
+             amadei_source)
+             .c_str());
   define(
-      m, "amadei_nu", py::vectorize([](double theta, double E, double E_n, double nu, double nu_n, double G_n) {
+      m, "amadei_nu",
+      py::vectorize([](double theta, double E, double E_n, double nu, double nu_n, double G_n) {
         return theory::ti_nu({E, E_n, nu, nu_n, G_n}, theta);
       }),
       "theta"_a, "E"_a, "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
       doc("Apparent Poisson's ratio [1] of layered rock; arguments as of amadei_E.", amadei_source).c_str());
-  define(m, "saint_venant_G",
-        py::vectorize([](double E, double E_n, double nu_n) { return theory::saint_venant_G(E, E_n, nu_n); }),
-        "E"_a, "E_n"_a, "nu_n"_a,
-        "Saint-Venant's empirical shear modulus [Pa]: 1/G_n = 1/E + 1/E_n + 2 nu_n/E_n.");
+  define(m, "saint_venant_G", py::vectorize([](double E, double E_n, double nu_n) {
+           return theory::saint_venant_G(E, E_n, nu_n);
+         }),
+         "E"_a, "E_n"_a, "nu_n"_a,
+         "Saint-Venant's empirical shear modulus [Pa]: 1/G_n = 1/E + 1/E_n + 2 nu_n/E_n.");
 }
 
 void add_strengths(py::module_& m) {
   define(m, "coulomb_sigma_1", py::vectorize([](double cohesion, double friction, double sigma_3) {
-          return theory::coulomb_sigma_1({cohesion, friction}, sigma_3);
-        }),
-        "cohesion"_a, "friction"_a, "sigma_3"_a = 0.0,
-        "Peak sigma_1 [Pa] of isotropic Coulomb rock; cohesion [Pa], friction angle [deg], sigma_3 [Pa].");
+           return theory::coulomb_sigma_1({cohesion, friction}, sigma_3);
+         }),
+         "cohesion"_a, "friction"_a, "sigma_3"_a = 0.0,
+         "Peak sigma_1 [Pa] of isotropic Coulomb rock; cohesion [Pa], friction angle [deg], sigma_3 [Pa].");
   define(m, "weak_plane_sigma_1",
-        py::vectorize([](double theta, double cohesion, double friction, double sigma_3) {
-          return theory::weak_plane_sigma_1({cohesion, friction}, theta, sigma_3);
-        }),
-        "theta"_a, "cohesion"_a, "friction"_a, "sigma_3"_a = 0.0,
-        doc(R"(sigma_1 [Pa] at which a plane of weakness slips; inf where it cannot.
+         py::vectorize([](double theta, double cohesion, double friction, double sigma_3) {
+           return theory::weak_plane_sigma_1({cohesion, friction}, theta, sigma_3);
+         }),
+         "theta"_a, "cohesion"_a, "friction"_a, "sigma_3"_a = 0.0,
+         doc(R"(sigma_1 [Pa] at which a plane of weakness slips; inf where it cannot.
 
 theta: its inclination [deg]; cohesion [Pa] and friction angle [deg] of the plane; sigma_3 [Pa].)",
-            jaeger_source)
-            .c_str());
+             jaeger_source)
+             .c_str());
   define(m, "jaeger_sigma_1",
-        py::vectorize([](double theta, double cohesion, double friction, double matrix, double sigma_3) {
-          return theory::jaeger_sigma_1({cohesion, friction}, matrix, theta, sigma_3);
-        }),
-        "theta"_a, "cohesion"_a, "friction"_a, "matrix"_a, "sigma_3"_a = 0.0,
-        doc(R"(Peak sigma_1 [Pa] of rock with a plane of weakness: slip on it, or failure of the matrix.
+         py::vectorize([](double theta, double cohesion, double friction, double matrix, double sigma_3) {
+           return theory::jaeger_sigma_1({cohesion, friction}, matrix, theta, sigma_3);
+         }),
+         "theta"_a, "cohesion"_a, "friction"_a, "matrix"_a, "sigma_3"_a = 0.0,
+         doc(R"(Peak sigma_1 [Pa] of rock with a plane of weakness: slip on it, or failure of the matrix.
 
 matrix: strength of the matrix at the same sigma_3 [Pa]; other arguments as of weak_plane_sigma_1.)",
-            jaeger_source)
-            .c_str());
+             jaeger_source)
+             .c_str());
 }
 
 /// A component of the stress on a diameter.
@@ -166,24 +169,24 @@ py::tuple disc_stress(const py::array_t<double>& x, const py::array_t<double>& y
 
 void add_brazilian(py::module_& m) {
   define(m, "hondros_loaded_diameter", &on_diameter<theory::hondros_loaded_diameter>, "rho"_a, "P"_a,
-        "diameter"_a, "alpha"_a,
-        doc(R"(Stresses across and along the load [Pa] on the loaded diameter of an isotropic Brazilian disc.
+         "diameter"_a, "alpha"_a,
+         doc(R"(Stresses across and along the load [Pa] on the loaded diameter of an isotropic Brazilian disc.
 
 Compression positive. rho: distance from the centre over the radius, |rho| <= 1; P: force per thickness [N/m];
 diameter [m]; alpha: half the loaded arc [deg].)",
-            hondros_source)
-            .c_str());
-  define(m, "hondros_cross_diameter", &on_diameter<theory::hondros_cross_diameter>, "rho"_a, "P"_a, "diameter"_a,
-        "alpha"_a,
-        doc("As hondros_loaded_diameter [Pa], on the diameter across the load.", hondros_source).c_str());
+             hondros_source)
+             .c_str());
+  define(m, "hondros_cross_diameter", &on_diameter<theory::hondros_cross_diameter>, "rho"_a, "P"_a,
+         "diameter"_a, "alpha"_a,
+         doc("As hondros_loaded_diameter [Pa], on the diameter across the load.", hondros_source).c_str());
   define(m, "brazilian_strength", py::vectorize([](double P, double diameter, double thickness) {
-          return theory::brazilian_strength(P, diameter, thickness);
-        }),
-        "P"_a, "diameter"_a, "thickness"_a = 1.0,
-        "Indirect tensile strength 2 P/(pi D t) [Pa]; P [N], diameter and thickness [m].");
-  define(m, "amadei_disc", &disc_stress, "x"_a, "y"_a, "P"_a, "diameter"_a, "alpha"_a, "theta"_a, "E"_a, "E_n"_a,
-        "nu"_a, "nu_n"_a, "G_n"_a,
-        R"(Stresses x, y, xy [Pa, compression positive] in a thin layered disc pressed along y.
+           return theory::brazilian_strength(P, diameter, thickness);
+         }),
+         "P"_a, "diameter"_a, "thickness"_a = 1.0,
+         "Indirect tensile strength 2 P/(pi D t) [Pa]; P [N], diameter and thickness [m].");
+  define(m, "amadei_disc", &disc_stress, "x"_a, "y"_a, "P"_a, "diameter"_a, "alpha"_a, "theta"_a, "E"_a,
+         "E_n"_a, "nu"_a, "nu_n"_a, "G_n"_a,
+         R"(Stresses x, y, xy [Pa, compression positive] in a thin layered disc pressed along y.
 
 x, y: places from its centre [m]; P: force per thickness [N/m]; diameter [m]; alpha: half the loaded arc
 [deg]; theta: inclination of the layers [deg]; constants as of amadei_E. For the Brazilian test B. Amadei,
@@ -234,18 +237,19 @@ along y: 0 planes across the load, 90 along it. Papers with the angle between lo
 beta = 90 - theta.)";
   add_moduli(m), add_strengths(m), add_brazilian(m);
   define(m, "fit_goodman", &fit_goodman, "theta"_a, "moduli"_a, "E"_a = py::none(),
-        doc(R"(Least squares of Eq. 1, in compliance, through moduli [Pa] at inclinations theta [deg].
+         doc(R"(Least squares of Eq. 1, in compliance, through moduli [Pa] at inclinations theta [deg].
 
 E: of the intact rock [Pa]; left out: fitted too. A dict with E, K_n_delta, K_s_delta [Pa], R2, ok, reason.)",
-            goodman_source)
-            .c_str());
-  define(m, "fit_jaeger", &fit_jaeger, "theta"_a, "ucs"_a, "matrix"_a = py::none(),
-        doc(R"(Least squares of Jaeger's plane of weakness through strengths [Pa] at inclinations theta [deg].
+             goodman_source)
+             .c_str());
+  define(
+      m, "fit_jaeger", &fit_jaeger, "theta"_a, "ucs"_a, "matrix"_a = py::none(),
+      doc(R"(Least squares of Jaeger's plane of weakness through strengths [Pa] at inclinations theta [deg].
 
 matrix: strength of the matrix [Pa]; left out: fitted too. A dict with cohesion [Pa], friction [deg], matrix
 [Pa], R2, ok, reason.)",
-            jaeger_source)
-            .c_str());
+          jaeger_source)
+          .c_str());
 }
 
 }  // namespace phy::python

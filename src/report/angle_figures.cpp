@@ -46,8 +46,8 @@ struct AnglePanel {
 };
 
 std::size_t n_drawn(const AnglePanel& p) {
-  return Series::n - static_cast<std::size_t>(
-                        std::count_if(p.rows.begin(), p.rows.end(), [](const auto& r) { return r.empty(); }));
+  return Series::n - static_cast<std::size_t>(std::count_if(p.rows.begin(), p.rows.end(),
+                                                            [](const auto& r) { return r.empty(); }));
 }
 
 std::vector<Row> rows_of(const AngleCurve& curve, double factor) {
@@ -196,7 +196,7 @@ AnglePanel panel_of(const Calibration& c, const Target& test, double beside_it, 
     const auto [low, high] = bounds_of(fitted);
     if (std::isfinite(low))
       panel.rows[Series::band].push_back({t.theta, f * fitted.mean, t.theta - 0.8 * beside_it,
-                                  t.theta + 0.8 * beside_it, f * low, f * high});
+                                          t.theta + 0.8 * beside_it, f * low, f * high});
     if (const Comparison& row = judged(c, fitted); row.answered())
       panel.rows[Series::model].push_back({t.theta, f * row.mean});
     if (const Comparison* row = row_of(c.left_out, t); row != nullptr && row->answered())
@@ -205,9 +205,9 @@ AnglePanel panel_of(const Calibration& c, const Target& test, double beside_it, 
   const AngleCurve none;
   const bool free = test.confining == 0.0;
   panel.rows[Series::theory] = rows_of(free && test.property == Property::E     ? curves.E
-                               : free && test.property == Property::ucs ? curves.ucs
-                                                                        : none,
-                               f);
+                                       : free && test.property == Property::ucs ? curves.ucs
+                                                                                : none,
+                                       f);
   return panel;
 }
 
@@ -233,11 +233,10 @@ double draw_anisotropy(GnuplotScript& s, const RunRecord& run, const std::vector
   const TheoryCurves curves = theory_curves(run);
   const TestCurve& axes = (run.tests.empty() ? TestKind() : run.tests.front().recipe.test.kind)->curve;
   const TestQuantity made_for = axes.quantity();
-  const RunNumber all[] = {
-      {"E_tangent", axis_label(Property::E), 1e-9, Property::E, &curves.E},
-      {made_for.number, typeset(made_for.label) + " [" + made_for.unit + "]", made_for.scale, axes.property,
-       &curves.ucs},
-      {"nu", axis_label(Property::nu), 1.0, Property::nu, &curves.nu}};
+  const RunNumber all[] = {{"E_tangent", axis_label(Property::E), 1e-9, Property::E, &curves.E},
+                           {made_for.number, typeset(made_for.label) + " [" + made_for.unit + "]",
+                            made_for.scale, axes.property, &curves.ucs},
+                           {"nu", axis_label(Property::nu), 1.0, Property::nu, &curves.nu}};
   std::vector<AnglePanel> panels;
   for (const RunNumber& n : all)
     if (AnglePanel panel = panel_of(run, beside(run, table), n); n_drawn(panel) > 0)
@@ -260,8 +259,9 @@ double draw_comparison(GnuplotScript& s, const Calibration& c, double width) {
   if (panels.empty())
     throw InputError(Problem{c.rock, "fitted", "", "values of a laboratory", "calibrate the rock again"});
   Titles titles;
-  titles[Series::band] = c.method == CalibrationMethod::sequence ? "model ± standard deviation of the packings"
-                                                         : "95 % of the rock's value by the fit";
+  titles[Series::band] = c.method == CalibrationMethod::sequence
+                             ? "model ± standard deviation of the packings"
+                             : "95 % of the rock's value by the fit";
   titles[Series::theory] = theory_title(curves, "laboratory");
   titles[Series::single] = "single specimens", titles[Series::laboratory] = "laboratory, mean and its 95 %";
   titles[Series::model] = c.verification.empty() ? "model, packings of the fit" : "model, unseen packings";

@@ -68,10 +68,12 @@ class PeakLabels {
     const auto meets = [&](const Place& other) {
       return std::fabs(other.x - p.x) < wide && std::fabs(other.y - p.y) < high;
     };
-    for (auto it = places_.begin(); (it = std::find_if(places_.begin(), places_.end(), meets)) != places_.end();)
+    for (auto it = places_.begin();
+         (it = std::find_if(places_.begin(), places_.end(), meets)) != places_.end();)
       p.y = it->y + 1.01 * high;
     places_.push_back(p);
-    s.add("set label '{}' at first {:.6g},{:.6g} center front boxed font ',7' tc rgb '{}'", text, x, p.y / y_scale_, color);
+    s.add("set label '{}' at first {:.6g},{:.6g} center front boxed font ',7' tc rgb '{}'", text, x,
+          p.y / y_scale_, color);
   }
 
  private:
@@ -100,13 +102,14 @@ Row largest_of(const std::vector<std::vector<Row>>& curves) {
 
 /// Lightness and dashes tell the curves apart, as hues do not in grey or to the colour-blind.
 std::string look_of(std::size_t i, const TestResult& r) {
-  constexpr std::array<const char*, 8> dashes = {
-      "1", "(18,8)", "(4,7)", "(18,7,4,7)", "(40,9)", "(9,8)", "(28,7,4,7,4,7)", "(2,10)"};
+  constexpr std::array<const char*, 8> dashes = {"1",      "(18,8)", "(4,7)",          "(18,7,4,7)",
+                                                 "(40,9)", "(9,8)",  "(28,7,4,7,4,7)", "(2,10)"};
   return fmt::format("dt {} lc rgb '{}'", dashes[i % dashes.size()], hex_color(paper_color(r)));
 }
 
 /// Damage and peak of all curves, in black.
-void add_marks(GnuplotScript& s, const RunRecord& run, const TestCurve& axes, std::vector<std::string>& parts) {
+void add_marks(GnuplotScript& s, const RunRecord& run, const TestCurve& axes,
+               std::vector<std::string>& parts) {
   const std::array<std::string, 3> names = {"sigma_ci", "sigma_cd", axes.strength};
   const std::array<std::string, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", axes.strength_label};
   constexpr std::array<int, 3> symbols = {9, 5, 7};
@@ -354,8 +357,8 @@ double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, d
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds = {
       {"stress_strain", "", "stress over strain of a run, with sigma_ci, sigma_cd and UCS", 140.0, false},
-      {"anisotropy", "", "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory",
-       190.0, false},
+      {"anisotropy", "",
+       "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory", 190.0, false},
       {"rose", "", "directions of the cracks of a run", 190.0, false},
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false},

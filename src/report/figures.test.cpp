@@ -267,7 +267,8 @@ SpecimenRecord curve_to(double theta, double strain, double peak) {
   SpecimenRecord t;
   t.result.intact = false, t.result.theta = theta;
   t.result.history.rows.resize(3);
-  for (std::size_t i = 1; i < 3; ++i) t.result.history.rows[i].axial_strain = 0.01 * strain * static_cast<double>(i);
+  for (std::size_t i = 1; i < 3; ++i)
+    t.result.history.rows[i].axial_strain = 0.01 * strain * static_cast<double>(i);
   t.result.history.rows[1].axial_stress = 1e6 * peak, t.result.history.rows[2].axial_stress = 5e5 * peak;
   return t;
 }
