@@ -69,11 +69,18 @@ def _text(path: Optional[Path]) -> str:
     return "" if path is None else _os.fspath(path)
 
 
+class _Default:
+    """Stands in signatures for the default of a key, which explain() tells."""
+
+    def __repr__(self) -> str:
+        return "..."
+
+
 def _with_keys(function: Any, of: str) -> Any:
-    """Names the keys of a file in the signature: completion and help() show them. ... stands for the default."""
+    """Names the keys of a file in the signature: completion and help() show them."""
     fixed = [p for p in _inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
     taken = {p.name for p in fixed} | {"data"}  # which is the table that is given
-    keys = [_inspect.Parameter(key, _inspect.Parameter.KEYWORD_ONLY, default=...)
+    keys = [_inspect.Parameter(key, _inspect.Parameter.KEYWORD_ONLY, default=_Default())
             for key in _core.keys()[of] if key.isidentifier() and key not in taken]
     function.__signature__ = _inspect.Signature(fixed + keys)
     return function

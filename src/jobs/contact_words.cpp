@@ -65,7 +65,11 @@ void set_parameter(const lab::LawInfo& law, const std::string& text, std::vector
   std::string known;
   for (const laws::ParameterInfo& p : law.parameters)
     known += (known.empty() ? "" : ", ") + std::string(p.name);
-  problems.push_back(option_problem("set", text, "NAME=VALUE with a name of " + known, ""));
+  if (text.find('=') == text.npos)
+    problems.push_back(option_problem("set", text, "NAME=VALUE with a name of " + known, ""));
+  else
+    problems.push_back(
+        option_problem("set " + name, std::string(rest), "a parameter of the law: " + known, ""));
 }
 
 }  // namespace

@@ -275,6 +275,8 @@ class Directly(InFolder):
             phyllite.contact("smoth_joint")
         with self.assertRaisesRegex(phyllite.InputError, '^k_n = 38000000000.0: .*for example k_n=".* N/m"'):
             phyllite.contact("linear", k_n=38e9)
+        with self.assertRaisesRegex(phyllite.InputError, "^kn = 3: expected a parameter of the law: k_n, "):
+            phyllite.contact("linear", kn=3)
         with self.assertRaisesRegex(phyllite.InputError, r'^path = 1 um: .*for example path=\["1 um, 8 um, 0 deg"\]'):
             phyllite.contact("linear", ["1 um"])
         with self.assertRaisesRegex(phyllite.InputError, "^key = matrix.E_d: .*did you mean"):
