@@ -207,10 +207,10 @@ double angle_panels(GnuplotScript& s, const Variation& v,
 
 double draw_stiffness(GnuplotScript& s, const Variation& v, double width) {
   s.add("set multiplot layout 1,2 margins 0.09,0.985,0.16,0.96 spacing 0.11,0");
-  double farthest = 0.0;
+  double largest = 0.0;
   for (const VariedParameter& p : v.parameters)
-    for (const VariedSetting& setting : p.settings) farthest = std::fmax(farthest, setting.factor);
-  s.add("set key reverse Left; set xrange [0:{:.4g}]", 1.06 * farthest);  // with room for the last symbol
+    for (const VariedSetting& setting : p.settings) largest = std::fmax(largest, setting.factor);
+  s.add("set key reverse Left; set xrange [0:{:.4g}]", 1.06 * largest);  // with room for the last symbol
   stiffness_panel(s, v, 0);
   stiffness_panel(s, v, 1);
   s.add("unset multiplot");
