@@ -71,7 +71,7 @@ class Runs(InFolder):
         self.assertGreater(ucs[2], ucs[1])
         with self.assertRaisesRegex(KeyError, "no number is called 'no_such_number'; there are ucs, .* more"):
             self.result.values("no_such_number")
-        with self.assertRaisesRegex(KeyError, "nobody: the specimens are"):
+        with self.assertRaisesRegex(KeyError, "no specimen is called 'nobody'; there are theta = 45 deg"):
             self.result["nobody"]
         self.assertTrue(any("theta = 45 deg" in str(n) for n in self.news))
         self.assertEqual(max(n.n_total for n in self.news), 3)
