@@ -13,6 +13,7 @@ Functions that take long release the interpreter lock, end soon on Ctrl-C (Keybo
 `progress`, if given, with a Progress now and then. threads=0 means all cores.
 """
 import csv as _csv
+import inspect as _inspect
 import io as _io
 import json as _json
 import os as _os
@@ -26,8 +27,9 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Union
 import numpy as _np
 
 from . import _core
-from ._core import Number, Recipe, Rock, Specimen, Target, __version__, explain, theory
+from ._core import Number, Recipe, Specimen, __version__, theory
 from .errors import Error, InputError, InternalError, IoError, Problem
+from .names import known as _known_name
 
 _sys.modules[__name__ + ".theory"] = theory
 
@@ -37,6 +39,11 @@ __all__ = ["Calibration", "Comparison", "ContactLaw", "Elastic", "Error", "Input
            "LawParameter", "Number", "Parameter", "Problem", "Progress", "Recipe", "Result", "Rock", "Specimen",
            "Study", "Target", "Verdict", "calibrate", "contact", "contact_laws", "elastic", "explain", "frame", "run",
            "study", "theory", "__version__"]
+
+
+def __dir__() -> List[str]:
+    """The public names, not what they are made with: what a notebook offers behind `phyllite.`"""
+    return sorted(__all__)
 
 
 @dataclass(frozen=True)
@@ -62,6 +69,39 @@ def _text(path: Optional[Path]) -> str:
     return "" if path is None else _os.fspath(path)
 
 
+class _Default:
+    """Stands in signatures for the default of a key, which explain() tells."""
+
+    def __repr__(self) -> str:
+        return "..."
+
+
+def _with_keys(function: Any, of: str) -> Any:
+    """Names the keys of a file in the signature: completion and help() show them."""
+    fixed = [p for p in _inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
+    taken = {p.name for p in fixed} | {"data"}  # which is the table that is given
+    keys = [_inspect.Parameter(key, _inspect.Parameter.KEYWORD_ONLY, default=_Default())
+            for key in _core.keys()[of] if key.isidentifier() and key not in taken]
+    function.__signature__ = _inspect.Signature(fixed + keys)
+    return function
+
+
+Recipe.__signature__ = _with_keys(lambda **keys: None, "recipe").__signature__  # type: ignore[attr-defined]
+
+
+def _is_path(value: Any) -> bool:
+    return isinstance(value, (str, _os.PathLike))
+
+
+def _recipe(value: Any, function: str) -> Recipe:
+    """A recipe, or that of a file."""
+    if isinstance(value, _core.Recipe):
+        return value
+    if _is_path(value):
+        return _core.Recipe.from_file(value)
+    raise TypeError(f"{function}: expected a Recipe, or the name of a recipe file (TOML); got {type(value).__name__}")
+
+
 def frame(rows: Any) -> Any:
     """A pandas DataFrame of a result: Result, list of parameters or comparisons, history, cracks ..."""
     import pandas
@@ -71,6 +111,102 @@ def frame(rows: Any) -> Any:
     if not isinstance(rows, _np.ndarray):
         rows = [_asdict(row) if _is_dataclass(row) else row for row in rows]
     return pandas.DataFrame(rows)
+
+
+def explain(key: str) -> str:
+    """Meaning, allowed values, default, units and name in PFC of a key of a recipe, rock or study."""
+    return _core.explain(key)
+
+
+# ---- the rock
+
+
+@dataclass(frozen=True)
+class Target:
+    """A cell of a laboratory's table: one quantity at one inclination."""
+
+    property: str  #: "E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci" or "K_Ic"
+    theta: float  #: inclination of the bedding [deg]; load along y
+    mean: float  #: of its specimens: E and strengths [Pa], nu [1], K_Ic [Pa sqrt(m)]
+    sd: float  #: scatter of single specimens, in the unit of the mean
+    n: int  #: specimens
+    confining: float  #: confining stress [Pa]
+    diameter: float  #: [m] of a disc or half disc; 0: the model's
+
+
+class Rock:
+    """A rock as a laboratory saw it: a table of tests.
+
+    Columns carry their unit: theta [deg], E [GPa], nu, UCS [MPa], DTS [MPa], BTS [MPa], K_Ic [MPa sqrt(m)], n ...
+    (docs/formats.md, "Rock").
+    """
+
+    def __init__(self, record: Any):
+        if not isinstance(record, _core.RockRecord):
+            raise TypeError("a Rock comes from Rock.from_toml, Rock.from_csv or Rock.from_dataframe")
+        self._record = record
+
+    @staticmethod
+    def from_toml(path: Path) -> "Rock":
+        """The rock of a rock file. Raises IoError, or InputError with every problem of all its files."""
+        return Rock(_core.RockRecord.from_toml(_text(path)))
+
+    @staticmethod
+    def from_csv(path: Path, **keys: Any) -> "Rock":
+        """The rock of a table, with keys of a rock file: Rock.from_csv("shale.csv", E_is="secant 50 %").
+
+        Workbooks are tables too: Rock.from_csv("shale.xlsx", sheet="UCS", columns={"peak stress": "UCS"}). recipe may
+        be a Recipe or the name of a file. Raises IoError, or InputError with every problem found.
+        """
+        stem = _os.path.splitext(_os.path.basename(_text(path)))[0]
+        return Rock(_core.RockRecord.from_keys({"name": stem, **keys, "data": _text(path)}, "Rock.from_csv", None))
+
+    @staticmethod
+    def from_dataframe(frame: Any, **keys: Any) -> "Rock":
+        """The rock of a pandas DataFrame with the columns of a table; keys as of from_csv.
+
+        Its index is passed over. Lines in messages count from the names of the columns: the first row is line 2.
+        """
+        if not hasattr(frame, "to_csv"):
+            raise TypeError(f"Rock.from_dataframe: expected a pandas DataFrame; got {type(frame).__name__}")
+        return Rock(_core.RockRecord.from_keys({"name": "rock", **keys, "data": "DataFrame"}, "Rock.from_dataframe",
+                                               frame.to_csv(index=False)))
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._record.name
+
+    @property
+    def notes(self) -> List[str]:
+        """How the table was understood, and warnings about it, a line each."""
+        return self._record.notes
+
+    @property
+    def targets(self) -> List[Target]:
+        """The table as a calibration reads it: a Target per quantity and inclination."""
+        return [Target(**row) for row in self._record.targets]
+
+    def check(self) -> str:
+        """What its data can and cannot determine, before anything runs, as `phyllite rock check` tells it."""
+        return self._record.check()
+
+    def __repr__(self) -> str:
+        return f"<phyllite.Rock \"{self.name}\">"
+
+
+_with_keys(Rock.from_csv, "rock")
+_with_keys(Rock.from_dataframe, "rock")
+
+
+def _rock(value: Any, function: str) -> Rock:
+    """A rock, or that of a file."""
+    if isinstance(value, Rock):
+        return value
+    if _is_path(value):
+        return Rock.from_toml(value)
+    raise TypeError(f"{function}: expected a Rock, or the name of a rock file (TOML); got {type(value).__name__}. "
+                    "Rock.from_csv and Rock.from_dataframe make a Rock of a table")
 
 
 # ---- tests
@@ -90,10 +226,8 @@ class Result(_Sequence):
     def __getitem__(self, index: Any) -> Any:
         """A specimen by its place or its name."""
         if isinstance(index, str):
-            for s in self._specimens:
-                if s.name == index:
-                    return s
-            raise KeyError(f"{index}: the specimens are {', '.join(s.name for s in self._specimens)}")
+            names = [s.name for s in self._specimens]
+            return self._specimens[names.index(_known_name(index, names, "specimen"))]
         return self._specimens[index]
 
     def __iter__(self) -> Iterator[Specimen]:
@@ -106,9 +240,9 @@ class Result(_Sequence):
 
     def values(self, number: str) -> _np.ndarray:
         """One number of all specimens, SI: values("ucs"). NaN where a specimen has none; KeyError where all have none."""
-        if self._specimens and not any(number in s.numbers for s in self):
-            raise KeyError(f"{number}: the numbers are {', '.join(self._specimens[0].numbers)}")
-        return _np.array([float(s.numbers[number]) if number in s.numbers else _np.nan for s in self])
+        each = [s.numbers for s in self]
+        name = _known_name(number, dict.fromkeys(n for numbers in each for n in numbers), "number") if each else number
+        return _np.array([float(numbers[name]) if name in numbers else _np.nan for numbers in each])
 
     def _frame_rows(self) -> List[Dict[str, Any]]:
         head = [{"specimen": s.name, "theta [deg]": s.theta, "status": s.status} for s in self]
@@ -118,14 +252,15 @@ class Result(_Sequence):
         return f"<phyllite.Result of {len(self)} specimens>"
 
 
-def run(recipe: Recipe, out: Optional[Path] = None, *, replace: bool = False, threads: int = 0,
+def run(recipe: Union[Recipe, Path], out: Optional[Path] = None, *, replace: bool = False, threads: int = 0,
         progress: ProgressFunction = None) -> Result:
     """Runs the laboratory test of a recipe on all its specimens.
 
-    out: a folder that is filled as `phyllite run` fills it, each specimen as soon as it is finished; after Ctrl-C
+    recipe: a Recipe, or the name of its file. out: a folder that is filled as `phyllite run` fills it, each specimen as soon as it is finished; after Ctrl-C
     they are kept there. replace: results of another recipe are removed from it. The numbers and hashes are those of
     the program, whatever the number of threads. Raises InputError, IoError.
     """
+    recipe = _recipe(recipe, "run")
     tests = _core.run(recipe, _text(out), replace, threads, _teller(progress))
     return Result(recipe, tests, _text(out))
 
@@ -149,16 +284,17 @@ class Elastic:
 
     def values(self, name: str) -> _np.ndarray:
         """One column of the specimens: values("E")."""
+        name = _known_name(name, self.specimens[0], "column") if self.specimens else name
         return _np.array([s[name] for s in self.specimens])
 
 
-def elastic(recipe: Recipe, *, glued: bool = False, modulus_loss: bool = False, threads: int = 0,
+def elastic(recipe: Union[Recipe, Path], *, glued: bool = False, modulus_loss: bool = False, threads: int = 0,
             progress: ProgressFunction = None) -> Elastic:
     """Young's modulus, Poisson's ratio and macro joint stiffness without time steps, as `phyllite elastic`.
 
     glued: grains stick to the platens. modulus_loss: Eq. 1 is fitted in modulus instead of compliance.
     """
-    return Elastic(*_core.elastic(recipe, glued, modulus_loss, threads, _teller(progress)))
+    return Elastic(*_core.elastic(_recipe(recipe, "elastic"), glued, modulus_loss, threads, _teller(progress)))
 
 
 # ---- studies
@@ -205,7 +341,9 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
     docs/reference.md. out: folder of the store; what it holds already is not run again, so that after Ctrl-C the
     same call goes on.
     """
-    given = isinstance(source, Recipe)
+    given = isinstance(source, _core.Recipe)
+    if not given and not _is_path(source):
+        raise TypeError(f"study: expected the name of a study file (TOML), or a Recipe; got {type(source).__name__}")
     if keys and not given:
         raise TypeError("keys of a study go with a recipe, not with a study file: " + ", ".join(keys))
     keys.setdefault("name", _os.path.basename(_os.path.abspath(_text(out))))
@@ -213,6 +351,9 @@ def study(source: Union[Path, Recipe], out: Path, *, threads: int = 0, progress:
                         _teller(progress))
     tables = {name: _table(found[name]) for name in ("table", "responses", "effects")}
     return Study(folder=_text(out), text=found["text"], hash=found["hash"], **tables)
+
+
+_with_keys(study, "study")
 
 
 # ---- calibration
@@ -306,12 +447,12 @@ class Calibration:
         return f"<phyllite.Calibration of \"{self._record.name}\": {self.verdict.status}>"
 
 
-def calibrate(rock: Rock, out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
-              matrix: str = "", effort: str = "normal", max_tests: int = 2000, with_untrusted: bool = False, resume: bool = False,
-              threads: int = 0, progress: ProgressFunction = None) -> Calibration:
+def calibrate(rock: Union[Rock, Path], out: Optional[Path] = None, *, elastic: bool = False, method: str = "posterior",
+              matrix: str = "", effort: str = "normal", max_tests: int = 2000, with_untrusted: bool = False,
+              resume: bool = False, threads: int = 0, progress: ProgressFunction = None) -> Calibration:
     """Micro-parameters from a laboratory table, verified on unseen packings, with a verdict (docs/calibration.md).
 
-    out: a folder as `phyllite calibrate` leaves it; every test is kept there as soon as it is finished, and after
+    rock: a Rock, or the name of its file. out: a folder as `phyllite calibrate` leaves it; every test is kept there as soon as it is finished, and after
     Ctrl-C the same call with resume=True goes on. elastic: the moduli alone. method: "posterior", or "sequence", the
     paper's way. matrix: "parallel_bond", "flat_joint" or "choose", whatever the rock says. effort: "quick", "normal" or
     "thorough", the tests that the search of strengths takes. max_tests: budget of tests in compression. with_untrusted:
@@ -321,10 +462,10 @@ def calibrate(rock: Rock, out: Optional[Path] = None, *, elastic: bool = False, 
                                  ("matrix", matrix, ("", "parallel_bond", "flat_joint", "choose")),
                                  ("effort", effort, ("quick", "normal", "thorough"))):
         if value not in choices:
-            raise InputError(f"calibrate: {name} = {value!r}: expected one of " + ", ".join(filter(None, choices)))
+            raise InputError(f"{name} = {value!r}: expected one of " + ", ".join(filter(None, choices)))
     options = {"out": _text(out), "elastic": elastic, "method": method, "matrix": matrix, "effort": effort,
                "max_tests": max_tests, "with_untrusted": with_untrusted, "resume": resume}
-    return Calibration(_core.calibrate(rock, options, threads, _teller(progress)))
+    return Calibration(_core.calibrate(_rock(rock, "calibrate")._record, options, threads, _teller(progress)))
 
 
 # ---- one contact

@@ -8,7 +8,7 @@ from typing import List, NamedTuple
 class Problem(NamedTuple):
     """One thing wrong with what was given."""
 
-    where: str  #: "rock.csv:3", or the function
+    where: str  #: "rock.csv:3", or the function; empty: key is an argument
     key: str  #: "matrix.E_c"
     value: str  #: as it was given
     expected: str  #: unit and admissible range

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/option.hpp"
+
 namespace phy {
 
 /// Calls work(i) for i = 0 ... n - 1, each on a thread of its own, and returns when all have ended. Each of
@@ -41,7 +43,7 @@ void on_threads(std::size_t n, std::atomic<bool>& broken, const Work& work, cons
       } catch (const std::system_error& e) {
         const std::string what = "thread " + std::to_string(i + 1) + " of " + std::to_string(n);
         fail(std::make_exception_ptr(
-            std::system_error(e.code(), what + " cannot be started; use fewer (--threads)")));
+            std::system_error(e.code(), what + " cannot be started; use fewer (" + option("threads") + ")")));
         leave();
       }
     }

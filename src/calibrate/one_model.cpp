@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/lines.hpp"
+#include "base/option.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_fit.hpp"
 #include "calibrate/elastic_response.hpp"
@@ -524,11 +525,10 @@ void check_budget(const Evidence& evidence, const CalibrationOptions& options) {
   const std::int64_t least = least_tests(evidence, options), n = evidence.n_compressive();
   if (options.max_tests < least)
     throw InputError(
-        Problem{"command line", "--max-tests", fmt::format("{}", options.max_tests),
-                fmt::format("at least {}", least),
-                fmt::format("{} strengths in compression, each with {} tests of the search, and {} "
-                            "tests at the estimate",
-                            n, least_points, least - n * least_points)});
+        option_problem("max-tests", fmt::format("{}", options.max_tests), fmt::format("at least {}", least),
+                       fmt::format("{} strengths in compression, each with {} tests of the search, and {} "
+                                   "tests at the estimate",
+                                   n, least_points, least - n * least_points)));
 }
 
 void check_model(const Evidence& evidence) {

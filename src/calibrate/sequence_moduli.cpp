@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
+#include "base/option.hpp"
 #include "base/stats.hpp"
 #include "calibrate/elastic_response.hpp"
 #include "calibrate/sequence.hpp"
@@ -214,22 +215,23 @@ std::string missing_for_eq1(const Evidence& evidence) {
 void check_sequence(const Evidence& evidence) {
   const Rock& rock = evidence.rock;
   std::vector<Problem> problems;
-  const auto add = [&](const char* key, std::string value, const char* expected, std::string remedy) {
-    problems.push_back({rock.name, key, std::move(value), expected, std::move(remedy)});
+  const std::string sequence = option_set("method", "sequence");
+  const auto add = [&](const char* key, std::string value, const std::string& expected, std::string remedy) {
+    problems.push_back({rock.name, key, std::move(value), expected + " for " + sequence, std::move(remedy)});
   };
-  const std::string otherwise = "leave --method out, or change the table";
+  const std::string leave_out = "leave " + option("method") + " out, or ",
+                    otherwise = leave_out + "change the table";
   if (rock.bedded && rock.layers != LayerModel::planes && rock.layers != LayerModel::choose)
-    add("layers", fmt::format("\"{}\"", to_string(rock.layers)), "\"planes\" for --method sequence",
-        "Eq. 1 and Eq. 2 are of joints on whole planes: leave --method out, or take whole planes (layers, or "
-        "persistence of the recipe)");
+    add("layers", fmt::format("\"{}\"", to_string(rock.layers)), "\"planes\"",
+        "Eq. 1 and Eq. 2 are of joints on whole planes: " + leave_out +
+            "take whole planes (layers, or persistence of the recipe)");
   if (rock.matrix == MatrixModel::flat_joint)
-    add("matrix", "\"flat_joint\"", "\"parallel_bond\" for --method sequence",
-        "the paper's sequence is of parallel bonds: leave --method out, or change matrix");
+    add("matrix", "\"flat_joint\"", "\"parallel_bond\"",
+        "the paper's sequence is of parallel bonds: " + leave_out + "change matrix");
   if (!evidence.has(Property::E))
-    add("table", "no E", "values of E for --method sequence", "it begins with them: " + otherwise);
+    add("table", "no E", "values of E", "it begins with them: " + otherwise);
   else if (const std::string missing = rock.bedded ? missing_for_eq1(evidence) : ""; !missing.empty())
-    add("table", "E", "E(theta) that Eq. 1 can be fitted to, for --method sequence",
-        missing + "; " + otherwise);
+    add("table", "E", "E(theta) that Eq. 1 can be fitted to,", missing + "; " + otherwise);
   if (!problems.empty()) throw InputError(problems);
 }
 

@@ -1,7 +1,9 @@
 // `phyllite figure RESULT --kind KIND`: a figure for print through gnuplot.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "base/quote.hpp"
 #include "cli/machine.hpp"
@@ -12,6 +14,9 @@
 #include "io/load_variation.hpp"
 #include "io/program.hpp"
 #include "io/rock_in.hpp"
+#include "jobs/calibration_folder.hpp"
+#include "jobs/report.hpp"
+#include "jobs/run_folder.hpp"
 #include "report/figures.hpp"
 
 namespace phy::cli {
@@ -24,21 +29,63 @@ struct FigureArguments {
   double width = 0.0;
 };
 
-report::FigureData data_for(const report::FigureKind& kind, const FigureArguments& args) {
-  report::FigureData data;
-  if (kind.varied != io::holds_variation(args.result))
-    throw InputError(Problem{args.result, "--kind", args.kind,
-                             kind.varied ? "the folder of a study" : "the folder of `phyllite run`",
-                             "`phyllite figure --help` tells which kind is of which results"});
-  if (kind.varied) {
-    data.variation = io::read_variation(args.result);
-    if (data.variation.parameters.empty())
-      throw InputError(Problem{args.result, "", "",
-                               "parameters that vary one at a time around the first point",
-                               "use the designs one_at_a_time or full_factorial"});
-  } else {
-    data.run = io::read_run(args.result);
+/// What a folder holds, in words.
+struct Held {
+  bool variation, calibration;
+  explicit Held(const std::string& folder)
+      : variation(io::holds_variation(folder)), calibration(jobs::holds_calibration(folder)) {}
+  const char* usual_kind() const {
+    return variation ? "modulus" : calibration ? "anisotropy" : "stress_strain";
   }
+};
+
+/// Names of all kinds, of a study or of all else, with the paper's numbers if wanted.
+std::vector<std::string> names_of_kinds(std::optional<bool> varied, bool with_numbers) {
+  std::vector<std::string> names;
+  for (const report::FigureKind& k : report::figure_kinds()) {
+    if (varied && *varied != k.varied) continue;
+    names.emplace_back(k.name);
+    if (with_numbers && *k.paper != 0) names.emplace_back(k.paper);
+  }
+  return names;
+}
+
+void read_study(const std::string& folder, report::FigureData& data) {
+  data.variation = io::read_variation(folder);
+  if (data.variation.parameters.empty())
+    throw InputError(Problem{folder, "", "",
+                             "a study of the design one_at_a_time or full_factorial: figures show parameters "
+                             "that vary one at a time",
+                             "`phyllite study effects FOLDER` has the effects of any design"});
+}
+
+/// The specimens of a calibration: it has none where no strength was fitted.
+RunRecord specimens_of(const std::string& folder) {
+  const std::string specimens = jobs::specimens_in(folder);
+  if (!jobs::holds_results(specimens))
+    throw InputError(Problem{folder, "", "", "specimens of the calibrated rock",
+                             "this calibration has tested none: draw --kind anisotropy"});
+  return io::read_run(specimens);
+}
+
+report::FigureData data_for(const report::FigureKind& kind, const Held& held, const FigureArguments& args) {
+  if (kind.varied != held.variation)
+    throw InputError(Problem{"command line", "--kind", args.kind,
+                             fmt::format("one of {}", fmt::join(names_of_kinds(held.variation, false), ", ")),
+                             fmt::format("{} holds {} study", args.result, held.variation ? "a" : "no")});
+  const bool over_angles = std::string(kind.name) == "anisotropy";
+  if (!args.rock.empty() && (!over_angles || held.calibration))
+    throw InputError(Problem{"command line", "--rock", args.rock, "none here",
+                             held.calibration && over_angles
+                                 ? "a calibration has its laboratory values already"
+                                 : "only --kind anisotropy shows laboratory values"});
+  report::FigureData data;
+  if (held.variation)
+    read_study(args.result, data);
+  else if (held.calibration && over_angles)
+    data.calibration = jobs::read_calibration(args.result);
+  else
+    data.run = held.calibration ? specimens_of(args.result) : io::read_run(args.result);
   if (!args.rock.empty()) data.laboratory = targets_of(io::read_rock(args.rock));
   return data;
 }
@@ -57,7 +104,8 @@ std::string format_of(const FigureArguments& args) {
 /// The exit code.
 int draw(FigureArguments args) {
   const std::string format = format_of(args);
-  const report::FigureKind& kind = report::figure_kind(args.kind);
+  const Held held(args.result);
+  const report::FigureKind& kind = report::figure_kind(args.kind.empty() ? held.usual_kind() : args.kind);
   if (args.width != 0.0 && !(args.width >= least_width && args.width <= most_width))
     throw InputError(Problem{"command line", "--width", fmt::format("{:g}", args.width),
                              fmt::format("{:g} to {:g} mm", least_width, most_width),
@@ -65,7 +113,7 @@ int draw(FigureArguments args) {
   if (!is_plain(args.out))
     throw InputError(Problem{"command line", "--out", args.out, "a name in UTF-8 without control characters",
                              "gnuplot has no way to write others"});
-  const report::FigureData data = data_for(kind, args);
+  const report::FigureData data = data_for(kind, held, args);
   if (args.out.empty()) args.out = std::string(kind.name) + "." + format;
   make_file_or_stop(args.out, [&](const std::string& temporary) {
     const std::string script =
@@ -76,17 +124,8 @@ int draw(FigureArguments args) {
   return tell_provenance(data.run, 0);
 }
 
-std::vector<std::string> names_of_kinds() {
-  std::vector<std::string> names;
-  for (const report::FigureKind& k : report::figure_kinds()) {
-    names.emplace_back(k.name);
-    if (*k.paper != 0) names.emplace_back(k.paper);
-  }
-  return names;
-}
-
 std::string kinds_text() {
-  std::string text = "what to draw:";
+  std::string text = "what to draw; default: stress_strain, anisotropy of a calibration, modulus of a study:";
   for (const report::FigureKind& k : report::figure_kinds())
     text += fmt::format("\n{}{}: {}", k.name, *k.paper != 0 ? fmt::format(" or {}", k.paper) : "", k.meaning);
   return text;
@@ -97,11 +136,12 @@ std::string kinds_text() {
 void add_figure_command(CLI::App& app, Session& session) {
   auto args = std::make_shared<FigureArguments>();
   CLI::App* verb = app.add_subcommand("figure", "write a figure for print (SVG, PDF, PNG) through gnuplot");
-  verb->add_option("result", args->result, "folder of a run or a study")->required()->type_name("FOLDER");
-  verb->add_option("--kind", args->kind, kinds_text())
+  verb->add_option("result", args->result, "folder of a run, a study or a calibration")
       ->required()
-      ->type_name("KIND")
-      ->check(suggested(names_of_kinds));
+      ->type_name("FOLDER");
+  verb->add_option("--kind", args->kind, kinds_text())->type_name("KIND")->check(suggested([] {
+    return names_of_kinds({}, true);
+  }));
   verb->add_option("--format", args->format, "svg, pdf or png; default: that of --out, else svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   verb->add_option("--width", args->width, "mm; journals have 90, 140, 190; 0: the usual one of the kind")

@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
   } catch (const phy::genesis::Interrupted& e) {
     return say(1, "", e.what());
   } catch (const std::bad_alloc&) {
-    return say(4, "", phy::jobs::no_memory);
+    return say(4, "", "not enough memory; use fewer grains, or fewer lanes (--lanes)");
   } catch (const std::filesystem::filesystem_error& e) {
     return say(3, "", phy::terminal_text(phy::jobs::in_words(e)).c_str());
   } catch (const std::system_error& e) {

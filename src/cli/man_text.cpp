@@ -177,9 +177,10 @@ const std::vector<ManText>& texts() {
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite report results/pfc2d --out press.html"}}},
       {"figure",
-       "Draws a figure for print from a run or a study, through gnuplot, which must be installed. Figures "
-       "have the "
-       "width of a journal's column.",
+       "Draws a figure for print from a run, a study or a calibration, through gnuplot, which must be "
+       "installed. Figures have the width of a journal's column. Of a calibration, anisotropy shows "
+       "laboratory "
+       "and model over the inclination; the other kinds of a run draw the specimens that it has kept.",
        {},
        {{"", "phyllite run examples/pfc2d/specimen.toml --out results/pfc2d"},
         {"", "phyllite figure results/pfc2d --kind stress_strain --out curves.pdf"}}},

@@ -173,7 +173,7 @@ int status_of(const StudyArguments& args, const Session& session) {
 
 int export_study(const StudyArguments& args) {
   const study::Plan plan = study::make_plan(jobs::study_in(args.folder));
-  if (!args.csv.empty()) io::check_outputs({args.csv}, "--csv");
+  if (!args.csv.empty()) io::check_outputs({args.csv}, "csv");
   const std::string text = study::study_csv(plan, study::rows_of(plan, store_in(args.folder)));
   if (args.csv.empty())
     write_out(text);

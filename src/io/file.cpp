@@ -16,6 +16,7 @@
 
 #include "base/check.hpp"
 #include "base/largest_file.hpp"
+#include "base/option.hpp"
 #include "io/output.hpp"
 #include "io/reads.hpp"
 
@@ -43,13 +44,14 @@ constexpr const char* temporary_mark = ".phyllite-";
   if (error == ENOENT) remedy = "; check the name";
   if (error == EFBIG && !reading) remedy = "; it is beyond the limit of a file's size (ulimit -f)";
   if (error == EISDIR) remedy = "; name a file, not a folder";
-  if (error == ENOSPC || error == EDQUOT) remedy = "; free some space, or choose another folder with --out";
+  if (error == ENOSPC || error == EDQUOT)
+    remedy = "; free some space, or choose another folder with " + option("out");
   if (error == EACCES || error == EROFS || error == EPERM)
     remedy = std::string("; check the permissions") +
-             (reading ? "" : ", or choose a folder of your own with --out");
+             (reading ? "" : ", or choose a folder of your own with " + option("out"));
   if (error == EEXIST || error == ENOTDIR)
     remedy = reading ? "; name a folder, not a file"
-                     : "; a file of that name is in the way: move it, or use another --out";
+                     : "; a file of that name is in the way: move it, or use another " + option("out");
   throw IoError(path + ": cannot " + doing + ": " + std::strerror(error) + remedy);
 }
 
@@ -244,7 +246,7 @@ void check_place(const std::string& folder, const std::string& mark, const std::
   if (fs::is_empty(folder, none)) return;
   if (!fs::exists(fs::path(folder) / mark, none))
     throw IoError(folder + ": cannot be replaced: the folder holds no " + kind + " (no " + mark +
-                  "); move it, or use another --out");
+                  "); move it, or use another " + option("out"));
   if (!fs::exists(fs::path(folder) / written_list, none)) return;  // made before there were lists
   // Every file in it has to be ours and unchanged: the folder is replaced as a whole.
   for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; entry.increment(none)) {
@@ -253,7 +255,8 @@ void check_place(const std::string& folder, const std::string& mark, const std::
         !is_as_written(folder, name))
       throw IoError(entry->path().string() + ": stands in a " + kind +
                     " that would be replaced, and is not as this program left it; move it away, or use "
-                    "another --out");
+                    "another " +
+                    option("out"));
   }
 }
 

@@ -126,7 +126,11 @@ bool is_result(const fs::path& folder) {
 std::string verb_for(const fs::path& folder) {
   const std::pair<const char*, const char*> verbs[] = {
       {"study.toml", "this is a study: `phyllite study status FOLDER`, `phyllite study effects FOLDER`"},
-      {"calibration.json", "this is a calibration: its tables are in tables.txt, its page is report.html"},
+      {"calibration.json",
+       "this is a calibration: `phyllite figure FOLDER` draws it, its tables are in tables.txt"},
+      {"calibration-of.txt",
+       "this is a calibration without an end: `phyllite calibrate ROCK --out FOLDER --resume` goes on with "
+       "it"},
       {"envelope.csv", "this is an envelope: name one of its folders sigma_3_..."}};
   std::error_code none;
   for (const auto& [file, verb] : verbs)

@@ -10,6 +10,7 @@
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
+#include "base/option.hpp"
 #include "base/quote.hpp"
 #include "io/file.hpp"
 
@@ -38,13 +39,12 @@ bool is_free(const std::string& file) {
   return is_stream(file) || !fs::exists(fs::symlink_status(file, none));
 }
 
-std::optional<Problem> problem_with(const std::string& file, const std::string& option) {
+std::optional<Problem> problem_with(const std::string& file, const std::string& word) {
   if (is_free(file)) return std::nullopt;
   // Without an option the name itself is the place of the problem.
   const auto problem = [&](const char* expected) {
-    const std::string other = option.empty() ? "" : ", or use another " + option;
-    return Problem{option.empty() ? "" : "command line", option.empty() ? file : option,
-                   option.empty() ? "" : file, expected, "move it away" + other};
+    if (word.empty()) return Problem{"", file, "", expected, "move it away"};
+    return option_problem(word, file, expected, "move it away, or use another " + option(word));
   };
   // An input is never overwritten, even if this program wrote it.
   if (was_read(file)) return problem("another file than those that are read");
@@ -98,10 +98,10 @@ void list_written(const std::string& file, const std::string& part) {
 
 bool holds(const std::string& file, const std::string& content) { return content_of(file) == content; }
 
-void check_outputs(const std::vector<std::string>& files, const std::string& option) {
+void check_outputs(const std::vector<std::string>& files, const std::string& word) {
   std::vector<Problem> problems;
   for (const std::string& file : files)
-    if (auto problem = problem_with(file, option)) problems.push_back(std::move(*problem));
+    if (auto problem = problem_with(file, word)) problems.push_back(std::move(*problem));
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 

@@ -29,8 +29,9 @@ void list_written(const std::string& file, const std::string& part);
 bool holds(const std::string& file, const std::string& content);
 
 /// Throws InputError with every file that is in the way. To be called when the inputs have been read, and
-/// before anything is computed. `option` named the files; empty: none did.
-void check_outputs(const std::vector<std::string>& files, const std::string& option = "--out");
+/// before anything is computed. `word` is the option that named the files (base/option.hpp); empty: none
+/// did.
+void check_outputs(const std::vector<std::string>& files, const std::string& word = "out");
 
 /// write_file(), where nothing is in the way. A file that holds this content already is left as it is.
 void write_output(const std::string& file, const std::string& content);

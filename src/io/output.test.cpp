@@ -63,7 +63,7 @@ TEST_F(Outputs, WhatWasReadStaysByWhateverName) {
 TEST_F(Outputs, AllInTheWayAreToldAndStreamsNever) {
   write("a", ""), write("b", "");
   const std::string message = message_of<InputError>([&] {
-    check_outputs({at("a"), at("free"), "/dev/stdout", "/dev/null", at("b")}, "--csv");
+    check_outputs({at("a"), at("free"), "/dev/stdout", "/dev/null", at("b")}, "csv");
   });
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
   EXPECT_THAT(message, testing::AllOf(HasSubstr("--csv = " + at("a")), HasSubstr("--csv = " + at("b")),

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/nan.hpp"
+#include "base/option.hpp"
 #include "io/file.hpp"
 
 namespace phy::io {
@@ -20,10 +21,11 @@ std::string remedy_for(int code) {
   switch (code & 0xff) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT: return "; this is no store or a damaged one: move it away and start again";
-    case SQLITE_FULL: return "; free some space, or choose another folder with --out";
+    case SQLITE_FULL: return "; free some space, or choose another folder with " + option("out");
     case SQLITE_READONLY:
     case SQLITE_PERM:
-    case SQLITE_CANTOPEN: return "; check the permissions, or choose a folder of your own with --out";
+    case SQLITE_CANTOPEN:
+      return "; check the permissions, or choose a folder of your own with " + option("out");
     case SQLITE_BUSY: return "; another program keeps it locked";
     default: return "";
   }

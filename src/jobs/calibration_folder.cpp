@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
+#include "base/option.hpp"
 #include "base/quote.hpp"
 #include "calibrate/posterior_ensemble.hpp"
 #include "io/file.hpp"
@@ -42,12 +43,12 @@ auto find_effort(std::string_view name) {
 calibrate::Effort effort_of(const CalibrationRequest& request) {
   const auto* const effort = find_effort(request.effort);
   PHY_CHECK(effort != calibrate::efforts.end(), "whoever reads an effort has looked whether it is one");
-  const char* const other = request.by_sequence() ? "--method sequence"
-                            : request.elastic     ? "--elastic"
-                                                  : nullptr;
-  if (other != nullptr && !request.of_usual_effort())
-    throw InputError(Problem{"command line", "--effort", request.effort, std::string("none beside ") + other,
-                             "it is that of a search of strengths, which is not made there"});
+  const std::string other = request.by_sequence() ? option_set("method", "sequence")
+                            : request.elastic     ? option_set("elastic")
+                                                  : "";
+  if (!other.empty() && !request.of_usual_effort())
+    throw InputError(option_problem("effort", request.effort, "none beside " + other,
+                                    "it is that of a search of strengths, which is not made there"));
   return *effort;
 }
 
@@ -105,9 +106,11 @@ void check_same(const std::string& file, const std::string& expected, const Cali
   if (!found.empty() && key(found) == key(expected)) return;
   const std::string holds = found.empty() ? "a calibration of an earlier version of this program"
                                           : found.substr(0, found.find('\n'));
-  throw InputError(
-      Problem{"command line", "--out", request.out, "a folder of this same calibration for --resume",
-              "it holds: " + holds + "; its table, recipe or options differ: another --out begins afresh"});
+  throw InputError(option_problem("out", request.out,
+                                  "a folder of this same calibration for " + option_set("resume"),
+                                  fmt::format("it holds: {}; its table, recipe or options differ: another {} "
+                                              "begins afresh",
+                                              holds, option("out"))));
 }
 
 /// All that is written beside the store.
@@ -166,9 +169,9 @@ Rock with_matrix(Rock rock, const CalibrationRequest& request) {
     rock.matrix = request.matrix == "flat_joint" ? MatrixModel::flat_joint : MatrixModel::parallel_bond;
   if (rock.matrix == MatrixModel::flat_joint && rock.bedded && of_parallel_bonds(rock.layers))
     throw InputError(
-        Problem{"command line", "--matrix", request.matrix, "parallel_bond or choose",
-                fmt::format("layers = \"{}\" (by the rock file or its recipe) are of parallel bonds",
-                            to_string(rock.layers))});
+        option_problem("matrix", request.matrix, "parallel_bond or choose",
+                       fmt::format("layers = \"{}\" (by the rock file or its recipe) are of parallel bonds",
+                                   to_string(rock.layers))));
   return rock;
 }
 
@@ -199,12 +202,14 @@ BegunCalibration begin_calibration(const calibrate::Evidence& evidence, const Ca
   const bool begun =
       fs::exists(folder / "calibration.json") || (fs::exists(store) && study::Store(store).size() > 0);
   if (begun && !request.resume)
-    throw InputError(Problem{"command line", "--out", request.out, "a folder without an earlier calibration",
-                             "--resume goes on with it; another --out begins afresh"});
+    throw InputError(option_problem(
+        "out", request.out, "a folder without an earlier calibration",
+        fmt::format("{} goes on with it; another {} begins afresh", option_set("resume"), option("out"))));
   if (begun) check_same(label_file, text, request);
   if (const std::string others = specimens_in(request.out); !begun && holds_results(others))
-    throw InputError(Problem{"command line", "--out", request.out, "a folder without " + others,
-                             "results of before lie there: move them, or use another --out"});
+    throw InputError(
+        option_problem("out", request.out, "a folder without " + others,
+                       "results of before lie there: move them, or use another " + option("out")));
   if (std::optional<Problem> p = problem_of_page(request.out, PageOf::calibration); p && !begun)
     throw InputError(*std::move(p));
   FolderLock lock(request.out);
@@ -220,8 +225,9 @@ bool SpecimenFolder::holds(const Recipe& recipe) {
   try {
     io::read_result(place);
     if (const auto d = study::differences(io::read_result_recipe(place), recipe); !d.empty())
-      throw InputError(problems_of(place, d, "as in the calibrated rock",
-                                   "a result of another recipe lies there: move it away, and --resume"));
+      throw InputError(
+          problems_of(place, d, "as in the calibrated rock",
+                      "a result of another recipe lies there: move it away, and " + option_set("resume")));
   } catch (const std::exception&) {
     if (!problem_) problem_ = std::current_exception();
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/nan.hpp"
+#include "base/option.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 
@@ -53,17 +54,22 @@ void set_parameter(const lab::LawInfo& law, const std::string& text, std::vector
     ok = ok && read_number(number, v[i]) && v[i] >= p.min && v[i] <= p.max;
     ok = ok && (!p.whole || v[i] == std::floor(v[i]));
     if (!ok)
-      problems.push_back({"command line", "--set " + name, std::string(rest),
-                          fmt::format("{}{:g} to {:g}{}{}", p.whole ? "a whole number, " : "", p.min, p.max,
-                                      bare ? "" : " ", bare ? "" : p.unit),
-                          fmt::format("for example --set \"{}={:g}{}{}\"", name, p.typical, bare ? "" : " ",
-                                      bare ? "" : p.unit)});
+      problems.push_back(option_problem(
+          "set " + name, std::string(rest),
+          fmt::format("{}{:g} to {:g}{}{}", p.whole ? "a whole number, " : "", p.min, p.max, bare ? "" : " ",
+                      bare ? "" : p.unit),
+          "for example " + option_set("set " + name, fmt::format("{:g}{}{}", p.typical, bare ? "" : " ",
+                                                                 bare ? "" : p.unit))));
     return;
   }
   std::string known;
   for (const laws::ParameterInfo& p : law.parameters)
     known += (known.empty() ? "" : ", ") + std::string(p.name);
-  problems.push_back({"command line", "--set", text, "NAME=VALUE with a name of " + known, ""});
+  if (text.find('=') == text.npos)
+    problems.push_back(option_problem("set", text, "NAME=VALUE with a name of " + known, ""));
+  else
+    problems.push_back(
+        option_problem("set " + name, std::string(rest), "a parameter of the law: " + known, ""));
 }
 
 }  // namespace
@@ -74,8 +80,7 @@ const lab::LawInfo& find_law(const std::string& name) {
     if (name == law.name) return law;
     known += (known.empty() ? "" : ", ") + std::string(law.name);
   }
-  throw InputError(
-      Problem{"command line", "LAW", name, "one of " + known, "`phyllite contact` explains them"});
+  throw InputError(option_problem("LAW", name, "one of " + known, "`phyllite contact` explains them"));
 }
 
 std::vector<double> parameters_of(const lab::LawInfo& law, const std::vector<std::string>& values,
@@ -89,8 +94,9 @@ std::vector<double> parameters_of(const lab::LawInfo& law, const std::vector<std
     return nan;
   };
   if (value("tan_psi") > value("mu"))
-    problems.push_back({"command line", "--set tan_psi", fmt::format("{:g}", value("tan_psi")),
-                        "at most mu: otherwise slip would create energy", "lower tan_psi or raise mu"});
+    problems.push_back(option_problem("set tan_psi", fmt::format("{:g}", value("tan_psi")),
+                                      "at most mu: otherwise slip would create energy",
+                                      "lower tan_psi or raise mu"));
   return v;
 }
 
@@ -106,8 +112,8 @@ ContactPoint read_corner(const std::string& text, std::vector<Problem>& problems
     *fields.at(i) = i < 2 ? q.value : q.value * degree;
   }
   if (!problem.empty())
-    problems.push_back({"command line", "--to", text, "\"CLOSURE, SLIDE[, ROTATION]\": " + problem,
-                        "for example --to \"1 um, 8 um, 0 deg\""});
+    problems.push_back(option_problem("to", text, "\"CLOSURE, SLIDE[, ROTATION]\": " + problem,
+                                      "for example " + option_set("to", "1 um, 8 um, 0 deg")));
   return p;
 }
 

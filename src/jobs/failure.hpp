@@ -8,7 +8,6 @@ namespace phy::jobs {
 inline std::string in_words(const std::filesystem::filesystem_error& e) {
   return e.path1().string() + ": " + e.code().message() + "; allow access to it, or choose another place";
 }
-constexpr const char* no_memory = "not enough memory; use fewer grains, or fewer lanes (--lanes)";
 constexpr const char* internal = "internal error, please report it: ";
 
 }  // namespace phy::jobs

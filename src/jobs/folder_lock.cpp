@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "base/option.hpp"
 
 namespace phy::jobs {
 namespace {
@@ -30,8 +31,8 @@ FolderLock::FolderLock(const std::string& folder)
   if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETLK, &lock) == 0 || (errno != EACCES && errno != EAGAIN))
     return;
   ::close(descriptor_);
-  throw InputError(Problem{"command line", "--out", folder, "a folder in which no other process works",
-                           "another does: wait for its end, or stop it"});
+  throw InputError(option_problem("out", folder, "a folder in which no other process works",
+                                  "another does: wait for its end, or stop it"));
 }
 
 FolderLock::~FolderLock() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/option.hpp"
 #include "base/spelling.hpp"
 
 namespace phy::jobs {
@@ -39,9 +40,9 @@ std::string explain(const std::vector<const io::Schema*>& schemas, const std::st
     }
   const io::Schema& first = *schemas.front();
   const std::string near = longer.empty() ? nearest(word, known) : longer.front();
-  throw InputError(Problem{"command line", "--explain", key, "a key of the " + first.name,
-                           near.empty() ? "`phyllite " + first.verb + " --reference` lists all keys"
-                                        : "did you mean \"" + near + "\"?"});
+  throw InputError(option_problem("explain", key, "a key of the " + first.name,
+                                  near.empty() ? "`phyllite " + first.verb + " --reference` lists all keys"
+                                               : "did you mean \"" + near + "\"?"));
 }
 
 std::string reference_markdown(const io::Schema& schema) {

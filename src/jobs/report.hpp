@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "records/calibration.hpp"
 #include "records/specimen_record.hpp"
 #include "report/page.hpp"
 
@@ -12,6 +13,11 @@ struct FolderReport {
   RunRecord run;              ///< without tests for a study; of a calibration: its specimens
   report::PageExtras extras;  ///< of these
 };
+
+bool holds_calibration(const std::string& folder);
+/// What a calibration has compared, for pictures (report/calibration_files.hpp). Throws IoError or
+/// InputError.
+Calibration read_calibration(const std::string& folder);
 
 /// Throws IoError, or InputError where the folder holds no result.
 FolderReport read_report(const std::string& folder);

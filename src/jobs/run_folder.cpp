@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/option.hpp"
 #include "base/units.hpp"
 #include "io/load.hpp"
 #include "io/output.hpp"
@@ -84,7 +85,8 @@ std::vector<Problem> run_folder_problems(const std::string& folder, const Recipe
     io::check_result_place((std::filesystem::path(folder) / io::folder_name(name)).string());
   if (!replace)
     return problems_of_others(folder, recipe, path,
-                              "use another --out, or --replace to remove them when the run begins");
+                              fmt::format("use another {}, or {} to remove them when the run begins",
+                                          option("out"), option_set("replace")));
   for (const auto& [other, differences] : results_of_others(folder, recipe)) io::check_result_place(other);
   return {};
 }
@@ -99,8 +101,8 @@ std::optional<Problem> problem_of_page(const std::string& folder, PageOf own) {
     return std::filesystem::exists(std::filesystem::path(folder) / file);
   };
   const auto problem = [&](const char* what) {
-    return Problem{"command line", "--out", folder, fmt::format("a folder without {}", what),
-                   "its report.html can be that of one thing: use another --out"};
+    return option_problem("out", folder, fmt::format("a folder without {}", what),
+                          "its report.html can be that of one thing: use another " + option("out"));
   };
   if (own != PageOf::calibration && (has("calibration.json") || has("calibration-of.txt")))
     return problem("a calibration");

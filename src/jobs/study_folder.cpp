@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "base/option.hpp"
 #include "base/quote.hpp"
 #include "io/file.hpp"
 #include "io/output.hpp"
@@ -53,10 +54,10 @@ void check_effects(const std::string& folder) {
   io::check_outputs({in(folder, "responses.csv"), in(folder, "effects.csv")});
 }
 
-void check_tables(const std::string& folder, const std::string& option) {
+void check_tables(const std::string& folder, const std::string& word) {
   io::check_outputs({in(folder, "results.csv"), in(folder, "responses.csv"), in(folder, "effects.csv"),
                      in(folder, "report.html")},
-                    option);
+                    word);
 }
 
 namespace {
@@ -105,7 +106,8 @@ void refuse_other_study(const study::Study& study, const std::string& folder) {
     return;
   }
   const study::Study there = study_in(folder);
-  const std::string remedy = "the folder holds another study: use another --out, or remove the folder";
+  const std::string remedy =
+      "the folder holds another study: use another " + option("out") + ", or remove the folder";
   std::vector<study::RecipeDifference> heads;
   if (there.name != study.name) heads.push_back({"name", there.name, study.name});
   if (there.solver != study.solver)
@@ -140,7 +142,7 @@ void check_study_outputs(const StudyFiles& files, const std::string& folder, con
   for (const auto& [name, content] : files)
     if (!io::holds(in(folder, name), content)) fresh.push_back(in(folder, name));
   io::check_outputs(fresh);
-  if (shard.n == 1) check_tables(folder, files.empty() ? "" : "--out");
+  if (shard.n == 1) check_tables(folder, files.empty() ? "" : "out");
 }
 
 std::unique_ptr<study::Store> begin_study(const StudyFiles& files, const std::string& folder,

@@ -25,7 +25,7 @@ std::vector<std::string> shards_in(const std::string& folder);
 /// responses.csv and effects.csv.
 void check_effects(const std::string& folder);
 /// The tables of a whole store, and its page.
-void check_tables(const std::string& folder, const std::string& option);
+void check_tables(const std::string& folder, const std::string& word);
 /// Before the folder is looked at: what it holds of an earlier run is no input.
 void check_study_outputs(const StudyFiles& files, const std::string& folder, const study::Shard& shard);
 /// A folder holds one study: of this name and solver, on this base recipe. It may grow.

@@ -1,9 +1,13 @@
 #include "python/module.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <new>
+#include <string_view>
 
 #include "base/check.hpp"
+#include "base/option.hpp"
 #include "jobs/failure.hpp"
 
 namespace phy::python {
@@ -36,8 +40,26 @@ void translate(std::exception_ptr failure) {  // NOLINT(performance-unnecessary-
   } catch (const InternalError& e) {
     raise("InternalError", std::string(jobs::internal) + e.what());
   } catch (const std::bad_alloc&) {
-    PyErr_SetString(PyExc_MemoryError, jobs::no_memory);
+    PyErr_SetString(PyExc_MemoryError, "not enough memory; use fewer grains, or fewer threads");
   }
+}
+
+/// "max_tests" of "max-tests", the parameter k_n of "set k_n", `path` of the corners "to".
+std::string argument(std::string_view word) {
+  if (word == "to") return "path";
+  if (word == "explain") return "key";
+  if (word.starts_with("set ")) return std::string(word.substr(4));
+  std::string name(word);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+/// Of options that are set to a text, or switched on.
+std::string argument_set(std::string_view word, std::string_view value) {
+  if (value.empty()) return argument(word) + "=True";
+  const std::string text = "\"" + std::string(value) + "\"";
+  return argument(word) + "=" + (word == "to" ? "[" + text + "]" : text);
 }
 
 }  // namespace
@@ -45,6 +67,7 @@ void translate(std::exception_ptr failure) {  // NOLINT(performance-unnecessary-
 PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = PHY_VERSION;
   py::register_exception_translator(translate);
+  spell_options({"", argument, argument_set});
   add_recipes(m), add_runs(m), add_calibrations(m);
   py::module_ theory = m.def_submodule("theory");
   add_theory(theory);

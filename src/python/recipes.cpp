@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -134,6 +135,27 @@ std::string text_of(const py::object& path) {
   return py::module_::import("os").attr("fspath")(path).cast<std::string>();
 }
 
+/// What stands at the top of a file: keys, and names of tables.
+std::vector<std::string> top_keys(const io::Schema& schema) {
+  std::vector<std::string> keys;
+  for (const Field& f : schema.fields)
+    if (const std::string& top = f.table.empty() ? f.key : f.table;
+        std::find(keys.begin(), keys.end(), top) == keys.end())
+      keys.push_back(top);
+  return keys;
+}
+
+py::list rows_of_targets(const NamedRock& rock) {
+  py::list rows;
+  for (const Target& t : targets_of(rock.rock)) {
+    py::dict row;
+    row["property"] = to_string(t.property), row["theta"] = t.theta, row["mean"] = t.mean, row["sd"] = t.sd;
+    row["n"] = t.n, row["confining"] = t.confining, row["diameter"] = t.diameter;
+    rows.append(row);
+  }
+  return rows;
+}
+
 /// Keys of a rock, whose recipe may be an object and whose table may be text.
 NamedRock rock_of(const py::dict& keys, const std::string& where, const std::optional<std::string>& table) {
   io::RockParts parts;
@@ -150,6 +172,8 @@ NamedRock rock_of(const py::dict& keys, const std::string& where, const std::opt
 TomlValue tree_of(const py::dict& keys, const std::string& where) { return table_of(keys, "", where); }
 
 void add_recipes(py::module_& m) {
+  py::options own_signatures;  // the first line of each text, which inspect.signature reads
+  own_signatures.disable_function_signatures();
   py::class_<Recipe>(m, "Recipe",
                      "Everything that a run depends on, checked and completed. Not to be changed.")
       .def(py::init([](const py::kwargs& keys) { return io::recipe_of(tree_of(keys, "Recipe"), "Recipe"); }),
@@ -162,22 +186,31 @@ unit, range and meaning: docs/reference.md, or phyllite.explain("matrix.E_c").
 Raises InputError with every problem found.)")
       .def_static(
           "from_file", [](const py::object& path) { return io::read_recipe(text_of(path)); }, py::arg("path"),
-          "The recipe of a TOML file. Raises IoError, or InputError with every problem found.")
+          "from_file(path)\n--\n\nThe recipe of a TOML file. Raises IoError, or InputError with every "
+          "problem found.")
       .def_static(
           "from_toml",
           [](const std::string& text, const std::string& where) { return io::parse_recipe(text, where); },
           py::arg("text"), py::arg("where") = "recipe",
-          "The recipe of a TOML text; `where` names it in messages. Raises InputError with every problem "
+          "from_toml(text, where='recipe')\n--\n\nThe recipe of a TOML text; `where` names it in messages. "
+          "Raises InputError with every problem "
           "found.")
       .def("changed", &changed,
-           R"(Another recipe with some keys changed: recipe.changed(matrix={"sigma_c": "40 MPa"}).
+           R"(changed(self, **keys)
+--
+
+Another recipe with some keys changed: recipe.changed(matrix={"sigma_c": "40 MPa"}).
 
 Tables are changed key by key; a list of as many sets of bedding as the recipe has, set by set.)")
       .def("__getitem__", &value_in, py::arg("key"),
-           R"(The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for choices.)")
+           R"(__getitem__(self, key)
+--
+
+The value of a key, "matrix.E_c" or "bedding[0].k_n": SI and degrees, words for choices.)")
       .def(
           "to_toml", [](const Recipe& r) { return io::write_recipe(r); },
-          "The completed recipe as TOML: every key with its value, in units that read back to the same bits.")
+          "to_toml(self)\n--\n\nThe completed recipe as TOML: every key with its value, in units that read "
+          "back to the same bits.")
       .def_property_readonly(
           "name", [](const Recipe& r) { return r.name; }, "Its name.")
       .def_property_readonly(
@@ -189,74 +222,26 @@ Tables are changed key by key; a list of as many sets of bedding as the recipe h
            [](const Recipe& a, const Recipe& b) { return io::write_recipe(a) == io::write_recipe(b); })
       .def("__repr__", [](const Recipe& r) { return "<phyllite.Recipe \"" + r.name + "\">"; });
 
-  py::class_<Target>(m, "Target", "A cell of a laboratory's table: one quantity at one inclination.")
-      .def_property_readonly(
-          "property", [](const Target& t) { return to_string(t.property); },
-          R"("E", "nu", "UCS", "DTS", "BTS", "sigma_1", "sigma_ci" or "K_Ic".)")
-      .def_readonly("theta", &Target::theta, "Inclination of the bedding [deg]; load along y.")
-      .def_readonly("mean", &Target::mean,
-                    "Mean of its specimens: E and strengths [Pa], nu [1], K_Ic [Pa sqrt(m)].")
-      .def_readonly("sd", &Target::sd, "Scatter of single specimens, in the unit of the mean.")
-      .def_readonly("n", &Target::n, "Number of specimens.")
-      .def_readonly("confining", &Target::confining, "Confining stress [Pa].")
-      .def("__repr__", [](const Target& t) { return "<phyllite.Target " + cell_name(t) + ">"; });
+  py::class_<NamedRock>(m, "RockRecord")
+      .def_static("from_toml",
+                  [](const std::string& path) {
+                    return NamedRock{io::read_rock(path), path};
+                  })
+      .def_static("from_keys", &rock_of)
+      .def_property_readonly("name", [](const NamedRock& r) { return r.rock.name; })
+      .def_property_readonly("notes", [](const NamedRock& r) { return r.rock.notes; })
+      .def_property_readonly("targets", &rows_of_targets)
+      .def("check", [](const NamedRock& r) { return jobs::rock_check(r.rock, r.source, 0); });
 
-  py::class_<NamedRock>(m, "Rock", R"(A rock as a laboratory saw it: a table of tests.
-
-Columns carry their unit: theta [deg], E [GPa], nu, UCS [MPa],
-DTS [MPa], BTS [MPa], K_Ic [MPa sqrt(m)], n ... (docs/formats.md, "Rock").)")
-      .def_static(
-          "from_toml",
-          [](const py::object& path) {
-            return NamedRock{io::read_rock(text_of(path)), text_of(path)};
-          },
-          py::arg("path"),
-          "The rock of a rock file. Raises IoError, or InputError with every problem of all its files.")
-      .def_static(
-          "from_csv",
-          [](const py::object& path, const py::kwargs& keys) {
-            keys["data"] = text_of(path);
-            if (!keys.contains("name")) keys["name"] = std::filesystem::path(text_of(path)).stem().string();
-            return rock_of(keys, "Rock.from_csv", {});
-          },
-          py::arg("path"),
-          R"(The rock of a table, with keys of a rock file: Rock.from_csv("shale.csv", E_is="secant 50 %").
-
-Workbooks are tables too: Rock.from_csv("shale.xlsx", sheet="UCS", columns={"peak stress": "UCS"}).
-
-recipe may be a Recipe or the name of a file. Raises IoError, or InputError with every problem found.)")
-      .def_static(
-          "from_dataframe",
-          [](const py::object& frame, const py::kwargs& keys) {
-            keys["data"] = "DataFrame";
-            if (!keys.contains("name")) keys["name"] = "rock";
-            return rock_of(keys, "Rock.from_dataframe",
-                           frame.attr("to_csv")(py::arg("index") = false).cast<std::string>());
-          },
-          py::arg("frame"),
-          R"(The rock of a pandas DataFrame with the columns of a table; keys as of from_csv.
-
-Its index is passed over. Lines in messages count from the names of the columns: the first row is line 2.)")
-      .def_property_readonly(
-          "name", [](const NamedRock& r) { return r.rock.name; }, "Its name.")
-      .def_property_readonly(
-          "notes", [](const NamedRock& r) { return r.rock.notes; },
-          "How the table was understood, and warnings about it, a line each.")
-      .def_property_readonly(
-          "targets", [](const NamedRock& r) { return targets_of(r.rock); },
-          "The table as a calibration reads it: a Target per quantity and inclination.")
-      .def(
-          "check", [](const NamedRock& r) { return jobs::rock_check(r.rock, r.source, 0); },
-          "What its data can and cannot determine, before anything runs, as `phyllite rock check` tells it.")
-      .def("__repr__", [](const NamedRock& r) { return "<phyllite.Rock \"" + r.rock.name + "\">"; });
-
-  m.def(
-      "explain",
-      [](const std::string& key) {
-        return jobs::explain({&io::recipe_schema(), &io::rock_schema(), &study::study_schema()}, key);
-      },
-      py::arg("key"),
-      "Meaning, allowed values, default, units and name in PFC of a key of a recipe, rock or study.");
+  m.def("explain", [](const std::string& key) {
+    return jobs::explain({&io::recipe_schema(), &io::rock_schema(), &study::study_schema()}, key);
+  });
+  m.def("keys", [] {
+    py::dict all;
+    for (const io::Schema* schema : {&io::recipe_schema(), &io::rock_schema(), &study::study_schema()})
+      all[py::str(schema->name)] = top_keys(*schema);
+    return all;
+  });
 }
 
 }  // namespace phy::python

@@ -93,7 +93,7 @@ py::list columns_of(const Test& t) {
 }
 
 py::dict numbers_of(const Test& t) {
-  py::dict numbers;
+  py::dict numbers = py::module_::import("phyllite.names").attr("Numbers")();
   for (const Number& n : t.result.numbers) numbers[py::str(n.name)] = n;
   return numbers;
 }

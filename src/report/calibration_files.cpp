@@ -5,9 +5,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/check.hpp"
 #include "base/exact_math.hpp"
+#include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "base/text_table.hpp"
+#include "io/json.hpp"
 #include "report/calibration_summary.hpp"
 #include "report/calibration_tables.hpp"
 #include "report/methods.hpp"
@@ -88,6 +91,33 @@ Json errors_json(const Calibration& c) {
   return list;
 }
 
+/// JSON has no NaN: it was written as null.
+double number_of(const Json& j) { return j.is_number() ? j.get<double>() : nan; }
+
+Property property_of(const std::string& name) {
+  for (int i = 0; i < n_properties; ++i)
+    if (name == to_string(static_cast<Property>(i))) return static_cast<Property>(i);
+  throw std::out_of_range(name + " is no property");
+}
+
+std::vector<Comparison> rows_of(const Json& list) {
+  std::vector<Comparison> rows;
+  for (const Json& j : list) {
+    Comparison c;
+    const Json& laboratory = j.at("laboratory");
+    c.target.property = property_of(j.at("property")), c.target.theta = j.at("theta [deg]");
+    c.target.mean = laboratory.at("mean"), c.target.sd = laboratory.at("sd");
+    c.target.n = io::whole_number<int>(laboratory.at("n"));
+    c.target.specimens = laboratory.value("specimens", std::vector<double>());
+    c.target.diameter = j.value("diameter [m]", 0.0), c.target.confining = j.value("confining [Pa]", 0.0);
+    c.mean = number_of(j.at("model")), c.sd = number_of(j.at("sd_of_packings"));
+    c.low = number_of(j.at("low")), c.high = number_of(j.at("high"));
+    c.n_packings = io::whole_number<int>(j.at("n_packings"));
+    rows.push_back(std::move(c));
+  }
+  return rows;
+}
+
 /// "25.9 GPa", "0.328".
 std::string friendly(double value, const std::string& unit) {
   if (!unit.starts_with("Pa")) return fmt::format("{:.3g}", value);
@@ -139,6 +169,23 @@ std::string calibration_json(const Calibration& c, const std::string& version) {
                {"of_these_in_tension", c.n_tension_tests},
                {"elastic_solutions", c.n_elastic}};
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Calibration comparisons_of(const std::string& json, const std::string& file) {
+  Calibration c;
+  // Missing keys and wrong types come as exceptions of the JSON library.
+  try {
+    const Json j = io::parse_json<Json>(json);
+    if (j.at("format") != calibration_format) throw std::out_of_range("another version of the format");
+    c.rock = j.at("rock");
+    if (j.value("method", "") == "sequence") c.method = CalibrationMethod::sequence;
+    c.fitted = rows_of(j.at("fitted")), c.verification = rows_of(j.at("verification"));
+    c.left_out = rows_of(j.at("left_out"));
+  } catch (const std::exception& e) {
+    throw InputError(
+        Problem{file, "", "", fmt::format("a calibration of format {}", calibration_format), e.what()});
+  }
+  return c;
 }
 
 std::string recipe_comments(const Calibration& c) {

@@ -13,6 +13,10 @@ constexpr int calibration_format = 1;
 /// Everything but the times: the same calibration gives the same text.
 std::string calibration_json(const Calibration& calibration, const std::string& version);
 
+/// What pictures are drawn from, read back from that text: rock, method, `fitted`, `verification`,
+/// `left_out`. Throws InputError that names `file` where it is no calibration of this format.
+Calibration comparisons_of(const std::string& json, const std::string& file);
+
 /// Head of calibrated.toml, as comments: the verdict, and which parameters its data do not constrain.
 std::string recipe_comments(const Calibration& calibration);
 

@@ -53,12 +53,6 @@ std::string span(const std::vector<double>& values, const char* format) {
   return a == b ? a : a + " - " + b;
 }
 
-/// On unseen packings where there are, else on those of the fit.
-const Comparison& judged(const Calibration& c, const Comparison& fitted) {
-  const Comparison* unseen = row_of(c.verification, fitted.target);
-  return unseen != nullptr ? *unseen : fitted;
-}
-
 /// "UCS 11 - 13 % off at 30, 75, 90 degrees", of the cells of one test that findings name.
 void add_cells(std::vector<std::string>& lines, const Calibration& c, const Target& test) {
   const std::string name = test_name(test);
@@ -104,6 +98,11 @@ void add_ratios(std::vector<std::string>& lines, const Calibration& c, Property 
 }
 
 }  // namespace
+
+const Comparison& judged(const Calibration& c, const Comparison& fitted) {
+  const Comparison* unseen = row_of(c.verification, fitted.target);
+  return unseen != nullptr ? *unseen : fitted;
+}
 
 std::vector<std::string> open_lines(const Calibration& c) {
   std::vector<std::string> open;

@@ -8,6 +8,9 @@
 
 namespace phy::report {
 
+/// The row by which a value is judged: on unseen packings where there are some, else on those of the fit.
+const Comparison& judged(const Calibration& calibration, const Comparison& fitted);
+
 /// Gathered findings, then the parameters that the data leave open, then whatever is no cell's.
 std::vector<std::string> summary_lines(const Calibration& calibration);
 

@@ -10,9 +10,9 @@
 
 #include "base/check.hpp"
 #include "base/spelling.hpp"
-#include "base/stats.hpp"
 #include "records/recipe_schema.hpp"
 #include "records/test_description.hpp"
+#include "report/angle_figures.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 #include "report/specimen_picture.hpp"
@@ -54,107 +54,102 @@ void add_mark(const SpecimenRecord& t, const TestCurve& axes, const std::string&
       return marks.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * level});
 }
 
-double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
-  const TestCurve& axes = axes_of(data.run);
-  s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
-  s.add(
-      "set xrange [0:*]; set yrange [0:*]; set key outside right top reverse Left; set lmargin at screen "
-      "0.11");
-  std::vector<std::string> parts;
-  std::array<std::vector<Row>, 3> marks;
+/// The angle at the peak of each curve.
+class PeakLabels {
+ public:
+  /// `x_end`, `y_end`: largest values of the axes; the plot is `width` x `height` mm.
+  PeakLabels(double x_end, double y_end, double width, double height)
+      : x_scale_(width / x_end), y_scale_(height / y_end) {}
+  /// Above the point, or as much higher as it takes to stand clear of the labels before it. Higher by a bit
+  /// more than a label each time: rounding cannot let the same one meet again.
+  void add_to(GnuplotScript& s, const std::string& text, double x, double y, const std::string& color) {
+    constexpr double high = 3.2, wide = 7.0;  // [mm] of a label of 7 points
+    Place p{x * x_scale_, y * y_scale_ + 0.6 * high};
+    const auto meets = [&](const Place& other) {
+      return std::fabs(other.x - p.x) < wide && std::fabs(other.y - p.y) < high;
+    };
+    for (auto it = places_.begin();
+         (it = std::find_if(places_.begin(), places_.end(), meets)) != places_.end();)
+      p.y = it->y + 1.01 * high;
+    places_.push_back(p);
+    s.add("set label '{}' at first {:.6g},{:.6g} center front boxed font ',7' tc rgb '{}'", text, x,
+          p.y / y_scale_, color);
+  }
+
+ private:
+  struct Place {
+    double x, y;  // [mm]
+  };
+  double x_scale_, y_scale_;
+  std::vector<Place> places_;
+};
+
+/// Stress over strain in the units of the axes.
+std::vector<Row> curve_of(const SpecimenRecord& t, const TestCurve& axes) {
+  std::vector<Row> rows;
+  for (const HistoryRow& row : t.result.history.rows)
+    rows.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * axes.stress_of(row)});
+  return rows;
+}
+
+Row largest_of(const std::vector<std::vector<Row>>& curves) {
+  Row largest = {1e-9, 1e-9};
+  for (const auto& curve : curves)
+    for (const Row& row : curve)
+      for (std::size_t k = 0; k < 2; ++k) largest[k] = std::fmax(largest[k], row[k]);
+  return largest;
+}
+
+/// Lightness and dashes tell the curves apart, as hues do not in grey or to the colour-blind.
+std::string look_of(std::size_t i, const TestResult& r) {
+  constexpr std::array<const char*, 8> dashes = {"1",      "(18,8)", "(4,7)",          "(18,7,4,7)",
+                                                 "(40,9)", "(9,8)",  "(28,7,4,7,4,7)", "(2,10)"};
+  return fmt::format("dt {} lc rgb '{}'", dashes[i % dashes.size()], hex_color(paper_color(r)));
+}
+
+/// Damage and peak of all curves, in black.
+void add_marks(GnuplotScript& s, const RunRecord& run, const TestCurve& axes,
+               std::vector<std::string>& parts) {
   const std::array<std::string, 3> names = {"sigma_ci", "sigma_cd", axes.strength};
   const std::array<std::string, 3> titles = {"{/:Italic σ}_{ci}", "{/:Italic σ}_{cd}", axes.strength_label};
   constexpr std::array<int, 3> symbols = {9, 5, 7};
-  for (const SpecimenRecord& t : data.run.tests) {
-    std::vector<Row> rows;
-    for (const HistoryRow& row : t.result.history.rows)
-      rows.push_back({axes.strain_factor * axes.strain_of(row), 1e-6 * axes.stress_of(row)});
-    if (rows.empty()) continue;
-    parts.push_back(fmt::format("{} with lines lw 1.5 lc rgb '{}' title '{}'", s.block(rows),
-                                hex_color(angle_color(t.result)), heading(t)));
-    for (std::size_t k = 0; k < 3; ++k) add_mark(t, axes, names[k], marks[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<Row> marks;
+    for (const SpecimenRecord& t : run.tests) add_mark(t, axes, names[k], marks);
+    if (!marks.empty())
+      parts.push_back(fmt::format("{} with points pt {} ps 0.5 lc rgb '#222222' title '{}'", s.block(marks),
+                                  symbols[k], titles[k]));
   }
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!marks[k].empty())
-      parts.push_back(fmt::format("{} with points pt {} ps 0.5 lc rgb '#222222' title '{}'",
-                                  s.block(marks[k]), symbols[k], titles[k]));
+}
+
+double stress_strain(GnuplotScript& s, const FigureData& data, double width) {
+  const TestCurve& axes = axes_of(data.run);
+  s.add("set xlabel '{} [{}]'; set ylabel '{} [MPa]' offset 1", axes.strain, axes.strain_unit, axes.stress);
+  s.add("set key outside right top reverse Left samplen 4; set lmargin at screen 0.11");
+  s.add("set style textbox opaque noborder margins 0.3,0.3");
+  std::vector<std::vector<Row>> curves;
+  for (const SpecimenRecord& t : data.run.tests) curves.push_back(curve_of(t, axes));
+  const Row largest = largest_of(curves);
+  s.add("set xrange [0:{:.6g}]; set yrange [0:{:.6g}]", 1.02 * largest[0], 1.12 * largest[1]);
+  PeakLabels labels(largest[0], 1.12 * largest[1], 0.68 * width, 0.5 * width);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].empty()) continue;
+    const TestResult& r = data.run.tests[i].result;
+    parts.push_back(fmt::format("{} with lines lw 1.5 {} title '{}'", s.block(curves[i]), look_of(i, r),
+                                heading(data.run.tests[i])));
+    const Row& peak = *std::max_element(curves[i].begin(), curves[i].end(),
+                                        [](const Row& a, const Row& b) { return a[1] < b[1]; });
+    labels.add_to(s, r.intact ? "intact" : fmt::format("{:g}°", r.theta), peak[0], peak[1],
+                  hex_color(paper_color(r)));
+  }
+  add_marks(s, data.run, axes, parts);
   if (parts.empty()) {
     const Outcome o = data.run.tests.empty() ? Outcome{} : data.run.tests.front().result.outcome;
     throw InputError(Problem{"result", "", "", "a test that came to be loaded", o.reason + "; " + o.advice});
   }
   s.plot(parts);
   return 0.62 * width;
-}
-
-/// "K_Ic" as gnuplot sets it: all of the word behind the line is low.
-std::string typeset(const std::string& label) {
-  const std::size_t line = label.find('_');
-  if (line == label.npos) return label;
-  const std::size_t end = std::min(label.find_first_of(" ,", line), label.size());
-  return label.substr(0, line + 1) + "{" + label.substr(line + 1, end - line - 1) + "}" + label.substr(end);
-}
-
-struct Panel {
-  std::string number, label;
-  double factor;
-  std::optional<Property> property;
-  const AngleCurve* theory;
-};
-
-/// What a panel shows: laboratory, theory, model. Empty where the tests have no such number.
-std::vector<std::string> panel_parts(GnuplotScript& s, const FigureData& data, const Panel& p) {
-  std::vector<Row> model, theory, laboratory;
-  for (const SpecimenRecord& t : data.run.tests)
-    if (const double v = value_of(t, p.number); !t.result.intact && std::isfinite(v))
-      model.push_back({t.result.theta, p.factor * v});
-  if (model.empty()) return {};
-  for (std::size_t i = 0; i < p.theory->theta.size(); ++i)
-    theory.push_back({p.theory->theta[i], p.factor * p.theory->value[i]});
-  for (const Target& t : beside(data.run, data.laboratory)) {
-    if (p.property != t.property) continue;
-    const double half = z_95 * t.standard_error();
-    laboratory.push_back(
-        {t.theta, p.factor * t.mean, p.factor * (t.mean - half), p.factor * (t.mean + half)});
-  }
-  std::vector<std::string> parts;
-  if (!theory.empty())
-    parts.push_back(s.block(theory) + " with lines dt 2 lw 1.5 lc rgb '#9a3f7d' title 'theory'");
-  if (!laboratory.empty())
-    parts.push_back(s.block(laboratory) +
-                    " with yerrorbars pt 12 ps 0.8 lw 1.2 lc rgb '#222222' title 'laboratory'");
-  parts.push_back(s.block(model) + " with points pt 7 ps 0.6 lc rgb '#0072b2' title 'model'");
-  return parts;
-}
-
-double anisotropy(GnuplotScript& s, const FigureData& data, double width) {
-  const TheoryCurves curves = theory_curves(data.run);
-  const TestCurve& axes = axes_of(data.run);
-  const TestQuantity made_for = axes.quantity();
-  const Panel all[] = {{"E_tangent", "{/:Italic E} [GPa]", 1e-9, Property::E, &curves.E},
-                       {made_for.number, typeset(made_for.label) + " [" + made_for.unit + "]", made_for.scale,
-                        axes.property, &curves.ucs},
-                       {"nu", "{/:Italic ν}", 1.0, Property::nu, &curves.nu}};
-  std::vector<std::pair<std::string, std::vector<std::string>>> panels;  // label, parts
-  for (const Panel& p : all)
-    if (auto parts = panel_parts(s, data, p); !parts.empty()) panels.emplace_back(p.label, std::move(parts));
-  if (panels.empty())
-    throw InputError(Problem{"result", "theta", "", "specimens with layers and with numbers",
-                             "run a recipe with [[bedding]] or a foliated matrix, and test.angles"});
-  const double height = std::min(0.62, 1.02 / static_cast<double>(panels.size()));  // over the width
-  s.add("set multiplot layout 1,{} margins 0.06,0.99,{:.4f},0.96 spacing 0.075,0", panels.size(),
-        0.068 / height);
-  s.add("set xrange [-3:93]; set xtics 15; set yrange [0:*]; set xlabel 'inclination {{/:Italic θ}} [°]'");
-  // Points alone need no key; beside others it stands above them.
-  const bool alone =
-      std::all_of(panels.begin(), panels.end(), [](const auto& p) { return p.second.size() == 1; });
-  s.add("{}", alone ? "unset key" : "set key top center reverse Left; set offsets 0,0,graph 0.2,0");
-  for (const auto& [label, parts] : panels) {
-    s.add("set ylabel '{}' offset 1", label);
-    s.plot(parts);
-    s.add("unset key; set offsets 0,0,0,0");
-  }
-  s.add("unset multiplot");
-  return height * width;
 }
 
 // --- specimens
@@ -347,7 +342,8 @@ double rose(GnuplotScript& s, const FigureData& data, double width) {
 /// Draws a figure that is `width` mm wide and returns its height.
 double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, double width) {
   if (kind == "stress_strain") return stress_strain(s, data, width);
-  if (kind == "anisotropy") return anisotropy(s, data, width);
+  if (kind == "anisotropy" && data.calibration) return draw_comparison(s, *data.calibration, width);
+  if (kind == "anisotropy") return draw_anisotropy(s, data.run, data.laboratory, width);
   if (kind == "rose") return rose(s, data, width);
   if (kind == "model") return model(s, data, width);
   if (kind == "stiffness") return draw_stiffness(s, data.variation, width);
@@ -361,7 +357,8 @@ double draw(GnuplotScript& s, const std::string& kind, const FigureData& data, d
 const std::vector<FigureKind>& figure_kinds() {
   static const std::vector<FigureKind> kinds = {
       {"stress_strain", "", "stress over strain of a run, with sigma_ci, sigma_cd and UCS", 140.0, false},
-      {"anisotropy", "", "E, strength and nu of a run over the inclination, theory dashed", 190.0, false},
+      {"anisotropy", "",
+       "E, strengths, nu over the inclination: a run, or a calibration beside its laboratory", 190.0, false},
       {"rose", "", "directions of the cracks of a run", 190.0, false},
       {"cracks", "", "specimens of a run at the end, cracks by mode and place", 190.0, false},
       {"model", "fig2", "one specimen of a run with its bedding", 90.0, false},

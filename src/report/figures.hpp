@@ -2,9 +2,11 @@
 // a half 140 mm, two 190 mm; letters of 8 points; colours that differ in lightness (report/palette.hpp), and
 // symbols beside colours.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "records/calibration.hpp"
 #include "records/rock.hpp"
 #include "records/specimen_record.hpp"
 #include "records/variation.hpp"
@@ -17,17 +19,18 @@ struct FigureKind {
   const char* paper;    ///< its number in the paper behind this project ("fig5"), or ""
   const char* meaning;  ///< and of which results
   double width;         ///< usual width [mm]
-  bool varied;          ///< drawn from a study, else from a run
+  bool varied;          ///< drawn from a study, else from a run or a calibration
 };
 const std::vector<FigureKind>& figure_kinds();
 /// By name or by the paper's number; throws InputError with the names.
 const FigureKind& figure_kind(const std::string& word);
 
-/// What a figure is drawn from: a run, or a study.
+/// What a figure is drawn from: a run, a study, or a calibration and the specimens that it has kept.
 struct FigureData {
   RunRecord run;
   std::vector<Target> laboratory;  ///< beside E, UCS, nu of a run
   Variation variation;
+  std::optional<Calibration> calibration;
 };
 
 /// The script that writes the figure into `out`. `width` [mm], 0: the usual one. Throws InputError when the

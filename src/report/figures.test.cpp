@@ -4,8 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
+#include "report/calibration_files.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
 #include "report/specimen_picture.hpp"
@@ -132,6 +137,209 @@ TEST(Figures, OnlyPanelsWithNumbersAreDrawn) {
   EXPECT_THAT(script, HasSubstr("Brazilian strength [MPa]"));
   EXPECT_THAT(script, HasSubstr("layout 1,1 "));
   EXPECT_EQ(script.find("NaN"), script.npos);
+}
+
+/// Blocks of rows of a script, each with the words that draw it, in the order of the plot commands.
+struct Drawn {
+  std::vector<std::vector<double>> rows;
+  std::string how;
+};
+std::vector<Drawn> drawn_in(const std::string& script) {
+  std::vector<Drawn> all;
+  std::istringstream lines(script);
+  std::map<std::string, std::vector<std::vector<double>>> blocks;
+  for (std::string line, name; std::getline(lines, line);) {
+    if (line.ends_with(" << EOD")) {
+      name = line.substr(0, line.find(' '));
+    } else if (line == "EOD") {
+      name.clear();
+    } else if (!name.empty()) {
+      std::istringstream cells(line);
+      std::vector<double> row;
+      for (std::string cell; cells >> cell;) row.push_back(cell == "NaN" ? NAN : std::stod(cell));
+      blocks[name].push_back(row);
+    } else if (const std::size_t at = line.find("$d"); at != line.npos) {
+      const std::string block = line.substr(at, line.find(' ', at) - at);
+      all.push_back({blocks[block], line.substr(at + block.size() + 1)});
+    }
+  }
+  return all;
+}
+
+Comparison compared(Property property, double theta, double laboratory, double model) {
+  Comparison c;
+  c.target.property = property, c.target.theta = theta, c.target.mean = laboratory;
+  c.target.sd = 0.1 * laboratory, c.target.n = 4;
+  c.mean = model, c.n_packings = 5;
+  return c;
+}
+
+Calibration with_ucs() {
+  Calibration c;
+  c.rock = "slate";
+  for (const double theta : {0.0, 45.0, 90.0}) {
+    Comparison row = compared(Property::ucs, theta, 1e8 + 1e6 * theta, 1.1e8);
+    row.low = 9e7, row.high = 1.3e8, row.target.specimens = {9.5e7, 1.05e8};
+    c.fitted.push_back(row);
+    row.mean = 1.2e8 + 1e6 * theta;
+    c.verification.push_back(row);
+    row.mean = theta == 45.0 ? nan : 7e7;
+    c.left_out.push_back(row);
+  }
+  return c;
+}
+
+std::string script_of_calibration(const Calibration& c) {
+  FigureData data;
+  data.calibration = comparisons_of(calibration_json(c, "1"), "calibration.json");
+  return script_of("anisotropy", data);
+}
+
+/// The rows that are drawn so, of all panels.
+std::vector<std::vector<double>> rows_with(const std::string& script, const std::string& words) {
+  std::vector<std::vector<double>> rows;
+  for (const Drawn& d : drawn_in(script))
+    if (d.how.find(words) != d.how.npos) rows.insert(rows.end(), d.rows.begin(), d.rows.end());
+  return rows;
+}
+
+// Of 4 specimens with a scatter of 10 %, the mean is known to 1.96 * 5 %.
+TEST(Figures, ACalibrationIsDrawnFromTheNumbersOfItsFile) {
+  const std::string script = script_of_calibration(with_ucs());
+  const auto laboratory = rows_with(script, "yerrorbars pt 12"), model = rows_with(script, "pt 7 ps 0.6"),
+             unseen = rows_with(script, "points pt 2"), band = rows_with(script, "boxxyerror"),
+             single = rows_with(script, "pt 7 ps 0.22");
+  ASSERT_EQ(laboratory.size(), 3U);
+  EXPECT_EQ(laboratory[1][0], 45.0);
+  EXPECT_NEAR(laboratory[1][1], 145.0, 1e-6);
+  EXPECT_NEAR(laboratory[1][3] / 145.0, 1.098, 1e-4);
+  ASSERT_EQ(model.size(), 3U);
+  EXPECT_NEAR(model[2][1], 210.0, 1e-6) << "on unseen packings, not on those of the fit";
+  ASSERT_EQ(unseen.size(), 2U) << "one had no answer";
+  EXPECT_NEAR(unseen[0][1], 70.0, 1e-6);
+  ASSERT_EQ(band.size(), 3U);
+  EXPECT_NEAR(band[0][4], 90.0, 1e-6);
+  EXPECT_NEAR(band[0][5], 130.0, 1e-6);
+  EXPECT_EQ(single.size(), 6U);
+  EXPECT_THAT(script, HasSubstr("UCS [MPa]"));
+  EXPECT_THAT(script, HasSubstr("model, unseen packings"));
+}
+
+// Angles of two specimens, too few for a theory: nothing joins what was computed at them.
+TEST(Figures, NoLineIsDrawnThroughWhatWasComputedAtSingleAngles) {
+  Calibration c = with_ucs();
+  for (auto* rows : {&c.fitted, &c.verification, &c.left_out}) rows->erase(rows->begin() + 1);
+  EXPECT_EQ(script_of_calibration(c).find("lines"), std::string::npos);
+}
+
+TEST(Figures, ACalibrationHasAPanelForEveryTestOfItsTable) {
+  Calibration c = with_ucs();
+  c.method = CalibrationMethod::sequence;
+  c.verification.clear(), c.left_out.clear();
+  for (Comparison& row : c.fitted) row.low = row.high = nan, row.sd = 2e6;
+  c.fitted.push_back(compared(Property::nu, 0.0, 0.2, 0.25));
+  c.fitted.push_back(compared(Property::brazilian, 0.0, 8e6, 9e6));
+  c.fitted.back().target.diameter = 0.054;
+  c.fitted.push_back(compared(Property::confined, 0.0, 2e8, 2.1e8));
+  c.fitted.back().target.confining = 10e6;
+  const std::string script = script_of_calibration(c);
+  EXPECT_THAT(script, HasSubstr("layout 2,2 "));
+  for (const char* text : {"Brazilian strength [MPa]", "54 mm", "10 MPa", "(d)", "packings of the fit",
+                           "standard deviation of the packings"})
+    EXPECT_THAT(script, HasSubstr(text));
+  EXPECT_NEAR(rows_with(script, "boxxyerror")[0][4], 108.0, 1e-6) << "one standard deviation";
+}
+
+TEST(Figures, AFileThatIsNoCalibrationIsNamed) {
+  for (const char* text : {"", "{}", "[]", R"({"format": 2, "rock": "a"})",
+                           R"({"format": 1, "rock": "a", "fitted": [{"property": "UCS"}]})"}) {
+    try {
+      comparisons_of(text, "here/calibration.json");
+      FAIL() << text;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("here/calibration.json: expected a calibration of format 1"));
+    }
+  }
+}
+
+/// A test whose stress grows to `peak` [MPa] at `strain` [%] and falls.
+SpecimenRecord curve_to(double theta, double strain, double peak) {
+  SpecimenRecord t;
+  t.result.intact = false, t.result.theta = theta;
+  t.result.history.rows.resize(3);
+  for (std::size_t i = 1; i < 3; ++i)
+    t.result.history.rows[i].axial_strain = 0.01 * strain * static_cast<double>(i);
+  t.result.history.rows[1].axial_stress = 1e6 * peak, t.result.history.rows[2].axial_stress = 5e5 * peak;
+  return t;
+}
+
+/// Relative luminance of a colour "#rrggbb", 0 to 1.
+double luminance(const std::string& hex) {
+  const auto linear = [&](std::size_t at) {
+    const double v = std::stoi(hex.substr(at, 2), nullptr, 16) / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(1) + 0.7152 * linear(3) + 0.0722 * linear(5);
+}
+
+TEST(Figures, CurvesDifferInGreyAndAreNamedAtTheirPeaks) {
+  FigureData data;
+  for (int k = 0; k < 7; ++k) data.run.tests.push_back(curve_to(15.0 * k, 0.1 * (k + 1), 50.0 + 10.0 * k));
+  data.run.tests.push_back(curve_to(0.0, 0.9, 140.0));
+  data.run.tests.back().result.intact = true;
+  const std::string script = script_of("stress_strain", data);
+  std::set<std::string> dashes;
+  double before = 1.0;
+  for (const Drawn& d : drawn_in(script)) {
+    if (!d.how.starts_with("with lines")) continue;
+    const std::size_t dash = d.how.find(" dt ") + 4, color = d.how.find('#');
+    dashes.insert(d.how.substr(dash, d.how.find(' ', dash) - dash));
+    const double now = luminance(d.how.substr(color, 7));
+    EXPECT_LT(now, 0.85 * before) << d.how;
+    before = now;
+  }
+  EXPECT_EQ(dashes.size(), 8U);
+  EXPECT_THAT(script, HasSubstr("set label '45°' at first 0.4,"));
+  EXPECT_THAT(script, HasSubstr("set label 'intact' at first 0.9,"));
+}
+
+TEST(Figures, NamesOfPeaksThatMeetStandAboveOneAnother) {
+  FigureData data;
+  for (const double theta : {0.0, 15.0, 75.0, 90.0}) data.run.tests.push_back(curve_to(theta, 0.371, 88.3));
+  for (int k = 0; k < 200; ++k)  // crowded, at heights that round in every way
+    data.run.tests.push_back(curve_to(45.0, 0.371, 61.7 + 0.1037 * k));
+  const std::string script = script_of("stress_strain", data);
+  std::vector<double> heights;
+  for (std::size_t at = script.find("set label"); at != script.npos; at = script.find("set label", at + 1))
+    heights.push_back(std::stod(script.substr(script.find(',', at) + 1)));
+  ASSERT_EQ(heights.size(), 204U);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(heights[i], heights[i - 1] + 2.0);
+}
+
+/// A study of two packings, 90 and 110 MPa at each angle; or three.
+Variation packings(std::vector<double> values) {
+  Variation v;
+  VariedSetting s;
+  s.text = "1", s.value = s.factor = 1.0, s.base = true;
+  for (const double theta : {0.0, 90.0}) s.ucs.push_back({theta, summarise(values)});
+  v.parameters = {{"bedding.mu", {s}}};
+  return v;
+}
+
+TEST(Figures, TwoPackingsAreTwoPointsAndThreeHaveAnInterval) {
+  FigureData data;
+  data.variation = packings({9e7, 1.1e8});
+  const std::string two = script_of("fig6", data);
+  EXPECT_EQ(two.find("yerrorbars"), two.npos);
+  const auto rows = drawn_in(two).front().rows;
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(rows[0][4], 90.0, 1e-6);
+  EXPECT_NEAR(rows[0][5], 110.0, 1e-6);
+  EXPECT_THAT(two, testing::AllOf(HasSubstr("using 1:5 with points"), HasSubstr("using 1:6 with points")));
+  data.variation = packings({9e7, 1e8, 1.1e8});
+  const std::string three = script_of("fig6", data);
+  EXPECT_THAT(three, HasSubstr("yerrorbars"));
+  EXPECT_EQ(three.find("using 1:5"), three.npos);
 }
 
 TEST(Figures, SpecimensFillTheirFigure) {

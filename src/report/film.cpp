@@ -67,7 +67,7 @@ void Film::draw_curves(Canvas& canvas, double strain) const {
   canvas.line(left, curve_top_, left, low, 1.2, ink);
   for (const Place& p : places_) {
     const auto& rows = p.test->result.history.rows;
-    const Color color = angle_color(p.test->result);
+    const Color color = paper_color(p.test->result);
     std::size_t last = 0;
     for (std::size_t i = 1; i < rows.size() && axes_.strain_of(rows[i]) <= strain; last = i++)
       canvas.line(x(axes_.strain_of(rows[i - 1])), y(axes_.stress_of(rows[i - 1])),
@@ -85,7 +85,7 @@ std::string Film::labels() const {
   };
   for (const Place& p : places_)
     add(p.test->result.intact ? "intact" : fmt::format("θ = {:g}°", p.test->result.theta),
-        p.view.left + 0.46 * cell_, 9.0, angle_color(p.test->result));
+        p.view.left + 0.46 * cell_, 9.0, paper_color(p.test->result));
   add(fmt::format("{} to {:.3g} MPa over {} to {:.2g} {}", axes_.stress, 1e-6 * strongest_, axes_.strain,
                   axes_.strain_factor * end_, axes_.strain_unit == "%" ? "percent" : axes_.strain_unit),
       0.5 * width(), height_ - 24.0, ink);

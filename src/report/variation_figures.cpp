@@ -5,11 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "base/check.hpp"
+#include "base/nan.hpp"
 #include "base/quote.hpp"
 #include "report/curves.hpp"
 #include "report/palette.hpp"
+#include "report/panel_grid.hpp"
 
 namespace phy::report {
 namespace {
@@ -19,9 +22,6 @@ using Row = GnuplotScript::Row;
 /// For parameters: differ in lightness too (Okabe & Ito 2008).
 constexpr std::array<Color, 8> line_colors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
                                               0x56b4e9, 0xe69f00, 0x000000, 0x7f7f7f};
-/// For values of one parameter, from small to large.
-constexpr std::array<Color, 7> value_colors = {0xe0a100, 0xd06a1b, 0xb23a48, 0x8a2a6b,
-                                               0x5b2a86, 0x31348c, 0x0b2545};
 constexpr std::array<int, 7> symbols = {7, 5, 9, 11, 13, 15, 6};
 
 /// As in the paper; other keys as they stand in the recipe. With markup.
@@ -35,17 +35,28 @@ std::string symbol_of(const std::string& key) {
   return gnuplot_plain(key);
 }
 
+/// Place, mean, 95 % interval; of two values these themselves, as an interval of one degree of freedom is
+/// 12.7 standard errors wide and says less than they do.
 Row bar(double x, const Summary& s, double factor) {
-  const double half = std::isfinite(s.half_width) ? s.half_width : 0.0;
-  return {x, factor * s.mean, factor * (s.mean - half), factor * (s.mean + half)};
+  const double half = s.n > 2 && std::isfinite(s.half_width) ? s.half_width : 0.0;
+  const double apart = s.n == 2 ? s.sd / std::numbers::sqrt2 : nan;  // from the mean
+  return {x,
+          factor * s.mean,
+          factor * (s.mean - half),
+          factor * (s.mean + half),
+          factor * (s.mean - apart),
+          factor * (s.mean + apart)};
 }
 
-/// Points as `how` says, with bars where there are intervals.
+/// Points as `how` says, with bars where there are intervals, small ones where there are two values.
 void add_points(GnuplotScript& s, std::vector<std::string>& parts, const std::vector<Row>& rows,
                 const std::string& how, const std::string& look) {
   const std::string data = s.block(rows);
   if (std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r[3] > r[2]; }))
     parts.push_back(data + " using 1:2:3:4 with yerrorbars pt -1 lw 1 " + look + " notitle");
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& r) { return std::isfinite(r[4]); }))
+    for (const char* column : {"5", "6"})
+      parts.push_back(fmt::format("{} using 1:{} with points pt 7 ps 0.25 {} notitle", data, column, look));
   parts.push_back(data + " using 1:2 " + how);
 }
 
@@ -117,9 +128,9 @@ std::vector<Row> eq1_line(const theory::Eq1Fit& fit) {
   return line;
 }
 
+/// Of value i of n, from small to large.
 Color value_color(std::size_t i, std::size_t n) {
-  const double part = n < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1);
-  return value_colors[static_cast<std::size_t>(std::lround(6.0 * part))];
+  return color_at(ramp, n < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1));
 }
 
 /// Values over the inclination: points with intervals, and lines through them or Eq. 1.
@@ -166,22 +177,11 @@ std::vector<const VariedParameter*> strength_parameters(const Variation& v) {
   return chosen;
 }
 
-std::pair<int, int> grid_of(std::size_t n) {
-  const int columns = n <= 2 ? static_cast<int>(std::max<std::size_t>(1, n)) : n == 4 ? 2 : 3;
-  return {columns, (static_cast<int>(n) + columns - 1) / columns};
-}
-
-/// Panels side by side; the margins are given in mm. Returns the height of the figure [mm].
+/// Returns the height of the figure [mm].
 double angle_panels(GnuplotScript& s, const Variation& v,
                     const std::vector<const VariedParameter*>& parameters, bool modulus, double width) {
-  const auto [columns, rows] = grid_of(parameters.size());
-  constexpr double left = 12.0, right = 1.5, top = 6.0, bottom = 11.0;
-  const double panel = (width - right - columns * left) / columns;  // between the axes
-  const double height = rows * (0.72 * panel + top + bottom);
-  s.add("set multiplot layout {},{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}", rows, columns,
-        left / width, 1.0 - right / width, bottom / height, 1.0 - top / height, left / width,
-        (top + bottom) / height);
-  s.add("set xrange [-3:93]; set xtics 15; set xlabel 'inclination {{/:Italic θ}} [°]'");
+  const double height = begin_panels(s, parameters.size(), width, 0.72);
+  s.add("set xrange [-5:95]; set xtics 15; set xlabel 'inclination {{/:Italic θ}} [°]'");
   s.add("set ylabel '{}' offset 1; set yrange [0:*]",
         modulus ? "{/:Italic E}_{/:Italic θ} [GPa]" : "UCS [MPa]");
   if (modulus)
@@ -207,7 +207,10 @@ double angle_panels(GnuplotScript& s, const Variation& v,
 
 double draw_stiffness(GnuplotScript& s, const Variation& v, double width) {
   s.add("set multiplot layout 1,2 margins 0.09,0.985,0.16,0.96 spacing 0.11,0");
-  s.add("set key reverse Left; set xrange [0:*]");
+  double largest = 0.0;
+  for (const VariedParameter& p : v.parameters)
+    for (const VariedSetting& setting : p.settings) largest = std::fmax(largest, setting.factor);
+  s.add("set key reverse Left; set xrange [0:{:.4g}]", 1.06 * largest);  // with room for the last symbol
   stiffness_panel(s, v, 0);
   stiffness_panel(s, v, 1);
   s.add("unset multiplot");

@@ -175,6 +175,27 @@ TEST_F(CalibrateCli, AnotherRockOrOtherOptionsDoNotGoOnInTheFolder) {
   EXPECT_EQ(read(out() + "/calibration.json"), expected);
 }
 
+TEST_F(CalibrateCli, ACalibrationIsDrawnWithoutAskingForAKind) {
+  ASSERT_THAT(run("calibrate " + rock() + " --threads 2 --elastic --out " + out()), testing::AnyOf(0, 1))
+      << output;
+  const std::string figure = "figure " + out() + " --out " + at("a.svg");
+  ASSERT_EQ(run(figure + " --kind cracks"), 2);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("has tested none"), HasSubstr("--kind anisotropy")));
+  ASSERT_EQ(run(figure + " --kind fig5"), 2);
+  EXPECT_THAT(output, testing::AllOf(HasSubstr("expected one of stress_strain, anisotropy"),
+                                     HasSubstr("holds no study")));
+  ASSERT_EQ(run(figure + " --rock " + at("rock.toml")), 2);
+  EXPECT_THAT(output, HasSubstr("has its laboratory values already"));
+  fs::create_directories(folder / "stopped");
+  write("stopped/calibration-of.txt", "calibration of \"rock\"\n");
+  ASSERT_EQ(run("figure " + at("stopped")), 2);
+  EXPECT_THAT(output, HasSubstr("--resume"));
+  EXPECT_FALSE(fs::exists(at("a.svg")));
+  if (!has("gnuplot")) GTEST_SKIP() << "no gnuplot here";
+  ASSERT_EQ(run(figure), 0) << output;
+  EXPECT_THAT(read(at("a.svg")), testing::AllOf(HasSubstr("model, unseen packings"), HasSubstr("</svg>")));
+}
+
 TEST_F(CalibrateCli, ThePapersSequenceEndsWithTheSameFilesAndNoIntervals) {
   rock();
   const std::string small_strain = write(  // no moduli once more after every strength

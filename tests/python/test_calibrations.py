@@ -55,7 +55,7 @@ class Calibrations(InFolder):
                                progress=lambda p: begun.set() if p.n_done > 2 else None)
         thread.join()
         self.assertFalse(pathlib.Path(self.at("parts"), "calibration.json").exists())
-        with self.assertRaisesRegex(phyllite.InputError, "--resume goes on with it"):
+        with self.assertRaisesRegex(phyllite.InputError, "resume=True goes on with it; another out begins"):
             phyllite.calibrate(rock, self.at("parts"), max_tests=72)
         with self.assertRaisesRegex(phyllite.InputError, "table, recipe or options differ"):
             phyllite.calibrate(rock, self.at("parts"), max_tests=80, resume=True)
@@ -67,11 +67,16 @@ class Calibrations(InFolder):
 
     def test_what_cannot_be_is_told(self):
         rock = phyllite.Rock.from_toml(self.rock())
-        with self.assertRaisesRegex(phyllite.InputError, "at least 72"):
+        with self.assertRaisesRegex(phyllite.InputError, "^max_tests = 71: expected at least 72"):
             phyllite.calibrate(rock, max_tests=71)
+        with self.assertRaisesRegex(phyllite.InputError, "^max_tests = 71"):
+            phyllite.calibrate(self.at("rock.toml"), max_tests=71)  # the rock by its file
+        for wrong in (3, None, phyllite.Recipe(**LEAST)):
+            with self.assertRaisesRegex(TypeError, "Rock.from_dataframe"):
+                phyllite.calibrate(wrong)
         with self.assertRaisesRegex(phyllite.InputError, "one of posterior, sequence"):
             phyllite.calibrate(rock, method="guess")
         with self.assertRaisesRegex(phyllite.InputError, "one of quick, normal, thorough"):
             phyllite.calibrate(rock, effort="hasty")
-        with self.assertRaisesRegex(phyllite.InputError, "none beside --method sequence"):
+        with self.assertRaisesRegex(phyllite.InputError, 'none beside method="sequence"'):
             phyllite.calibrate(rock, method="sequence", effort="quick")

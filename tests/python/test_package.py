@@ -39,8 +39,8 @@ class Package(InFolder):
     def test_arguments_of_stubs_are_those_of_the_functions(self):
         for node in stub("theory.pyi"):
             if isinstance(node, ast.FunctionDef):
-                known = re.findall(r"(\w+): ", getattr(theory, node.name).__doc__.splitlines()[0])
-                self.assertEqual([a.arg for a in node.args.args], known, node.name)
+                known = inspect.signature(getattr(theory, node.name)).parameters
+                self.assertEqual([a.arg for a in node.args.args], list(known), node.name)
 
     def test_everything_public_says_what_it_is(self):
         for name in phyllite.__all__:
@@ -54,6 +54,23 @@ class Package(InFolder):
         for name in public(theory):
             doc = getattr(theory, name).__doc__
             self.assertRegex(doc, r"\[(Pa|deg|m|1)", name)
+
+    def test_completion_offers_the_public_names_alone(self):
+        self.assertEqual(dir(phyllite), sorted(phyllite.__all__))
+
+    def test_signatures_name_arguments_and_keys_of_the_files(self):
+        for name in phyllite.__all__:
+            thing = getattr(phyllite, name)
+            if inspect.isfunction(thing) or thing in (phyllite.Recipe, phyllite.Rock):
+                inspect.signature(thing)
+        of = lambda thing: list(inspect.signature(thing).parameters)
+        self.assertEqual(of(phyllite.Rock.from_dataframe)[0], "frame")
+        self.assertLessEqual({"name", "E_is", "recipe", "sheet", "columns"}, set(of(phyllite.Rock.from_dataframe)))
+        self.assertLessEqual({"specimen", "packing", "matrix", "bedding", "test"}, set(of(phyllite.Recipe)))
+        self.assertLessEqual({"source", "out", "vary", "packings"}, set(of(phyllite.study)))
+        self.assertEqual(of(phyllite.Recipe.from_toml), ["text", "where"])
+        self.assertEqual(of(phyllite.Recipe().changed), ["keys"])
+        self.assertEqual(of(theory.goodman_E), ["theta", "E", "K_n_delta", "K_s_delta"])
 
     def test_version_is_that_of_the_program(self):
         self.assertEqual("phyllite " + phyllite.__version__, program("--version")[1].strip())

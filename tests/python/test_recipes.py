@@ -109,6 +109,28 @@ class Rocks(InFolder):
         ucs = {t.theta: t.mean for t in first.targets if t.property == "UCS"}
         self.assertEqual(ucs, {0.0: 105e6, 30.0: 60e6, 60.0: 45e6, 90.0: 128e6})
 
+    def test_targets_are_rows_of_a_frame(self):
+        rock = phyllite.Rock.from_toml(self.rock_file())
+        target = rock.targets[0]
+        self.assertEqual((target.property, target.theta, target.mean, target.n), ("E", 0.0, 17.5e9, 3))
+        with self.assertRaises(AttributeError):
+            target.mean = 0.0
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is missing")
+        table = phyllite.frame(rock.targets)
+        self.assertEqual(list(table.columns), ["property", "theta", "mean", "sd", "n", "confining", "diameter"])
+        self.assertEqual(len(table), 12)
+        self.assertEqual(table[table["property"] == "UCS"]["mean"].tolist(), [105e6, 60e6, 45e6, 128e6])
+
+    def test_a_rock_is_made_of_a_table(self):
+        for wrong in (TABLE, {"theta": [0]}):
+            with self.assertRaisesRegex(TypeError, "expected a pandas DataFrame"):
+                phyllite.Rock.from_dataframe(wrong)
+        with self.assertRaisesRegex(TypeError, "Rock.from_csv"):
+            phyllite.Rock("shale.csv")
+
     def test_a_workbook_is_a_table(self):
         path = os.path.join(os.environ["PHY_SOURCE_DIR"], "tests/fuzz/seeds/workbook/openpyxl.xlsx")
         rock = phyllite.Rock.from_csv(path, sheet="Results", columns={"σt": "DTS"})

@@ -69,9 +69,9 @@ class Runs(InFolder):
         ucs = self.result.values("ucs")
         self.assertEqual(ucs[0], self.result["theta = 45 deg"].numbers["ucs"].value)
         self.assertGreater(ucs[2], ucs[1])
-        with self.assertRaisesRegex(KeyError, "no_such_number: the numbers are ucs"):
+        with self.assertRaisesRegex(KeyError, "no number is called 'no_such_number'; there are ucs, .* more"):
             self.result.values("no_such_number")
-        with self.assertRaisesRegex(KeyError, "nobody: the specimens are"):
+        with self.assertRaisesRegex(KeyError, "no specimen is called 'nobody'; there are theta = 45 deg"):
             self.result["nobody"]
         self.assertTrue(any("theta = 45 deg" in str(n) for n in self.news))
         self.assertEqual(max(n.n_total for n in self.news), 3)
@@ -122,10 +122,34 @@ class Runs(InFolder):
         self.assertTrue((pathlib.Path(out) / "report.html").exists())
         again = phyllite.run(self.recipe, out)
         self.assertEqual([s.hash for s in again], [s.hash for s in self.result])
-        with self.assertRaisesRegex(phyllite.InputError, "results of another recipe.*--replace"):
+        with self.assertRaisesRegex(phyllite.InputError, "results of another recipe.*use another out, or replace=True"):
             phyllite.run(self.recipe.changed(matrix={"E_c": "20 GPa"}), out)
         with self.assertRaises(phyllite.IoError):
             phyllite.run(self.recipe, "/dev/null/out")
+
+    def test_a_recipe_may_be_named_by_its_file(self):
+        path = pathlib.Path(write(self.at("small.toml"), self.recipe.to_toml()))
+        for name in (path, str(path)):
+            self.assertEqual([s.hash for s in phyllite.run(name)], [s.hash for s in self.result])
+        self.assertEqual(phyllite.elastic(path).values("e")[0], phyllite.elastic(self.recipe).values("E")[0])
+        for wrong in (3, None, {"matrix": {}}):
+            for function in (phyllite.run, phyllite.elastic):
+                with self.assertRaisesRegex(TypeError, function.__name__ + ": expected a Recipe, or the name"):
+                    function(wrong)
+        with self.assertRaisesRegex(TypeError, "study: expected the name of a study file"):
+            phyllite.study(3, self.at("study"))
+
+    def test_names_are_found_whatever_their_capitals(self):
+        np.testing.assert_array_equal(self.result.values("UCS"), self.result.values("ucs"))
+        self.assertEqual(self.result["INTACT"].name, "intact")
+        numbers = self.result[0].numbers
+        self.assertEqual(numbers["E_TANGENT"].name, "E_tangent")
+        self.assertNotIn("UCS", numbers)
+        for ask in (self.result.values, numbers.__getitem__):
+            with self.assertRaisesRegex(KeyError, "no number is called 'usc'; did you mean 'ucs'"):
+                ask("usc")
+        with self.assertRaisesRegex(KeyError, "no number is called '%%%'; there are .*ucs"):
+            self.result.values("%%%")
 
     def test_what_the_recipe_cannot_do_is_an_input_error(self):
         discs = write(self.at("discs.csv"), "x [m],y [m],r [m]\n0.004,0.002,0.001\n0.004,0.014,0.001\n")
@@ -247,9 +271,15 @@ class Directly(InFolder):
             np.testing.assert_array_equal(rows[mine], [float(row[head]) for row in its])
 
     def test_what_is_wrong_with_a_contact_is_told(self):
-        with self.assertRaisesRegex(phyllite.InputError, "one of .*smooth_joint"):
+        with self.assertRaisesRegex(phyllite.InputError, "^law = smoth_joint: expected one of .*smooth_joint"):
             phyllite.contact("smoth_joint")
-        with self.assertRaisesRegex(phyllite.InputError, "N/m"):
+        with self.assertRaisesRegex(phyllite.InputError, '^k_n = 38000000000.0: .*for example k_n=".* N/m"'):
             phyllite.contact("linear", k_n=38e9)
+        with self.assertRaisesRegex(phyllite.InputError, "^kn = 3: expected a parameter of the law: k_n, "):
+            phyllite.contact("linear", kn=3)
+        with self.assertRaisesRegex(phyllite.InputError, r'^path = 1 um: .*for example path=\["1 um, 8 um, 0 deg"\]'):
+            phyllite.contact("linear", ["1 um"])
+        with self.assertRaisesRegex(phyllite.InputError, "^key = matrix.E_d: .*did you mean"):
+            phyllite.explain("matrix.E_d")
         with self.assertRaisesRegex(phyllite.InputError, "two or three finite numbers"):
             phyllite.contact("linear", [(1e-6, float("nan"))])
