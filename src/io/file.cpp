@@ -36,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* temporary_mark = ".phyllite-";
-constexpr std::chrono::seconds patience_for_reader{10};  // of a pipe
+constexpr std::chrono::seconds patience_for_reader{5};  // of a pipe
 
 [[noreturn]] void fail(const std::string& path, const std::string& doing, int error) {
   const bool reading = doing == "be read";

@@ -71,7 +71,7 @@ int write_all(int fd, const std::string& text);
 /// the name, but of a folder.
 void write_file(const std::string& path, const std::string& content);
 
-/// Writes to what is_stream(): a pipe must be read by somebody within ten seconds. Throws IoError.
+/// Writes to what is_stream(): a pipe must be read by somebody within five seconds. Throws IoError.
 void write_stream(const std::string& path, const std::string& content);
 
 /// For what is written again soon: as write_file, but not synced, and what fails is not told.
