@@ -139,7 +139,7 @@ Json asked_in(const std::string& body) {
 /// The folder may be removed while the program works in it: no file is found by its name then.
 void check_home() {
   std::error_code gone;
-  fs::current_path(gone);
+  static_cast<void>(fs::current_path(gone));
   if (gone)
     throw IoError(
         "The folder of `phyllite lab` is no longer there. End the program with Ctrl-C, and start it in a "

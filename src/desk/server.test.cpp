@@ -153,14 +153,14 @@ TEST_F(ServerTest, ItsEndIsNotKeptByAnAnswer) {
 }
 
 TEST_F(ServerTest, ForbidsTheBrowserAllOthers) {
-  const Answer own = get("/a", known()), file = get("/file", known());
+  const Answer own = get("/a", known()), foreign = get("/file", known());
   EXPECT_THAT(own.head, HasSubstr("default-src 'none'"));
   EXPECT_THAT(own.head, HasSubstr("frame-ancestors 'none'"));
   EXPECT_THAT(own.head, HasSubstr("no-referrer"));
   EXPECT_THAT(own.head, Not(HasSubstr("sandbox")));
-  EXPECT_THAT(file.head, HasSubstr("sandbox allow-scripts"));  // a script there has another origin
-  EXPECT_THAT(file.head, Not(HasSubstr("allow-same-origin")));
-  EXPECT_THAT(file.head, Not(HasSubstr("connect-src")));
+  EXPECT_THAT(foreign.head, HasSubstr("sandbox allow-scripts"));  // a script there has another origin
+  EXPECT_THAT(foreign.head, Not(HasSubstr("allow-same-origin")));
+  EXPECT_THAT(foreign.head, Not(HasSubstr("connect-src")));
   EXPECT_THAT(own.head, Not(HasSubstr("Access-Control")));
 }
 

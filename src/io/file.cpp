@@ -174,8 +174,8 @@ class FilesRead {
 std::string content_of(const std::string& path, std::size_t largest) {
   const InputFile file(path);
   if (file.size() > largest)
-    throw IoError(path + ": cannot be read: it has " + megabytes(file.size()) + ", and at most " +
-                  megabytes(largest) + " are read here; name another file");
+    throw IoError(path + ": cannot be read: it has " + megabytes(file.size()) + ", and the limit is " +
+                  megabytes(largest) + "; name another file");
   return file.read(0, file.size());
 }
 

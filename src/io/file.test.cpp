@@ -9,6 +9,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -71,11 +72,31 @@ TEST_F(Files, AFileInTheWayIsToldWithARemedy) {
 }
 
 TEST_F(Files, AFullDiskLeavesNothingBehind) {
-  fs::create_symlink("/dev/full", at(("full.csv.phyllite-part-" + std::to_string(::getpid())).c_str()));
-  const std::string message = message_of<IoError>([&] { write_file(at("full.csv"), "some text"); });
+  fs::create_symlink("/dev/full", at("full.csv"));
+  const std::string message = message_of<IoError>([&] { write_output(at("full.csv"), "some text"); });
   EXPECT_THAT(message, HasSubstr("free some space"));
   EXPECT_THAT(message, HasSubstr(at("full.csv") + ": cannot be written"));
-  EXPECT_EQ(n_entries(), 0);
+  // As a disk that is full after four bytes.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{4, before.rlim_max};
+  const auto usual = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string cut = message_of<IoError>([&] { write_file(at("cut.csv"), "some text"); });
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, usual);
+  EXPECT_THAT(cut, HasSubstr(at("cut.csv") + ": cannot be written"));
+  EXPECT_EQ(n_entries(), 1) << "the link";
+}
+
+// A name of that form can be foreseen.
+TEST_F(Files, WhatStandsUnderATemporaryNameIsNotOpened) {
+  write_file(at("target"), "mine");
+  fs::create_symlink(at("target"), at("a.phyllite-part-" + std::to_string(::getpid())));
+  write_file(at("a"), "text");
+  EXPECT_EQ(read(at("target")), "mine");
+  EXPECT_EQ(read(at("a")), "text");
+  EXPECT_FALSE(fs::is_symlink(at("a")));
 }
 
 TEST_F(Files, ThreadsMayWriteTheSameFile) {
