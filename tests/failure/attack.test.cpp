@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
 
 #include "../program.hpp"
@@ -259,7 +261,9 @@ class NoFile : public Attack, public testing::WithParamInterface<const char*> {
  protected:
   void make(const std::string& name) const {
     fs::remove_all(at(name));
-    if (GetParam() == std::string("pipe")) ASSERT_EQ(::mkfifo(at(name).c_str(), 0600), 0);
+    if (GetParam() == std::string("pipe")) {
+      ASSERT_EQ(::mkfifo(at(name).c_str(), 0600), 0);
+    }
     if (GetParam() == std::string("device")) fs::create_symlink("/dev/zero", at(name));
     if (GetParam() == std::string("folder")) fs::create_directory(at(name));
     if (GetParam() == std::string("large")) fs::resize_file(write(name, "x"), std::uintmax_t{6} << 30U);
@@ -330,9 +334,10 @@ TEST_P(NoFile, InTheCacheIsMadeAnew) {
   ASSERT_EQ(limited("specimen small.toml"), 0) << output;
   const bool kept = fs::is_regular_file(fs::symlink_status(at(entry)));
   EXPECT_EQ(kept, GetParam() != std::string("folder"));
-  if (!kept)
+  if (!kept) {
     EXPECT_THAT(output, AllOf(HasSubstr("not kept for the next run"),
                               HasSubstr(fs::path(entry).filename().string())));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, NoFile, testing::Values("pipe", "device", "folder", "large"),
@@ -346,6 +351,26 @@ TEST_F(Attack, AStackOfFewKilobytesIsEnough) {
   for (const char* line :
        {"recipe small.toml", "rock check rock.toml", "run small.toml --threads 1 --out out", "show out"})
     EXPECT_EQ(here("ulimit -s 64; " PHY_PROGRAM " " + std::string(line)), 0) << line << "\n" << output;
+}
+
+// Nothing is begun yet that would have to be kept.
+TEST_F(Attack, AReadingEndsWithTheSignal) {
+  std::string rows = "theta [deg],E [GPa]\n";
+  while (rows.size() < 15'000'000) rows += "0,20\n45,22\n90,30\n";
+  write("table.csv", rows);
+  const pid_t child = start({"calibrate", write("rock.toml", "data = \"table.csv\"\n"), "--out", out()});
+  ::usleep(200'000);
+  int status = 0;
+  if (::waitpid(child, &status, WNOHANG) != 0) GTEST_SKIP() << "read before it could be stopped";
+  const auto begin = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  while (::waitpid(child, &status, WNOHANG) == 0 &&
+         std::chrono::steady_clock::now() - begin < std::chrono::seconds(20))
+    ::usleep(10'000);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+  EXPECT_TRUE(WIFSIGNALED(status)) << status;
+  EXPECT_FALSE(fs::exists(out()));
+  ::kill(child, SIGKILL);
 }
 
 TEST_F(Attack, TheTerminalObeysNoResult) {

@@ -262,7 +262,7 @@ TEST_F(Install, TheProgramIsGuardedAndTellsNoFolder) {
   EXPECT_THAT(output, HasSubstr("DYN"));                           // can be loaded anywhere
   EXPECT_THAT(output, testing::ContainsRegex("GNU_STACK.* RW "));  // and runs no data
   EXPECT_EQ(slurp(PHY_PROGRAM).find(PHY_SOURCE_DIR "/"), std::string::npos);
-#ifdef PHY_OPTIMISED
+#ifdef PHY_GUARDED
   ASSERT_EQ(run_line("readelf -W --dyn-syms " PHY_PROGRAM), 0);
   EXPECT_THAT(output, HasSubstr("__stack_chk_fail"));
   EXPECT_THAT(output, testing::ContainsRegex("__mem(cpy|move|set)_chk|__read_chk|__s?n?printf_chk"));
