@@ -78,8 +78,7 @@ int run(int argc, char** argv) {
                "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_flag_callback(
-      "--licences",
-      [] { throw CLI::CallForVersion(std::string(phy::embedded("packaging/copyright")), 0); },
+      "--licences", [] { throw CLI::CallForVersion(std::string(phy::embedded("packaging/copyright")), 0); },
       "print the licences of the program and of what it contains");
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
       ->check(CLI::Range(0, 1024))

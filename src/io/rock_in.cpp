@@ -423,9 +423,10 @@ class RockReader {
       problems_.push_back(
           {where, "theta", "", "a column of angles, theta or beta", "or write bedded = false"});
     else if (!rock_.readings.empty() && !has_angles && !is_given("bedded") && !readings->asked_for_angles)
-      problems_.push_back({where, "", "", "",
-                           "no column of angles: all rows would be one rock without layers. If it has layers, "
-                           "add theta [deg]; if not, write bedded = false in the rock file"});
+      problems_.push_back(
+          {where, "", "", "",
+           "no column of angles: all rows would be one rock without layers. If it has layers, "
+           "add theta [deg]; if not, write bedded = false in the rock file"});
     if (!rock_.bedded) {
       // Angles of a rock without bedding have no meaning: all rows become replicates.
       remove_layers(rock_.model), rock_.model.test.angles.clear();

@@ -49,7 +49,8 @@ report::PageExtras of_calibration(const std::string& folder) {
     extras.name = j.at("rock");
     extras.laboratory = laboratory_of(j);
   } catch (const std::exception& e) {
-    throw InputError(Problem{folder + "/calibration.json", "", "", "a calibration of format 1", io::in_words(e)});
+    throw InputError(
+        Problem{folder + "/calibration.json", "", "", "a calibration of format 1", io::in_words(e)});
   }
   extras.recipe = text_of(folder, "calibrated.toml");
   return extras;
