@@ -134,7 +134,7 @@ bool is_left_over(const std::string& path) {
   const std::string thread = thread_in(path);
   std::error_code none;
   if (thread.empty() || fs::exists("/proc/" + thread, none)) return false;
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
   if (fd < 0) return false;
   const bool free = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
   ::close(fd);

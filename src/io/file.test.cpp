@@ -216,6 +216,10 @@ TEST_F(Files, AListThatIsAPipeIsPassedOver) {
   write_output(at("a"), "text");
   EXPECT_EQ(read(at("a")), "text");
   EXPECT_EQ(read_written(at("a")), "text");
+  // And so is one in the place of what a killed process has left.
+  ASSERT_EQ(::mkfifo(at("a.phyllite-part-99999999").c_str(), 0600), 0);
+  remove_leftovers(folder.string());
+  EXPECT_FALSE(fs::exists(at("a.phyllite-part-99999999")));
 }
 
 TEST_F(Files, ANewFolderAppearsWholeOrNotAtAll) {
