@@ -248,6 +248,21 @@ TEST_F(Lab, WhatIsNoFileIsNotWaitedFor) {
   ::alarm(0);
 }
 
+TEST_F(Lab, CtrlCIsNotKeptByAnAnswer) {
+  ::alarm(60);
+  std::string table = "theta [deg],E [GPa]\n";
+  while (table.size() < 15'000'000) table += "0,20\n45,22\n90,30\n";
+  const std::string body = Json{{"name", "x"}, {"toml", "data = \"x.csv\"\n"}, {"table", table}}.dump();
+  phy::desk::Wire wire(port);
+  ASSERT_TRUE(wire.send("POST /api/check HTTP/1.1\r\n" + known() +
+                        "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(end(SIGINT), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+  ::alarm(0);
+}
+
 // A halted process takes no notice of the signal that asks it to end.
 TEST_F(Lab, WhatDoesNotStopIsEnded) {
   ::alarm(300);

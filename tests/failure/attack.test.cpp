@@ -353,6 +353,23 @@ TEST_F(Attack, AStackOfFewKilobytesIsEnough) {
     EXPECT_EQ(here("ulimit -s 64; " PHY_PROGRAM " " + std::string(line)), 0) << line << "\n" << output;
 }
 
+TEST_F(Attack, WhatIsDamagedIsToldWithoutNumbersOfALibrary) {
+  ASSERT_EQ(phyllite("run " + small_recipe() + " --out out"), 0) << output;
+  fs::remove(at("out/intact/.written-by-phyllite"));
+  fs::create_directory(at("c"));
+  const std::string whole = read(at("out/intact/result.json"));
+  for (const std::string& text :
+       {whole.substr(0, whole.size() / 2), std::string("{\"format\": 1}"),
+        std::string("{\"format\": 1, \"rock\": 3, \"recipe\": 3, \"program\": 3}")}) {
+    write("out/intact/result.json", text), write("c/calibration.json", text);
+    EXPECT_EQ(phyllite("show out/intact"), 2);
+    EXPECT_THAT(output, AllOf(HasSubstr("expected a result of format 1; "), Not(HasSubstr("exception"))));
+    EXPECT_EQ(phyllite("report c"), 2);
+    EXPECT_THAT(output,
+                AllOf(HasSubstr("expected a calibration of format 1; "), Not(HasSubstr("exception"))));
+  }
+}
+
 // Nothing is begun yet that would have to be kept.
 TEST_F(Attack, AReadingEndsWithTheSignal) {
   std::string rows = "theta [deg],E [GPa]\n";
