@@ -78,7 +78,12 @@ int run(int argc, char** argv) {
                "phyllite"};
   app.set_version_flag("--version", std::string("phyllite ") + PHY_VERSION);
   app.add_flag_callback(
-      "--licences", [] { throw CLI::CallForVersion(std::string(phy::embedded("packaging/copyright")), 0); },
+      "--licences",
+      [] {
+        const std::string_view text = phy::embedded("packaging/copyright");
+        throw CLI::CallForVersion(std::string(text.substr(0, text.rfind('\n'))),
+                                  0);  // it ends the line itself
+      },
       "print the licences of the program and of what it contains");
   app.add_option("--threads", session.threads, "worker threads; 0 = all cores")
       ->check(CLI::Range(0, 1024))

@@ -67,6 +67,14 @@ bool is_table_name(const std::string& name) {
 
 std::string toml_file(const std::string& name) { return name + ".toml"; }
 
+/// Throws InputError where the page could not show the text again.
+void check_size(const std::string& text, const std::string& file) {
+  if (text.size() > largest_text)
+    throw InputError(
+        Problem{file, "", "", "a text of at most 4 MB",
+                "the page can edit no more: keep a larger table in a file, and name it with data"});
+}
+
 }  // namespace
 
 bool exists(const std::string& path) {
@@ -123,6 +131,7 @@ std::string save_rock(const std::string& name, const std::string& toml,
                       const std::optional<std::string>& table, const std::string& stamp) {
   const RockFiles before = read_rock_files(name);
   if (before.stamp != stamp) throw Changed("the files of this rock have been changed since they were shown");
+  check_size(toml, toml_file(name));
   const std::string table_file = table_named_in(toml, "");
   if (table_file.empty())
     throw InputError(Problem{toml_file(name), "data", "", "the name of the table",
@@ -132,10 +141,7 @@ std::string save_rock(const std::string& name, const std::string& toml,
     throw InputError(Problem{toml_file(name), "data", table_file,
                              "a CSV file of this folder (.csv, .tsv, .txt)",
                              "the table that is typed here is saved under this name"});
-  if (std::max(toml.size(), table.value_or("").size()) > largest_text)
-    throw InputError(
-        Problem{toml.size() > largest_text ? toml_file(name) : table_file, "", "", "a text of at most 4 MB",
-                "the page can edit no more: keep a larger table in a file, and name it with data"});
+  if (table) check_size(*table, table_file);
   // Of a table that could not be shown the stamp says nothing.
   const bool another = stamp.empty() || table_file != before.table_file || !before.table;
   if (table && another && exists(table_file) && text_of(table_file) != table)
